@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+# Fixel: every command. Each installs what it lacks (tools/setup.sh) and says so.
+
+BUILD    := build
+HOSTCC   ?= gcc
+CROSS    ?= arm-none-eabi-
+PY       := .venv/bin/python
+WARNINGS := -std=c11 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror
+
+BOARD ?= mps2-an385
+SCENE ?= scenes/plaza.toml
+CORE  ?= cortex-m3
+OUT   ?= $(BUILD)/run
+
+HOST_TOOLS :=
+UNITY_TESTS :=
+export CROSS HOSTCC
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.SUFFIXES:
+
+# --- boards ------------------------------------------------------------------
+
+BOARDS := $(sort $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
+ifeq ($(filter $(BOARD),$(BOARDS)),)
+$(error there is no board "$(BOARD)"; the boards are: $(BOARDS))
+endif
+
+# --- set-up ------------------------------------------------------------------
+
+# What the goals of this command line need. It runs while make reads this, so
+# that set-up is over before the first compiler starts, also under -j. Where
+# nothing is missing it takes a few hundredths of a second.
+NEEDS_run    := run flash boot report size all
+NEEDS_test   := test
+NEEDS_lib    := lib
+NEEDS_format := format
+NEEDS_tools  := compare
+SETUP := $(strip $(foreach what,run test lib format tools,\
+    $(if $(filter $(NEEDS_$(what)),$(MAKECMDGOALS)),$(what))))
+
+# Once: not again in a make that this one started.
+ifeq ($(FIXEL_SETUP),)
+ifneq ($(SETUP),)
+ifneq ($(shell tools/setup.sh $(SETUP) >&2 && echo done),done)
+$(error set-up is not complete; see above)
+endif
+export FIXEL_SETUP := $(SETUP)
+endif
+endif
+
+# --- the parts ---------------------------------------------------------------
+
+include $(wildcard lib/lib.mk)
+include boards/$(BOARD)/board.mk
+include $(wildcard firmware/firmware.mk)
+include $(wildcard host_tests/*/*.mk)
+
+HOST_WALK := $(BUILD)/boards/host/walk
+WALK      := $(BUILD)/boards/$(BOARD)/walk$(if $(filter host,$(BOARD)),,.elf)
+IMAGE     := $(BUILD)/flash/$(BOARD).bin
+# A scene image is its own.
+FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
+FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
+
+# --- commands ----------------------------------------------------------------
+
+.PHONY: FORCE help all run flash boot compare report lib test size format clean
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
+	    while IFS=@ read -r name what; do printf '  %-14s %s\n' "$$name" "$$what"; done
+	@echo "Boards: $(BOARDS)"
+
+all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
+
+run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= FRAMES= OUT=]
+	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION)
+
+flash: $(WALK) ## write firmware and scene to the board's flash image [BOARD= SCENE=]
+ifeq ($(filter %.fxls,$(SCENE)),)
+	@mkdir -p $(BUILD)/scenes
+	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION)
+endif
+	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE)
+
+boot: $(WALK) ## power a board on from its flash image [BOARD=]
+	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
+	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
+
+compare: ## compare two PNGs, folders of PNGs or frame dumps [A= B= TOLERANCE=0 OUT=]
+ifneq ($(filter compare,$(MAKECMDGOALS)),)
+include tools/compare.mk
+endif
+
+report: $(HOST_WALK) $(HOST_TOOLS) ## the fixed-point error report, JSON and one HTML page [SCENE= FRAMES=]
+	@$(PY) tools/report.py --scene '$(SCENE)' --out $(BUILD)/report --build $(BUILD) $(FRAMES_OPTION)
+
+lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
+
+SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
+SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
+
+size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float and no heap
+	@for core in $(SIZE_CORES); do $(MAKE) --no-print-directory -s lib CORE=$$core || exit; done
+	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK)) \
+	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
+
+test: $(UNITY_TESTS) $(BOARD_UNIT_TESTS) $(WALK) $(BOARD_FAULTS) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
+	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNIT_TESTS) \
+	    $(if $(ONLY),--only '$(ONLY)')
+
+format: ## lay out the C sources with clang-format
+	@find lib boards firmware host_tests -name '*.[ch]' -exec clang-format -i {} +
+
+clean: ## remove what was built (keeps .venv)
+	@rm -rf $(BUILD)

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# The machine that builds Fixel, as a board: the scene from a file, the frames
+# into a file. Built by HOSTCC; no memory map.
+
+BOARD_CPU := host
+BOARD_CORE :=
+BOARD_QEMU :=
+BOARD_HOSTED := yes
+
+# Narrow bands, unlike the emulated boards': frames that come out equal also
+# show that a frame does not depend on how it is cut.
+BOARD_BAND_BYTES := 8192
+BOARD_ORDER_ENTRIES := 131072
+
+BOARD_SOURCES := boards/host/board.c boards/parts/dump.c boards/parts/board_note.c

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# Arm MPS2 with image AN385: a Cortex-M3 without FPU, as QEMU emulates it.
+
+BOARD_CPU := cortex-m3
+BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_QEMU := -M mps2-an385
+
+# Of 4 MiB: any screen in one band, and as many objects as an image can name.
+BOARD_BAND_BYTES := 1048576
+BOARD_ORDER_ENTRIES := 65536
+
+BOARD_SOURCES := boards/mps2-an385/board.c \
+    $(addprefix boards/parts/,armv7m_start.c armv7m_fault.c armv7m_protect.c systick.c \
+        semihosting.c semihosting_system.c semihosting_sink.c dump.c partition_store.c \
+        memory_functions.c board_note.c)

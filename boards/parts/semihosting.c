@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#include "parts/semihosting.h"
+
+enum {
+    SYS_OPEN = 0x01,
+    SYS_CLOSE = 0x02,
+    SYS_WRITE0 = 0x04,
+    SYS_WRITE = 0x05,
+    SYS_GET_CMDLINE = 0x15,
+    SYS_EXIT_EXTENDED = 0x20,
+
+    OPEN_WRITE_BINARY = 5,     /* as fopen's "wb" */
+    APPLICATION_EXIT = 0x20026 /* ADP_Stopped_ApplicationExit */
+};
+
+static int32_t call(uint32_t operation, const void *parameter)
+{
+    register uint32_t r0 __asm__("r0") = operation;
+    register const void *r1 __asm__("r1") = parameter;
+
+    /* The host may read and write any memory that the parameters point to. */
+    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+    return (int32_t)r0;
+}
+
+static size_t length(const char *text)
+{
+    size_t count = 0;
+
+    while (text[count] != '\0') {
+        count++;
+    }
+    return count;
+}
+
+void semihosting_text(const char *text)
+{
+    (void)call(SYS_WRITE0, text);
+}
+
+void semihosting_decimal(uint32_t number)
+{
+    char digits[11]; /* 4294967295 and the 0 that ends it */
+    char *first = &digits[sizeof digits - 1];
+
+    *first = '\0';
+    do {
+        first--;
+        *first = (char)('0' + number % 10u);
+        number /= 10u;
+    } while (number != 0);
+    semihosting_text(first);
+}
+
+void semihosting_hexadecimal(uint32_t number)
+{
+    char digits[11] = "0x";
+    int i;
+
+    for (i = 0; i < 8; i++) {
+        digits[2 + i] = "0123456789abcdef"[(number >> (28 - 4 * i)) & 15u];
+    }
+    digits[10] = '\0';
+    semihosting_text(digits);
+}
+
+_Noreturn void semihosting_exit(int status)
+{
+    const uint32_t parameters[2] = {APPLICATION_EXIT, (uint32_t)status};
+
+    for (;;) {
+        (void)call(SYS_EXIT_EXTENDED, parameters);
+    }
+}
+
+const char *semihosting_arguments(char *buffer, size_t size)
+{
+    /* The host writes the length back into the second word. */
+    uint32_t parameters[2] = {(uint32_t)(uintptr_t)buffer, (uint32_t)size};
+
+    return call(SYS_GET_CMDLINE, parameters) == 0 ? buffer : NULL;
+}
+
+int semihosting_create(const char *name)
+{
+    const uint32_t parameters[3] = {(uint32_t)(uintptr_t)name, OPEN_WRITE_BINARY,
+                                    (uint32_t)length(name)};
+
+    return (int)call(SYS_OPEN, parameters);
+}
+
+size_t semihosting_write(int handle, const void *bytes, size_t size)
+{
+    const uint32_t parameters[3] = {(uint32_t)handle, (uint32_t)(uintptr_t)bytes, (uint32_t)size};
+    const int32_t missing = call(SYS_WRITE, parameters);
+
+    return missing < 0 ? size : (size_t)missing;
+}
+
+int semihosting_close(int handle)
+{
+    const uint32_t parameters[1] = {(uint32_t)handle};
+
+    return (int)call(SYS_CLOSE, parameters);
+}

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/* system.h over semihosting. The arguments are words: the program's name, then
+ * frames=N and live in any order. */
+#include "contract/system.h"
+
+#include <stddef.h>
+
+#include "parts/semihosting.h"
+
+#define FRAMES_MAX 1000000u /* as a scene image's path */
+
+static struct {
+    uint32_t frames;
+    bool live;
+} arguments;
+
+static void refuse(const char *word)
+{
+    semihosting_text("argument not understood: ");
+    semihosting_text(word);
+    semihosting_text("\n");
+    semihosting_exit(SYSTEM_EXIT_ARGUMENT);
+}
+
+/* Whether a word begins with a prefix, and where it goes on. */
+static const char *after(const char *word, const char *prefix)
+{
+    while (*prefix != '\0') {
+        if (*word != *prefix) {
+            return NULL;
+        }
+        word++;
+        prefix++;
+    }
+    return word;
+}
+
+static bool read_frames(const char *digits, uint32_t *frames)
+{
+    uint32_t value = 0;
+
+    if (*digits == '\0') {
+        return false;
+    }
+    for (; *digits != '\0'; digits++) {
+        if (*digits < '0' || *digits > '9') {
+            return false;
+        }
+        value = value * 10u + (uint32_t)(*digits - '0'); /* <= 10 FRAMES_MAX + 9 */
+        if (value > FRAMES_MAX) {
+            return false;
+        }
+    }
+    *frames = value;
+    return true;
+}
+
+static void take(const char *word)
+{
+    const char *digits = after(word, "frames=");
+    const char *rest = after(word, "live");
+
+    if (digits != NULL && read_frames(digits, &arguments.frames)) {
+        return;
+    }
+    if (rest != NULL && *rest == '\0') {
+        arguments.live = true;
+        return;
+    }
+    refuse(word);
+}
+
+void system_start(int argc, char **argv)
+{
+    char line[128];
+    char *word = line;
+    bool named = false;
+
+    (void)argc;
+    (void)argv;
+    if (semihosting_arguments(line, sizeof line) == NULL) {
+        return; /* none: the whole path */
+    }
+    while (*word != '\0') {
+        char *end = word;
+        bool last;
+
+        while (*end != '\0' && *end != ' ') {
+            end++;
+        }
+        last = *end == '\0';
+        *end = '\0';
+        if (end != word) {
+            if (named) {
+                take(word);
+            }
+            named = true;
+        }
+        word = last ? end : end + 1;
+    }
+}
+
+uint32_t system_frames(void)
+{
+    return arguments.frames;
+}
+
+bool system_live(void)
+{
+    return arguments.live;
+}
+
+void system_text(const char *text)
+{
+    semihosting_text(text);
+}
+
+void system_exit(int status)
+{
+    semihosting_exit(status);
+}

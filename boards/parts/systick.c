@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "parts/systick.h"
+
+#include "parts/armv7m.h"
+
+#define CSR_ENABLE     1u
+#define CSR_INTERRUPT  2u
+#define CSR_CORE_CLOCK 4u
+#define ICSR_PENDSTSET (1u << 26)
+
+static volatile uint64_t wraps; /* written by the interrupt only */
+static uint32_t period;
+
+void systick_start(uint32_t reload)
+{
+    SYST_CSR = 0;
+    wraps = 0;
+    period = reload + 1u;
+    SYST_RVR = reload;
+    SYST_CVR = 0; /* any write clears; the first tick then loads reload */
+    SYST_CSR = CSR_ENABLE | CSR_INTERRUPT | CSR_CORE_CLOCK;
+}
+
+void armv7m_systick(void)
+{
+    wraps++;
+}
+
+uint64_t systick_ticks(void)
+{
+    uint32_t masked, value;
+    uint64_t whole;
+
+    __asm__ volatile("mrs %0, primask\n\tcpsid i" : "=r"(masked)::"memory");
+    value = SYST_CVR;
+    whole = wraps;
+    if ((SCB_ICSR & ICSR_PENDSTSET) != 0) {
+        /* It wrapped before or just after value was read, and nobody has
+         * counted that yet; a value read now surely lies behind the wrap. */
+        value = SYST_CVR;
+        whole++;
+    }
+    __asm__ volatile("msr primask, %0" ::"r"(masked) : "memory");
+    /* The interrupt comes as the counter reaches 0, one tick before it
+     * reloads: at 0 the new period has begun. */
+    return whole * period + (value == 0 ? 0 : period - value);
+}

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* SysTick as a clock that does not wrap. */
+#ifndef BOARD_SYSTICK_H
+#define BOARD_SYSTICK_H
+
+#include <stdint.h>
+
+#define SYSTICK_RELOAD_MAX 0x00FFFFFFu
+
+/* Starts counting core clock ticks from 0, with an interrupt every reload + 1
+ * ticks. Requires 1 <= reload <= SYSTICK_RELOAD_MAX. */
+void systick_start(uint32_t reload);
+
+/* Ticks since systick_start. Right at any moment, in handlers and across
+ * wraps, provided that interrupts are not held off for a whole period. */
+uint64_t systick_ticks(void);
+
+#endif

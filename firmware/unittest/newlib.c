@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+/* What newlib asks of a system, for tests that print or allocate: output goes
+ * where Unity's goes, memory is what the program left, files there are none.
+ * Only test programs link this. */
+#include <stddef.h>
+#include <stdint.h>
+
+#include "contract/system.h"
+#include "parts/armv7m.h"
+#include "unittest.h"
+
+extern char fxl_ram_free[], fxl_ram_end[]; /* linker/sections.ld */
+
+int _write(int file, const char *text, int size);
+int _read(int file, char *text, int size);
+int _close(int file);
+int _lseek(int file, int offset, int from);
+int _fstat(int file, void *status);
+int _isatty(int file);
+void *_sbrk(ptrdiff_t size);
+void _exit(int status);
+int _kill(int process, int signal);
+int _getpid(void);
+
+/* newlib is compiled for cores that allow misaligned words, and uses them. */
+void unittest_allow_library(void)
+{
+    SCB_CCR &= ~CCR_UNALIGN_TRP;
+}
+
+int _write(int file, const char *text, int size)
+{
+    int i;
+
+    (void)file;
+    for (i = 0; i < size; i++) {
+        unittest_put(text[i]);
+    }
+    return size;
+}
+
+int _read(int file, char *text, int size)
+{
+    (void)file;
+    (void)text;
+    (void)size;
+    return 0;
+}
+
+int _close(int file)
+{
+    (void)file;
+    return -1;
+}
+
+int _lseek(int file, int offset, int from)
+{
+    (void)file;
+    (void)offset;
+    (void)from;
+    return 0;
+}
+
+/* Fails, so that newlib takes the output for a plain file. */
+int _fstat(int file, void *status)
+{
+    (void)file;
+    (void)status;
+    return -1;
+}
+
+int _isatty(int file)
+{
+    (void)file;
+    return 1;
+}
+
+void *_sbrk(ptrdiff_t size)
+{
+    static char *end = fxl_ram_free;
+    char *const before = end;
+
+    if (size > fxl_ram_end - end || size < fxl_ram_free - end) {
+        return (void *)(intptr_t)-1;
+    }
+    end += size;
+    return before;
+}
+
+/* abort and failed assertions end here. */
+void _exit(int status)
+{
+    (void)status;
+    unittest_flush();
+    system_exit(SYSTEM_EXIT_ASSERTION);
+    for (;;) {
+    }
+}
+
+int _kill(int process, int signal)
+{
+    (void)process;
+    (void)signal;
+    return -1;
+}
+
+int _getpid(void)
+{
+    return 1;
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+#include "path.h"
+
+void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live)
+{
+    path->image = image;
+    path->viewer = image->start;
+    path->frame = 0;
+    path->stride = 0;
+    path->stride_left = image->strides != NULL ? image->strides[0].frames : 0;
+    path->live = live;
+}
+
+bool walk_path_wants_keys(const walk_path *path)
+{
+    return path->live || path->frame >= path->image->frame_count;
+}
+
+static uint32_t stride_keys(walk_path *path)
+{
+    const fxl_stride *strides = path->image->strides;
+
+    if (path->stride_left == 0) {
+        path->stride++; /* < path_count, since frame < frame_count */
+        path->stride_left = strides[path->stride].frames;
+    }
+    path->stride_left--;
+    return strides[path->stride].keys;
+}
+
+fxl_status walk_path_next(walk_path *path, uint32_t held)
+{
+    uint32_t keys = held;
+
+    if (!walk_path_wants_keys(path)) {
+        if (path->image->poses != NULL) {
+            path->viewer.pose = path->image->poses[path->frame];
+            path->frame++;
+            return FXL_OK;
+        }
+        path->frame++;
+        keys = stride_keys(path);
+    }
+    return fxl_viewer_step(&path->viewer, keys, &path->image->gait, NULL);
+}

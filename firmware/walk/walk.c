@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+#include "walk.h"
+
+#include "contract/clock.h"
+#include "contract/display.h"
+#include "contract/input.h"
+#include "contract/journal.h"
+#include "contract/store.h"
+#include "contract/system.h"
+#include "fixel.h"
+#include "path.h"
+
+/* A row of the widest screen must fit. */
+_Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than one row");
+
+static uint8_t band_pixels[WALK_BAND_BYTES];
+static fxl_order_entry order[WALK_ORDER_ENTRIES];
+static fxl_renderer renderer;
+
+static void print_number(uint32_t number)
+{
+    char digits[11]; /* 4294967295 and the 0 that ends it */
+    char *first = &digits[sizeof digits - 1];
+
+    *first = '\0';
+    do {
+        first--;
+        *first = (char)('0' + number % 10u);
+        number /= 10u;
+    } while (number != 0);
+    system_text(first);
+}
+
+static void print_with_number(const char *before, uint32_t number, const char *after)
+{
+    system_text(before);
+    print_number(number);
+    system_text(after);
+}
+
+/* Says what failed in which frame, and answers with the exit code. */
+static int fail_frame(const char *what, uint32_t frame, int exit_code)
+{
+    system_text("walk: ");
+    system_text(what);
+    print_with_number(" in frame ", frame, "\n");
+    return exit_code;
+}
+
+static int fail_status(const char *what, fxl_status status, int exit_code)
+{
+    system_text("walk: ");
+    system_text(what);
+    system_text(": ");
+    system_text(fxl_status_text(status));
+    system_text("\n");
+    return exit_code;
+}
+
+static int open_scene(fxl_scene_image *image)
+{
+    size_t size = 0;
+    const void *bytes = store_scene(&size);
+    fxl_scene_fault fault = {"image", 0};
+    fxl_status status;
+
+    if (bytes == NULL) {
+        system_text("walk: this board has no scene\n");
+        return SYSTEM_EXIT_STORE;
+    }
+    status = fxl_scene_open(bytes, size, image, &fault);
+    if (status != FXL_OK) {
+        system_text("walk: scene refused: ");
+        system_text(fxl_status_text(status));
+        system_text(" (");
+        system_text(fault.what);
+        print_with_number(" ", fault.index, ")\n");
+        return SYSTEM_EXIT_SCENE;
+    }
+    return SYSTEM_EXIT_DONE;
+}
+
+static int open_renderer(const fxl_scene_image *image)
+{
+    const fxl_status status =
+        fxl_renderer_init(&renderer, &image->scene, &image->lens, order, WALK_ORDER_ENTRIES);
+
+    if (status == FXL_E_CAPACITY) {
+        print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
+        print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    if (status != FXL_OK) {
+        return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
+    }
+    return SYSTEM_EXIT_DONE;
+}
+
+/* Draws the frame in bands as high as memory allows. *spent: instructions of
+ * the renderer alone. */
+static int draw_bands(const fxl_scene_image *image, uint32_t frame, uint64_t *spent)
+{
+    const uint16_t width = image->lens.width, height = image->lens.height;
+    const uint32_t rows_max = WALK_BAND_BYTES / width;
+    uint32_t row, rows;
+
+    for (row = 0; row < height; row += rows) {
+        fxl_band band;
+        fxl_status status;
+        uint64_t before;
+
+        rows = rows_max < height - row ? rows_max : height - row;
+        band.pixels = band_pixels;
+        band.width = width;
+        band.stride = width;
+        band.first_row = (uint16_t)row;
+        band.rows = (uint16_t)rows;
+        before = clock_instructions();
+        fxl_fill_band(&band, image->background);
+        status = fxl_frame_draw(&renderer, &band);
+        *spent += clock_instructions() - before;
+        if (status != FXL_OK) {
+            return fail_status("draw", status, SYSTEM_EXIT_RENDER);
+        }
+        if (!display_flush(0, band.first_row, width, band.rows, band_pixels)) {
+            return fail_frame("the display did not take every pixel", frame, SYSTEM_EXIT_DISPLAY);
+        }
+    }
+    return SYSTEM_EXIT_DONE;
+}
+
+static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t frame)
+{
+    const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
+    fxl_status status = walk_path_next(path, held);
+    uint64_t before, spent;
+    int code;
+
+    if (status != FXL_OK) {
+        return fail_status("step", status, SYSTEM_EXIT_INPUT);
+    }
+    if (!journal_begin(frame, &path->viewer.pose)) {
+        return fail_frame("the pose could not be noted", frame, SYSTEM_EXIT_JOURNAL);
+    }
+    before = clock_instructions();
+    status = fxl_frame_begin(&renderer, &path->viewer.pose);
+    spent = clock_instructions() - before;
+    if (status != FXL_OK) {
+        return fail_status("frame", status, SYSTEM_EXIT_RENDER);
+    }
+    code = draw_bands(image, frame, &spent);
+    if (code == SYSTEM_EXIT_DONE && !journal_end(&renderer.counters, path->viewer.clamped, spent)) {
+        return fail_frame("the counters could not be noted", frame, SYSTEM_EXIT_JOURNAL);
+    }
+    return code;
+}
+
+static int draw_frames(const fxl_scene_image *image, uint32_t frames)
+{
+    walk_path path;
+    uint32_t frame;
+
+    walk_path_begin(&path, image, system_live());
+    for (frame = 0; frame < frames; frame++) {
+        const int code = draw_frame(image, &path, frame);
+
+        if (code != SYSTEM_EXIT_DONE) {
+            return code;
+        }
+    }
+    return SYSTEM_EXIT_DONE;
+}
+
+int walk(void)
+{
+    fxl_scene_image image;
+    uint32_t frames;
+    bool closed;
+    int code = open_scene(&image);
+
+    if (code == SYSTEM_EXIT_DONE) {
+        code = open_renderer(&image);
+    }
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
+    }
+    frames = system_frames() != 0 ? system_frames() : image.frame_count;
+    if (!journal_open(frames)) {
+        system_text("walk: the journal could not be opened\n");
+        return SYSTEM_EXIT_JOURNAL;
+    }
+    if (!display_open(image.lens.width, image.lens.height, image.palette)) {
+        system_text("walk: the display could not be opened\n");
+        return SYSTEM_EXIT_DISPLAY;
+    }
+    code = draw_frames(&image, frames);
+    closed = display_close();
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
+    }
+    if (!closed) {
+        system_text("walk: the display could not be closed\n");
+        return SYSTEM_EXIT_DISPLAY;
+    }
+    print_with_number("walk: done ", frames, " frames\n");
+    return SYSTEM_EXIT_DONE;
+}

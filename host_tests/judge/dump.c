@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge/dump.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    HEAD_SIZE = 16 + 768,
+    POSE_AT = 8, /* in a frame: after mark and number */
+    PIXELS_AT = 8 + 24,
+    COUNTERS_SIZE = 4 * 8 + 4 + 8, /* counters, steps clamped, instructions */
+    TAIL_SIZE = 12
+};
+
+uint8_t *judge_read_file(const char *path, size_t *size) {
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        return NULL;
+    }
+    uint8_t *bytes = NULL;
+    long length = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    if (length >= 0 && length < LONG_MAX && fseek(file, 0, SEEK_SET) == 0) {
+        bytes = malloc((size_t)length + 1);
+        if (bytes && fread(bytes, 1, (size_t)length, file) != (size_t)length) {
+            free(bytes);
+            bytes = NULL;
+        }
+        *size = (size_t)length;
+    }
+    fclose(file);
+    return bytes;
+}
+
+static uint8_t *frame_at(const judge_dump *dump, uint32_t frame) {
+    return dump->bytes + HEAD_SIZE + frame * dump->frame_size;
+}
+
+static size_t frame_size(int width, int height) {
+    return PIXELS_AT + (size_t)width * (size_t)height + COUNTERS_SIZE;
+}
+
+static const char *check_dump(judge_dump *dump) {
+    const uint8_t *bytes = dump->bytes;
+    if (dump->size < HEAD_SIZE || memcmp(bytes, "FXLD", 4) != 0) {
+        return "it is not a frame dump (no FXLD at its start)";
+    }
+    if (ref_u16(bytes + 4) != 1 || ref_u16(bytes + 10) != 0) {
+        return "it is a frame dump of another version";
+    }
+    dump->width = ref_u16(bytes + 6);
+    dump->height = ref_u16(bytes + 8);
+    dump->frame_count = ref_u32(bytes + 12);
+    if (dump->width < 1 || dump->height < 1 || dump->frame_count < 1) {
+        return "it holds no frame";
+    }
+    dump->frame_size = frame_size(dump->width, dump->height);
+    size_t rest = dump->size - HEAD_SIZE;
+    if (rest < TAIL_SIZE || (rest - TAIL_SIZE) / dump->frame_size != dump->frame_count ||
+        (rest - TAIL_SIZE) % dump->frame_size != 0) {
+        return "it is incomplete: its length is not that of the frames it announces";
+    }
+    const uint8_t *tail = bytes + dump->size - TAIL_SIZE;
+    if (memcmp(tail, "FEND", 4) != 0 || ref_u32(tail + 4) != dump->frame_count) {
+        return "it is incomplete: its tail is missing";
+    }
+    if (ref_crc32(0, bytes, dump->size - 4) != ref_u32(tail + 8)) {
+        return "its checksum does not match";
+    }
+    for (uint32_t i = 0; i < dump->frame_count; i++) {
+        const uint8_t *frame = frame_at(dump, i);
+        if (memcmp(frame, "FRAM", 4) != 0 || ref_u32(frame + 4) != i) {
+            return "its frames are not numbered from 0";
+        }
+    }
+    return NULL;
+}
+
+const char *judge_dump_open(const char *path, judge_dump *dump) {
+    memset(dump, 0, sizeof *dump);
+    dump->bytes = judge_read_file(path, &dump->size);
+    const char *wrong = dump->bytes ? check_dump(dump) : "it cannot be read";
+    if (wrong) {
+        judge_dump_close(dump);
+    }
+    return wrong;
+}
+
+void judge_dump_close(judge_dump *dump) {
+    free(dump->bytes);
+    memset(dump, 0, sizeof *dump);
+}
+
+ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame) {
+    return ref_pose_read(frame_at(dump, frame) + POSE_AT);
+}
+
+const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame) {
+    return frame_at(dump, frame) + PIXELS_AT;
+}
+
+const uint8_t *judge_dump_palette(const judge_dump *dump) {
+    return dump->bytes + 16;
+}
+
+static void put_u32(uint8_t *bytes, uint32_t value) {
+    for (int i = 0; i < 4; i++) {
+        bytes[i] = (uint8_t)(value >> 8 * i);
+    }
+}
+
+bool judge_dump_like(const judge_dump *board, judge_dump *twin) {
+    *twin = *board;
+    twin->bytes = malloc(board->size);
+    if (!twin->bytes) {
+        memset(twin, 0, sizeof *twin);
+        return false;
+    }
+    memcpy(twin->bytes, board->bytes, board->size);
+    return true;
+}
+
+void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
+                    const ref_counters *counters) {
+    size_t area = (size_t)dump->width * (size_t)dump->height;
+    uint8_t *to = frame_at(dump, frame) + PIXELS_AT;
+    memcpy(to, pixels, area);
+    memset(to + area, 0, COUNTERS_SIZE);
+    const uint32_t values[] = {counters->in,         counters->backfacing, counters->outside,
+                               counters->degenerate, counters->refused,    counters->drawn,
+                               counters->clipped};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        put_u32(to + area + 4 * i, values[i]);
+    }
+}
+
+bool judge_dump_save(judge_dump *dump, const char *path) {
+    uint8_t *sum = dump->bytes + dump->size - 4;
+    put_u32(sum, ref_crc32(0, dump->bytes, dump->size - 4));
+    return judge_save_file(path, dump->bytes, dump->size);
+}
+
+bool judge_save_file(const char *path, const void *bytes, size_t size) {
+    static const char suffix[] = ".part";
+    char *temporary = malloc(strlen(path) + sizeof suffix);
+    if (!temporary) {
+        return false;
+    }
+    strcpy(temporary, path);
+    strcat(temporary, suffix);
+    FILE *file = fopen(temporary, "wb");
+    bool saved = file && fwrite(bytes, 1, size, file) == size;
+    saved = file && fclose(file) == 0 && saved;
+    saved = saved && rename(temporary, path) == 0;
+    if (!saved && file) {
+        remove(temporary);
+    }
+    free(temporary);
+    return saved;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/* Frame dumps (SPEC.md 9): reading one whole, writing the twin's. */
+#ifndef JUDGE_DUMP_H
+#define JUDGE_DUMP_H
+
+#include "reference/render.h"
+#include "reference/scene.h"
+
+typedef struct {
+    int width, height;
+    uint32_t frame_count;
+    size_t frame_size; /* bytes of a frame's record */
+    uint8_t *bytes;    /* the whole file */
+    size_t size;
+} judge_dump;
+
+/* Reads a whole file into memory from malloc; null where it cannot. */
+uint8_t *judge_read_file(const char *path, size_t *size);
+
+/* Checks head, frame numbers, tail and checksum. Answers null, or one clause
+ * that says what is wrong (then *dump holds nothing). */
+const char *judge_dump_open(const char *path, judge_dump *dump);
+void judge_dump_close(judge_dump *dump);
+
+ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame);
+const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame);
+const uint8_t *judge_dump_palette(const judge_dump *dump);
+
+/* Makes a dump with another renderer's pixels and counters: the same head and
+ * poses, no instructions, refused calls or clamped steps. False where memory
+ * is short. */
+bool judge_dump_like(const judge_dump *board, judge_dump *twin);
+void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
+                    const ref_counters *counters);
+
+/* Sets the checksum and writes the file by way of a temporary one. False where
+ * that fails. */
+bool judge_dump_save(judge_dump *dump, const char *path);
+
+/* A file that appears under its name only when it is whole. */
+bool judge_save_file(const char *path, const void *bytes, size_t size);
+
+#endif

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: MIT */
+/* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
+ *
+ * Renders every frame of a board's dump with the double-precision twin, from
+ * the pose in the dump, and says how many pixels differ and how far from an
+ * edge. Exit code 0: it ran, whatever it found; 2: an input is unusable, the
+ * dump is of another walk, or an output cannot be written. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge/verdict.h"
+#include "judge/walk.h"
+
+typedef struct {
+    const char *scene, *dump, *json, *twin;
+    double distance;
+} options;
+
+typedef struct {
+    ref_scene_image image;
+    judge_dump dump, twin;
+    judge_frame *frames;
+    judge_walk walk;
+} session;
+
+/* A growing text. */
+typedef struct {
+    char *text;
+    size_t length, capacity;
+    bool failed;
+} report;
+
+__attribute__((format(printf, 1, 2))) static int fail(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("error: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    return 2;
+}
+
+__attribute__((format(printf, 2, 3))) static void say(report *out, const char *format, ...) {
+    char piece[512];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(piece, sizeof piece, format, arguments);
+    va_end(arguments);
+    size_t needed = out->length + (size_t)length + 1;
+    if (needed > out->capacity) {
+        size_t capacity = 2 * needed;
+        char *more = realloc(out->text, capacity);
+        if (!more) {
+            out->failed = true;
+            return;
+        }
+        out->text = more;
+        out->capacity = capacity;
+    }
+    memcpy(out->text + out->length, piece, (size_t)length + 1);
+    out->length += (size_t)length;
+}
+
+/* null where there is no distance: nothing differs, or nothing explains. */
+static void say_distance(report *out, const char *name, double distance) {
+    if (distance >= 0 && isfinite(distance)) {
+        say(out, "\"%s\": %.9g", name, distance);
+    } else {
+        say(out, "\"%s\": null", name);
+    }
+}
+
+static void say_frame(report *out, uint32_t number, const judge_frame *frame) {
+    say(out, "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_unexplained\": %u, ",
+        (unsigned)number, (unsigned)frame->differing, (unsigned)frame->unexplained);
+    say_distance(out, "max_edge_distance_px", frame->max_distance);
+    if (frame->unexplained > 0) {
+        say(out, ",\n     \"first_unexplained\": [");
+        uint32_t shown = frame->unexplained < JUDGE_SAMPLES_MAX ? frame->unexplained
+                                                                : (uint32_t)JUDGE_SAMPLES_MAX;
+        for (uint32_t i = 0; i < shown; i++) {
+            const judge_sample *pixel = &frame->samples[i];
+            say(out, "%s{\"x\": %d, \"y\": %d, \"board\": %d, \"twin\": %d, ", i ? ", " : "",
+                pixel->x, pixel->y, pixel->board, pixel->twin);
+            say_distance(out, "distance_px", pixel->distance);
+            say(out, "}");
+        }
+        say(out, "]");
+    }
+    say(out, "}");
+}
+
+static void say_all(report *out, const options *wanted, const session *run) {
+    uint32_t count = run->dump.frame_count;
+    uint64_t pixels = (uint64_t)run->dump.width * (uint64_t)run->dump.height * count;
+    uint64_t differing = 0, unexplained = 0, inexplicable = 0;
+    double farthest = -1;
+    for (uint32_t i = 0; i < count; i++) {
+        differing += run->frames[i].differing;
+        unexplained += run->frames[i].unexplained;
+        inexplicable += run->frames[i].inexplicable;
+        farthest = fmax(farthest, run->frames[i].max_distance);
+    }
+    say(out, "{\n  \"distance\": %.9g,\n  \"pixels\": %llu,\n  \"pixels_differing\": %llu,\n",
+        wanted->distance, (unsigned long long)pixels, (unsigned long long)differing);
+    say(out, "  \"pixels_unexplained\": %llu,\n  \"pixels_inexplicable\": %llu,\n  ",
+        (unsigned long long)unexplained, (unsigned long long)inexplicable);
+    say_distance(out, "max_edge_distance_px", farthest);
+    say(out, ",\n  \"walk\": {\"frames\": %u, \"path\": \"%s\", ", (unsigned)run->walk.frames,
+        run->image.poses ? "poses" : "strides");
+    say(out, "\"max_position_error_units\": %.9g, \"position_bound_units\": %.9g, ",
+        run->walk.max_error, run->walk.max_bound);
+    say(out, "\"frames_beyond_bound\": %u},\n  \"frames\": [\n",
+        (unsigned)run->walk.frames_beyond_bound);
+    for (uint32_t i = 0; i < count; i++) {
+        say_frame(out, i, &run->frames[i]);
+        say(out, i + 1 < count ? ",\n" : "\n");
+    }
+    say(out, "  ]\n}\n");
+}
+
+static bool parse_options(int count, char **arguments, options *wanted) {
+    *wanted = (options){.distance = 1.0 / 64};
+    for (int i = 1; i < count; i++) {
+        const char *name = arguments[i];
+        const char *value = i + 1 < count ? arguments[i + 1] : NULL;
+        if (strncmp(name, "--", 2) != 0) {
+            if (wanted->dump) {
+                return false;
+            }
+            *(wanted->scene ? &wanted->dump : &wanted->scene) = name;
+            continue;
+        }
+        if (!value) {
+            return false;
+        }
+        i++;
+        if (strcmp(name, "--json") == 0) {
+            wanted->json = value;
+        } else if (strcmp(name, "--twin") == 0) {
+            wanted->twin = value;
+        } else if (strcmp(name, "--distance") == 0) {
+            char *end;
+            wanted->distance = strtod(value, &end);
+            if (end == value || *end || !(wanted->distance >= 0) || !isfinite(wanted->distance)) {
+                return false;
+            }
+        } else {
+            return false;
+        }
+    }
+    return wanted->scene && wanted->dump && wanted->json;
+}
+
+/* 0, or 2 after saying why. */
+static int open_inputs(const options *wanted, session *run) {
+    size_t size;
+    uint8_t *bytes = judge_read_file(wanted->scene, &size);
+    if (!bytes) {
+        return fail("%s: it cannot be read", wanted->scene);
+    }
+    const char *wrong = ref_scene_open(bytes, size, &run->image);
+    free(bytes);
+    if (wrong) {
+        return fail("%s: %s", wanted->scene, wrong);
+    }
+    wrong = judge_dump_open(wanted->dump, &run->dump);
+    if (wrong) {
+        return fail("%s: %s", wanted->dump, wrong);
+    }
+    if (run->dump.width != run->image.lens.width || run->dump.height != run->image.lens.height ||
+        run->dump.frame_count > run->image.frame_count ||
+        memcmp(judge_dump_palette(&run->dump), run->image.palette, 768) != 0) {
+        return fail("%s: its screen, palette or number of frames is not that of %s", wanted->dump,
+                    wanted->scene);
+    }
+    uint32_t frame;
+    wrong = judge_walk_compare(&run->image, &run->dump, &run->walk, &frame);
+    if (wrong) {
+        return fail("%s: frame %u: %s (%s)", wanted->dump, (unsigned)frame, wrong, wanted->scene);
+    }
+    return 0;
+}
+
+static int judge(const options *wanted, session *run) {
+    int code = open_inputs(wanted, run);
+    if (code != 0) {
+        return code;
+    }
+    run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
+    if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
+        !judge_frames(&run->image, &run->dump, wanted->distance, run->frames,
+                      wanted->twin ? &run->twin : NULL)) {
+        return fail("there is not enough memory to judge %s", wanted->dump);
+    }
+    if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
+        return fail("%s: it cannot be written", wanted->twin);
+    }
+    report out = {0};
+    say_all(&out, wanted, run);
+    bool saved = !out.failed && judge_save_file(wanted->json, out.text, out.length);
+    free(out.text);
+    return saved ? 0 : fail("%s: it cannot be written", wanted->json);
+}
+
+int main(int count, char **arguments) {
+    options wanted;
+    if (!parse_options(count, arguments, &wanted)) {
+        return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
+                    "[--distance PIXELS]");
+    }
+    session run = {0};
+    int code = judge(&wanted, &run);
+    free(run.frames);
+    judge_dump_close(&run.twin);
+    judge_dump_close(&run.dump);
+    ref_scene_close(&run.image);
+    return code;
+}

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# build/host/judge: a board's frames against the twin's.
+
+JUDGE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/judge/*.c))
+HOST_TOOLS += $(BUILD)/host/judge
+
+# POSIX: threads, and whether stderr is a terminal.
+$(BUILD)/host/objects/judge/%.o: host_tests/judge/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -pthread \
+	    -Ihost_tests -MMD -MP -c $< -o $@
+
+$(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/libreference.a
+	$(HOSTCC) -pthread $^ -lm -o $@
+
+-include $(JUDGE_OBJECTS:.o=.d)

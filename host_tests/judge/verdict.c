@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge/verdict.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "judge/explain.h"
+#include "reference/fill.h"
+
+enum {
+    THREADS_MAX = 16
+};
+
+/* What the threads share. Each takes the next frame under the lock; frames and
+ * twin are written at the frame's own place only. */
+typedef struct {
+    const ref_scene_image *image;
+    const judge_dump *dump;
+    double distance;
+    judge_frame *frames;
+    judge_dump *twin;
+    pthread_mutex_t lock;
+    uint32_t next, done;
+    time_t reported;
+    bool failed;
+} job;
+
+static judge_box *boxes_of(const ref_renderer *renderer) {
+    judge_box *boxes = malloc((renderer->drawn_count + 1) * sizeof *boxes);
+    for (size_t i = 0; boxes && i < renderer->drawn_count; i++) {
+        boxes[i] = judge_box_of(&renderer->drawn[i].polygon);
+    }
+    return boxes;
+}
+
+static void count_pixel(judge_frame *frame, const judge_sample *pixel, double limit) {
+    frame->differing++;
+    if (isfinite(pixel->distance)) {
+        frame->max_distance = fmax(frame->max_distance, pixel->distance);
+    } else {
+        frame->inexplicable++;
+    }
+    if (pixel->distance > limit) {
+        if (frame->unexplained < JUDGE_SAMPLES_MAX) {
+            frame->samples[frame->unexplained] = *pixel;
+        }
+        frame->unexplained++;
+    }
+}
+
+/* False where memory is short. */
+static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *twin,
+                           uint32_t number) {
+    const uint8_t *board = judge_dump_pixels(work->dump, number);
+    judge_frame *frame = &work->frames[number];
+    *frame = (judge_frame){.max_distance = -1};
+    judge_box *boxes = NULL; /* made at the first difference */
+    for (int y = 0; y < work->dump->height; y++) {
+        for (int x = 0; x < work->dump->width; x++, board++, twin++) {
+            if (*board == *twin) {
+                continue;
+            }
+            if (!boxes && !(boxes = boxes_of(renderer))) {
+                return false;
+            }
+            judge_sample pixel = {x, y, *board, *twin, 0};
+            pixel.distance = judge_explain(renderer->drawn, boxes, renderer->drawn_count,
+                                           work->image->background, x + 0.5, y + 0.5, *board);
+            count_pixel(frame, &pixel, work->distance);
+        }
+    }
+    free(boxes);
+    return true;
+}
+
+static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, uint32_t number) {
+    int width = work->dump->width, height = work->dump->height;
+    ref_band band = {pixels, width, width, 0, height};
+    ref_pose pose = judge_dump_pose(work->dump, number);
+    if (!ref_frame_begin(renderer, &pose)) {
+        return false;
+    }
+    ref_fill_band(&band, work->image->background);
+    ref_frame_draw(renderer, &band);
+    if (work->twin) {
+        judge_dump_put(work->twin, number, pixels, &renderer->counters);
+    }
+    return compare_pixels(work, renderer, pixels, number);
+}
+
+/* Under the lock. Silent in the first second and between whole seconds. */
+static void report_progress(job *work) {
+    time_t now = time(NULL);
+    uint32_t total = work->dump->frame_count;
+    if (now - work->reported < 2 && (work->done < total || !isatty(STDERR_FILENO))) {
+        return;
+    }
+    work->reported = now;
+    const char *end = isatty(STDERR_FILENO) && work->done < total ? "\r" : "\n";
+    fprintf(stderr, "judge: %u of %u frames%s", (unsigned)work->done, (unsigned)total, end);
+}
+
+static void *run_worker(void *argument) {
+    job *work = argument;
+    size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
+    ref_renderer renderer;
+    uint8_t *pixels = malloc(area);
+    bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
+    bool sound = pixels && ready;
+    pthread_mutex_lock(&work->lock);
+    while (sound && !work->failed && work->next < work->dump->frame_count) {
+        uint32_t number = work->next++;
+        pthread_mutex_unlock(&work->lock);
+        sound = judge_one(work, &renderer, pixels, number);
+        pthread_mutex_lock(&work->lock);
+        work->done++;
+        report_progress(work);
+    }
+    work->failed = work->failed || !sound;
+    pthread_mutex_unlock(&work->lock);
+    if (ready) {
+        ref_renderer_close(&renderer);
+    }
+    free(pixels);
+    return NULL;
+}
+
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, double distance,
+                  judge_frame *frames, judge_dump *twin) {
+    job work = {.image = image,
+                .dump = dump,
+                .distance = distance,
+                .frames = frames,
+                .twin = twin,
+                .lock = PTHREAD_MUTEX_INITIALIZER,
+                .reported = time(NULL)};
+    pthread_t threads[THREADS_MAX];
+    long wanted = sysconf(_SC_NPROCESSORS_ONLN), started = 0;
+    while (started < wanted - 1 && started < THREADS_MAX &&
+           pthread_create(&threads[started], NULL, run_worker, &work) == 0) {
+        started++;
+    }
+    run_worker(&work); /* this thread works too, so one is enough */
+    while (started > 0) {
+        pthread_join(threads[--started], NULL);
+    }
+    return !work.failed;
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge_frame.h"
+
+#include <math.h>
+#include <string.h>
+
+/* An edge this near, in pixels, explains a different colour. */
+#define NEARNESS (1.0 / 64.0)
+#define RINGS 4
+#define SPOKES 32
+
+/* Turns a vector in the plane of two of its parts: what pointed along `from`
+ * now points an angle further towards `towards`. */
+static void turn(double *from, double *towards, double cosine, double sine)
+{
+    double a = *from, b = *towards;
+    *from = a * cosine - b * sine;
+    *towards = a * sine + b * cosine;
+}
+
+typedef struct {
+    const scene *s;
+    vector eye;
+    double cosine[3], sine[3]; /* yaw, pitch, roll */
+} viewpoint;
+
+static viewpoint viewpoint_of(const scene *s, const dump_frame *frame)
+{
+    viewpoint v = {.s = s, .eye = frame->eye};
+    double angles[3] = {frame->yaw, frame->pitch, frame->roll};
+    for (int i = 0; i < 3; i++) {
+        v.cosine[i] = cos(angles[i]);
+        v.sine[i] = sin(angles[i]);
+    }
+    return v;
+}
+
+/* The ray through a point of the screen. The camera was turned by yaw, then,
+ * in its own frame, by pitch, then by roll; a vector fixed to it therefore
+ * goes out into the world through roll first and yaw last. */
+static world_ray ray_through(const viewpoint *v, double x, double y)
+{
+    double right = (x - v->s->width / 2.0) / v->s->focal;
+    double up = (v->s->height / 2.0 - y) / v->s->focal;
+    double forward = 1;
+    turn(&right, &up, v->cosine[2], v->sine[2]);      /* its right side towards its up side */
+    turn(&forward, &up, v->cosine[1], v->sine[1]);    /* raised */
+    turn(&forward, &right, v->cosine[0], v->sine[0]); /* from +z towards +x */
+    return (world_ray){v->eye, {right, up, forward}, v->s->near, v->s->far};
+}
+
+static uint8_t colour_of(const scene *s, world_hit hit)
+{
+    return hit.found ? hit.colour : s->background;
+}
+
+static bool shows(const viewpoint *v, double x, double y, uint8_t colour)
+{
+    world_ray ray = ray_through(v, x, y);
+    world_hit hit = world_nearest(&v->s->world, &ray);
+    return colour_of(v->s, hit) == colour || (hit.found && world_shows(&v->s->world, &ray, colour));
+}
+
+static bool explained(const viewpoint *v, double x, double y, uint8_t colour)
+{
+    for (int ring = 1; ring <= RINGS; ring++)
+        for (int spoke = 0; spoke < SPOKES; spoke++) {
+            double radius = NEARNESS * ring / RINGS;
+            double angle = spoke * (2 * acos(-1.0) / SPOKES);
+            if (shows(v, x + radius * cos(angle), y + radius * sin(angle), colour))
+                return true;
+        }
+    return false;
+}
+
+void judge_frame(const scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels)
+{
+    viewpoint view = viewpoint_of(s, frame);
+    memset(v, 0, sizeof *v);
+    for (uint32_t j = 0; j < s->height; j++)
+        for (uint32_t i = 0; i < s->width; i++) {
+            double x = i + 0.5, y = j + 0.5;
+            uint8_t twin = frame->pixels[(size_t)j * s->width + i];
+            world_ray ray = ray_through(&view, x, y);
+            uint8_t seen = colour_of(s, world_nearest(&s->world, &ray));
+            if (pixels)
+                pixels[(size_t)j * s->width + i] = seen;
+            if (seen == twin || world_shows(&s->world, &ray, twin))
+                continue;
+            v->differing++;
+            if (explained(&view, x, y, twin))
+                continue;
+            if (v->unexplained < EXAMPLES)
+                v->examples[v->unexplained] = (example){i, j, twin, seen};
+            v->unexplained++;
+        }
+}

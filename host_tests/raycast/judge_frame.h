@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* One frame of the twin against the rays. */
+#ifndef RAYCAST_JUDGE_FRAME_H
+#define RAYCAST_JUDGE_FRAME_H
+
+#include "dump_file.h"
+#include "scene_file.h"
+
+#define EXAMPLES 4
+
+typedef struct {
+    uint32_t x, y;
+    uint8_t twin, ray;
+} example;
+
+typedef struct {
+    uint32_t differing, unexplained;
+    example examples[EXAMPLES]; /* the first of the unexplained */
+} verdict;
+
+/* pixels (may be null): takes what the rays see, width x height. */
+void judge_frame(const scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels);
+
+#endif

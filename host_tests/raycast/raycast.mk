@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+# The third judge: rays in double against the twin's frames.
+
+RAYCAST_SOURCES := $(wildcard host_tests/raycast/*.c)
+
+# No fused multiply-add: an edge must give neighbours opposite answers, bit for bit.
+$(BUILD)/host/raycast: $(RAYCAST_SOURCES) $(wildcard host_tests/raycast/*.h)
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off $(RAYCAST_SOURCES) -o $@ -lm
+
+HOST_TOOLS += $(BUILD)/host/raycast

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene_file.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "file.h"
+
+enum { HEADER = 160, VERTEX = 12, CORNER = 2, FACE = 20, MODEL = 20, OBJECT = 16 };
+
+typedef struct {
+    const uint8_t *at;
+    uint32_t count;
+} table;
+
+typedef struct {
+    const char *path;
+    file_block image;
+    table vertices, corners, faces, models, objects;
+} reader;
+
+static double q16(const uint8_t *at)
+{
+    return get_i32(at) / 65536.0;
+}
+
+static vector point_at(const uint8_t *at)
+{
+    return (vector){q16(at), q16(at + 4), q16(at + 8)};
+}
+
+static table table_at(const reader *r, uint32_t field, uint32_t entry, const char *what)
+{
+    uint32_t offset = get_u32(r->image.bytes + field);
+    uint32_t count = get_u32(r->image.bytes + field + 4);
+    if ((uint64_t)offset + (uint64_t)count * entry > r->image.size || count == 0)
+        unusable("%s: its %s do not lie inside the file", r->path, what);
+    return (table){r->image.bytes + offset, count};
+}
+
+static const uint8_t *entry_of(const reader *r, table t, uint64_t index, uint32_t size,
+                               const char *what)
+{
+    if (index >= t.count)
+        unusable("%s: %s %llu of %u", r->path, what, (unsigned long long)index, t.count);
+    return t.at + index * size;
+}
+
+static void open_image(reader *r, const char *path)
+{
+    r->path = path;
+    r->image = file_read(path);
+    const uint8_t *bytes = r->image.bytes;
+    if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
+        unusable("%s: not a scene image", path);
+    if (get_u16(bytes + 4) != 1 || get_u16(bytes + 6) != HEADER)
+        unusable("%s: a scene image of another version", path);
+    uint32_t size = get_u32(bytes + 8);
+    if (size < HEADER || size > r->image.size)
+        unusable("%s: %zu bytes of a scene image of %u", path, r->image.size, size);
+    if (crc32_of(bytes + 16, size - 16) != get_u32(bytes + 12))
+        unusable("%s: the checksum does not match", path);
+    r->image.size = size;
+    r->vertices = table_at(r, 88, VERTEX, "vertices");
+    r->corners = table_at(r, 96, CORNER, "corners");
+    r->faces = table_at(r, 104, FACE, "faces");
+    r->models = table_at(r, 112, MODEL, "models");
+    r->objects = table_at(r, 120, OBJECT, "objects");
+}
+
+static const uint8_t *model_of(const reader *r, const uint8_t *object)
+{
+    return entry_of(r, r->models, get_u16(object + 12), MODEL, "model");
+}
+
+static void add_face(const reader *r, const uint8_t *object, const uint8_t *model,
+                     const uint8_t *face, world *w)
+{
+    world_polygon *polygon = &w->polygons[w->polygon_count++];
+    *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = face[17]};
+    if (polygon->count < 3)
+        unusable("%s: a face of %u corners", r->path, polygon->count);
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        uint64_t corner = (uint64_t)get_u32(face + 12) + i;
+        uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "corner"));
+        vertex += get_u32(model);
+        const uint8_t *at = entry_of(r, r->vertices, vertex, VERTEX, "vertex");
+        w->corners[w->corner_count++] = vector_plus(point_at(object), point_at(at));
+    }
+}
+
+/* Counts faces and corners first, so that each array is allocated once. */
+static world world_of(const reader *r)
+{
+    world w = {0};
+    uint64_t faces = 0, corners = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (uint32_t o = 0; o < r->objects.count; o++) {
+            const uint8_t *object = entry_of(r, r->objects, o, OBJECT, "object");
+            const uint8_t *model = model_of(r, object);
+            for (uint32_t f = 0; f < get_u32(model + 12); f++) {
+                uint64_t number = (uint64_t)get_u32(model + 8) + f;
+                const uint8_t *face = entry_of(r, r->faces, number, FACE, "face");
+                if (pass == 1)
+                    add_face(r, object, model, face, &w);
+                faces++;
+                corners += face[16];
+            }
+        }
+        if (pass == 0) {
+            if (faces == 0 || faces > 50000000 || corners > 500000000)
+                unusable("%s: %llu polygons", r->path, (unsigned long long)faces);
+            w.polygons = allocate(faces, sizeof *w.polygons);
+            w.corners = allocate(corners, sizeof *w.corners);
+        }
+    }
+    return w;
+}
+
+scene scene_read(const char *path)
+{
+    reader r;
+    open_image(&r, path);
+    const uint8_t *bytes = r.image.bytes;
+    double turn = get_u32(bytes + 20) / 4294967296.0;
+    double inset = q16(bytes + 32);
+    scene s = {
+        .width = get_u16(bytes + 16),
+        .height = get_u16(bytes + 18),
+        .near = q16(bytes + 24) + inset,
+        .far = q16(bytes + 28) - inset,
+        .background = bytes[36],
+    };
+    /* Half the field of view, pi times the turn: half the screen's width lies
+     * this far to the side at a depth of one focal length. */
+    s.focal = s.width / 2.0 / tan(turn * acos(-1.0));
+    if (s.width == 0 || s.height == 0 || !(s.focal > 0) || !(s.near > 0) || !(s.far > s.near))
+        unusable("%s: its screen or its depths make no sense", path);
+    s.world = world_of(&r);
+    world_prepare(&s.world);
+    return s;
+}

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene image (SPEC.md, chapter 8) as the polygons of a world. */
+#ifndef RAYCAST_SCENE_FILE_H
+#define RAYCAST_SCENE_FILE_H
+
+#include "world.h"
+
+typedef struct {
+    uint32_t width, height;
+    double focal;     /* pixels */
+    double near, far; /* what is seen, the inset taken off */
+    uint8_t background;
+    world world;
+} scene;
+
+/* Does not return if the image is unusable. */
+scene scene_read(const char *path);
+
+#endif

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/* The polygons of the world, and which of them a ray meets first. */
+#ifndef RAYCAST_WORLD_H
+#define RAYCAST_WORLD_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "vector.h"
+
+typedef struct {
+    uint32_t first, count; /* corners */
+    uint8_t colour;
+    vector normal; /* Newell's, any length; its sign means nothing */
+    vector middle; /* mean of the corners: a point of the plane */
+} world_polygon;
+
+/* A box around polygons first .. first + count - 1 (a leaf, count > 0), or
+ * around the two nodes first and first + 1. */
+typedef struct {
+    double low[3], high[3];
+    uint32_t first, count;
+} world_node;
+
+typedef struct {
+    world_polygon *polygons;
+    vector *corners;
+    world_node *nodes;
+    uint32_t polygon_count, corner_count, node_count;
+} world;
+
+/* A ray from the eye. The direction advances 1 along forward, so a hit at
+ * eye + z * direction lies at depth z. Only hits in near..far count. */
+typedef struct {
+    vector eye, direction;
+    double near, far;
+} world_ray;
+
+typedef struct {
+    bool found;
+    double z;
+    uint8_t colour;
+} world_hit;
+
+/* Computes planes and boxes; polygons and corners must be filled in. */
+void world_prepare(world *w);
+
+/* The nearest polygon on the ray, from whichever side. */
+world_hit world_nearest(const world *w, const world_ray *ray);
+
+/* Whether a polygon of this colour lies no deeper than the nearest hit, to
+ * within 1e-6 of its depth: coplanar polygons have no nearer and farther. */
+bool world_shows(const world *w, const world_ray *ray, uint8_t colour);
+
+#endif

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* Sine and cosine of binary angles, in double. */
+#ifndef REF_ANGLE_H
+#define REF_ANGLE_H
+
+#include "reference/record.h"
+
+/* Exact at the quarter turns, else to the last bit or so of a double. */
+double ref_sin(ref_angle angle);
+double ref_cos(ref_angle angle);
+
+/* The angle in radians, 0 <= a < 2 pi. */
+double ref_radians(ref_angle angle);
+
+#endif

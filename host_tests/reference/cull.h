@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* Facing (SPEC.md 4.4), exact; and a face as a polygon of the world. */
+#ifndef REF_CULL_H
+#define REF_CULL_H
+
+#include "reference/scene.h"
+
+bool ref_face_is_front(const ref_scene *scene, const ref_object *object, const ref_face *face,
+                       const ref_lattice_point *eye);
+void ref_face_to_polygon(const ref_scene *scene, const ref_object *object, const ref_face *face,
+                         ref_polygon *polygon);
+
+#endif

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT */
+/* Colour into a band. */
+#ifndef REF_FILL_H
+#define REF_FILL_H
+
+#include "reference/record.h"
+
+void ref_fill_span(const ref_band *band, const ref_span *span, uint8_t colour);
+void ref_fill_band(const ref_band *band, uint8_t colour);
+
+#endif

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/lens.h"
+
+#include <math.h>
+
+#include "reference/angle.h"
+
+ref_lens ref_lens_from_fov(int width, int height, ref_angle fov, double near, double far,
+                           double inset) {
+    double focal = width / 2.0 / tan(ref_radians(fov) / 2);
+    return (ref_lens){.width = width,
+                      .height = height,
+                      .focal = floor(focal * REF_ONE + 0.5) / REF_ONE,
+                      .near = near,
+                      .far = far,
+                      .inset = inset};
+}

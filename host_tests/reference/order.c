@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/order.h"
+
+#include <stdlib.h>
+
+#include "reference/cull.h"
+
+static ref_square square(int64_t value) {
+    ref_square size = (ref_square)llabs(value);
+    return size * size;
+}
+
+ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point) {
+    return square((int64_t)point->x - eye->x) + square((int64_t)point->y - eye->y) +
+           square((int64_t)point->z - eye->z);
+}
+
+static void widen(int64_t *low, int64_t *high, int32_t value) {
+    *low = value < *low ? value : *low;
+    *high = value > *high ? value : *high;
+}
+
+ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
+                                     const ref_object *object, const ref_face *face) {
+    int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
+    int64_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
+    for (int i = 0; i < face->count; i++) {
+        ref_lattice_point corner = ref_face_corner(scene, object, face, i);
+        widen(&low[0], &high[0], corner.x);
+        widen(&low[1], &high[1], corner.y);
+        widen(&low[2], &high[2], corner.z);
+    }
+    return square(low[0] + high[0] - 2 * (int64_t)eye->x) +
+           square(low[1] + high[1] - 2 * (int64_t)eye->y) +
+           square(low[2] + high[2] - 2 * (int64_t)eye->z);
+}
+
+static int drawn_before(const void *a, const void *b) {
+    const ref_order_entry *first = a, *second = b;
+    if (first->layer != second->layer) {
+        return first->layer < second->layer ? -1 : 1;
+    }
+    if (first->distance != second->distance) {
+        return first->distance > second->distance ? -1 : 1;
+    }
+    return (first->index > second->index) - (first->index < second->index);
+}
+
+void ref_order_sort(ref_order_entry *entries, uint32_t count) {
+    qsort(entries, count, sizeof *entries, drawn_before);
+}
+
+void ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
+                       ref_order_entry *entries) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const ref_object *object = &scene->objects[i];
+        entries[i] =
+            (ref_order_entry){ref_distance_squared(eye, &object->centre), i, object->layer};
+    }
+    ref_order_sort(entries, scene->object_count);
+}
+
+uint32_t ref_order_faces(const ref_scene *scene, const ref_object *object,
+                         const ref_lattice_point *eye, ref_order_entry *entries) {
+    const ref_model *model = &scene->models[object->model];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const ref_face *face = &scene->faces[model->first_face + i];
+        if (ref_face_is_front(scene, object, face, eye)) {
+            entries[count++] =
+                (ref_order_entry){ref_face_distance_squared(eye, scene, object, face), i, 0};
+        }
+    }
+    ref_order_sort(entries, count);
+    return count;
+}

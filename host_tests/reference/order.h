@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* The order of drawing (SPEC.md 7), exact in 128 bits. */
+#ifndef REF_ORDER_H
+#define REF_ORDER_H
+
+#include "reference/scene.h"
+
+__extension__ typedef unsigned __int128 ref_square;
+
+typedef struct {
+    ref_square distance;
+    uint32_t index, layer;
+} ref_order_entry;
+
+ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point);
+ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
+                                     const ref_object *object, const ref_face *face);
+
+/* Layer upward, distance downward, index upward. */
+void ref_order_sort(ref_order_entry *entries, uint32_t count);
+
+/* All objects; and of an object's faces those that face the eye. entries has
+ * room for all of them. */
+void ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
+                       ref_order_entry *entries);
+uint32_t ref_order_faces(const ref_scene *scene, const ref_object *object,
+                         const ref_lattice_point *eye, ref_order_entry *entries);
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* From the view onto the screen (SPEC.md 4.7), in double. */
+#ifndef REF_PROJECT_H
+#define REF_PROJECT_H
+
+#include "reference/lens.h"
+
+/* Requires view->z > 0. */
+ref_screen_point ref_project_point(const ref_lens *lens, const ref_point *view);
+void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,
+                         ref_screen_polygon *screen);
+
+#endif

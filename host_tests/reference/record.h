@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+/* The twin's records: the library's, in double.
+ *
+ * The twin is written from SPEC.md alone. It is a program for the host: it may
+ * use the heap, libc and libm. Whole numbers that the law calls exact (poses,
+ * the scene) stay whole; everything else is a double in world units or pixels.
+ */
+#ifndef REF_RECORD_H
+#define REF_RECORD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define REF_ONE               65536.0 /* units of 16.16 in 1 */
+#define REF_POLYGON_CAPACITY  32
+#define REF_FACE_VERTICES_MAX 24
+#define REF_COORDINATE_MAX    8191
+#define REF_SCREEN_MAX        1024
+
+typedef uint32_t ref_angle; /* a full turn is 2^32 */
+
+/* A point of the world in whole units of 1/65536. */
+typedef struct {
+    int32_t x, y, z;
+} ref_lattice_point;
+
+/* A point or a vector, in world units. */
+typedef struct {
+    double x, y, z;
+} ref_point;
+
+/* Inside is normal . point >= distance. The distance is kept to 64 bits, so
+ * that the sign of a difference is exact when the plane and the point are the
+ * library's own integers (below 2^62 units of 2^-46). */
+typedef struct {
+    ref_point normal;
+    long double distance;
+} ref_plane;
+
+typedef struct {
+    ref_lattice_point position;
+    ref_angle yaw, pitch, roll;
+} ref_pose;
+
+typedef struct {
+    ref_point position;
+    double u, v;
+} ref_vertex;
+
+typedef struct {
+    uint8_t colour;
+    int count;
+    ref_vertex vertices[REF_POLYGON_CAPACITY];
+} ref_polygon;
+
+/* Relative to the eye: along right, up and forward. */
+typedef struct {
+    uint8_t colour;
+    int count;
+    ref_point points[REF_POLYGON_CAPACITY];
+} ref_view_polygon;
+
+/* In pixels, y down. */
+typedef struct {
+    double x, y;
+} ref_screen_point;
+
+typedef struct {
+    uint8_t colour;
+    int count;
+    ref_screen_point points[REF_POLYGON_CAPACITY];
+} ref_screen_polygon;
+
+/* Pixels x0 <= x < x1 of row y. */
+typedef struct {
+    int y, x0, x1;
+} ref_span;
+
+/* A strip of the frame; row first_row starts at pixels[0]. */
+typedef struct {
+    uint8_t *pixels;
+    int width, stride, first_row, rows;
+} ref_band;
+
+typedef struct {
+    uint32_t in, backfacing, outside, degenerate, refused, drawn, clipped;
+} ref_counters;
+
+#endif

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/render.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference/clip.h"
+#include "reference/cull.h"
+#include "reference/fill.h"
+#include "reference/project.h"
+#include "reference/scan.h"
+#include "reference/transform.h"
+
+bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens) {
+    uint32_t faces = 0;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        faces = scene->models[i].face_count > faces ? scene->models[i].face_count : faces;
+    }
+    memset(renderer, 0, sizeof *renderer);
+    renderer->scene = scene;
+    renderer->lens = *lens;
+    renderer->objects = calloc(scene->object_count, sizeof *renderer->objects);
+    renderer->faces = calloc((size_t)faces + 1, sizeof *renderer->faces);
+    if (!renderer->objects || !renderer->faces) {
+        ref_renderer_close(renderer);
+        return false;
+    }
+    return true;
+}
+
+void ref_renderer_close(ref_renderer *renderer) {
+    free(renderer->objects);
+    free(renderer->faces);
+    free(renderer->drawn);
+    memset(renderer, 0, sizeof *renderer);
+}
+
+static ref_drawn *drawn_next(ref_renderer *renderer) {
+    if (renderer->drawn_count == renderer->drawn_capacity) {
+        size_t capacity = renderer->drawn_capacity ? 2 * renderer->drawn_capacity : 256;
+        ref_drawn *more = realloc(renderer->drawn, capacity * sizeof *more);
+        if (!more) {
+            return NULL;
+        }
+        renderer->drawn = more;
+        renderer->drawn_capacity = capacity;
+    }
+    return &renderer->drawn[renderer->drawn_count];
+}
+
+/* A face that faces the eye, from the world to the list. */
+static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number) {
+    const ref_object *object = &renderer->scene->objects[object_number];
+    const ref_model *model = &renderer->scene->models[object->model];
+    const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
+    ref_polygon whole, clipped;
+    ref_face_to_polygon(renderer->scene, object, face, &whole);
+    switch (ref_clip_to_frustum(&whole, &renderer->frustum, &clipped)) {
+    case REF_CLIP_OUTSIDE:
+        renderer->counters.outside++;
+        return true;
+    case REF_CLIP_DEGENERATE:
+        renderer->counters.degenerate++;
+        return true;
+    case REF_CLIP_CAPACITY:
+        renderer->counters.refused++;
+        return true;
+    case REF_CLIP_CUT:
+        renderer->counters.clipped++;
+        break;
+    case REF_CLIP_INSIDE:
+        break;
+    }
+    ref_drawn *drawn = drawn_next(renderer);
+    if (!drawn) {
+        return false;
+    }
+    ref_view_polygon view;
+    ref_transform_polygon(&renderer->camera, &clipped, &view);
+    ref_project_polygon(&renderer->lens, &view, &drawn->polygon);
+    drawn->object = object_number;
+    drawn->face = face_number;
+    renderer->drawn_count++;
+    renderer->counters.drawn++;
+    return true;
+}
+
+static bool take_object(ref_renderer *renderer, uint32_t number) {
+    const ref_scene *scene = renderer->scene;
+    const ref_object *object = &scene->objects[number];
+    const ref_model *model = &scene->models[object->model];
+    uint32_t count = 0;
+    if (model->kind == REF_MODEL_SORTED) {
+        count = ref_order_faces(scene, object, &renderer->eye, renderer->faces);
+    } else {
+        for (uint32_t i = 0; i < model->face_count; i++) {
+            const ref_face *face = &scene->faces[model->first_face + i];
+            if (ref_face_is_front(scene, object, face, &renderer->eye)) {
+                renderer->faces[count++].index = i;
+            }
+        }
+    }
+    renderer->counters.in += model->face_count;
+    renderer->counters.backfacing += model->face_count - count;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!take_face(renderer, number, renderer->faces[i].index)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose) {
+    renderer->eye = pose->position;
+    renderer->camera = ref_camera_from_pose(pose);
+    renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
+    renderer->counters = (ref_counters){0};
+    renderer->drawn_count = 0;
+    ref_order_objects(renderer->scene, &renderer->eye, renderer->objects);
+    for (uint32_t i = 0; i < renderer->scene->object_count; i++) {
+        if (!take_object(renderer, renderer->objects[i].index)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void ref_frame_draw(const ref_renderer *renderer, const ref_band *band) {
+    for (size_t i = 0; i < renderer->drawn_count; i++) {
+        const ref_screen_polygon *polygon = &renderer->drawn[i].polygon;
+        ref_scan scan;
+        ref_span span;
+        ref_scan_begin(polygon, band, &scan);
+        while (ref_scan_next(&scan, &span)) {
+            ref_fill_span(band, &span, polygon->colour);
+        }
+    }
+}

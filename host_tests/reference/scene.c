@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+uint16_t ref_u16(const uint8_t *bytes) {
+    return (uint16_t)(bytes[0] | bytes[1] << 8);
+}
+
+uint32_t ref_u32(const uint8_t *bytes) {
+    return ref_u16(bytes) | (uint32_t)ref_u16(bytes + 2) << 16;
+}
+
+int32_t ref_i32(const uint8_t *bytes) {
+    uint32_t value = ref_u32(bytes);
+    return value < 0x80000000u ? (int32_t)value : (int32_t)((int64_t)value - INT64_C(0x100000000));
+}
+
+uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size) {
+    uint32_t table[256];
+    for (uint32_t i = 0; i < 256; i++) {
+        uint32_t entry = i;
+        for (int bit = 0; bit < 8; bit++) {
+            entry = entry >> 1 ^ (entry & 1 ? 0xEDB88320u : 0);
+        }
+        table[i] = entry;
+    }
+    crc = ~crc;
+    for (size_t i = 0; i < size; i++) {
+        crc = crc >> 8 ^ table[(crc ^ bytes[i]) & 0xFF];
+    }
+    return ~crc;
+}
+
+static ref_lattice_point point_read(const uint8_t *bytes) {
+    return (ref_lattice_point){ref_i32(bytes), ref_i32(bytes + 4), ref_i32(bytes + 8)};
+}
+
+ref_pose ref_pose_read(const uint8_t *bytes) {
+    return (ref_pose){point_read(bytes), ref_u32(bytes + 12), ref_u32(bytes + 16),
+                      ref_u32(bytes + 20)};
+}
+
+ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_object *object,
+                                  const ref_face *face, int corner) {
+    const ref_model *model = &scene->models[object->model];
+    uint32_t number = scene->corners[face->first_corner + (uint32_t)corner];
+    ref_lattice_point vertex = scene->vertices[model->first_vertex + number];
+    return (ref_lattice_point){object->centre.x + vertex.x, object->centre.y + vertex.y,
+                               object->centre.z + vertex.z};
+}
+
+/* A table of the image: where its entries are, or null with *count 0. */
+static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
+                               uint32_t maximum, uint32_t *count) {
+    uint64_t offset = ref_u32(bytes + field);
+    *count = ref_u32(bytes + field + 4);
+    bool usable = *count >= 1 && *count <= maximum && offset % 4 == 0 &&
+                  offset + (uint64_t)*count * entry_size <= size;
+    if (!usable) {
+        *count = 0;
+        return NULL;
+    }
+    return bytes + offset;
+}
+
+static bool coordinate_is_sound(int64_t c) {
+    return llabs(c) <= (int64_t)REF_COORDINATE_MAX * 65536;
+}
+
+static bool inside_world(const ref_lattice_point *p) {
+    return coordinate_is_sound(p->x) && coordinate_is_sound(p->y) && coordinate_is_sound(p->z);
+}
+
+static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene) {
+    const uint8_t *vertices = table_at(bytes, size, 88, 12, 1000000, &scene->vertex_count);
+    const uint8_t *corners = table_at(bytes, size, 96, 2, 4000000, &scene->corner_count);
+    const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
+    const uint8_t *models = table_at(bytes, size, 112, 20, 65535, &scene->model_count);
+    const uint8_t *objects = table_at(bytes, size, 120, 16, 65535, &scene->object_count);
+    if (!vertices || !corners || !faces || !models || !objects) {
+        return false;
+    }
+    scene->vertices = calloc(scene->vertex_count, sizeof *scene->vertices);
+    scene->corners = calloc(scene->corner_count, sizeof *scene->corners);
+    scene->faces = calloc(scene->face_count, sizeof *scene->faces);
+    scene->models = calloc(scene->model_count, sizeof *scene->models);
+    scene->objects = calloc(scene->object_count, sizeof *scene->objects);
+    if (!scene->vertices || !scene->corners || !scene->faces || !scene->models || !scene->objects) {
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->vertex_count; i++) {
+        scene->vertices[i] = point_read(vertices + 12 * (size_t)i);
+    }
+    for (uint32_t i = 0; i < scene->corner_count; i++) {
+        scene->corners[i] = ref_u16(corners + 2 * (size_t)i);
+    }
+    for (uint32_t i = 0; i < scene->face_count; i++) {
+        const uint8_t *p = faces + 20 * (size_t)i;
+        scene->faces[i] =
+            (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)}, ref_u32(p + 12), p[16], p[17]};
+    }
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const uint8_t *p = models + 20 * (size_t)i;
+        scene->models[i] =
+            (ref_model){ref_u32(p), ref_u32(p + 4), ref_u32(p + 8), ref_u32(p + 12), p[16]};
+    }
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const uint8_t *p = objects + 16 * (size_t)i;
+        scene->objects[i] = (ref_object){point_read(p), ref_u16(p + 12), p[14]};
+    }
+    return true;
+}
+
+static bool faces_are_sound(const ref_scene *scene, const ref_model *model) {
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const ref_face *face = &scene->faces[model->first_face + i];
+        if (face->count < 3 || face->count > REF_FACE_VERTICES_MAX ||
+            (uint64_t)face->first_corner + face->count > scene->corner_count) {
+            return false;
+        }
+        for (uint32_t k = 0; k < face->count; k++) {
+            if (scene->corners[face->first_corner + k] >= model->vertex_count) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool geometry_is_sound(const ref_scene *scene) {
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const ref_model *model = &scene->models[i];
+        if ((uint64_t)model->first_vertex + model->vertex_count > scene->vertex_count ||
+            (uint64_t)model->first_face + model->face_count > scene->face_count ||
+            model->kind > REF_MODEL_SORTED || !faces_are_sound(scene, model)) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const ref_object *object = &scene->objects[i];
+        if (object->model >= scene->model_count || !inside_world(&object->centre)) {
+            return false;
+        }
+        const ref_model *model = &scene->models[object->model];
+        for (uint32_t v = 0; v < model->vertex_count; v++) {
+            ref_lattice_point p = scene->vertices[model->first_vertex + v];
+            if (!coordinate_is_sound((int64_t)p.x + object->centre.x) ||
+                !coordinate_is_sound((int64_t)p.y + object->centre.y) ||
+                !coordinate_is_sound((int64_t)p.z + object->centre.z)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image) {
+    bool strides = bytes[37] == 1;
+    const uint8_t *path = table_at(bytes, size, 128, strides ? 4 : 24, 1000000, &image->path_count);
+    if (!path || bytes[37] > 1) {
+        return false;
+    }
+    uint64_t frames = 0;
+    if (strides) {
+        image->strides = calloc(image->path_count, sizeof *image->strides);
+    } else {
+        image->poses = calloc(image->path_count, sizeof *image->poses);
+    }
+    for (uint32_t i = 0; i < image->path_count; i++) {
+        if (image->strides) {
+            const uint8_t *p = path + 4 * (size_t)i;
+            image->strides[i] = (ref_stride){ref_u16(p), ref_u16(p + 2)};
+            frames += image->strides[i].frames;
+        } else if (image->poses) {
+            image->poses[i] = ref_pose_read(path + 24 * (size_t)i);
+            frames += inside_world(&image->poses[i].position);
+        }
+    }
+    image->frame_count = ref_u32(bytes + 136);
+    return frames >= 1 && frames == image->frame_count;
+}
+
+static bool read_lens(const uint8_t *bytes, ref_lens *lens) {
+    int width = ref_u16(bytes + 16), height = ref_u16(bytes + 18);
+    ref_angle fov = ref_u32(bytes + 20);
+    double near = ref_i32(bytes + 24) / REF_ONE, far = ref_i32(bytes + 28) / REF_ONE,
+           inset = ref_i32(bytes + 32) / REF_ONE;
+    *lens = ref_lens_from_fov(width, height, fov, near, far, inset);
+    return width >= 1 && width <= REF_SCREEN_MAX && height >= 1 && height <= REF_SCREEN_MAX &&
+           fov >= 119304648u && fov <= 1789569706u && near >= 1.0 / 256 && far <= 32767 &&
+           inset >= 0 && inset <= 1 && near + 2 * inset < far;
+}
+
+static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image) {
+    if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
+        return "it is not a scene image (no FXLS at its start)";
+    }
+    if (ref_u16(bytes + 4) != 1 || ref_u16(bytes + 6) != 160) {
+        return "it is a scene image of another version";
+    }
+    uint32_t stated = ref_u32(bytes + 8);
+    if (stated < 160 || stated > size || stated > 16u << 20) {
+        return "the scene image is shorter than it says";
+    }
+    if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
+        return "the scene image's checksum does not match";
+    }
+    if (!read_lens(bytes, &image->lens)) {
+        return "the scene image's lens is out of range";
+    }
+    image->background = bytes[36];
+    image->start = ref_pose_read(bytes + 40);
+    image->gait = (ref_gait){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
+                             ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
+    uint32_t colours;
+    const uint8_t *palette = table_at(bytes, stated, 80, 3, 256, &colours);
+    if (!palette || colours != 256) {
+        return "the scene image's palette is not usable";
+    }
+    memcpy(image->palette, palette, sizeof image->palette);
+    if (!read_geometry(bytes, stated, &image->scene) || !geometry_is_sound(&image->scene)) {
+        return "a table of the scene image reaches outside the image, points outside another "
+               "table or leaves the world's range";
+    }
+    if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
+        return "the scene image's path is not usable";
+    }
+    return NULL;
+}
+
+const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *image) {
+    memset(image, 0, sizeof *image);
+    const char *wrong = read_image(bytes, size, image);
+    if (wrong) {
+        ref_scene_close(image);
+    }
+    return wrong;
+}
+
+void ref_scene_close(ref_scene_image *image) {
+    free(image->scene.vertices);
+    free(image->scene.corners);
+    free(image->scene.faces);
+    free(image->scene.models);
+    free(image->scene.objects);
+    free(image->poses);
+    free(image->strides);
+    memset(image, 0, sizeof *image);
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene image (SPEC.md 8), read byte by byte into tables of the twin's own. */
+#ifndef REF_SCENE_H
+#define REF_SCENE_H
+
+#include "reference/lens.h"
+#include "reference/viewer.h"
+
+typedef struct {
+    int32_t normal[3]; /* 2.30 */
+    uint32_t first_corner;
+    uint8_t count, colour;
+} ref_face;
+
+enum {
+    REF_MODEL_CONVEX = 0,
+    REF_MODEL_SORTED = 1
+};
+
+typedef struct {
+    uint32_t first_vertex, vertex_count, first_face, face_count;
+    uint8_t kind;
+} ref_model;
+
+typedef struct {
+    ref_lattice_point centre;
+    uint16_t model;
+    uint8_t layer;
+} ref_object;
+
+typedef struct {
+    uint16_t keys, frames;
+} ref_stride;
+
+typedef struct {
+    ref_lattice_point *vertices; /* relative to the object's centre */
+    uint16_t *corners;
+    ref_face *faces;
+    ref_model *models;
+    ref_object *objects;
+    uint32_t vertex_count, corner_count, face_count, model_count, object_count;
+} ref_scene;
+
+typedef struct {
+    ref_scene scene;
+    ref_lens lens;
+    uint8_t background;
+    uint8_t palette[768];
+    ref_pose start;
+    ref_gait gait;
+    ref_pose *poses;     /* null where the path is strides */
+    ref_stride *strides; /* null where the path is poses */
+    uint32_t path_count, frame_count;
+} ref_scene_image;
+
+/* Reads an image. Answers null, or one sentence that says what is wrong (then
+ * *image holds nothing). Checks what the twin relies on: lens, tables, counts
+ * and indices; the rest is the library's loader's to judge. */
+const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *image);
+void ref_scene_close(ref_scene_image *image);
+
+/* CRC-32, IEEE 802.3, reflected; start with 0 and continue with the result. */
+uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size);
+
+/* Little-endian fields. */
+uint16_t ref_u16(const uint8_t *bytes);
+uint32_t ref_u32(const uint8_t *bytes);
+int32_t ref_i32(const uint8_t *bytes);
+
+/* Position, yaw, pitch, roll: 24 bytes, here and in the frame dump. */
+ref_pose ref_pose_read(const uint8_t *bytes);
+
+/* A corner of a face in the world, exactly. */
+ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_object *object,
+                                  const ref_face *face, int corner);
+
+#endif

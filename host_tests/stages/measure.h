@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* Each stage fed the same input on both sides of its boundary. */
+#ifndef STAGES_MEASURE_H
+#define STAGES_MEASURE_H
+
+#include "fixel.h"
+#include "stages/tally.h"
+
+/* The tally of each stage, named and empty. */
+stages_tally stages_clip_tally(const char *input);
+stages_tally stages_transform_tally(const char *input);
+stages_tally stages_project_tally(const char *input);
+stages_tally stages_fill_tally(const char *input);
+
+/* Clips plane by plane; before each plane both sides start from the library's
+ * polygon, so that one plane's rounding is not counted for the next. Samples
+ * are the vertices that a plane made. *polygon becomes what is left; false
+ * where nothing is. */
+int stages_measure_clip(stages_tally *tally, const fxl_frustum *frustum, fxl_polygon *polygon);
+
+void stages_measure_transform(stages_tally *tally, const fxl_camera *camera, const fxl_point *point,
+                              fxl_view_point *view);
+
+/* False where the library refused the point. */
+int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_view_point *view,
+                           fxl_screen_point *screen);
+
+/* Pixels of one polygon within a band that differ. The band's pixels must be 0
+ * and are 0 again afterwards. */
+void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
+                         const fxl_band *band);
+
+#endif

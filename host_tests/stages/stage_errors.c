@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* stage_errors [SCENE.fxls] [--samples N] [--seed S]
+ *
+ * Feeds every stage of the library and its double twin the same input, from a
+ * scene along its path and at random, and prints how far they are apart, as
+ * JSON. Exit code 0: it ran; 2: it could not. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "fixel.h"
+#include "stages/measure.h"
+#include "stages/random.h"
+
+enum {
+    FRAMES_MAX = 240, /* of a longer path every so-manieth is taken */
+    FILL_SHARE = 20,  /* a filled polygon costs about as much as so many points */
+    RANDOM_SCREEN_MAX = 1024 * 1024
+};
+
+typedef struct {
+    const char *scene;
+    uint64_t samples, seed;
+} options;
+
+typedef struct {
+    stages_tally clip, transform, project, fill;
+} tallies;
+
+static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
+
+static int fail(const char *where, const char *what) {
+    fprintf(stderr, "error: %s: %s\n", where, what);
+    return 2;
+}
+
+static tallies tallies_for(const char *input) {
+    return (tallies){stages_clip_tally(input), stages_transform_tally(input),
+                     stages_project_tally(input), stages_fill_tally(input)};
+}
+
+static void progress(const char *what, uint64_t done, uint64_t all) {
+    static time_t reported;
+    time_t now = time(NULL);
+    if (reported == 0) {
+        reported = now;
+    }
+    if (now - reported >= 2) {
+        reported = now;
+        fprintf(stderr, "stage_errors: %s %llu of %llu\n", what, (unsigned long long)done,
+                (unsigned long long)all);
+    }
+}
+
+/* One polygon down the library's own way, measured at every boundary. */
+static void take_polygon(tallies *to, const fxl_camera *camera, const fxl_lens *lens,
+                         const fxl_frustum *frustum, fxl_polygon *polygon) {
+    if (!stages_measure_clip(&to->clip, frustum, polygon)) {
+        return;
+    }
+    fxl_screen_polygon screen = {.colour = polygon->colour, .count = polygon->count};
+    for (int i = 0; i < polygon->count; i++) {
+        fxl_view_point view;
+        stages_measure_transform(&to->transform, camera, &polygon->vertices[i].position, &view);
+        if (!stages_measure_project(&to->project, lens, &view, &screen.points[i])) {
+            return;
+        }
+    }
+    fxl_band band = {pixels, lens->width, lens->width, 0, lens->height};
+    stages_measure_fill(&to->fill, &screen, &band);
+}
+
+static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose *pose) {
+    const fxl_scene *scene = &image->scene;
+    fxl_camera camera;
+    fxl_frustum frustum;
+    if (fxl_camera_from_pose(pose, &camera) != FXL_OK) {
+        return;
+    }
+    fxl_frustum_from_camera(&camera, &image->lens, &frustum);
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const fxl_object *object = &scene->objects[i];
+        const fxl_model *model = &scene->models[object->model];
+        for (uint32_t k = 0; k < model->face_count; k++) {
+            const fxl_face *face = &scene->faces[model->first_face + k];
+            if (fxl_face_is_front(scene, object, face, &pose->position)) {
+                fxl_polygon polygon;
+                fxl_face_to_polygon(scene, object, face, &polygon);
+                take_polygon(to, &camera, &image->lens, &frustum, &polygon);
+            }
+        }
+    }
+}
+
+static void take_path(tallies *to, const fxl_scene_image *image) {
+    fxl_viewer viewer = image->start;
+    uint32_t every = 1 + (image->frame_count - 1) / FRAMES_MAX;
+    uint32_t stride = 0, done = 0; /* frames of this stride */
+    for (uint32_t frame = 0; frame < image->frame_count; frame++) {
+        fxl_pose pose;
+        if (image->poses) {
+            pose = image->poses[frame];
+        } else {
+            if (done == image->strides[stride].frames) {
+                stride++;
+                done = 0;
+            }
+            fxl_viewer_step(&viewer, image->strides[stride].keys, &image->gait, NULL);
+            done++;
+            pose = viewer.pose;
+        }
+        if (frame % every == 0) {
+            take_frame(to, image, &pose);
+            progress("frame", frame, image->frame_count);
+        }
+    }
+}
+
+/* 0, or 2 after saying why. */
+static int take_scene(tallies *to, const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        return fail(path, strerror(errno));
+    }
+    size_t room = (16u << 20) + 4, size;
+    uint32_t *memory = malloc(room); /* aligned for the image */
+    size = memory ? fread(memory, 1, room, file) : 0;
+    int unread = !memory || ferror(file) != 0;
+    fclose(file);
+    if (unread) {
+        free(memory);
+        return fail(path, "it cannot be read");
+    }
+    fxl_scene_image image;
+    fxl_scene_fault fault;
+    fxl_status status = fxl_scene_open(memory, size, &image, &fault);
+    if (status == FXL_OK) {
+        take_path(to, &image);
+    }
+    free(memory);
+    return status == FXL_OK ? 0 : fail(path, fxl_status_text(status));
+}
+
+static void take_random_polygon(stages_tally *clip, stages_random *random) {
+    fxl_pose pose = stages_random_pose(random);
+    fxl_lens lens = stages_random_lens(random);
+    fxl_camera camera;
+    fxl_frustum frustum;
+    if (fxl_camera_from_pose(&pose, &camera) != FXL_OK) {
+        clip->mismatched++; /* every random pose is in range */
+        return;
+    }
+    fxl_frustum_from_camera(&camera, &lens, &frustum);
+    fxl_polygon polygon = stages_random_polygon(random, &camera);
+    if (stages_random_below(random, 8) == 0) { /* a vertex exactly on a plane */
+        fxl_plane *plane = &frustum.planes[stages_random_below(random, FXL_PLANE_COUNT)];
+        const fxl_vertex *vertex = &polygon.vertices[stages_random_below(random, polygon.count)];
+        *plane = fxl_plane_from_point(&vertex->position, &plane->normal, 0);
+    }
+    stages_measure_clip(clip, &frustum, &polygon);
+}
+
+static void take_random_points(tallies *to, stages_random *random) {
+    fxl_pose pose = stages_random_pose(random);
+    fxl_camera camera;
+    if (fxl_camera_from_pose(&pose, &camera) != FXL_OK) {
+        to->transform.mismatched++;
+        return;
+    }
+    fxl_point point = stages_random_point(random, &pose.position);
+    fxl_view_point view;
+    stages_measure_transform(&to->transform, &camera, &point, &view);
+
+    fxl_lens lens = stages_random_lens(random);
+    fxl_screen_point screen;
+    view = stages_random_view_point(random, &lens);
+    stages_measure_project(&to->project, &lens, &view, &screen);
+}
+
+/* A band anywhere on a screen that is mostly small. */
+static void take_random_outline(stages_tally *fill, stages_random *random) {
+    uint32_t large = stages_random_below(random, 64) == 0 ? FXL_SCREEN_MAX : 48;
+    uint16_t width = (uint16_t)(1 + stages_random_below(random, large));
+    uint16_t height = (uint16_t)(1 + stages_random_below(random, large));
+    fxl_band band = {pixels, width, width, 0, height};
+    band.first_row = (uint16_t)stages_random_below(random, height);
+    band.rows = (uint16_t)(1 + stages_random_below(random, (uint32_t)height - band.first_row));
+    fxl_screen_polygon outline = stages_random_outline(random, width, height);
+    stages_measure_fill(fill, &outline, &band);
+}
+
+static void take_random(tallies *to, const options *wanted) {
+    /* A shard a stage, so that one stage's input does not depend on another's. */
+    stages_random polygons = stages_random_start(wanted->seed, 1);
+    stages_random points = stages_random_start(wanted->seed, 2);
+    stages_random outlines = stages_random_start(wanted->seed, 3);
+    for (uint64_t i = 0; i < wanted->samples; i++) {
+        take_random_polygon(&to->clip, &polygons);
+        take_random_points(to, &points);
+        if (i % FILL_SHARE == 0) {
+            take_random_outline(&to->fill, &outlines);
+        }
+        progress("random sample", i, wanted->samples);
+    }
+}
+
+static void print_tallies(const tallies *of, const char *end) {
+    const stages_tally *all[] = {&of->clip, &of->transform, &of->project, &of->fill};
+    for (int i = 0; i < 4; i++) {
+        stages_print(all[i]);
+        puts(i < 3 ? "," : end);
+    }
+}
+
+static int parse_number(const char *text, uint64_t *number) {
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    *number = value;
+    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0;
+}
+
+static int parse_options(int count, char **arguments, options *wanted) {
+    *wanted = (options){.samples = 200000, .seed = 1};
+    for (int i = 1; i < count; i++) {
+        int samples = strcmp(arguments[i], "--samples") == 0;
+        if (samples || strcmp(arguments[i], "--seed") == 0) {
+            uint64_t *number = samples ? &wanted->samples : &wanted->seed;
+            if (++i == count || !parse_number(arguments[i], number)) {
+                return 0;
+            }
+        } else if (wanted->scene || arguments[i][0] == '-') {
+            return 0;
+        } else {
+            wanted->scene = arguments[i];
+        }
+    }
+    return 1;
+}
+
+int main(int count, char **arguments) {
+    options wanted;
+    if (!parse_options(count, arguments, &wanted)) {
+        return fail("usage", "stage_errors [SCENE.fxls] [--samples N] [--seed S]");
+    }
+    tallies scene = tallies_for("scene"), random = tallies_for("random");
+    if (wanted.scene && take_scene(&scene, wanted.scene) != 0) {
+        return 2;
+    }
+    take_random(&random, &wanted);
+    printf("{\"seed\": %llu, \"stages\": [\n", (unsigned long long)wanted.seed);
+    if (wanted.scene) {
+        print_tallies(&scene, ",");
+    }
+    print_tallies(&random, "");
+    printf("]}\n");
+    return fflush(stdout) == 0 && !ferror(stdout) ? 0 : fail("stdout", strerror(errno));
+}

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# build/host/stage_errors: the library and its twin, stage by stage.
+
+STAGES_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/stages/*.c))
+HOST_TOOLS += $(BUILD)/host/stage_errors
+
+$(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
+	    -MMD -MP -c $< -o $@
+
+$(BUILD)/host/stage_errors: $(STAGES_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOSTCC) $^ -lm -o $@
+
+-include $(STAGES_OBJECTS:.o=.d)

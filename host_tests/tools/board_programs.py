@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""Boards' programs for the tests of flashing and booting."""
+
+import fcntl
+import os
+import pathlib
+import shutil
+import stat
+import struct
+import subprocess
+import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BOARD = "mps2-an385"
+
+
+def built(name):
+    """A file under build/boards, made by make if it is not new enough."""
+    board = name.split("/")[0]
+    target = pathlib.Path("build") / "boards" / name
+    (ROOT / "build").mkdir(exist_ok=True)
+    with open(ROOT / "build" / ".board-tests.lock", "w", encoding="ascii") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # several test files run at a time
+        environment = {key: value for key, value in os.environ.items()
+                       if key not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
+        done = subprocess.run(["make", "--no-print-directory", f"BOARD={board}", str(target)], cwd=ROOT,
+                              env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return ROOT / target
+
+
+def scene_bytes(size=400, version=1):
+    """Bytes that the flash tool takes for a scene image; no loader would."""
+    body = struct.pack("<4sHHI", b"FXLS", version, 160, size)
+    rest = bytes((7 * i) & 255 for i in range(size - 16))
+    return body + struct.pack("<I", zlib.crc32(rest)) + rest
+
+
+def fake_qemu(directory, script):
+    """A directory for PATH in which qemu-system-arm is a shell script; in it
+    "$REAL" is the real one."""
+    directory.mkdir()
+    path = directory / "qemu-system-arm"
+    path.write_text(f"#!/bin/sh\nREAL={shutil.which('qemu-system-arm')}\n{script}\n", encoding="ascii")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return f"{directory}{os.pathsep}{os.environ['PATH']}"

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""What the tools' tests share: tools/ on the path, dumps made by hand, commands as a user runs them."""
+
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import zlib
+
+import numpy
+import pytest
+
+CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
+TOOLS = CHECKOUT / "tools"
+sys.path.insert(0, str(TOOLS))
+
+COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0)     # in == 3 + 2 + 1 + 0 + 4
+
+
+def dump_bytes(frames, palette=None, promised=None, version=1, reserved=0, instructions=1000):
+    """A frame dump of SPEC.md chapter 9, written here from that chapter alone."""
+    height, width = frames[0].shape
+    palette = bytes(range(256)) * 3 if palette is None else palette
+    count = len(frames) if promised is None else promised
+    out = b"FXLD" + struct.pack("<HHHHI", version, width, height, reserved, count) + palette
+    for number, pixels in enumerate(frames):
+        out += b"FRAM" + struct.pack("<I3i3I", number, 1, -2, 3, 4, 5, 6) + pixels.tobytes()
+        out += struct.pack("<8IIQ", *COUNTERS_OF_A_FRAME, 0, instructions + number)
+    out += b"FEND" + struct.pack("<I", len(frames))
+    return out + struct.pack("<I", zlib.crc32(out))
+
+
+def random_frames(count, height=24, width=32, seed=1):
+    """Frames of noise."""
+    generator = numpy.random.default_rng(seed)
+    return [generator.integers(0, 256, (height, width), dtype=numpy.uint8) for _ in range(count)]
+
+
+def environment(**changes):
+    """The environment of a user's own command, not of one under make test."""
+    kept = {name: value for name, value in os.environ.items()
+            if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES", "FIXEL_SETUP")}
+    return {**kept, **changes}
+
+
+def run_cli(verb, *arguments, timeout=300, **changes):
+    """tools/VERB.py as a finished process, run in the checkout."""
+    return subprocess.run([sys.executable, str(TOOLS / f"{verb}.py"), *map(str, arguments)],
+                          cwd=CHECKOUT, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          timeout=timeout, check=False, env=environment(**changes))
+
+
+def run_make(*arguments, timeout=600, **changes):
+    """make in the checkout as a finished process."""
+    return subprocess.run(["make", *map(str, arguments)], cwd=CHECKOUT, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=timeout, check=False,
+                          env=environment(**changes))
+
+
+def assert_one_sentence(done, *words, code=2):
+    """A command failed with the exit code, one line that begins with error:, and these words in it."""
+    lines = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
+    assert done.returncode == code, done.stdout + done.stderr
+    assert len(lines) == 1, done.stderr
+    assert "Traceback" not in done.stderr
+    for word in words:
+        assert word in lines[0]
+
+
+@pytest.fixture
+def checkout():
+    """The root of the project."""
+    return CHECKOUT
+
+
+@pytest.fixture(scope="session")
+def build():
+    """The folder with the programs built; a test that asks for it needs make all."""
+    folder = CHECKOUT / "build"
+    missing = [name for name in ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/judge")
+               if not (folder / name).exists()]
+    assert not missing, f"not built: {missing}; make all builds them"
+    return folder

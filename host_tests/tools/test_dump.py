@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""The dump reader: what is whole is read, what is not is refused and said."""
+
+import struct
+import zlib
+
+import numpy
+import pytest
+from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fixel import dump
+from fixel.errors import ToolError
+
+FRAMES = random_frames(3, 5, 7)
+WHOLE = dump_bytes(FRAMES)
+HEAD = 16 + 768
+FRAME = 4 + 4 + 24 + 35 + 32 + 4 + 8
+
+
+def refused(data):
+    with pytest.raises(ToolError) as caught:
+        dump.parse_dump(data, "board.fxld")
+    assert str(caught.value).startswith("board.fxld: ")
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def with_checksum(data):
+    """data with its last four bytes made right: only what else is wrong is wrong."""
+    return data[:-4] + struct.pack("<I", zlib.crc32(data[:-4]))
+
+
+def changed(offset, replacement):
+    return with_checksum(WHOLE[:offset] + replacement + WHOLE[offset + len(replacement):])
+
+
+def test_whole_dump_is_read():
+    read = dump.parse_dump(WHOLE, "board.fxld")
+    assert (read.width, read.height, len(read.frames)) == (7, 5, 3)
+    for frame, pixels in zip(read.frames, FRAMES):
+        assert numpy.array_equal(frame.pixels, pixels)
+        assert frame.position == (1, -2, 3) and frame.angles == (4, 5, 6)
+        assert tuple(frame.counters.values()) == COUNTERS_OF_A_FRAME
+    assert [frame.instructions for frame in read.frames] == [1000, 1001, 1002]
+    assert read.palette[0].tolist() == [0, 1, 2] and read.palette.shape == (256, 3)
+
+
+@pytest.mark.parametrize("length", [0, 3, 4, 15, HEAD - 1, HEAD, HEAD + 1, HEAD + FRAME,
+                                    HEAD + 3 * FRAME, len(WHOLE) - 1])
+def test_truncated(length):
+    message = refused(WHOLE[:length])
+    assert "incomplete" in message or "not a frame dump" in message
+
+
+@given(st.integers(0, len(WHOLE) - 1))
+@settings(max_examples=200, deadline=None)
+def test_every_truncation_is_refused(length):
+    refused(WHOLE[:length])
+
+
+@given(st.integers(0, len(WHOLE) * 8 - 1))
+@settings(max_examples=300, deadline=None)
+def test_every_flipped_bit_is_refused(bit):
+    data = bytearray(WHOLE)
+    data[bit // 8] ^= 1 << bit % 8
+    refused(bytes(data))
+
+
+def test_not_a_dump():
+    assert "does not begin with FXLD" in refused(b"\x89PNG" + WHOLE[4:])
+
+
+def test_other_version():
+    assert "version 2" in refused(dump_bytes(FRAMES, version=2))
+
+
+def test_reserved_field():
+    assert "reserved" in refused(dump_bytes(FRAMES, reserved=1))
+
+
+def test_screen_of_no_pixels_and_too_large():
+    assert "0x5" in refused(changed(6, b"\0\0"))
+    assert "1025x5" in refused(changed(6, struct.pack("<H", 1025)))
+
+
+def test_frames_out_of_order():
+    assert "says that it is frame 7" in refused(changed(HEAD + FRAME + 4, struct.pack("<I", 7)))
+
+
+def test_frame_without_magic():
+    assert "FRAM" in refused(changed(HEAD + FRAME, b"XXXX"))
+
+
+def test_fewer_frames_than_promised():
+    assert "promises 5" in refused(dump_bytes(FRAMES, promised=5))
+
+
+def test_more_frames_than_promised():
+    refused(dump_bytes(FRAMES, promised=2))
+
+
+def test_something_follows_the_tail():
+    assert "follow its tail" in refused(WHOLE + b"\0")
+
+
+def test_a_promise_of_four_billion_frames_takes_no_memory():
+    refused(changed(12, b"\xff\xff\xff\xff"))
+
+
+def test_missing_file(tmp_path):
+    with pytest.raises(ToolError, match="No such file"):
+        dump.read_dump(tmp_path / "none.fxld")

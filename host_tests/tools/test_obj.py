@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""OBJ files: every index form, every complaint, and which way things face."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from fixel import framing, image, mesh, obj
+from fixel.errors import ToolError
+from fixel.mesh import UNIT
+from test_scene_mesh import ONE, check_faces
+
+MODELS = Path(__file__).resolve().parents[3] / "shared" / "models"
+
+# A cube of edge 2, right-handed, counter-clockwise from outside.
+CUBE = """# a cube
+o cube
+v -1 -1 1
+v 1 -1 1
+v 1 1 1
+v -1 1 1
+v -1 -1 -1
+v 1 -1 -1
+v 1 1 -1
+v -1 1 -1
+vt 0 0
+vn 0 0 1
+usemtl grey
+f 1 2 3 4
+f 6/1 5/1 8/1 7/1
+f 5//1 1//1 4//1 8//1
+f 2/1/1 6/1/1 7/1/1 3/1/1
+f -5 -6 -2 -1
+f 5 6 2 \\
+  1
+"""
+
+
+def read(tmp_path, text):
+    file = tmp_path / "model.obj"
+    file.write_text(text)
+    return obj.read(str(file), "model.obj")
+
+
+def test_a_right_handed_cube_faces_outward_and_is_not_mirrored(tmp_path):
+    made, notes = read(tmp_path, CUBE)
+    # The corner at the right, top and towards the viewer (+z there) is at -z here.
+    assert made.vertices[2] == (UNIT, UNIT, -UNIT)
+    shape = mesh.shape(made, ONE, "cube")
+    check_faces(shape)
+    assert not shape.notes, "no face was turned round: reading alone made them right"
+    assert shape.open_edges == 0
+    assert shape.faces[0].normal == (0, 0, -(1 << 30))
+    assert all(mesh.dot(f.normal, shape.vertices[f.corners[0]]) > 0 for f in shape.faces)
+    assert any("z was negated" in note for note in notes)
+    assert any("1 x o" in note and "1 x usemtl" in note for note in notes)
+
+
+@pytest.mark.parametrize("line, parts", [
+    ("f 1 2 9", ["model.obj:20", "v 9 does not exist", "8 stand above"]),
+    ("f 1 2 0", ["model.obj:20", "v 0"]),
+    ("f 1 2 -9", ["v -9"]),
+    ("f 1/2 2/1 3/1", ["vt 2"]),
+    ("f 1//1 2//2 3//1", ["vn 2"]),
+    ("f 1 2", ["three corners"]),
+    ("f 1 2 x", ['"x"']),
+    ("f 1 2 3/1/1/1", ["3/1/1/1"]),
+    ("f 1 2 /1", ["/1"]),
+    ("f 1 2 1.5", ["1.5"]),
+    ("v 1 2", ["v needs 3"]),
+    ("v 1 2 nan", ["out of every range"]),
+    ("v 1 2 1e30", ["out of every range"]),
+    ("v 1 2 three", ['"three"']),
+    ("hello there", ["model.obj:20", "hello"]),
+])
+def test_complaints_name_file_and_line(tmp_path, line, parts):
+    text = CUBE.replace("\\\n  1\n", "1\n") + line + "\n"
+    with pytest.raises(ToolError) as caught:
+        read(tmp_path, text)
+    for part in ("model.obj:", *parts):
+        assert part in str(caught.value)
+
+
+def test_a_file_without_faces_is_refused(tmp_path):
+    with pytest.raises(ToolError, match="no face"):
+        read(tmp_path, "v 0 0 0\n")
+    with pytest.raises(ToolError, match="cannot be read"):
+        obj.read(str(tmp_path / "none.obj"))
+
+
+def test_a_bare_model_is_framed(tmp_path):
+    (tmp_path / "cube.obj").write_text(CUBE)
+    scene, notes = framing.compile_obj(str(tmp_path / "cube.obj"), 8)
+    assert scene.frames == 8 and (scene.width, scene.height) == (320, 240)
+    assert len(scene.models[0].faces) == 6
+    assert any("framed" in note for note in notes)
+    assert image.unpack(image.pack(scene)) == scene
+    _check_in_view(scene)
+
+
+def _view(pose, points):
+    x, y, z, *turns = pose
+    yaw, pitch, _ = (t * np.pi / 2 ** 31 for t in turns)
+    forward = np.array([np.cos(pitch) * np.sin(yaw), np.sin(pitch), np.cos(pitch) * np.cos(yaw)])
+    right = np.array([np.cos(yaw), 0, -np.sin(yaw)])
+    rows = np.array([right, np.cross(forward, right), forward])
+    return (points - np.array([x, y, z]) / 65536) @ rows.T
+
+
+def _check_in_view(scene):
+    """Every vertex on the screen in every frame, and the model not tiny."""
+    points = np.array(scene.models[0].vertices) / 65536
+    slope = np.tan(scene.fov * np.pi / 2 ** 32)
+    filled = 0
+    for pose in scene.path:
+        view = _view(pose, points)
+        assert (view[:, 2] > scene.near / 65536).all() and (view[:, 2] < scene.far / 65536).all()
+        across = np.abs(view[:, 0] / view[:, 2]).max() / slope
+        along = np.abs(view[:, 1] / view[:, 2]).max() / slope * scene.width / scene.height
+        assert across < 1 and along < 1
+        filled = max(filled, across, along)
+    assert filled > 0.6
+
+
+@pytest.mark.parametrize("name", ["spot.obj", "teapot.obj"])
+def test_models_by_others_stand_upright_and_face_outward(name):
+    if not (MODELS / name).exists():
+        pytest.skip(f"the model {name} is not beside this checkout")
+    scene, notes = framing.compile_obj(str(MODELS / name))
+    assert scene.frames == 60 and not any("inside out" in note for note in notes)
+    image.pack(scene)
+    _check_in_view(scene)
+    model = scene.models[0]
+    assert model.kind == image.SORTED
+    assert mesh._volume(model.vertices, model.faces) > 0
+    # Upright: the highest point of the mesh is the highest vertex of the file.
+    lines = [line.split() for line in (MODELS / name).read_text().splitlines()]
+    top = max((line for line in lines if line[:1] == ["v"]), key=lambda line: float(line[2]))
+    scale = (max(v[1] for v in model.vertices) - min(v[1] for v in model.vertices))
+    heights = [float(line[2]) for line in lines if line[:1] == ["v"]]
+    assert float(top[2]) == max(heights) and scale > 65536
+    # The vertex at the file's greatest z comes nearest to the eye at -z.
+    made, _ = obj.read(str(MODELS / name))
+    depths = [float(line[3]) for line in lines if line[:1] == ["v"]]
+    assert made.vertices[depths.index(max(depths))][2] == min(v[2] for v in made.vertices)

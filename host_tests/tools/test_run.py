@@ -1,0 +1,326 @@
+# SPDX-License-Identifier: MIT
+"""make run: what a walk leaves, and how one that cannot be made ends."""
+
+import dataclasses
+import hashlib
+import json
+import os
+import struct
+import zlib
+
+import numpy
+import pytest
+from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
+from PIL import Image
+
+import run as run_tool
+import scene as scene_tool
+from fixel import dump
+
+SCENE = "scenes/tiny.toml"
+FRAMES = 4
+KEYS = {"board", "cpu", "scene", "width", "height", "frames", "pixels", "pixels_differing",
+        "pixels_unexplained", "worst_frame_differing", "max_edge_distance_px", "polygons",
+        "instructions_per_frame", "frame_sha256", "host_frames_equal"}
+
+
+def walk(out, board="mps2-an385", scene=SCENE, frames=FRAMES, **changes):
+    more = [] if frames is None else ["--frames", frames]
+    return run_cli("run", "--board", board, "--scene", scene, "--out", out, *more, **changes)
+
+
+def assert_nothing_left(folder, out):
+    """No result, and no temporary folder beside its place or where make builds."""
+    assert not out.exists()
+    assert not list(folder.glob(".fixel-*"))
+    assert not [path for path in (CHECKOUT / "build").glob(".run-*")
+                if path.stat().st_uid == os.getuid() and belongs_to_nobody(path)]
+
+
+def belongs_to_nobody(path):
+    """Whether a temporary folder of a run outlived it: empty of the dump it was made for."""
+    return not any(path.iterdir())
+
+
+# --- a walk that works --------------------------------------------------------
+
+@pytest.fixture(scope="module")
+def result(build, tmp_path_factory):
+    """A short walk on the emulated board: (summary, folder, process)."""
+    out = tmp_path_factory.mktemp("run") / "out"
+    done = walk(out)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return json.loads((out / "summary.json").read_text()), out, done
+
+
+def test_summary_has_exactly_its_keys(result):
+    summary, _, _ = result
+    assert set(summary) == KEYS
+    assert set(summary["polygons"]) == {"in", "culled", "clipped", "refused", "drawn"}
+    assert set(summary["instructions_per_frame"]) == {"min", "median", "mean", "max"}
+
+
+def test_summary_figures(result):
+    summary, _, _ = result
+    assert (summary["board"], summary["cpu"], summary["scene"]) == ("mps2-an385", "cortex-m3", SCENE)
+    assert (summary["width"], summary["height"], summary["frames"]) == (128, 64, FRAMES)
+    assert summary["pixels"] == 128 * 64 * FRAMES
+    assert summary["host_frames_equal"] is True and summary["pixels_unexplained"] == 0
+    polygons = summary["polygons"]
+    assert polygons["in"] == polygons["culled"] + polygons["refused"] + polygons["drawn"] > 0
+    assert 0 < summary["instructions_per_frame"]["min"] <= summary["instructions_per_frame"]["max"]
+
+
+def test_pictures_are_the_frames(result):
+    summary, out, _ = result
+    drawn = dump.read_dump(out / "board.fxld")
+    names = sorted(file.name for file in out.glob("frame_*.png"))
+    assert names == [f"frame_{number:04d}.png" for number in range(FRAMES)]
+    for frame, name, digest in zip(drawn.frames, names, summary["frame_sha256"]):
+        with Image.open(out / name) as image:
+            assert image.mode == "P"
+            assert numpy.array_equal(numpy.asarray(image), frame.pixels)
+            assert numpy.array_equal(numpy.asarray(image.convert("RGB")), drawn.palette[frame.pixels])
+        assert hashlib.sha256(frame.pixels.tobytes()).hexdigest() == digest
+    assert len({*summary["frame_sha256"]}) > 1, "a walk in which nothing moves"
+
+
+def test_animation_shows_every_frame(result):
+    _, out, _ = result
+    drawn = dump.read_dump(out / "board.fxld")
+    with Image.open(out / "walk.gif") as animation:
+        assert animation.n_frames == FRAMES
+        for frame in drawn.frames:
+            animation.seek(frame.number)
+            assert numpy.array_equal(numpy.asarray(animation.convert("RGB")), drawn.palette[frame.pixels])
+
+
+def test_a_picture_for_each_frame_that_differs(result):
+    summary, out, _ = result
+    drawn, twin = dump.read_dump(out / "board.fxld"), dump.read_dump(out / "double.fxld")
+    differing = [int((a.pixels != b.pixels).sum()) for a, b in zip(drawn.frames, twin.frames)]
+    assert [file.name for file in sorted(out.glob("diff_*.png"))] == \
+        [f"diff_{number:04d}.png" for number, count in enumerate(differing) if count]
+    assert (summary["pixels_differing"], summary["worst_frame_differing"]) == \
+        (sum(differing), max(differing))
+    assert (summary["max_edge_distance_px"] is None) == (sum(differing) == 0)
+
+
+def test_table_on_stdout_and_no_colour(result):
+    _, out, done = result
+    assert "pass" in done.stdout and "\033" not in done.stdout + done.stderr
+    assert str(out) in done.stdout
+
+
+def test_host_is_a_board(build, tmp_path, result):
+    done = walk(tmp_path / "out", board="host")
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert summary["cpu"] == "host" and summary["instructions_per_frame"]["min"] is None
+    assert summary["frame_sha256"] == result[0]["frame_sha256"]
+
+
+def test_again_into_the_same_folder(build, tmp_path):
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "notes.txt").write_text("mine")
+    (out / "frame_0099.png").write_text("of a longer walk")
+    assert walk(out, board="host").returncode == 0
+    assert (out / "notes.txt").read_text() == "mine"
+    assert not (out / "frame_0099.png").exists()
+    assert (out / "summary.json").exists()
+
+
+def test_scene_image_instead_of_toml(build, tmp_path, result):
+    image = tmp_path / "tiny.fxls"
+    scene_tool.build(str(CHECKOUT / SCENE), str(image))
+    assert walk(tmp_path / "out", board="host", scene=image).returncode == 0
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["frame_sha256"] == result[0]["frame_sha256"]
+
+
+# --- a walk that is wrong -----------------------------------------------------
+
+def spoil(data):
+    """A dump with one pixel of its last frame changed, whole otherwise."""
+    data = bytearray(data)
+    data[-12 - 44 - 1] ^= 1
+    data[-4:] = struct.pack("<I", zlib.crc32(data[:-4]))
+    return bytes(data)
+
+
+def test_frames_that_are_not_the_hosts_fail(build, tmp_path, monkeypatch):
+    real = run_tool.walk
+
+    def spoiling(board, *arguments):
+        file, cpu = real(board, *arguments)
+        if board == "host":
+            file.write_bytes(spoil(file.read_bytes()))
+        return file, cpu
+
+    monkeypatch.setattr(run_tool, "walk", spoiling)
+    monkeypatch.chdir(CHECKOUT)
+    out = tmp_path / "out"
+    assert run_tool.main(["--board", "mps2-an385", "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
+    assert json.loads((out / "summary.json").read_text())["host_frames_equal"] is False
+
+
+def test_unexplained_pixels_fail(build, tmp_path, monkeypatch):
+    real = run_tool.walk
+
+    def spoiling(board, *arguments):
+        file, cpu = real(board, *arguments)
+        file.write_bytes(spoil(file.read_bytes()))
+        return file, cpu
+
+    monkeypatch.setattr(run_tool, "walk", spoiling)
+    monkeypatch.chdir(CHECKOUT)
+    out = tmp_path / "out"
+    assert run_tool.main(["--board", "host", "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
+    summary = json.loads((out / "summary.json").read_text())
+    assert summary["host_frames_equal"] is True and summary["pixels_unexplained"] == 1
+    assert (out / "diff_0001.png").exists()
+
+
+def test_frames_equal_looks_at_pixels_poses_palette_and_count():
+    frames = random_frames(2)
+    one = dump.parse_dump(dump_bytes(frames), "one")
+    assert run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames, instructions=5), "other"))
+    other = random_frames(2, seed=2)
+    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(other), "other"))
+    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames[:1]), "other"))
+    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames, bytes(768)), "other"))
+    turned = dataclasses.replace(one, frames=[dataclasses.replace(one.frames[0], angles=(0, 0, 0)),
+                                              one.frames[1]])
+    assert not run_tool.frames_equal(one, turned)
+
+
+# --- a walk that cannot be made -----------------------------------------------
+
+@pytest.fixture(scope="module")
+def image_bytes(tmp_path_factory):
+    """A good scene image."""
+    path = tmp_path_factory.mktemp("image") / "tiny.fxls"
+    scene_tool.build(str(CHECKOUT / SCENE), str(path))
+    return path.read_bytes()
+
+
+def flip(data, bit):
+    data = bytearray(data)
+    data[bit // 8] ^= 1 << bit % 8
+    return bytes(data)
+
+
+def with_version(data, version):
+    return data[:4] + struct.pack("<H", version) + data[6:]
+
+
+def with_checksum(data):
+    """The image with its checksum made right again: only what it says is wrong."""
+    return data[:12] + struct.pack("<I", zlib.crc32(data[16:])) + data[16:]
+
+
+BAD_IMAGES = {
+    "truncated": lambda data: data[:len(data) // 2],
+    "truncated head": lambda data: data[:100],
+    "empty": lambda data: b"",
+    "bit flipped in magic": lambda data: flip(data, 3),
+    "bit flipped in head": lambda data: flip(data, 16 * 8 + 1),
+    "bit flipped in checksum": lambda data: flip(data, 12 * 8),
+    "bit flipped in a table": lambda data: flip(data, (len(data) - 9) * 8),
+    "oversized": lambda data: data + bytes(64),
+    "says 4 GB": lambda data: data[:8] + b"\xfc\xff\xff\xff" + data[12:],
+    "wrong version": lambda data: with_version(data, 2),
+    "version 0": lambda data: with_version(data, 0),
+    "offset outside": lambda data: with_checksum(data[:88] + b"\xf0\xff\xff\x7f" + data[92:]),
+    "no frames": lambda data: with_checksum(data[:136] + bytes(4) + data[140:]),
+    "near behind the eye": lambda data: with_checksum(data[:24] + b"\0\0\xff\xff" + data[28:]),
+    "screen of no pixels": lambda data: with_checksum(data[:16] + bytes(2) + data[18:]),
+}
+
+
+@pytest.mark.parametrize("board", ["mps2-an385", "host"])
+@pytest.mark.parametrize("kind", BAD_IMAGES)
+def test_bad_scene_image(build, tmp_path, image_bytes, board, kind):
+    bad = tmp_path / "bad.fxls"
+    bad.write_bytes(BAD_IMAGES[kind](image_bytes))
+    done = walk(tmp_path / "out", board=board, scene=bad, frames=None)
+    assert done.returncode in (1, 2), done.stdout + done.stderr
+    assert_one_sentence(done, code=done.returncode)
+    assert_nothing_left(tmp_path, tmp_path / "out")
+
+
+def test_coordinate_out_of_range(build, tmp_path):
+    text = (CHECKOUT / SCENE).read_text().replace("position = [-1.8, 0, 5]", "position = [-1.8, 9000, 5]")
+    assert "9000" in text
+    (tmp_path / "far.toml").write_text(text)
+    assert_one_sentence(walk(tmp_path / "out", scene=tmp_path / "far.toml"), "far.toml", "house")
+    assert_nothing_left(tmp_path, tmp_path / "out")
+
+
+def test_obj_with_a_missing_vertex(build, tmp_path):
+    (tmp_path / "holed.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")
+    assert_one_sentence(walk(tmp_path / "out", scene=tmp_path / "holed.obj"), "holed.obj", "4")
+    assert_nothing_left(tmp_path, tmp_path / "out")
+
+
+@pytest.mark.parametrize("scene", ["none.toml", "none.obj", "none.fxls", "none.txt"])
+def test_scene_that_is_not_there(build, tmp_path, scene):
+    assert_one_sentence(walk(tmp_path / "out", scene=tmp_path / scene), scene)
+    assert_nothing_left(tmp_path, tmp_path / "out")
+
+
+def test_unwritable_out(build, tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    for out in (tmp_path / "file", tmp_path / "file" / "below"):
+        assert_one_sentence(walk(out, board="host"), "cannot be written")
+    assert (tmp_path / "file").read_text() == "in the way"
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.mark.parametrize("frames", ["0", "-1", "x", "1.5", "1000001"])
+def test_number_of_frames_that_is_none(build, tmp_path, frames):
+    done = run_cli("run", "--board", "host", "--scene", SCENE, "--out", tmp_path / "out",
+                   f"--frames={frames}")
+    assert_one_sentence(done, "FRAMES")
+    assert_nothing_left(tmp_path, tmp_path / "out")
+
+
+def test_missing_qemu(build, tmp_path):
+    (tmp_path / "bin").mkdir()
+    assert_one_sentence(walk(tmp_path / "out", PATH=str(tmp_path / "bin")), "qemu-system-arm", "install")
+    assert_nothing_left(tmp_path, tmp_path / "out")
+
+
+def test_failure_leaves_an_earlier_result_alone(build, tmp_path, image_bytes):
+    out = tmp_path / "out"
+    assert walk(out, board="host", frames=2).returncode == 0
+    before = {file.name: file.read_bytes() for file in out.iterdir()}
+    (tmp_path / "bad.fxls").write_bytes(image_bytes[:-5])
+    assert walk(out, board="host", scene=tmp_path / "bad.fxls").returncode == 2
+    assert {file.name: file.read_bytes() for file in out.iterdir()} == before
+
+
+@pytest.mark.parametrize("goal", ["run", "flash", "boot", "report", "size", "lib", "test", "help",
+                                  "clean", "compare"])
+def test_unknown_board(goal):
+    done = run_make(goal, "BOARD=toaster")
+    assert done.returncode == 2
+    assert done.stdout == "" and len(done.stderr.splitlines()) == 1
+    for word in ("toaster", "host", "mps2-an385"):
+        assert word in done.stderr
+    assert (CHECKOUT / "build").exists()
+
+
+def test_make_run(build, tmp_path):
+    done = run_make("run", "BOARD=host", f"SCENE={SCENE}", "FRAMES=2", f"OUT={tmp_path / 'out'}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["frames"] == 2
+
+
+def test_make_flash_and_boot(build, tmp_path):
+    done = run_make("flash", f"SCENE={SCENE}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = run_make("boot", "FRAMES=2")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert len(dump.read_dump(CHECKOUT / "build" / "boot" / "mps2-an385.fxld").frames) == 2

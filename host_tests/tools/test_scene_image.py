@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Scene images: round trips, and what a damaged one is told."""
+
+import struct
+import zlib
+
+from hypothesis import given, settings, strategies as st
+import pytest
+
+from fixel import image
+from fixel.errors import ToolError
+from fixel.image import Face, Model, Object, SceneImage
+
+UP = (0, 1 << 30, 0)
+SQUARE = [(-65536, 0, -65536), (-65536, 0, 65536), (65536, 0, 65536), (65536, 0, -65536)]
+
+
+def scene(**changes):
+    fields = dict(width=320, height=240, fov=1 << 30, near=65536, far=64 << 16, inset=4,
+                  background=0, palette=[(i, i, 255 - i) for i in range(256)],
+                  models=[Model(list(SQUARE), [Face(UP, (0, 1, 2, 3), 7)])],
+                  objects=[Object((0, -65536, 0), 0, 1), Object((1 << 20, 0, 0), 0)],
+                  path_kind=image.POSES, path=[(0, 0, 0, 1, 2, 3), (5, 6, 7, 8, 9, 10)])
+    fields.update(changes)
+    return SceneImage(**fields)
+
+
+def patched(blob, offset, data):
+    """A blob with bytes replaced and the checksum put right again."""
+    blob = bytearray(blob)
+    blob[offset:offset + len(data)] = data
+    blob[12:16] = struct.pack("<I", zlib.crc32(bytes(blob[16:])))
+    return bytes(blob)
+
+
+def refused(blob, status):
+    with pytest.raises(ToolError, match=f"^{status}:"):
+        image.unpack(blob)
+
+
+def table(blob, number):
+    return struct.unpack_from("<II", blob, 80 + 8 * number)
+
+
+def test_round_trip_of_poses_and_strides():
+    for made in (scene(), scene(path_kind=image.STRIDES, path=[(1, 3), (0, 65535)],
+                                start=(1, 2, 3, 4, 5, 6), gait=(7, 8, 9, 10))):
+        blob = image.pack(made)
+        assert image.unpack(blob) == made
+        assert len(blob) % 4 == 0 and blob[:4] == b"FXLS"
+        # A flash partition is longer than what is in it.
+        assert image.unpack(blob + b"\xff" * 64) == made
+
+
+def test_header_is_laid_out_as_the_chapter_says():
+    blob = image.pack(scene())
+    assert struct.unpack_from("<HHI", blob, 4) == (1, 160, len(blob))
+    assert struct.unpack_from("<I", blob, 12)[0] == zlib.crc32(blob[16:])
+    assert struct.unpack_from("<HHIiii", blob, 16) == (320, 240, 1 << 30, 65536, 64 << 16, 4)
+    assert [table(blob, i)[1] for i in range(7)] == [256, 4, 4, 1, 1, 2, 2]
+    assert all(table(blob, i)[0] % 4 == 0 for i in range(7))
+    assert struct.unpack_from("<I", blob, 136) == (2,)
+
+
+def test_damaged_images_are_refused_with_the_status():
+    blob = image.pack(scene())
+    refused(blob[:100], "size")
+    refused(blob[:-4], "size")
+    refused(b"FXLD" + blob[4:], "magic")
+    refused(patched(blob, 4, b"\2\0"), "version")
+    refused(patched(blob, 6, b"\0\1"), "size")
+    refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
+    refused(patched(blob, 38, b"\1"), "reserved")
+    refused(patched(blob, 159, b"\1"), "reserved")
+    refused(patched(blob, 37, b"\2"), "reserved")
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(16, 3000), st.integers(0, 7))
+def test_any_flipped_bit_breaks_the_checksum(offset, bit):
+    blob = bytearray(image.pack(scene()))
+    blob[offset % (len(blob) - 16) + 16] ^= 1 << bit
+    refused(bytes(blob), "crc")
+
+
+@pytest.mark.parametrize("offset, data, status", [
+    (16, b"\0\0", "range"), (16, struct.pack("<H", 1025), "range"),
+    (20, struct.pack("<I", image.FOV_MIN - 1), "range"),
+    (20, struct.pack("<I", image.FOV_MAX + 1), "range"),
+    (24, struct.pack("<i", 255), "range"), (28, struct.pack("<i", 65536), "range"),
+    (28, struct.pack("<i", image.FAR_MAX + 1), "range"), (32, struct.pack("<i", -1), "range"),
+    (40, struct.pack("<i", image.COORDINATE_MAX + 1), "range"),
+    (64, struct.pack("<i", -1), "range"), (76, struct.pack("<I", (1 << 30) + 1), "range"),
+    (84, struct.pack("<I", 255), "count"), (92, struct.pack("<I", 2), "count"),
+    (92, struct.pack("<I", 1_000_001), "count"), (92, struct.pack("<I", 1_000_000), "offset"),
+    (88, struct.pack("<I", 162), "alignment"), (88, struct.pack("<I", 0xFFFFFFFC), "offset"),
+    (136, struct.pack("<I", 3), "count"),
+])
+def test_header_fields_out_of_range(offset, data, status):
+    refused(patched(image.pack(scene()), offset, data), status)
+
+
+@pytest.mark.parametrize("number, offset, data, status", [
+    (3, 16, b"\2", "count"), (3, 16, b"\31", "count"), (3, 12, b"\1", "index"),
+    (3, 18, b"\1", "reserved"), (3, 4, struct.pack("<i", (1 << 30) - 3), "normal"),
+    (2, 0, b"\4", "index"), (1, 4, struct.pack("<i", 5), "planarity"),
+    (4, 0, b"\1", "index"), (4, 16, b"\2", "reserved"), (4, 17, b"\1", "reserved"),
+    (5, 12, b"\1", "index"), (5, 15, b"\1", "reserved"),
+    (5, 0, struct.pack("<i", image.COORDINATE_MAX - 65535), "range"),
+    (6, 0, struct.pack("<i", image.COORDINATE_MAX + 1), "range"),
+])
+def test_table_entries_out_of_contract(number, offset, data, status):
+    blob = image.pack(scene())
+    refused(patched(blob, table(blob, number)[0] + offset, data), status)
+
+
+def test_values_at_the_ends_are_taken():
+    blob = image.pack(scene(objects=[Object((image.COORDINATE_MAX - 65536, 0, 0), 0)]))
+    at = table(blob, 1)[0] + 4
+    # The square's first vertex may lie 4 units off, and no more.
+    image.unpack(patched(blob, at + 12, struct.pack("<i", 4)))
+    refused(patched(blob, at + 12, struct.pack("<i", 5)), "planarity")
+
+
+def test_pack_refuses_what_a_loader_would():
+    with pytest.raises(ToolError, match="^range:"):
+        image.pack(scene(objects=[Object((image.COORDINATE_MAX, 0, 0), 0)]))
+    with pytest.raises(ToolError, match="^size:.*at most"):
+        image.pack(scene(path=[(0,) * 6] * 700_000))

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+"""Meshes and solids: outward, flat, convex, of the right area."""
+
+from fractions import Fraction
+import math
+
+from hypothesis import assume, given, settings, strategies as st
+import pytest
+
+from fixel import image, mesh, palette, solids
+from fixel.mesh import UNIT, Mesh
+from fixel.toml_object import matrix
+
+ONE = [[Fraction(i == j) for j in range(3)] for i in range(3)]
+CLOSED = sorted(set(solids.SOLIDS) - {"tile", "disc", "floor", "band"})
+turns = st.tuples(*[st.integers(-180, 180).map(Fraction)] * 3)
+
+
+def flat_mesh(points):
+    """One polygon in the plane y = 0, in integers of 1/65536."""
+    return Mesh([(x * UNIT // 65536, 0, z * UNIT // 65536) for x, z in points],
+                [list(range(len(points)))])
+
+
+def area(shape):
+    return sum(math.sqrt(sum(c * c for c in mesh.newell([shape.vertices[i] for i in f.corners])))
+               for f in shape.faces) / 2
+
+
+def check_faces(shape):
+    """What the loader asks of every face, and that outline and normal agree."""
+    for face in shape.faces:
+        points = [shape.vertices[c] for c in face.corners]
+        assert 3 <= len(points) <= 24
+        image.check_plane(face.normal, points, "a face")
+        assert mesh.dot(mesh.newell(points), face.normal) > 0
+        assert mesh.is_convex_outline(points, mesh.newell(points))
+
+
+@pytest.mark.parametrize("name", CLOSED)
+@settings(max_examples=15, deadline=None)
+@given(turns, st.fractions(Fraction(1, 4), 60, max_denominator=97))
+def test_solids_are_closed_convex_and_look_outward_however_turned(name, turn, scale):
+    shape = mesh.shape(solids.make(name, {}, name), matrix((scale,) * 3, turn), name)
+    check_faces(shape)
+    assert shape.open_edges == 0 and not shape.notes
+    assert mesh.bulge(shape) <= image.PLANARITY_MAX
+    for face in shape.faces:
+        assert mesh.dot(face.normal, shape.vertices[face.corners[0]]) > 0
+
+
+@pytest.mark.parametrize("name", sorted(solids.SOLIDS))
+def test_solids_fit_the_unit_cube(name):
+    shape = mesh.shape(solids.make(name, {}, name), ONE, name)
+    assert all(abs(c) <= 32768 for v in shape.vertices for c in v)
+    assert all(face.normal == (0, 1 << 30, 0) for face in shape.faces) == (
+        name in ("tile", "disc", "floor"))
+
+
+def test_box_of_unit_size_is_exact():
+    shape = mesh.shape(solids.box(), ONE, "box")
+    assert sorted(shape.vertices) == sorted((x, y, z) for x in (-32768, 32768)
+                                            for y in (-32768, 32768) for z in (-32768, 32768))
+    assert shape.faces[0].normal == (0, 0, -(1 << 30)) and len(shape.faces[0].corners) == 4
+
+
+def test_inside_turns_the_faces_inward():
+    shape = mesh.shape(solids.box(), ONE, "box", inside=True)
+    check_faces(shape)
+    assert all(mesh.dot(f.normal, shape.vertices[f.corners[0]]) < 0 for f in shape.faces)
+    assert mesh.bulge(shape) <= image.PLANARITY_MAX
+
+
+def test_a_concave_polygon_is_cut_into_triangles_of_the_same_area():
+    # An L, clockwise from above.
+    ell = [(0, 0), (0, 131072), (65536, 131072), (65536, 65536), (131072, 65536), (131072, 0)]
+    shape = mesh.shape(flat_mesh(ell), ONE, "ell")
+    check_faces(shape)
+    assert [len(f.corners) for f in shape.faces] == [3] * 4
+    assert area(shape) == 3 * 65536 ** 2
+    assert "1 face with concave outlines triangulated" in shape.notes[0]
+
+
+def test_a_hole_reached_by_a_bridge_stays_a_hole():
+    outer = [(0, 0), (0, 300000), (300000, 300000), (300000, 0)]
+    hole = [(100000, 100000), (200000, 100000), (200000, 200000), (100000, 200000)]
+    keyhole = outer + [outer[0], hole[0], hole[1], hole[2], hole[3], hole[0]]
+    shape = mesh.shape(flat_mesh(keyhole), ONE, "frame")
+    check_faces(shape)
+    assert area(shape) == 300000 ** 2 - 100000 ** 2
+
+
+def test_an_outline_that_crosses_itself_is_said():
+    bow = [(0, 0), (0, 100000), (300000, 0), (300000, 200000)]
+    shape = mesh.shape(flat_mesh(bow), ONE, "bow")
+    assert all(len(f.corners) == 3 for f in shape.faces)
+    assert any("triangulated" in note for note in shape.notes)
+
+
+@pytest.mark.parametrize("lift, pieces", [(0, 1), (4, 1), (40, 2)])
+def test_a_quad_that_is_not_flat_is_cut(lift, pieces):
+    corners = [(-65536, lift, -65536), (-65536, 0, 65536), (65536, 0, 65536), (65536, 0, -65536)]
+    quad = Mesh([tuple(c * UNIT // 65536 for c in p) for p in corners], [[0, 1, 2, 3]])
+    shape = mesh.shape(quad, ONE, "quad")
+    check_faces(shape)
+    assert len(shape.faces) == pieces
+    assert bool(shape.notes) == (pieces == 2)
+
+
+@pytest.mark.parametrize("sides, faces", [(24, 1), (25, 23)])
+def test_polygons_stay_whole_up_to_24_vertices(sides, faces):
+    ring = [(round(90000 * math.sin(2 * math.pi * i / sides)),
+             round(90000 * math.cos(2 * math.pi * i / sides))) for i in range(sides)]
+    shape = mesh.shape(flat_mesh(ring), ONE, "ring")
+    check_faces(shape)
+    assert len(shape.faces) == faces
+
+
+def test_faces_without_area_are_dropped_and_said():
+    points = [(0, 0, 0), (0, 0, UNIT), (UNIT, 0, 0), (0, 0, 2 * UNIT)]
+    shape = mesh.shape(Mesh(points, [[0, 1, 2], [0, 1, 3], [0, 0, 1]]), ONE, "thin")
+    assert len(shape.faces) == 1 and shape.sources == [0]
+    assert "2 faces without area dropped" in shape.notes[0]
+
+
+def test_an_inside_out_model_is_turned_round():
+    box = solids.box()
+    box.faces = [face[::-1] for face in box.faces]
+    shape = mesh.shape(box, ONE, "box")
+    check_faces(shape)
+    assert all(mesh.dot(f.normal, shape.vertices[f.corners[0]]) > 0 for f in shape.faces)
+    assert "inside out" in shape.notes[0]
+
+
+@settings(max_examples=120, deadline=None)
+@given(st.lists(st.integers(2000, 200000), min_size=3, max_size=40), turns)
+def test_star_shaped_polygons_keep_their_area(radii, turn):
+    count = len(radii)
+    star = [(round(r * math.sin(2 * math.pi * i / count)),
+             round(r * math.cos(2 * math.pi * i / count))) for i, r in enumerate(radii)]
+    flat = mesh.shape(flat_mesh(star), ONE, "star")
+    check_faces(flat)
+    exact = abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(star, star[1:] + star[:1]))) / 2
+    assert area(flat) == pytest.approx(exact, rel=1e-9)
+    assert all(f.normal == (0, 1 << 30, 0) for f in flat.faces)
+    turned = mesh.shape(flat_mesh(star), matrix((1, 1, 1), turn), "star")
+    check_faces(turned)
+    outline = sum(math.dist(a, b) for a, b in zip(star, star[1:] + star[:1]))
+    assert area(turned) == pytest.approx(exact, abs=4 * count * outline)
+
+
+@settings(max_examples=200, deadline=None)
+@given(*[st.tuples(*[st.integers(-2 ** 29, 2 ** 29)] * 3)] * 3)
+def test_normals_are_of_unit_length_and_right_angled(a, b, c):
+    face = mesh.newell([a, b, c])
+    assume(face != (0, 0, 0))
+    normal = mesh.unit_normal(face)
+    assert abs(sum(n * n for n in normal) - (1 << 60)) <= image.NORMAL_SQUARE_MAX_ERROR
+    length = math.sqrt(sum(v * v for v in face))
+    assert all(abs(n - v / length * 2 ** 30) < 0.51 for n, v in zip(normal, face))
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(256, 1200), st.randoms(use_true_random=False))
+def test_the_palette_holds_any_number_of_colours(count, random):
+    wanted = {tuple(random.randrange(256) for _ in range(3)): 1 + random.randrange(9)
+              for _ in range(count)}
+    wanted[17] = 1
+    colours, indices, _ = palette.allocate((1, 2, 3), wanted)
+    assert len(colours) == 256 and colours[0] == (1, 2, 3) and indices[17] == 17
+    assert set(indices) == set(wanted)
+    assert all(1 <= i <= 255 and i != 17 for c, i in indices.items() if c != 17)
+    worst = max(max(abs(a - b) for a, b in zip(c, colours[i]))
+                for c, i in indices.items() if c != 17)
+    assert worst <= 96

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Paths: exact at keys, within the keys' range between them."""
+
+from fractions import Fraction
+
+from hypothesis import given, settings, strategies as st
+
+from fixel import path, quantity
+from fixel.path import Key
+
+TURN = 1 << 32
+
+
+def key(position, frames=1, yaw=0, pitch=0, roll=0, target=None):
+    return Key(tuple(Fraction(c) for c in position), frames, Fraction(yaw), Fraction(pitch),
+               Fraction(roll), target)
+
+
+def test_a_line_is_a_line():
+    poses = path.poses([key((0, 0, 0), 4), key((4, 0, 8), 1, yaw=90)], False, "key")
+    assert len(poses) == 5
+    assert [p[0] for p in poses] == [i << 16 for i in range(5)]
+    assert [p[3] for p in poses] == [i << 28 for i in range(5)]
+
+
+def test_the_last_key_is_held_and_angles_wrap():
+    poses = path.poses([key((0, 0, 0), 2, yaw=720), key((1, 0, 0), 3, yaw=-90)], True, "key")
+    assert len(poses) == 5 and poses[2] == poses[3] == poses[4]
+    assert poses[0][3] == 0 and poses[4][3] == 3 << 30
+
+
+coordinate = st.fractions(-8191, 8191, max_denominator=512)
+angle = st.fractions(-720, 720, max_denominator=64)
+keys = st.lists(st.builds(key, st.tuples(coordinate, coordinate, coordinate),
+                          st.integers(1, 7), angle, angle, angle), min_size=1, max_size=6)
+
+
+@settings(max_examples=150, deadline=None)
+@given(keys, st.booleans())
+def test_exact_at_keys_and_never_beyond_them(made, smooth):
+    poses = path.poses(made, smooth, "key")
+    assert len(poses) == sum(k.frames for k in made)
+    frame = 0
+    for i, here in enumerate(made):
+        assert poses[frame] == (*(quantity.q16(c) for c in here.position), quantity.angle(here.yaw),
+                                quantity.angle(here.pitch), quantity.angle(here.roll))
+        after = made[min(i + 1, len(made) - 1)]
+        for pose in poses[frame:frame + here.frames]:
+            for axis in range(3):
+                ends = sorted(quantity.q16(k.position[axis]) for k in (here, after))
+                assert ends[0] - 1 <= pose[axis] <= ends[1] + 1
+        frame += here.frames
+
+
+def test_look_at_keeps_the_eye_on_the_point():
+    target = (Fraction(0), Fraction(1), Fraction(0))
+    made = [key((0, 1, -5), 8, target=target), key((-5, 1, 0), 8, target=target),
+            key((0, 1, 5), 1, target=target)]
+    for x, y, z, yaw, pitch, _ in path.poses(made, True, "key"):
+        wanted, _ = path.aim((x, y, z), (0, 65536, 0), "key")
+        off = (yaw - wanted / 360 * TURN) % TURN
+        assert min(off, TURN - off) < TURN / 360 * 0.01
+        assert min(pitch, TURN - pitch) < TURN / 360 * 0.01
+
+
+def test_yaw_next_to_look_at_goes_the_short_way():
+    made = [key((0, 0, 0), 10, yaw=350), key((0, 0, 0), 1, target=(1, 0, 10))]
+    turns = [p[3] * 360 / TURN for p in path.poses(made, True, "key")]
+    assert all(t >= 350 or t <= 6 for t in turns)
+
+
+def test_an_orbit_looks_at_its_centre():
+    poses = path.orbit((0, 1, 0), Fraction(3), Fraction(3), 4, Fraction(0), Fraction(1))
+    assert poses[0] == (0, 4 << 16, -3 << 16, 0, 7 << 29, 0)
+    assert [p[3] for p in poses] == [0, 1 << 30, 2 << 30, 3 << 30]
+    assert poses[1][:3] == (-3 << 16, 4 << 16, 0)

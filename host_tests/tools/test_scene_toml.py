@@ -1,0 +1,326 @@
+# SPDX-License-Identifier: MIT
+"""Scene files: every key, every refusal, and the scenes that come with Fixel."""
+
+from fractions import Fraction
+import json
+from pathlib import Path
+import re
+import subprocess
+import sys
+
+import pytest
+
+from fixel import image, toml_object, toml_scene
+from fixel.errors import ToolError
+
+ROOT = Path(__file__).resolve().parents[2]
+BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
+PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
+
+
+def build(tmp_path, text, frames=None):
+    file = tmp_path / "scene.toml"
+    file.write_text(text)
+    return toml_scene.compile_file(str(file), frames)
+
+
+def refused(tmp_path, text, *parts):
+    with pytest.raises(ToolError) as caught:
+        build(tmp_path, text)
+    for part in ("scene.toml", *parts):
+        assert part in str(caught.value)
+
+
+def test_least_scene_uses_the_defaults(tmp_path):
+    scene, notes = build(tmp_path, BOX + PATH)
+    assert (scene.width, scene.height, scene.inset) == (320, 240, 4)
+    assert len(scene.models[0].faces) == 6 and scene.objects[0].centre == (0, 0, 5 << 16)
+    assert scene.models[0].kind == image.CONVEX and scene.frames == 1 and not notes
+    assert image.unpack(image.pack(scene)) == scene
+
+
+@pytest.mark.parametrize("text, parts", [
+    (BOX + "colr = 'red'\n" + PATH, ['unknown key "colr"', '"colour"']),
+    ("backround = 'red'\n" + BOX + PATH, ['"backround"', '"background"']),
+    (BOX + "solid2 = 1\n" + PATH, ["object 0", "solid2"]),
+    (BOX.replace("box", "piramid") + PATH, ["piramid", '"pyramid"']),
+    (BOX.replace("box", "bocks") + PATH, ["bocks", "one of: box, pyramid"]),
+    (BOX + f"scale = {10**400}\n" + PATH, ["scale", "out of every range"]),
+    (BOX.replace("[0, 0, 5]", "[0, 9000, 5]") + PATH, ["object 0", "position[1] = 9000", "8191"]),
+    (BOX.replace("[0, 0, 5]", "[0, 8191, 5]") + PATH, ["object 0", "vertex", "at y", "8191.5"]),
+    (BOX + "scale = 0\n" + PATH, ["scale = 0"]),
+    (BOX + "scale = [1, 2]\n" + PATH, ["scale", "three numbers"]),
+    (BOX + "scale = nan\n" + PATH, ["scale", "out of every range"]),
+    (BOX + "rotation = ['x', 0, 0]\n" + PATH, ["rotation[0]", '"x"']),
+    (BOX + "layer = 256\n" + PATH, ["layer = 256", "0..255"]),
+    (BOX + "layer = 1.5\n" + PATH, ["layer", "whole"]),
+    (BOX + "colour = '#12345'\n" + PATH, ["colour", "#12345"]),
+    (BOX + "colour = 'crimsn'\n" + PATH, ["crimsn", "crimson"]),
+    (BOX + "colour = 'red'\ncolour_index = 3\n" + PATH, ["exclude"]),
+    (BOX + "colour_index = 256\n" + PATH, ["colour_index = 256"]),
+    (BOX + "colour_step = 2\n" + PATH, ["needs colour_index"]),
+    (BOX + "sides = 5\n" + PATH, ["sides", "box"]),
+    (BOX + "obj = 'x.obj'\n" + PATH, ["both obj and solid"]),
+    ("[[objects]]\nobj = 'none.obj'\n" + PATH, ["object 0: obj", "none.obj", "no file"]),
+    ("[screen]\nwidth = 1025\n" + BOX + PATH, ["screen: width = 1025"]),
+    ("[view]\nfov = 9.9\n" + BOX + PATH, ["view: fov = 9.9", "10..150"]),
+    ("[view]\nfocal = 2000\n" + BOX + PATH, ["view: focal", "10..150"]),
+    ("[view]\nfov = 60\nfocal = 200\n" + BOX + PATH, ["both fov and focal"]),
+    ("[view]\nnear = '1/257'\n" + BOX + PATH, ["view: near"]),
+    ("[view]\nnear = 3\nfar = 3\n" + BOX + PATH, ["not below"]),
+    ("[view]\nfar = 40000\n" + BOX + PATH, ["far = 40000"]),
+    ("[view]\ninset = -1\n" + BOX + PATH, ["inset = -1"]),
+    ("[light]\ndirection = [0, 0, 0]\n" + BOX + PATH, ["no direction"]),
+    (BOX, ["path", "none is given"]),
+    (PATH, ['"objects" is missing']),
+    (BOX + "[path]\nkeys = [{ position = [0, 0, 8192] }]\n", ["keys[0]", "position[2] = 8192"]),
+    (BOX + "[path]\nkeys = [{ position = [0, 0, 0], frames = 0 }]\n", ["frames = 0"]),
+    (BOX + "[path]\nkeys = [{ position = [0, 0, 0], look_at = [0, 0, 0] }]\n", ["look_at"]),
+    (BOX + "[path]\nkeys = [{ position = [0, 0, 0], look_at = [0, 0, 1], yaw = 1 }]\n",
+     ["keys[0]", "one or the other"]),
+    (BOX + "[path]\nsteps = [{ keys = ['forwards'] }]\n", ["forwards", '"forward"']),
+    (BOX + "[path]\nsteps = [{ keys = 'forward' }]\n", ["steps[0]", "list"]),
+    (BOX + "[path]\nsteps = [{ keys = [], frames = 70000 }]\n", ["frames = 70000"]),
+    (BOX + "[path]\nsteps = [{ keys = [] }]\n[path.gait]\nturn = 91\n", ["gait", "turn = 91"]),
+    (BOX + "[path]\norbit = { radius = 9000 }\n", ["orbit", "frame 0"]),
+    ("objects = 3\n" + PATH, ["objects", "list"]),
+    ("a = \n", ["not TOML"]),
+])
+def test_refusals_say_where_and_what(tmp_path, text, parts):
+    refused(tmp_path, text, *parts)
+
+
+def test_rationals_and_turns_are_exact(tmp_path):
+    text = ('[[objects]]\nsolid = "box"\nscale = "1/512"\nposition = ["-360/512", "1.5", 1e2]\n'
+            '[path]\nkeys = [{ position = [0, 0, 0], yaw = "472/512 turn", pitch = -90 }]\n')
+    scene, _ = build(tmp_path, text)
+    assert scene.objects[0].centre == (-360 * 128, 98304, 100 << 16)
+    assert scene.models[0].vertices[0] == (-64, -64, -64)
+    assert scene.path[0][3:] == (472 << 23, 3 << 30, 0)
+
+
+def test_focal_and_range_ends_of_the_field_of_view(tmp_path):
+    assert build(tmp_path, "[view]\nfocal = 160\n" + BOX + PATH)[0].fov == 1 << 30
+    assert build(tmp_path, "[view]\nfov = 10\n" + BOX + PATH)[0].fov == image.FOV_MIN
+    assert build(tmp_path, "[view]\nfov = 150\n" + BOX + PATH)[0].fov == image.FOV_MAX
+    scene, _ = build(tmp_path, "[view]\nfocal = 277.25\nnear = 1\n" + BOX + PATH)
+    assert round(toml_scene.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
+
+
+@pytest.mark.parametrize("near, word", [("0.2", None), ("0.15", "1/64"), ("0.07", "1/32")])
+def test_warns_where_a_small_near_plane_costs_precision(tmp_path, near, word):
+    _, notes = build(tmp_path, f"[view]\nfocal = 160\nnear = {near}\n" + BOX + PATH)
+    warnings = [note for note in notes if note.startswith("warning:")]
+    assert len(warnings) == (word is not None)
+    assert word is None or word in warnings[0]
+
+
+def test_copies_share_models_and_colours_part_them(tmp_path):
+    text = ('[[objects]]\nsolid = "box"\nrepeat = { count = [2, 1, 3], step = [2, 0, 4] }\n'
+            + BOX + BOX + 'colour = "red"\n' + PATH)
+    scene, _ = build(tmp_path, text)
+    assert len(scene.objects) == 8 and len(scene.models) == 2
+    assert [o.centre for o in scene.objects[:3]] == [(0, 0, 0), (2 << 16, 0, 0), (0, 0, 4 << 16)]
+
+
+def test_ring_turns_its_copies(tmp_path):
+    text = ('[[objects]]\nsolid = "box"\nscale = [1, 1, 3]\nring = { count = 4, radius = 5 }\n'
+            + PATH)
+    scene, _ = build(tmp_path, text)
+    assert [o.centre for o in scene.objects] == [(0, 0, 5 << 16), (5 << 16, 0, 0),
+                                                 (0, 0, -5 << 16), (-5 << 16, 0, 0)]
+    extents = [max(v[2] for v in scene.models[o.model].vertices) for o in scene.objects]
+    assert extents == [98304, 32768, 98304, 32768]
+
+
+def test_an_object_turned_like_a_camera_looks_where_the_camera_looks():
+    # Chapter 1: yaw turns +z towards +x, pitch raises it, roll lifts the right side.
+    def axes(*rotation):
+        rows = toml_object.matrix((1, 1, 1), [Fraction(a) for a in rotation])
+        return [tuple(row[i] for row in rows) for i in range(3)]
+    right, _, forward = axes(90, 0, 0)
+    assert forward == (1, 0, 0) and right == (0, 0, -1)
+    assert axes(0, 90, 0)[2] == (0, 1, 0)
+    assert axes(0, 0, 90)[0] == (0, 1, 0)
+
+
+def test_anchor_base_stands_on_the_ground_with_its_centre_in_the_middle(tmp_path):
+    text = ('[[objects]]\nsolid = "pyramid"\nscale = 2\nposition = [0, 3, 0]\nanchor = "base"\n'
+            + PATH)
+    scene, _ = build(tmp_path, text)
+    assert scene.objects[0].centre == (0, 4 << 16, 0)
+    assert min(v[1] for v in scene.models[0].vertices) == -65536
+
+
+def test_colour_index_gives_exact_palette_entries(tmp_path):
+    text = ('[[objects]]\nsolid = "box"\ncolour_index = 253\ncolour_step = 1\ncolour_next = 6\n'
+            "positions = [[0, 0, 5], [9, 0, 5]]\n" + PATH)
+    scene, _ = build(tmp_path, text)
+    colours = [[f.colour for f in scene.models[o.model].faces] for o in scene.objects]
+    assert colours == [[253, 254, 255, 1, 2, 3], [4, 5, 6, 7, 8, 9]]
+
+
+def test_all_colours_fit_the_palette(tmp_path):
+    many = "".join(f'[[objects]]\nsolid = "sphere"\nposition = [{i}, 0, 9]\n'
+                   f'colour = "#{i * 40 % 256:02x}{i * 70 % 256:02x}{i * 110 % 256:02x}"\n'
+                   for i in range(12))
+    scene, notes = build(tmp_path, many + PATH)
+    assert any("colours were merged" in note for note in notes)
+    assert len(scene.palette) == 256
+    assert all(1 <= f.colour <= 255 for m in scene.models for f in m.faces)
+    full = '[[objects]]\nsolid = "floor"\ncells = [16, 16]\ncolour_index = 1\ncolour_step = 1\n'
+    refused(tmp_path, full + BOX + PATH, "255 palette entries")
+
+
+def test_a_model_that_is_not_convex_is_sorted_or_refused(tmp_path):
+    (tmp_path / "two.obj").write_text(
+        "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\nv 0 1 1\nv 1 0 1\nf 1 3 2\nf 4 6 5\n")
+    text = '[[objects]]\nobj = "two.obj"\nposition = [0, 0, 5]\n'
+    scene, notes = build(tmp_path, text + PATH)
+    assert scene.models[0].kind == image.SORTED
+    assert any("not convex" in note for note in notes)
+    assert any("open" in note for note in notes)
+    refused(tmp_path, text + 'kind = "convex"\n' + PATH, "object 0", "not convex")
+    scene, _ = build(tmp_path, BOX + 'kind = "sorted"\n' + PATH)
+    assert scene.models[0].kind == image.SORTED
+
+
+def test_steps_become_strides_and_frames_cut_them(tmp_path):
+    text = BOX + ("[path]\nsteps = [{ keys = ['forward', 'left'], frames = 3 }, "
+                  "{ keys = ['pitch_up', 'roll_right'], frames = 4 }]\n"
+                  "[path.start]\nposition = [1, 2, 3]\nyaw = 90\n[path.gait]\nturn = 45\n"
+                  "acceleration = 1\nfriction = 0.5\nspeed_max = 2\n")
+    scene, _ = build(tmp_path, text)
+    assert scene.path == [(5, 3), (16 | 128, 4)] and scene.frames == 7
+    assert scene.start == (65536, 131072, 196608, 1 << 30, 0, 0)
+    assert scene.gait == (65536, 32768, 131072, 1 << 29)
+    assert build(tmp_path, text, 5)[0].path == [(5, 3), (144, 2)]
+    assert build(tmp_path, text, 3)[0].path == [(5, 3)]
+    with pytest.raises(ToolError, match="8 frames are asked for, and the path has 7"):
+        build(tmp_path, text, 8)
+
+
+def _examples():
+    return re.findall(r"```toml\n(.*?)```", (ROOT / "docs" / "scenes.md").read_text(), re.S)
+
+
+def test_the_documents_examples_compile(tmp_path):
+    examples = _examples()
+    assert len(examples) >= 2
+    for text in examples:
+        scene, notes = build(tmp_path, text)
+        assert image.unpack(image.pack(scene)) == scene
+        assert not [note for note in notes if note.startswith("warning")]
+
+
+def test_the_document_names_every_key():
+    text = (ROOT / "docs" / "scenes.md").read_text()
+    source = (ROOT / "tools" / "fixel" / "toml_scene.py").read_text()
+    keys = set(toml_object.KEYS) | toml_scene.TOP_KEYS | set(image.KEYS)
+    for group in re.findall(r"\{(\"[a-z_]+\"(?:, \"[a-z_]+\")+)\}", source):
+        keys |= set(re.findall(r"[a-z_]+", group))
+    assert {"focal", "gait", "look_at", "turns"} <= keys
+    assert not [key for key in keys if not re.search(rf"\b{key}\b", text)]
+
+
+@pytest.mark.parametrize("name", ["plaza", "w1", "w3", "tiny", "cube"])
+def test_own_scenes_compile_and_fit(name):
+    scene, _ = toml_scene.compile_file(str(ROOT / "scenes" / f"{name}.toml"))
+    assert image.unpack(image.pack(scene)) == scene
+
+
+def test_plaza_is_what_it_promises():
+    scene, notes = toml_scene.compile_file(str(ROOT / "scenes" / "plaza.toml"))
+    assert scene.frames == 120 and (scene.width, scene.height) == (320, 240)
+    assert len(scene.objects) >= 30 and len(scene.models) >= 8
+    assert all(m.kind == image.CONVEX for m in scene.models)
+    assert not [note for note in notes if note.startswith("warning")]
+    # Frames 0 and 15 look along +z with vertices exactly on the far and the near
+    # plane, inset and all, and inside the screen.
+    slope = 160 / toml_scene.focal_pixels(320, scene.fov)
+    for frame, depth in ((0, scene.far - scene.inset), (15, scene.near + scene.inset)):
+        x, y, z, *turn = scene.path[frame]
+        assert turn == [0, 0, 0]
+        world = [[a + b for a, b in zip(v, o.centre)] for o in scene.objects
+                 for v in scene.models[o.model].vertices]
+        on_plane = [v for v in world if v[2] - z == depth and abs(v[0] - x) < slope * depth
+                    and abs(v[1] - y) < slope * depth * 0.75]
+        assert len(on_plane) >= 4
+    behind = [o for o in scene.objects
+              if all(v[2] + o.centre[2] < z for v in scene.models[o.model].vertices)]
+    assert behind
+
+
+def _workload(name):
+    file = ROOT.parent / "shared" / "workloads" / name
+    if not file.exists():
+        pytest.skip(f"the workload {name} is not beside this checkout")
+    return json.loads(file.read_text())
+
+
+def _clockwise_set(outline):
+    first = outline.index(min(outline))
+    return tuple(outline[first:] + outline[:first])
+
+
+def test_w1_holds_the_workloads_numbers():
+    data = _workload("w1.json")
+    scene, _ = toml_scene.compile_file(str(ROOT / "scenes" / "w1.toml"))
+    assert [o.centre for o in scene.objects] == [tuple(128 * c for c in p)
+                                                 for p in data["cube_centres"]]
+    assert scene.path == [(*(128 * c for c in k["position"]), k["yaw"] % 512 << 23,
+                           k["pitch"] % 512 << 23, 0) for k in data["camera"]]
+    assert (scene.fov, scene.near, scene.far) == (1 << 30, 4096, 64 << 16)
+    corners = [tuple(128 * c for c in v) for v in data["cube_vertices"]]
+    for k, item in enumerate(scene.objects):
+        model = scene.models[item.model]
+        for i, (face, wanted) in enumerate(zip(model.faces, data["cube_faces_clockwise"])):
+            assert face.colour == 1 + (6 * k + i) % 255
+            assert (_clockwise_set([model.vertices[c] for c in face.corners])
+                    == _clockwise_set([corners[c] for c in wanted]))
+
+
+def test_w3_holds_the_workloads_numbers():
+    data = _workload("w3.json")
+    scene, _ = toml_scene.compile_file(str(ROOT / "scenes" / "w3.toml"))
+    assert scene.objects[0].centre == tuple(128 * c for c in data["centre"])
+    vertices = [tuple(128 * c for c in v) for v in data["vertices"]]
+    model = scene.models[0]
+    assert len(model.faces) == len(data["triangles_clockwise"]) == 1008
+    for i, (face, wanted) in enumerate(zip(model.faces, data["triangles_clockwise"])):
+        assert face.colour == 1 + i % 255
+        assert (_clockwise_set([model.vertices[c] for c in face.corners])
+                == _clockwise_set([vertices[c] for c in wanted]))
+
+
+def _tool(*arguments):
+    return subprocess.run([sys.executable, str(ROOT / "tools" / "scene.py"), *arguments],
+                          capture_output=True, text=True, check=False)
+
+
+def test_command_line_builds_tells_and_refuses(tmp_path):
+    out = tmp_path / "cube.fxls"
+    made = _tool("build", str(ROOT / "scenes" / "cube.toml"), "-o", str(out), "--frames", "4")
+    assert made.returncode == 0, made.stderr
+    told = json.loads(_tool("info", str(out), "--json").stdout)
+    assert told["frames"] == 4 and told["faces"] == 6 and told["bytes"] == out.stat().st_size
+    assert "4 frames" in _tool("info", str(out)).stdout
+    bad = tmp_path / "bad.toml"
+    bad.write_text(BOX + "colr = 1\n" + PATH)
+    failed = _tool("build", str(bad), "-o", str(tmp_path / "bad.fxls"))
+    assert failed.returncode == 2 and failed.stderr.count("\n") == 1
+    assert "colr" in failed.stderr and "Traceback" not in failed.stderr
+    assert _tool("build", str(bad.with_suffix(".txt")), "-o", str(out)).returncode == 2
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["bad.toml", "cube.fxls"]
+
+
+def test_an_unwritable_out_leaves_nothing(tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    failed = _tool("build", str(ROOT / "scenes" / "cube.toml"), "-o",
+                   str(tmp_path / "file" / "out.fxls"))
+    assert failed.returncode == 2 and "cannot be written" in failed.stderr
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
+    (tmp_path / "folder").mkdir()
+    failed = _tool("build", str(ROOT / "scenes" / "cube.toml"), "-o", str(tmp_path / "folder"))
+    assert failed.returncode == 2 and "cannot be written" in failed.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["file", "folder"]

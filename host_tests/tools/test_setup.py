@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: MIT
+"""Set-up: what it says and does where something is missing, without installing anything."""
+
+import os
+import pathlib
+import shutil
+import stat
+import subprocess
+
+import pytest
+from conftest import CHECKOUT, environment
+
+import apt_mirror
+
+SOURCES = """\
+# A comment
+Types: deb
+# http://snapshot.invalid/within a stanza
+URIs: http://mirror.invalid/debian
+Suites: bookworm bookworm-updates
+Components: main contrib
+Signed-By: /usr/share/keyrings/some-keyring.gpg
+
+Types: deb
+URIs: http://mirror.invalid/debian-security
+Suites: bookworm-security
+Components: main
+"""
+
+
+def apt_dir(folder, **files):
+    (folder / "sources.list.d").mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        name = name.replace("__", ".")
+        place = folder if name == "sources.list" else folder / "sources.list.d"
+        (place / name).write_text(text)
+    return folder
+
+
+def source(folder):
+    text = apt_mirror.source_for("bookworm", "trixie", folder)
+    return text and dict(line.split(": ", 1) for line in text.splitlines() if not line.startswith(("#", " ")))
+
+
+# --- the mirror ---------------------------------------------------------------
+
+def test_deb822(tmp_path):
+    assert source(apt_dir(tmp_path, debian__sources=SOURCES)) == {
+        "Types": "deb", "URIs": "http://mirror.invalid/debian", "Suites": "trixie",
+        "Components": "main", "Signed-By": "/usr/share/keyrings/some-keyring.gpg"}
+
+
+def test_one_line_with_options(tmp_path):
+    text = "deb [arch=amd64 signed-by=/etc/apt/keyrings/a.gpg] https://mirror.invalid/d bookworm main non-free # x\n"
+    assert source(apt_dir(tmp_path, sources__list=text)) == {
+        "Types": "deb", "URIs": "https://mirror.invalid/d", "Suites": "trixie", "Components": "main",
+        "Signed-By": "/etc/apt/keyrings/a.gpg"}
+
+
+def test_discs_sources_other_suites_and_comments_are_passed_over(tmp_path):
+    text = ("deb cdrom:[Debian GNU/Linux 12.5.0 _Bookworm_ - Official amd64 DVD]/ bookworm main\n"
+            "# deb http://comment.invalid/debian bookworm main\n"
+            "deb-src http://source.invalid/debian bookworm main\n"
+            "deb http://updates.invalid/debian bookworm-updates main\n"
+            "deb http://flat.invalid/ ./\n"
+            "deb http://contrib.invalid/debian bookworm contrib\n"
+            "deb http://right.invalid/debian bookworm main\n")
+    assert source(apt_dir(tmp_path, sources__list=text))["URIs"] == "http://right.invalid/debian"
+
+
+def test_disc_in_deb822_and_a_stanza_that_is_off(tmp_path):
+    text = ("Types: deb\nURIs: cdrom:[Debian]/\nSuites: bookworm\nComponents: main\n\n"
+            "Enabled: no\nTypes: deb\nURIs: http://off.invalid/d\nSuites: bookworm\nComponents: main\n\n"
+            "Types: deb-src deb\nURIs: http://right.invalid/d\nSuites: bookworm\nComponents: main\n")
+    assert source(apt_dir(tmp_path, a__sources=text))["URIs"] == "http://right.invalid/d"
+
+
+def test_key_within_the_source(tmp_path):
+    key = "Signed-By:\n -----BEGIN PGP PUBLIC KEY BLOCK-----\n .\n abc\n -----END PGP PUBLIC KEY BLOCK-----"
+    text = SOURCES.replace("Signed-By: /usr/share/keyrings/some-keyring.gpg", key)
+    written = apt_mirror.source_for("bookworm", "trixie", apt_dir(tmp_path, debian__sources=text))
+    assert " -----BEGIN PGP PUBLIC KEY BLOCK-----\n .\n abc\n" in written
+
+
+def test_files_that_apt_does_not_read_are_not_read(tmp_path):
+    assert source(apt_dir(tmp_path, debian__sources__disabled=SOURCES)) is None
+
+
+def test_no_mirror_is_said(tmp_path, capsys):
+    assert apt_mirror.main(["bookworm", "trixie", str(apt_dir(tmp_path))]) == 1
+    assert "no apt source of suite bookworm" in capsys.readouterr().err
+
+
+def test_no_mirror_is_written_down_in_the_project():
+    for file in (CHECKOUT / "Makefile", CHECKOUT / "requirements.txt", CHECKOUT / "tools" / "setup.sh",
+                 CHECKOUT / "tools" / "apt_mirror.py"):
+        assert "://" not in file.read_text().replace("SPDX", ""), file
+
+
+# --- the script -----------------------------------------------------------------
+
+HIDDEN = ("qemu-system-arm", "sudo", "apt-get", "apt-cache", "id")
+
+
+@pytest.fixture
+def machine(tmp_path):
+    """A checkout and a PATH with everything but QEMU and sudo, with an apt that is only played."""
+    root = tmp_path / "checkout"
+    (root / "tools").mkdir(parents=True)
+    for name in ("tools/setup.sh", "tools/apt_mirror.py", "requirements.txt"):
+        shutil.copy(CHECKOUT / name, root / name)
+    commands = tmp_path / "bin"
+    commands.mkdir()
+    for folder in os.environ["PATH"].split(os.pathsep):
+        for file in pathlib.Path(folder).glob("*") if folder else ():
+            link = commands / file.name
+            if file.name not in HIDDEN and not link.is_symlink():
+                link.symlink_to(file)
+    play(commands, "apt-cache", 'echo "$2:"; echo "  Candidate: 1.0"')
+    play(commands, "apt-get", f'echo "$*" >>{tmp_path}/apt.txt; exit 0')
+    play(commands, "id", "echo 1000")
+    return tmp_path
+
+
+def play(commands, name, script):
+    file = commands / name
+    file.write_text(f"#!/bin/sh\n{script}\n")
+    file.chmod(file.stat().st_mode | stat.S_IXUSR)
+
+
+def setup(machine, *what):
+    return subprocess.run([str(machine / "checkout" / "tools" / "setup.sh"), *what],
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120,
+                          check=False, env=environment(PATH=str(machine / "bin")))
+
+
+def test_nothing_missing_is_silent(machine):
+    done = setup(machine, "lib")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert not (machine / "checkout" / "build").exists()
+
+
+def test_without_root_the_exact_command(machine):
+    done = setup(machine, "--packages-only", "run")
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].strip() == \
+        "setup:   su -c 'apt-get install -y --no-install-recommends qemu-system-arm'".strip()
+    assert not (machine / "apt.txt").exists(), "apt-get ran without root"
+
+
+def test_without_root_sudo_where_there_is_one(machine):
+    play(machine / "bin", "sudo", "exit 9")
+    done = setup(machine, "--packages-only", "run")
+    assert "setup:   sudo apt-get install -y --no-install-recommends qemu-system-arm" in done.stderr
+
+
+def test_without_root_and_without_lists_the_script_itself(machine):
+    play(machine / "bin", "apt-cache", 'echo "$2:"; echo "  Candidate: (none)"')
+    done = setup(machine, "run")
+    assert done.returncode == 1
+    assert f"su -c '{machine}/checkout/tools/setup.sh --packages-only run'" in done.stderr
+
+
+def test_as_root_says_what_and_installs_only_that(machine):
+    play(machine / "bin", "id", "echo 0")
+    play(machine / "bin", "apt-get", f"""echo "$*" >>{machine}/apt.txt
+case "$*" in *assume-no*) echo "Need to get 12.3 MB of archives."
+    echo "After this operation, 45.6 MB of additional disk space will be used." ;;
+*) ln -sf /bin/true {machine}/bin/qemu-system-arm ;; esac""")
+    done = setup(machine, "--packages-only", "run")
+    assert done.returncode == 0, done.stderr
+    assert "installing qemu-system-arm (12.3 MB to fetch, 45.6 MB on disk)" in done.stderr
+    asked = (machine / "apt.txt").read_text().splitlines()
+    assert [line for line in asked if "install" in line and "assume-no" not in line] == \
+        [asked[-1]] and asked[-1].endswith("install qemu-system-arm")
+    before = (machine / "apt.txt").read_text()
+    again = setup(machine, "--packages-only", "run")
+    assert (again.returncode, again.stderr) == (0, "") and (machine / "apt.txt").read_text() == before
+
+
+def test_apt_that_fails_is_shown(machine):
+    play(machine / "bin", "id", "echo 0")
+    play(machine / "bin", "apt-get", 'echo "E: no room left" >&2; exit 100')
+    done = setup(machine, "--packages-only", "run")
+    assert done.returncode == 1
+    assert "no room left" in done.stderr and "apt-get" in done.stderr
+
+
+def test_installing_that_does_not_help_is_said(machine):
+    play(machine / "bin", "id", "echo 0")
+    done = setup(machine, "--packages-only", "run")
+    assert done.returncode == 1
+    assert "still missing after installing: qemu-system-arm" in done.stderr
+
+
+def test_no_apt_at_all(machine):
+    (machine / "bin" / "apt-get").unlink()
+    done = setup(machine, "--packages-only", "run")
+    assert done.returncode == 1 and "qemu-system-arm" in done.stderr and "no apt-get" in done.stderr
+
+
+def test_unknown_set_up(machine):
+    assert "unknown set-up 'everything'" in setup(machine, "everything").stderr
+
+
+def test_help_lists_every_command():
+    text = subprocess.run(["make", "-C", str(CHECKOUT), "--no-print-directory"], capture_output=True,
+                          text=True, check=True, env=environment()).stdout
+    for verb in ("run", "flash", "boot", "compare", "report", "lib", "test", "size", "format", "clean",
+                 "help"):
+        assert f"make {verb} " in text

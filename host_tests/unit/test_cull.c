@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+#include "tiny.h"
+
+static int64_t side_of(const fxl_face *face, const fxl_point *first, const fxl_point *eye)
+{
+    return (int64_t)face->normal.x * (eye->x - first->x) +
+           (int64_t)face->normal.y * (eye->y - first->y) +
+           (int64_t)face->normal.z * (eye->z - first->z);
+}
+
+void test_three_faces_of_a_cube_are_seen(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_point eye = {Q16(10), Q16(10), Q16(10)};
+    int seen = 0;
+    for (int f = 0; f < 6; f++) {
+        const fxl_face *face = &tiny->faces[f];
+        bool front = fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye);
+        TEST_ASSERT_EQUAL(face->normal.x + face->normal.y + face->normal.z > 0, front);
+        seen += front;
+    }
+    TEST_ASSERT_EQUAL(3, seen);
+}
+
+/* On the face's plane it is edge-on, and not drawn; a unit further, it is. */
+void test_edge_on_is_not_seen(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_point eye = {Q16(1), Q16(50), Q16(-70)};
+    for (int f = 0; f < 6; f++) {
+        if (tiny->faces[f].normal.x <= 0) {
+            continue;
+        }
+        eye.x = Q16(1);
+        TEST_ASSERT_FALSE(
+            fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
+        eye.x = Q16(1) + 1;
+        TEST_ASSERT_TRUE(
+            fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
+    }
+}
+
+void test_facing_is_exact_everywhere(void)
+{
+    tiny_scene *tiny = tiny_make();
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_face *face = &tiny->faces[0];
+        fxl_point eye = unit_point(FXL_COORDINATE_MAX);
+        face->normal = unit_direction();
+        tiny->objects[0].centre = unit_point(FXL_COORDINATE_MAX - Q16(1));
+        fxl_point first = tiny->vertices[tiny->corners[face->first_corner]];
+        first.x += tiny->objects[0].centre.x;
+        first.y += tiny->objects[0].centre.y;
+        first.z += tiny->objects[0].centre.z;
+        if (i % 4 == 0) {
+            eye = (fxl_point){first.x, first.y, first.z};
+            eye.y += unit_between(-1, 1);
+        }
+        TEST_ASSERT_EQUAL(side_of(face, &first, &eye) > 0,
+                          fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
+    }
+}
+
+void test_a_face_becomes_a_polygon_of_the_world(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_polygon polygon;
+    memset(&polygon, 0x5A, sizeof polygon);
+    tiny->objects[0].centre = (fxl_point){Q16(100), Q16(-200), Q16(300)};
+    const fxl_face *face = &tiny->faces[4];
+    fxl_face_to_polygon(&tiny->scene, &tiny->objects[0], face, &polygon);
+    TEST_ASSERT_EQUAL(face->colour, polygon.colour);
+    TEST_ASSERT_EQUAL(4, polygon.count);
+    for (uint32_t i = 0; i < 4; i++) {
+        const fxl_point *from = &tiny->vertices[tiny->corners[face->first_corner + i]];
+        const fxl_vertex *vertex = &polygon.vertices[i];
+        TEST_ASSERT_EQUAL_INT32(from->x + Q16(100), vertex->position.x);
+        TEST_ASSERT_EQUAL_INT32(from->y - Q16(200), vertex->position.y);
+        TEST_ASSERT_EQUAL_INT32(from->z + Q16(300), vertex->position.z);
+        TEST_ASSERT_EQUAL_INT32(0, vertex->u | vertex->v);
+    }
+}

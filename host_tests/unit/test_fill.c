@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+#include "unit.h"
+
+enum { WIDTH = 8, STRIDE = 10, ROWS_OF_BAND = 4, FIRST = 5 };
+
+static uint8_t memory[STRIDE * (ROWS_OF_BAND + 2)];
+
+/* A row of untouched bytes before the band and one after it. */
+static fxl_band band_of_memory(void)
+{
+    memset(memory, '.', sizeof memory);
+    return (fxl_band){memory + STRIDE, WIDTH, STRIDE, FIRST, ROWS_OF_BAND};
+}
+
+static void expect_memory(const char *text)
+{
+    TEST_ASSERT_EQUAL_STRING_LEN(text, (const char *)memory, sizeof memory);
+}
+
+void test_a_span_sets_its_pixels_only(void)
+{
+    fxl_band band = band_of_memory();
+    fxl_fill_span(&band, &(fxl_span){6, 2, 5}, '#');
+    fxl_fill_span(&band, &(fxl_span){8, 7, 8}, 'x');
+    expect_memory(".........."
+                  ".........."
+                  "..###....."
+                  ".........."
+                  ".......x.."
+                  "..........");
+}
+
+void test_a_span_may_take_the_whole_row(void)
+{
+    fxl_band band = band_of_memory();
+    fxl_fill_span(&band, &(fxl_span){FIRST, 0, WIDTH}, '#');
+    expect_memory(".........."
+                  "########.."
+                  ".........."
+                  ".........."
+                  ".........."
+                  "..........");
+}
+
+void test_a_band_stays_within_its_stride(void)
+{
+    fxl_band band = band_of_memory();
+    fxl_fill_band(&band, '#');
+    expect_memory(".........."
+                  "########.."
+                  "########.."
+                  "########.."
+                  "########.."
+                  "..........");
+}
+
+/* Every start and length: fills by words must not touch neighbours. */
+void test_every_start_and_length(void)
+{
+    static uint8_t row[40];
+    for (int16_t start = 0; start < 32; start++) {
+        for (int16_t end = (int16_t)(start + 1); end <= 32; end++) {
+            memset(row, '.', sizeof row);
+            fxl_band band = {row + 4, 32, 32, 0, 1};
+            fxl_fill_span(&band, &(fxl_span){0, start, end}, 0xAB);
+            for (int i = 0; i < 40; i++) {
+                TEST_ASSERT_EQUAL_HEX8(i - 4 >= start && i - 4 < end ? 0xAB : '.', row[i]);
+            }
+        }
+    }
+}

@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT */
+#include "tiny.h"
+
+enum { MANY = 600 };
+
+static fxl_order_entry entries[MANY];
+
+/* The definition (SPEC.md, chapter 7): whether a is drawn before b. */
+static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
+{
+    if (a->layer != b->layer) {
+        return a->layer < b->layer;
+    }
+    if (a->distance != b->distance) {
+        return a->distance > b->distance;
+    }
+    return a->index < b->index;
+}
+
+static void expect_sorted(uint32_t count)
+{
+    static uint8_t seen[MANY];
+    memset(seen, 0, sizeof seen);
+    for (uint32_t i = 0; i < count; i++) {
+        TEST_ASSERT_TRUE(entries[i].index < count);
+        seen[entries[i].index]++;
+        TEST_ASSERT_TRUE(i == 0 || before(&entries[i - 1], &entries[i]));
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        TEST_ASSERT_EQUAL_MESSAGE(1, seen[i], "an entry lost or doubled");
+    }
+}
+
+/* Few different keys, so that ties abound; an entry's key is a function of its
+ * index, so that keys cannot change places. */
+void test_sorting_is_by_layer_distance_and_index(void)
+{
+    for (int round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
+        uint32_t count = (uint32_t)unit_between(0, round % 8 ? 40 : MANY);
+        uint32_t spread = (uint32_t)unit_between(1, 20);
+        for (uint32_t i = 0; i < count; i++) {
+            uint64_t distance = unit_random() % spread;
+            entries[i] = (fxl_order_entry){distance << (unit_random() % 2 * 60), i,
+                                           unit_random() % (1 + spread / 4)};
+        }
+        for (uint32_t i = count; i > 1; i--) {
+            uint32_t other = unit_random() % i;
+            fxl_order_entry swap = entries[i - 1];
+            entries[i - 1] = entries[other];
+            entries[other] = swap;
+        }
+        fxl_order_sort(entries, count);
+        expect_sorted(count);
+    }
+}
+
+void test_sorted_and_reversed_input(void)
+{
+    for (int way = 0; way < 2; way++) {
+        for (uint32_t i = 0; i < MANY; i++) {
+            uint32_t key = way ? i : MANY - 1 - i;
+            entries[i] = (fxl_order_entry){key, i, 0};
+        }
+        fxl_order_sort(entries, MANY);
+        expect_sorted(MANY);
+        TEST_ASSERT_EQUAL_UINT64(MANY - 1, entries[0].distance);
+    }
+}
+
+void test_nothing_and_one_entry(void)
+{
+    entries[0] = (fxl_order_entry){7, 0, 3};
+    fxl_order_sort(entries, 0);
+    fxl_order_sort(entries, 1);
+    TEST_ASSERT_EQUAL_UINT64(7, entries[0].distance);
+    TEST_ASSERT_EQUAL_UINT32(3, entries[0].layer);
+}
+
+void test_distance_is_exact_at_the_ends(void)
+{
+    const fxl_q16_16 end = FXL_COORDINATE_MAX;
+    fxl_point low = {-end, -end, -end}, high = {end, end, end};
+    const uint64_t side = 2 * (uint64_t)FXL_COORDINATE_MAX;
+    TEST_ASSERT_EQUAL_UINT64(3 * side * side, fxl_distance_squared(&low, &high));
+    TEST_ASSERT_EQUAL_UINT64(3 * side * side, fxl_distance_squared(&high, &low));
+    TEST_ASSERT_EQUAL_UINT64(0, fxl_distance_squared(&high, &high));
+}
+
+/* Adds a square to a sum; fails where 64 bits do not hold it. */
+static uint64_t add_square(uint64_t sum, int64_t value)
+{
+    uint64_t size = value < 0 ? (uint64_t)-value : (uint64_t)value;
+    TEST_ASSERT_TRUE(size <= UINT32_MAX && sum <= UINT64_MAX - size * size);
+    return sum + size * size;
+}
+
+void test_distance_is_the_sum_of_squares(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_point a = unit_point(FXL_COORDINATE_MAX), b = unit_point(FXL_COORDINATE_MAX);
+        uint64_t sum = add_square(0, (int64_t)a.x - b.x);
+        sum = add_square(sum, (int64_t)a.y - b.y);
+        sum = add_square(sum, (int64_t)a.z - b.z);
+        TEST_ASSERT_EQUAL_UINT64(sum, fxl_distance_squared(&a, &b));
+    }
+}
+
+static uint64_t face_distance(const tiny_scene *tiny, const fxl_object *object,
+                              const fxl_face *face, const fxl_point *eye)
+{
+    int64_t low[3], high[3], at_eye[3] = {eye->x, eye->y, eye->z};
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_model *model = &tiny->models[object->model];
+        const fxl_point *v =
+            &tiny->vertices[model->first_vertex + tiny->corners[face->first_corner + i]];
+        int64_t at[3] = {(int64_t)v->x + object->centre.x, (int64_t)v->y + object->centre.y,
+                         (int64_t)v->z + object->centre.z};
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = i == 0 || at[axis] < low[axis] ? at[axis] : low[axis];
+            high[axis] = i == 0 || at[axis] > high[axis] ? at[axis] : high[axis];
+        }
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        sum = add_square(sum, low[axis] + high[axis] - 2 * at_eye[axis]);
+    }
+    return sum;
+}
+
+void test_face_distance_is_that_of_its_box(void)
+{
+    tiny_scene *tiny = tiny_make();
+    for (int i = 0; i < UNIT_REPEAT / 2; i++) {
+        fxl_object *object = &tiny->objects[i % 2];
+        fxl_point eye = unit_point(FXL_COORDINATE_MAX);
+        object->centre = unit_point(FXL_COORDINATE_MAX - Q16(20));
+        for (int v = 0; v < 16; v++) {
+            tiny->vertices[v] = unit_point(Q16(20));
+        }
+        const fxl_face *face = &tiny->faces[6 * (i % 2) + (int)(unit_random() % 6)];
+        TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye),
+                                 fxl_face_distance_squared(&eye, &tiny->scene, object, face));
+    }
+}
+
+void test_face_distance_at_the_ends(void)
+{
+    tiny_scene *tiny = tiny_make();
+    const fxl_q16_16 end = FXL_COORDINATE_MAX;
+    fxl_point eye = {-end, -end, -end};
+    tiny->objects[0].centre = (fxl_point){end, end, end};
+    for (int v = 0; v < 8; v++) {
+        tiny->vertices[v] = (fxl_point){0, 0, 0};
+    }
+    const uint64_t side = 4 * (uint64_t)FXL_COORDINATE_MAX;
+    TEST_ASSERT_EQUAL_UINT64(3 * side * side,
+                             fxl_face_distance_squared(&eye, &tiny->scene, &tiny->objects[0],
+                                                       &tiny->faces[0]));
+}
+
+void test_objects_by_layer_then_far_to_near(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_point eye = {0, 0, Q16(-5)};
+    fxl_order_objects(&tiny->scene, &eye, entries);
+    const uint32_t far_to_near[] = {2, 1, 0};
+    for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
+        const fxl_order_entry *entry = &entries[i];
+        TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
+        TEST_ASSERT_EQUAL_UINT64(
+            fxl_distance_squared(&eye, &tiny->objects[entry->index].centre), entry->distance);
+    }
+    tiny->objects[0].layer = 1;
+    tiny->objects[1].layer = 255;
+    tiny->objects[2].layer = 255;
+    fxl_order_objects(&tiny->scene, &eye, entries);
+    TEST_ASSERT_EQUAL_UINT32(0, entries[0].index);
+    TEST_ASSERT_EQUAL_UINT32(2, entries[1].index);
+    TEST_ASSERT_EQUAL_UINT32(1, entries[2].index);
+    TEST_ASSERT_EQUAL_UINT32(255, entries[2].layer);
+}
+
+void test_equally_far_objects_by_number(void)
+{
+    tiny_scene *tiny = tiny_make();
+    for (int i = 0; i < TINY_OBJECTS; i++) {
+        tiny->objects[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, 0};
+    }
+    fxl_order_objects(&tiny->scene, &(fxl_point){0, 0, 0}, entries);
+    for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
+        TEST_ASSERT_EQUAL_UINT32(i, entries[i].index);
+    }
+}
+
+/* Seen from a corner: three faces, the nearest last. Indices are those of the
+ * model's faces or of the scene's; which, the order of colours tells. */
+void test_faces_that_face_the_eye_far_to_near(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_point eye = {Q16(4), Q16(6), Q16(18)};
+    const fxl_object *object = &tiny->objects[1];
+    uint32_t count = fxl_order_faces(&tiny->scene, object, &eye, entries);
+    TEST_ASSERT_EQUAL_UINT32(3, count);
+    for (uint32_t i = 0; i < count; i++) {
+        const fxl_face *face = &tiny->faces[6 + entries[i].index];
+        TEST_ASSERT_EQUAL_UINT32(0, entries[i].layer);
+        TEST_ASSERT_TRUE(entries[i].index % 2 == 1);
+        TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye), entries[i].distance);
+        TEST_ASSERT_TRUE(i == 0 || before(&entries[i - 1], &entries[i]));
+    }
+    TEST_ASSERT_EQUAL_UINT32(5, entries[2].index);
+}
+
+void test_no_face_faces_an_eye_inside(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_point eye = {0, 0, Q16(10)};
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_order_faces(&tiny->scene, &tiny->objects[1], &eye, entries));
+}

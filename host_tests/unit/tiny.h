@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/* A small scene that tests may change: cubes of side 2, as tables and as a
+ * scene image. */
+#ifndef TINY_H
+#define TINY_H
+
+#include "unit.h"
+
+enum { TINY_OBJECTS = 3, TINY_POSES = 2, TINY_STRIDES = 2 };
+
+/* Two models of the same cube, the first convex, the second sorted. Colours of
+ * the first are 1..6, of the second 11..16: -x +x -y +y -z +z. */
+typedef struct {
+    fxl_point vertices[16];
+    uint16_t corners[48];
+    fxl_face faces[12];
+    fxl_model models[2];
+    fxl_object objects[TINY_OBJECTS];
+    fxl_scene scene;
+} tiny_scene;
+
+/* The scene anew: object 0 (model 0) about the origin, 1 (model 1) at z = 10,
+ * 2 (model 0) at (5, 1, 12). Not checked yet. */
+tiny_scene *tiny_make(void);
+
+/* Byte offsets of a scene image's header (SPEC.md, chapter 8). */
+enum {
+    AT_MAGIC = 0,
+    AT_VERSION = 4,
+    AT_HEADER_SIZE = 6,
+    AT_SIZE = 8,
+    AT_CRC = 12,
+    AT_WIDTH = 16,
+    AT_HEIGHT = 18,
+    AT_FOV = 20,
+    AT_NEAR = 24,
+    AT_FAR = 28,
+    AT_INSET = 32,
+    AT_BACKGROUND = 36,
+    AT_PATH_KIND = 37,
+    AT_RESERVED_HALF = 38,
+    AT_START = 40,
+    AT_GAIT = 64,
+    AT_PALETTE = 80,
+    AT_VERTICES = 88,
+    AT_CORNERS = 96,
+    AT_FACES = 104,
+    AT_MODELS = 112,
+    AT_OBJECTS = 120,
+    AT_PATH = 128,
+    AT_FRAMES = 136,
+    AT_RESERVED = 140,
+    HEADER_SIZE = 160
+};
+
+typedef struct {
+    uint32_t words[1024]; /* aligned to four bytes */
+    uint32_t size;
+} tiny_image;
+
+/* The image of tiny_make's scene: 48x32, 90 degrees, a path of two poses (or
+ * two strides of 3 and 4 frames), sealed. */
+tiny_image *tiny_image_make(bool strides);
+
+/* Bytes of the image, and of an entry of a table. */
+uint8_t *tiny_at(tiny_image *image, uint32_t offset);
+uint8_t *tiny_entry(tiny_image *image, uint32_t table, uint32_t number, uint32_t entry_size);
+
+uint32_t tiny_get(tiny_image *image, uint32_t offset);
+void tiny_put32(uint8_t *at, uint32_t value);
+void tiny_put16(uint8_t *at, uint16_t value);
+
+/* Writes the checksum that the contents now have. */
+void tiny_seal(tiny_image *image);
+
+#endif

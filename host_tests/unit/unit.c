@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+#include "unit.h"
+
+#include <math.h>
+
+static uint32_t state = 2463534242u;
+
+/* Marsaglia's xorshift. */
+uint32_t unit_random(void)
+{
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state;
+}
+
+int32_t unit_between(int32_t low, int32_t high)
+{
+    uint64_t count = (uint64_t)((int64_t)high - low + 1);
+    uint64_t bits = (uint64_t)unit_random() << 16 ^ unit_random();
+    return (int32_t)(low + (int64_t)(bits % count));
+}
+
+fxl_point unit_point(fxl_q16_16 limit)
+{
+    fxl_point point = {unit_between(-limit, limit), unit_between(-limit, limit),
+                       unit_between(-limit, limit)};
+    uint32_t ends = unit_random();
+    if ((ends & 0xF0u) == 0) {
+        point.x = ends & 1u ? limit : -limit;
+        point.y = ends & 2u ? limit : -limit;
+        point.z = ends & 4u ? limit : -limit;
+    }
+    return point;
+}
+
+fxl_direction unit_direction(void)
+{
+    double x, y, z, length;
+    do {
+        x = unit_between(-1000000, 1000000);
+        y = unit_between(-1000000, 1000000);
+        z = unit_between(-1000000, 1000000);
+        length = sqrt(x * x + y * y + z * z);
+    } while (length < 1000);
+    double scale = FXL_Q2_30_ONE / length;
+    return (fxl_direction){(fxl_q2_30)floor(x * scale + 0.5), (fxl_q2_30)floor(y * scale + 0.5),
+                           (fxl_q2_30)floor(z * scale + 0.5)};
+}
+
+fxl_pose unit_pose(void)
+{
+    fxl_pose pose = {unit_point(FXL_COORDINATE_MAX), unit_random(), unit_random(), unit_random()};
+    return pose;
+}
+
+fxl_lens unit_lens(uint16_t width, uint16_t height)
+{
+    fxl_lens lens;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(width, height, FXL_ANGLE_QUARTER, Q16(0.0625),
+                                                Q16(1000), FXL_INSET_DEFAULT, &lens));
+    return lens;
+}
+
+uint32_t unit_crc32(const uint8_t *bytes, uint32_t size)
+{
+    uint32_t crc = 0xFFFFFFFFu;
+    for (uint32_t i = 0; i < size; i++) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; bit++) {
+            crc = crc >> 1 ^ (crc & 1u ? 0xEDB88320u : 0u);
+        }
+    }
+    return ~crc;
+}
+
+bool unit_near(double a, double b, double bound)
+{
+    return fabs(a - b) <= bound;
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* What every test of the library shares. The same sources run on the host and
+ * on an emulated core: no files, no heap, and fewer rounds there. */
+#ifndef UNIT_H
+#define UNIT_H
+
+#include <string.h>
+
+#include "fixel.h"
+#include "unity.h"
+
+#if defined(__ARM_ARCH) && !defined(__linux__) && !defined(UNIT_ON_TARGET)
+#define UNIT_ON_TARGET
+#endif
+
+/* Rounds of a random test. */
+#ifdef UNIT_ON_TARGET
+#define UNIT_REPEAT 3000
+#else
+#define UNIT_REPEAT 100000
+#endif
+
+/* A constant in 16.16 or 2.30, rounded towards zero. */
+#define Q16(value) ((fxl_q16_16)((value)*65536.0))
+#define Q30(value) ((fxl_q2_30)((value)*1073741824.0))
+
+/* A binary angle from whole degrees. */
+#define DEGREES(value) ((fxl_angle)((int64_t)(value)*4294967296 / 360))
+
+/* The same numbers in every run of a test program. */
+uint32_t unit_random(void);
+
+/* A random number of low..high, both included. */
+int32_t unit_between(int32_t low, int32_t high);
+
+/* Random points |c| <= limit, some of them at the range's ends. */
+fxl_point unit_point(fxl_q16_16 limit);
+
+/* A random unit vector, to within 1 unit of 2^-30 a component. */
+fxl_direction unit_direction(void);
+
+/* A pose anywhere, turned any way. */
+fxl_pose unit_pose(void);
+
+/* Standard lens of the tests: 90 degrees, near 1/16, far 1000, inset 4/65536. */
+fxl_lens unit_lens(uint16_t width, uint16_t height);
+
+/* CRC-32 of IEEE 802.3. */
+uint32_t unit_crc32(const uint8_t *bytes, uint32_t size);
+
+/* |a - b| <= bound, in double; Unity's own floats are off on the target. */
+#define TEST_ASSERT_NEAR(a, b, bound) \
+    TEST_ASSERT_TRUE_MESSAGE(unit_near((double)(a), (double)(b), (double)(bound)), \
+                             #a " is too far from " #b)
+bool unit_near(double a, double b, double bound);
+
+#endif

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+/* The walk against a board that is mocked: what it asks of a board, in which
+ * order, and what it does when the board says no. */
+#include <string.h>
+
+#include "board_double.h"
+#include "contract/system.h"
+#include "fixel.h"
+#include "mock_clock.h"
+#include "mock_display.h"
+#include "mock_input.h"
+#include "mock_journal.h"
+#include "mock_store.h"
+#include "mock_system.h"
+#include "scene_bytes.h"
+#include "unity.h"
+#include "walk.h"
+
+#define BANDS 3 /* of 16, 16 and 8 rows: 1024 bytes hold 16 rows of 64 pixels */
+
+static const fxl_pose poses[3] = {{{0, 0, 0}, 0, 0, 0},
+                                  {{32768, 16384, 0}, 100000000, 50000000, 30000000},
+                                  {{0, 0, -65536}, 0, 0, 0}};
+static const fxl_stride strides[1] = {{FXL_KEY_FORWARD, 2}};
+
+static scene_bytes scene;
+
+void setUp(void)
+{
+    scene_bytes_make(&scene, 1, poses, NULL, 3);
+    board_double_begin(&scene);
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_FALSE_MESSAGE(board.display_is_open, "the display was left open");
+}
+
+static void assert_text(const char *part)
+{
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(board.text, part), board.text);
+}
+
+static void assert_no_marker(void)
+{
+    TEST_ASSERT_NULL_MESSAGE(strstr(board.text, "done"), board.text);
+}
+
+/* What the library draws in one band. */
+static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
+{
+    static fxl_renderer renderer;
+    fxl_order_entry order[4];
+    fxl_scene_image image;
+    const fxl_band band = {pixels, SCENE_WIDTH, SCENE_WIDTH, 0, SCENE_HEIGHT};
+
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(scene.words, scene.size, &image, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &image.scene, &image.lens, order, 4));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    fxl_fill_band(&band, image.background);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+}
+
+void test_every_row_of_every_frame_is_flushed_once_and_downward(void)
+{
+    uint32_t frame, row;
+
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(3, board.announced);
+    TEST_ASSERT_EQUAL(3, board.begun);
+    TEST_ASSERT_EQUAL(3, board.ended);
+    TEST_ASSERT_EQUAL(3 * BANDS, board.flushes);
+    for (frame = 0; frame < 3; frame++) {
+        for (row = 0; row < SCENE_HEIGHT; row++) {
+            TEST_ASSERT_EQUAL(1, board.times_covered[frame][row]);
+        }
+        TEST_ASSERT_EQUAL_MEMORY(&poses[frame], &board.poses[frame], sizeof poses[frame]);
+        TEST_ASSERT_EQUAL(1, board.counters[frame].in);
+    }
+    TEST_ASSERT_EQUAL_STRING("walk: done 3 frames\n", board.text);
+}
+
+void test_bands_together_are_the_frame_that_one_band_gives(void)
+{
+    uint8_t whole[SCENE_HEIGHT][SCENE_WIDTH];
+    uint32_t frame;
+
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    for (frame = 0; frame < 3; frame++) {
+        draw_whole(&poses[frame], whole[0]);
+        TEST_ASSERT_EQUAL_MEMORY(whole, board.pixels[frame], sizeof whole);
+    }
+    TEST_ASSERT_EQUAL(SCENE_COLOUR, board.pixels[0][SCENE_HEIGHT / 2][SCENE_WIDTH / 2]);
+    TEST_ASSERT_EQUAL(SCENE_BACKGROUND, board.pixels[0][0][0]);
+}
+
+void test_as_many_frames_as_asked(void)
+{
+    board.frames_asked = 2;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(2, board.announced);
+    TEST_ASSERT_EQUAL(2, board.ended);
+    TEST_ASSERT_EQUAL(0, board.keys_read);
+    assert_text("walk: done 2 frames\n");
+}
+
+void test_keys_drive_the_viewer_once_the_path_has_ended(void)
+{
+    scene_bytes_make(&scene, 1, NULL, strides, 1);
+    board.frames_asked = 4;
+    board.keys = FXL_KEY_RIGHT;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(2, board.keys_read);
+    TEST_ASSERT_EQUAL_HEX32(0, board.poses[1].yaw);
+    TEST_ASSERT_GREATER_THAN(board.poses[0].position.z, board.poses[1].position.z);
+    TEST_ASSERT_EQUAL_HEX32(FXL_ANGLE_QUARTER / 16, board.poses[2].yaw);
+    TEST_ASSERT_EQUAL_HEX32(FXL_ANGLE_QUARTER / 8, board.poses[3].yaw);
+}
+
+void test_a_live_walk_reads_the_keys_for_every_frame(void)
+{
+    board.live = true;
+    board.keys = FXL_KEY_LEFT;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(3, board.keys_read);
+    TEST_ASSERT_EQUAL_HEX32(0u - FXL_ANGLE_QUARTER / 16, board.poses[0].yaw);
+}
+
+void test_only_the_renderer_is_counted(void)
+{
+    board.clock_step = 100;
+    board.flush_cost = 1000000;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    /* One difference for the beginning of the frame and one a band. */
+    TEST_ASSERT_EQUAL_UINT64(100 * (1 + BANDS), board.instructions[0]);
+    TEST_ASSERT_EQUAL_UINT64(100 * (1 + BANDS), board.instructions[2]);
+}
+
+void test_instructions_beyond_32_bits(void)
+{
+    board.clock_step = 3000000000u;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL_UINT64((uint64_t)3000000000u * (1 + BANDS), board.instructions[1]);
+}
+
+void test_a_board_without_a_scene(void)
+{
+    board.scene = NULL;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_STORE, walk());
+    TEST_ASSERT_FALSE(board.display_was_opened);
+    assert_text("no scene");
+}
+
+void test_a_damaged_scene_is_refused_before_anything_is_shown(void)
+{
+    scene.words[50] ^= 1u << 7;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_SCENE, walk());
+    TEST_ASSERT_FALSE(board.display_was_opened);
+    TEST_ASSERT_EQUAL(0, board.announced);
+    assert_text(fxl_status_text(FXL_E_CRC));
+    assert_no_marker();
+}
+
+void test_an_erased_partition_is_refused(void)
+{
+    memset(scene.words, 0xFF, sizeof scene.words);
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_SCENE, walk());
+    assert_text(fxl_status_text(FXL_E_MAGIC));
+}
+
+void test_a_scene_that_needs_more_memory_says_how_much(void)
+{
+    scene_bytes_make(&scene, 5, poses, NULL, 3);
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_CAPACITY, walk());
+    TEST_ASSERT_FALSE(board.display_was_opened);
+    assert_text("needs 5 order entries, this board has 4");
+}
+
+void test_a_journal_that_refuses(void)
+{
+    board.refuse_journal = true;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_JOURNAL, walk());
+    TEST_ASSERT_FALSE(board.display_was_opened);
+    assert_no_marker();
+}
+
+void test_a_display_that_refuses(void)
+{
+    board.refuse_display = true;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DISPLAY, walk());
+    TEST_ASSERT_EQUAL(0, board.begun);
+    assert_text("display");
+    assert_no_marker();
+}
+
+void test_a_display_that_loses_pixels_ends_the_walk(void)
+{
+    board.refuse_flush = BANDS + 1; /* the second band of the second frame */
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DISPLAY, walk());
+    TEST_ASSERT_EQUAL(BANDS + 2, board.flushes);
+    TEST_ASSERT_EQUAL(1, board.ended);
+    assert_text("in frame 1\n");
+    assert_no_marker();
+}
+
+void test_a_display_that_fails_at_the_end(void)
+{
+    board.refuse_close = true;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DISPLAY, walk());
+    assert_no_marker();
+}
+
+void test_a_pose_that_cannot_be_noted(void)
+{
+    board.refuse_begin = 1;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_JOURNAL, walk());
+    TEST_ASSERT_EQUAL(BANDS, board.flushes);
+    assert_text("in frame 1\n");
+    assert_no_marker();
+}
+
+void test_counters_that_cannot_be_noted(void)
+{
+    board.refuse_end = 2;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_JOURNAL, walk());
+    assert_text("in frame 2\n");
+    assert_no_marker();
+}
+
+void test_keys_that_do_not_exist(void)
+{
+    board.live = true;
+    board.keys = FXL_KEY_ALL + 1u;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_INPUT, walk());
+    TEST_ASSERT_EQUAL(0, board.begun);
+    assert_no_marker();
+}

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+# The walk on the host, with every board function mocked by CMock; and the frame
+# dump that boards share.
+
+CMOCK_DIR ?= /usr/share/cmock
+WALK_TEST := $(BUILD)/host/walk
+WALK_TEST_UNITY := $(CMOCK_DIR)/vendor/unity
+WALK_TEST_CONTRACT := $(wildcard boards/contract/*.h)
+WALK_TEST_MOCKS := $(WALK_TEST_CONTRACT:boards/contract/%.h=$(WALK_TEST)/mock_%.c)
+# Small, so that a small scene takes several bands and can want too much.
+WALK_TEST_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=undefined -fno-sanitize-recover \
+    -Ilib/include -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests/walk -I$(WALK_TEST) \
+    -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4
+WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o board_double.o scene_bytes.o \
+    walk.o path.o)
+
+UNITY_TESTS += $(WALK_TEST)/test_walk $(WALK_TEST)/test_path $(WALK_TEST)/test_dump
+
+$(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h: boards/contract/%.h host_tests/walk/cmock.yml
+	@mkdir -p $(@D)
+	ruby -W0 $(CMOCK_DIR)/lib/cmock.rb -ohost_tests/walk/cmock.yml --mock_path=$(WALK_TEST) $<
+
+$(WALK_TEST)/%_runner.c: host_tests/walk/%.c
+	@mkdir -p $(@D)
+	ruby -W0 $(WALK_TEST_UNITY)/auto/generate_test_runner.rb $< $@
+
+$(WALK_TEST_OBJECTS): $(WALK_TEST_MOCKS:.c=.h) host_tests/walk/walk.mk
+
+$(WALK_TEST)/%.o: host_tests/walk/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
+
+$(WALK_TEST)/%.o: firmware/walk/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
+
+$(WALK_TEST)/dump.o: boards/parts/dump.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
+
+# Generated code, and others': not by our warnings.
+$(WALK_TEST)/mock_%.o: $(WALK_TEST)/mock_%.c
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
+
+$(WALK_TEST)/%_runner.o: $(WALK_TEST)/%_runner.c $(WALK_TEST_MOCKS:.c=.h)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
+
+$(WALK_TEST)/unity.o: $(WALK_TEST_UNITY)/src/unity.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
+
+$(WALK_TEST)/cmock.o: $(CMOCK_DIR)/src/cmock.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
+
+$(WALK_TEST)/test_walk: $(addprefix $(WALK_TEST)/,test_walk.o test_walk_runner.o board_double.o \
+        scene_bytes.o walk.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(BUILD)/host/libfixel.a
+	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
+
+$(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o scene_bytes.o path.o unity.o) \
+        $(BUILD)/host/libfixel.a
+	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
+
+$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o dump.o unity.o)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
+
+.PRECIOUS: $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h $(WALK_TEST)/%_runner.c
+-include $(wildcard $(WALK_TEST)/*.d)

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* Clipping in world space, plane by plane (Sutherland-Hodgman; Listing 65.2),
+ * in 16.16. */
+#ifndef FXL_CLIP_H
+#define FXL_CLIP_H
+
+#include "fixel/frustum.h"
+
+typedef enum {
+    FXL_CLIP_INSIDE,     /* wholly inside: the input is the result */
+    FXL_CLIP_CUT,        /* cut: the result is in the output */
+    FXL_CLIP_OUTSIDE,    /* no vertex inside */
+    FXL_CLIP_DEGENERATE, /* fewer than three vertices left */
+    FXL_CLIP_CAPACITY    /* more than FXL_POLYGON_CAPACITY vertices: refused */
+} fxl_clip_result;
+
+/* What the clipper needs beside its input. The caller owns it; its contents
+ * mean nothing between calls. */
+typedef struct {
+    fxl_polygon polygons[2];
+    fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+} fxl_clip_work;
+
+/* Clips a polygon to the inside of one plane. A vertex at distance >= 0 is
+ * inside. Where an edge crosses, the new vertex is computed from the inside
+ * end towards the outside end, so that two polygons that share the edge get
+ * the same vertex bit for bit; a vertex exactly on the plane is not repeated.
+ * u and v are cut by the same fraction as x, y and z.
+ * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, coordinates within
+ * FXL_COORDINATE_MAX, out != in, distances for FXL_POLYGON_CAPACITY.
+ * out is written only for FXL_CLIP_CUT and FXL_CLIP_DEGENERATE, and up to the
+ * capacity for FXL_CLIP_CAPACITY; its colour and count are set for
+ * FXL_CLIP_CUT.
+ * Error of a new vertex: at most 0.51 unit of 1/65536 in each coordinate from
+ * a point of the edge; at most (edge length) * 2^-29 + 0.9 unit from the plane. */
+fxl_clip_result fxl_clip_to_plane(const fxl_polygon *in, const fxl_plane *plane, fxl_polygon *out,
+                                  fxl_q18_46 *distances);
+
+/* Clips a polygon to the six planes, in the order of their numbers. *result
+ * points to the input itself where no plane cut it, else into work; null
+ * where nothing is left. Requirements and error as above. */
+fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
+                                    fxl_clip_work *work, const fxl_polygon **result);
+
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* Colour into a band. */
+#ifndef FXL_FILL_H
+#define FXL_FILL_H
+
+#include "fixel/record.h"
+
+/* Sets the pixels of a span. Requires a span that scan gave for this band. */
+void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour);
+
+/* Sets every pixel of the band; bytes between width and stride stay. */
+void fxl_fill_band(const fxl_band *band, uint8_t colour);
+
+#endif

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* The view frustum as six planes of the world (Listing 65.3, SetUpFrustum). */
+#ifndef FXL_FRUSTUM_H
+#define FXL_FRUSTUM_H
+
+#include "fixel/camera.h"
+#include "fixel/lens.h"
+
+enum {
+    FXL_PLANE_LEFT,
+    FXL_PLANE_RIGHT,
+    FXL_PLANE_BOTTOM,
+    FXL_PLANE_TOP,
+    FXL_PLANE_NEAR,
+    FXL_PLANE_FAR,
+    FXL_PLANE_COUNT
+};
+
+typedef struct {
+    fxl_plane planes[FXL_PLANE_COUNT];
+} fxl_frustum;
+
+/* The six planes, rotated into the world, each moved inward by lens->inset.
+ * In view space, before the inset: left (focal, 0, width/2), right
+ * (-focal, 0, width/2), bottom (0, focal, height/2), top (0, -focal,
+ * height/2), each scaled to unit length and through the eye; near (0, 0, 1)
+ * at lens->near, far (0, 0, -1) at lens->far.
+ * Requires a camera and a lens made by their functions.
+ * Error: each component of a normal within 4 units of 2^-30; the side planes
+ * pass through the eye, and near and far lie at their distance from it, to
+ * within 1 unit of 1/65536 (exactly, but for the length of the normal). */
+void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* The lens: screen, focal length, near and far. */
+#ifndef FXL_LENS_H
+#define FXL_LENS_H
+
+#include "fixel/record.h"
+#include "fixel/status.h"
+
+typedef struct {
+    uint16_t width, height; /* pixels */
+    fxl_q16_16 focal;       /* pixels: screen x = width/2 + focal * X / Z */
+    fxl_q16_16 near, far;   /* world units along forward */
+    fxl_q16_16 inset;       /* every plane of the frustum moves in by this much */
+} fxl_lens;
+
+/* A lens from a horizontal field of view:
+ *   focal = (width / 2) / tan(fov / 2), for both axes (square pixels).
+ * Requires width, height in 1..FXL_SCREEN_MAX; fov in FXL_FOV_MIN..FXL_FOV_MAX;
+ * near >= FXL_NEAR_MIN; far <= FXL_FAR_MAX; 0 <= inset <= FXL_INSET_MAX;
+ * near + 2 * inset < far.
+ * Error of focal: at most 1 unit of 1/65536 pixel plus focal * 2^-27.
+ * FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched. */
+fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near,
+                             fxl_q16_16 far, fxl_q16_16 inset, fxl_lens *lens);
+
+#endif

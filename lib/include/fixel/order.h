@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* The order of drawing: exact integer keys, far to near (Listing 65.3,
+ * ZSortObjects). Today's answer to hidden surfaces. */
+#ifndef FXL_ORDER_H
+#define FXL_ORDER_H
+
+#include "fixel/scene.h"
+
+typedef struct {
+    uint64_t distance; /* squared, in units of 2^-32 (objects) or 2^-34 (faces) */
+    uint32_t index;
+    uint32_t layer;
+} fxl_order_entry;
+
+/* The squared distance of a point from the eye, in units of 2^-32. Exact:
+ * each difference is below 2^30 units, so the sum is below 3 * 2^60. */
+uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point);
+
+/* The squared distance from the eye of the middle of a face's bounding box,
+ * taken twice (minimum + maximum - 2 eye), in units of 2^-34. Exact: each term
+ * is below 2^31 units, so the sum is below 3 * 2^62. */
+uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
+                                   const fxl_object *object, const fxl_face *face);
+
+/* Sorts in place by the order of drawing: layer upward, then distance
+ * downward, then index upward. A total order, so the result is unique. */
+void fxl_order_sort(fxl_order_entry *entries, uint32_t count);
+
+/* Fills entries[0 .. scene->object_count) with the scene's objects in the
+ * order of drawing. */
+void fxl_order_objects(const fxl_scene *scene, const fxl_point *eye, fxl_order_entry *entries);
+
+/* Fills entries with those faces of an object that face the eye, in the order
+ * of drawing; answers how many. Requires room for the model's face_count.
+ * The layer of every entry is 0. */
+uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,
+                         fxl_order_entry *entries);
+
+#endif

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* The records between the stages: the treaty that every stage signs.
+ *
+ *   scene -> cull -> fxl_polygon -> clip -> fxl_polygon -> transform ->
+ *   fxl_view_polygon -> project -> fxl_screen_polygon -> scan -> fxl_span ->
+ *   fill -> fxl_band
+ *
+ * Axes: x right, y up, z forward, left-handed, in the world and in the view.
+ * On the screen x goes right and y goes DOWN; pixel (i, j) covers
+ * [i, i+1) x [j, j+1) and its centre is (i + 1/2, j + 1/2).
+ */
+#ifndef FXL_RECORD_H
+#define FXL_RECORD_H
+
+#include "fixel/format.h"
+
+/* A point of the world, in world units. */
+typedef struct {
+    fxl_q16_16 x, y, z;
+} fxl_point;
+
+/* A unit vector, or a row of a rotation. */
+typedef struct {
+    fxl_q2_30 x, y, z;
+} fxl_direction;
+
+/* A point is inside where normal . point >= distance; the normal points
+ * inside (chapter 65, Listing 65.1). The distance is kept exact. */
+typedef struct {
+    fxl_direction normal;
+    fxl_q18_46 distance;
+} fxl_plane;
+
+/* Where the eye is and how it is turned: yaw turns from +z towards +x, then
+ * pitch raises the view towards +y, then roll turns the view's right side
+ * towards its up side. */
+typedef struct {
+    fxl_point position;
+    fxl_angle yaw, pitch, roll;
+} fxl_pose;
+
+/* A vertex of a world polygon, with texture coordinates in texels,
+ * |u|, |v| <= 16383. */
+typedef struct {
+    fxl_point position;
+    fxl_q16_16 u, v;
+} fxl_vertex;
+
+/* A polygon of the world: what cull hands to clip, and clip to transform. */
+typedef struct {
+    uint8_t colour; /* palette index */
+    uint8_t count;  /* 3..FXL_POLYGON_CAPACITY */
+    fxl_vertex vertices[FXL_POLYGON_CAPACITY];
+} fxl_polygon;
+
+/* A point relative to the eye, along right, up and forward:
+ * coordinate = mantissa * 2^(exponent - 46) world units. The largest of
+ * |x|, |y|, |z| uses 31 bits; the one exponent is shared, so that it cancels
+ * when the point is projected. */
+typedef struct {
+    int32_t x, y, z;
+    int8_t exponent;
+} fxl_view_point;
+
+/* What transform hands to project. */
+typedef struct {
+    uint8_t colour;
+    uint8_t count;
+    fxl_view_point points[FXL_POLYGON_CAPACITY];
+} fxl_view_polygon;
+
+/* A point of the screen in pixels, y down. */
+typedef struct {
+    fxl_q16_16 x, y;
+} fxl_screen_point;
+
+/* What project hands to scan. */
+typedef struct {
+    uint8_t colour;
+    uint8_t count;
+    fxl_screen_point points[FXL_POLYGON_CAPACITY];
+} fxl_screen_polygon;
+
+/* Pixels x0 <= x < x1 of row y: what scan hands to fill. Never empty, never
+ * outside the band. */
+typedef struct {
+    int16_t y, x0, x1;
+} fxl_span;
+
+/* A strip of the frame, or the whole frame: rows first_row ..
+ * first_row + rows - 1, one byte a pixel, the first pixel of row first_row at
+ * pixels[0] and of the next row at pixels[stride]. The caller owns it. */
+typedef struct {
+    uint8_t *pixels;
+    uint16_t width;     /* 1..FXL_SCREEN_MAX */
+    uint16_t stride;    /* >= width */
+    uint16_t first_row;
+    uint16_t rows;      /* >= 1; first_row + rows <= screen height */
+} fxl_band;
+
+/* What became of a frame's polygons. Each polygon that came in is counted
+ * once: in == backfacing + outside + degenerate + refused + drawn. */
+typedef struct {
+    uint32_t in;            /* faces of the scene looked at */
+    uint32_t backfacing;    /* culled: turned away from the eye */
+    uint32_t outside;       /* culled: wholly outside one plane, at once or after cuts */
+    uint32_t degenerate;    /* culled: fewer than three vertices left */
+    uint32_t refused;       /* outside the contract: too many vertices, or off range */
+    uint32_t drawn;         /* scanned (it may still cover no pixel centre) */
+    uint32_t clipped;       /* of those drawn: cut by at least one plane */
+    uint32_t refused_calls; /* public calls that returned an error */
+} fxl_counters;
+
+#endif

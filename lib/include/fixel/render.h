@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* The frame loop (Listing 65.3, UpdateWorld): every stage, in order. */
+#ifndef FXL_RENDER_H
+#define FXL_RENDER_H
+
+#include "fixel/clip.h"
+#include "fixel/order.h"
+#include "fixel/scan.h"
+
+/* A renderer: about 6 KB that the caller owns. Several may live at once; none
+ * knows of another. Members are for reading only. */
+typedef struct {
+    const fxl_scene *scene;
+    fxl_lens lens;
+    fxl_order_entry *order; /* objects, then room for one model's faces */
+    fxl_camera camera;
+    fxl_frustum frustum;
+    fxl_counters counters;
+    bool ready;        /* a frame has begun */
+    fxl_polygon polygon;
+    fxl_clip_work clip;
+    fxl_view_polygon view;
+    fxl_screen_polygon screen;
+    fxl_scan scan;
+} fxl_renderer;
+
+/* Ties a renderer to a scene (checked by fxl_scene_open or fxl_scene_check), a
+ * lens, and memory for the order of drawing: order_capacity entries, at least
+ * scene->order_needed. Zeroes the counters.
+ * FXL_E_ARGUMENT, FXL_E_CAPACITY: renderer untouched. */
+fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
+                             fxl_order_entry *order, uint32_t order_capacity);
+
+/* Begins a frame: camera, frustum, order of the objects; zeroes the counters
+ * except refused_calls. Then draw the frame whole or in bands.
+ * FXL_E_ARGUMENT, FXL_E_RANGE (pose): the frame before stays current; counted
+ * in refused_calls. */
+fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
+
+/* Draws the frame's polygons over a band that the caller has cleared
+ * (fxl_fill_band). The pixels are the same whatever bands a frame is cut into.
+ * Polygons are counted by the band that holds row 0, so that a frame drawn in
+ * bands counts each once.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
+ * not of this screen): band untouched; counted in refused_calls. */
+fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+
+#endif

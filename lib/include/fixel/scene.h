@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* Scenes: models, objects and a path, used in place from a scene image. The
+ * byte layout of an image is chapter 8 of SPEC.md; these structures are that
+ * layout, so a scene may also be written as C tables. */
+#ifndef FXL_SCENE_H
+#define FXL_SCENE_H
+
+#include "fixel/lens.h"
+#include "fixel/viewer.h"
+
+/* How much a scene may hold. Placed vertices are those of all objects' models
+ * added up: the limit bounds the loader's time. */
+#define FXL_SCENE_IMAGE_MAX (16u * 1024u * 1024u)
+#define FXL_SCENE_VERTICES_MAX 1000000u
+#define FXL_SCENE_CORNERS_MAX 4000000u
+#define FXL_SCENE_FACES_MAX 1000000u
+#define FXL_SCENE_MODELS_MAX 65535u
+#define FXL_SCENE_OBJECTS_MAX 65535u
+#define FXL_SCENE_PATH_MAX 1000000u
+#define FXL_SCENE_PLACED_MAX 4000000u
+#define FXL_MODEL_VERTICES_MAX 65535u
+#define FXL_MODEL_FACES_MAX 65535u
+
+/* A face: count corners from corners[first_corner] on, each the number of a
+ * vertex of the model, clockwise as seen from the front. The normal points to
+ * the front and alone decides which side that is. */
+typedef struct {
+    fxl_direction normal;
+    uint32_t first_corner;
+    uint8_t count; /* 3..FXL_FACE_VERTICES_MAX */
+    uint8_t colour;
+    uint16_t reserved; /* 0 */
+} fxl_face;
+
+enum {
+    FXL_MODEL_CONVEX = 0, /* faces drawn by number */
+    FXL_MODEL_SORTED = 1  /* faces drawn far to near */
+};
+
+/* A model: vertex_count vertices from vertices[first_vertex] on, face_count
+ * faces from faces[first_face] on. Models share neither: the first begins at
+ * 0, each begins where the one before ends, the last ends with the tables.
+ * Vertices are relative to the object's centre. */
+typedef struct {
+    uint32_t first_vertex, vertex_count; /* vertex_count 3..65535 */
+    uint32_t first_face, face_count;     /* face_count 1..65535 */
+    uint8_t kind;
+    uint8_t reserved[3]; /* 0 */
+} fxl_model;
+
+/* A model put somewhere. Objects of a lower layer are drawn first; within a
+ * layer far to near. */
+typedef struct {
+    fxl_point centre;
+    uint16_t model;
+    uint8_t layer;
+    uint8_t reserved; /* 0 */
+} fxl_object;
+
+/* What a player holds down for a number of frames. */
+typedef struct {
+    uint16_t keys;   /* FXL_KEY_... */
+    uint16_t frames; /* >= 1 */
+} fxl_stride;
+
+/* A scene: tables that the caller owns and that outlive it. */
+typedef struct {
+    const fxl_point *vertices;
+    const uint16_t *corners;
+    const fxl_face *faces;
+    const fxl_model *models;
+    const fxl_object *objects;
+    uint32_t vertex_count, corner_count, face_count, model_count, object_count;
+    uint32_t order_needed; /* entries that fxl_renderer_init asks for */
+} fxl_scene;
+
+/* Everything that a scene image holds beside the scene. */
+typedef struct {
+    fxl_scene scene;
+    fxl_lens lens;
+    uint8_t background;
+    const uint8_t *palette;    /* 256 x red, green, blue */
+    fxl_viewer start;          /* where a walk begins */
+    fxl_gait gait;
+    const fxl_pose *poses;     /* one a frame; null where the path is strides */
+    const fxl_stride *strides; /* null where the path is poses */
+    uint32_t path_count;       /* poses or strides */
+    uint32_t frame_count;      /* frames of the whole path */
+} fxl_scene_image;
+
+/* Where a check failed: the number of the element, counted from 0, and of
+ * what. For people. */
+typedef struct {
+    const char *what; /* "vertex", "face", "object" and so on; never null */
+    uint32_t index;
+} fxl_scene_fault;
+
+/* Checks a scene written as tables: every count, index, range, normal and
+ * planarity, and that every vertex of every object lies within
+ * FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is written only
+ * on FXL_OK; *fault (may be null) only on an error.
+ * FXL_E_ARGUMENT, _COUNT, _INDEX, _RANGE, _NORMAL, _PLANARITY, _RESERVED. */
+fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
+
+/* Opens a scene image of size bytes in memory aligned to four bytes, on a
+ * little-endian machine. Checks everything before anything is used: magic,
+ * version, size, checksum, every table, every count, index and range. Nothing
+ * is copied: the image must outlive *opened. size may exceed what the image
+ * says it needs (a flash partition is longer than what is in it).
+ * *opened is written only on FXL_OK, *fault (may be null) only on an error. */
+fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
+                          fxl_scene_fault *fault);
+
+#endif

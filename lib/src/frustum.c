@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/frustum.h"
+
+#include "arith.h"
+#include "fixel/plane.h"
+
+/* floor(sqrt(value)), one bit a step. */
+static uint32_t square_root(uint64_t value)
+{
+    uint64_t root = 0;
+    for (uint64_t bit = (uint64_t)1 << 62; bit != 0; bit >>= 2) {
+        if (value >= root + bit) {
+            value -= root + bit;
+            root = (root >> 1) + bit;
+        } else {
+            root >>= 1;
+        }
+    }
+    return (uint32_t)root;
+}
+
+/* Scales (a, b), 0 < a, b < 2^30, to unit length. Both are first shifted up
+ * until one has 30 bits, so that the root's last unit is below 2^-29 of it. */
+static void normalise(uint32_t a, uint32_t b, fxl_q2_30 *unit_a, fxl_q2_30 *unit_b)
+{
+    unsigned shift = 30u - fxl_bit_length(a | b);
+    uint64_t wide_a = (uint64_t)a << shift;
+    uint64_t wide_b = (uint64_t)b << shift;
+    /* Squares below 2^60, so the root is below 2^31; taking twice the operands
+     * costs a quarter of a unit less than nothing and gains a bit. */
+    uint64_t length = square_root(4 * (wide_a * wide_a + wide_b * wide_b));
+    *unit_a = (fxl_q2_30)fxl_divide_round((int64_t)(wide_a << 31), (int64_t)length);
+    *unit_b = (fxl_q2_30)fxl_divide_round((int64_t)(wide_b << 31), (int64_t)length);
+}
+
+/* along * side + depth * forward: a view normal turned into the world. Unit
+ * vectors, so each sum of two products is below 2^61. */
+static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 depth,
+                          const fxl_direction *forward)
+{
+    fxl_direction turned;
+    turned.x = (fxl_q2_30)fxl_round_shift(
+        (int64_t)along * side->x + (int64_t)depth * forward->x, 30);
+    turned.y = (fxl_q2_30)fxl_round_shift(
+        (int64_t)along * side->y + (int64_t)depth * forward->y, 30);
+    turned.z = (fxl_q2_30)fxl_round_shift(
+        (int64_t)along * side->z + (int64_t)depth * forward->z, 30);
+    return turned;
+}
+
+/* The two planes through the eye that bound one axis of the screen. */
+static void set_side_planes(const fxl_camera *camera, const fxl_lens *lens, uint16_t extent,
+                            const fxl_direction *axis, fxl_plane *low, fxl_plane *high)
+{
+    fxl_q2_30 along, depth;
+    normalise((uint32_t)lens->focal, (uint32_t)extent * 32768u, &along, &depth);
+    fxl_direction normal = turn(along, axis, depth, &camera->forward);
+    *low = fxl_plane_from_point(&camera->position, &normal, lens->inset);
+    normal = turn(-along, axis, depth, &camera->forward);
+    *high = fxl_plane_from_point(&camera->position, &normal, lens->inset);
+}
+
+void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum)
+{
+    fxl_plane *planes = frustum->planes;
+    set_side_planes(camera, lens, lens->width, &camera->right, &planes[FXL_PLANE_LEFT],
+                    &planes[FXL_PLANE_RIGHT]);
+    set_side_planes(camera, lens, lens->height, &camera->up, &planes[FXL_PLANE_BOTTOM],
+                    &planes[FXL_PLANE_TOP]);
+
+    /* near and far add at most 2^31 * 2^30 = 2^61 to a distance below 2^61. */
+    planes[FXL_PLANE_NEAR] =
+        fxl_plane_from_point(&camera->position, &camera->forward, lens->inset);
+    planes[FXL_PLANE_NEAR].distance += (int64_t)lens->near * FXL_Q2_30_ONE;
+
+    fxl_direction backward = {-camera->forward.x, -camera->forward.y, -camera->forward.z};
+    planes[FXL_PLANE_FAR] = fxl_plane_from_point(&camera->position, &backward, lens->inset);
+    planes[FXL_PLANE_FAR].distance -= (int64_t)lens->far * FXL_Q2_30_ONE;
+}

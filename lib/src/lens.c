@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/lens.h"
+
+#include "arith.h"
+#include "sine.h"
+
+static bool screen_in_range(uint16_t width, uint16_t height)
+{
+    return width >= 1 && width <= FXL_SCREEN_MAX && height >= 1 && height <= FXL_SCREEN_MAX;
+}
+
+static bool depth_in_range(fxl_q16_16 near, fxl_q16_16 far, fxl_q16_16 inset)
+{
+    return near >= FXL_NEAR_MIN && far <= FXL_FAR_MAX && inset >= 0 && inset <= FXL_INSET_MAX &&
+           (int64_t)near + 2 * (int64_t)inset < far;
+}
+
+fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near,
+                             fxl_q16_16 far, fxl_q16_16 inset, fxl_lens *lens)
+{
+    if (lens == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!screen_in_range(width, height) || fov < FXL_FOV_MIN || fov > FXL_FOV_MAX ||
+        !depth_in_range(near, far, inset)) {
+        return FXL_E_RANGE;
+    }
+    /* 1 / tan(fov / 2) = (1 + cos fov) / sin fov, which takes fov as it is. Width
+     * is below 2^11, so the product is below 2^(11 + 15 + 32) = 2^58; the sine
+     * of 10..150 degrees is above 2^28. */
+    int64_t numerator = (int64_t)width * 32768 * (((int64_t)1 << 31) + fxl_cos_q31(fov));
+    lens->width = width;
+    lens->height = height;
+    lens->focal = (fxl_q16_16)fxl_divide_round(numerator, fxl_sin_q31(fov));
+    lens->near = near;
+    lens->far = far;
+    lens->inset = inset;
+    return FXL_OK;
+}

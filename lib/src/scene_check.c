@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT */
+/* Checks of a scene's tables: after them no stage can read outside a table or
+ * leave its ranges. Linear in the size of the tables and in the placed
+ * vertices, which are limited. */
+#include "fixel/scene.h"
+
+#include "arith.h"
+
+static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
+                       fxl_status status)
+{
+    if (fault != NULL) {
+        fault->what = what;
+        fault->index = index;
+    }
+    return status;
+}
+
+static bool count_in(uint32_t count, uint32_t low, uint32_t high)
+{
+    return count >= low && count <= high;
+}
+
+static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
+        return fail(fault, "vertex table", 0, FXL_E_COUNT);
+    }
+    if (!count_in(scene->corner_count, 3, FXL_SCENE_CORNERS_MAX)) {
+        return fail(fault, "corner table", 0, FXL_E_COUNT);
+    }
+    if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
+        return fail(fault, "face table", 0, FXL_E_COUNT);
+    }
+    if (!count_in(scene->model_count, 1, FXL_SCENE_MODELS_MAX)) {
+        return fail(fault, "model table", 0, FXL_E_COUNT);
+    }
+    if (!count_in(scene->object_count, 1, FXL_SCENE_OBJECTS_MAX)) {
+        return fail(fault, "object table", 0, FXL_E_COUNT);
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    for (uint32_t i = 0; i < scene->face_count; i++) {
+        const fxl_face *face = &scene->faces[i];
+        if (face->reserved != 0) {
+            return fail(fault, "face", i, FXL_E_RESERVED);
+        }
+        if (!count_in(face->count, 3, FXL_FACE_VERTICES_MAX)) {
+            return fail(fault, "face", i, FXL_E_COUNT);
+        }
+        if (face->first_corner > scene->corner_count ||
+            face->count > scene->corner_count - face->first_corner) {
+            return fail(fault, "face", i, FXL_E_INDEX);
+        }
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_corners(const fxl_scene *scene, const fxl_model *model,
+                                fxl_scene_fault *fault)
+{
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const fxl_face *face = &scene->faces[model->first_face + i];
+        for (uint32_t corner = 0; corner < face->count; corner++) {
+            if (scene->corners[face->first_corner + corner] >= model->vertex_count) {
+                return fail(fault, "face", model->first_face + i, FXL_E_INDEX);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
+/* Models take the vertices and the faces in turn, without gap or overlap: so
+ * all models together are no longer than the tables. */
+static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    uint32_t vertex = 0, face = 0;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        if (model->kind > FXL_MODEL_SORTED || model->reserved[0] != 0 ||
+            model->reserved[1] != 0 || model->reserved[2] != 0) {
+            return fail(fault, "model", i, FXL_E_RESERVED);
+        }
+        if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
+            !count_in(model->face_count, 1, FXL_MODEL_FACES_MAX)) {
+            return fail(fault, "model", i, FXL_E_COUNT);
+        }
+        if (model->first_vertex != vertex || model->first_face != face ||
+            model->vertex_count > scene->vertex_count - vertex ||
+            model->face_count > scene->face_count - face) {
+            return fail(fault, "model", i, FXL_E_INDEX);
+        }
+        vertex += model->vertex_count;
+        face += model->face_count;
+        fxl_status status = check_corners(scene, model, fault);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    if (vertex != scene->vertex_count || face != scene->face_count) {
+        return fail(fault, "model", scene->model_count - 1, FXL_E_INDEX);
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_objects(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    uint64_t placed = 0; /* below 2^16 * 2^16 */
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const fxl_object *object = &scene->objects[i];
+        if (object->reserved != 0) {
+            return fail(fault, "object", i, FXL_E_RESERVED);
+        }
+        if (object->model >= scene->model_count) {
+            return fail(fault, "object", i, FXL_E_INDEX);
+        }
+        if (!fxl_point_in_range(&object->centre)) {
+            return fail(fault, "object", i, FXL_E_RANGE);
+        }
+        placed += scene->models[object->model].vertex_count;
+        if (placed > FXL_SCENE_PLACED_MAX) {
+            return fail(fault, "object", i, FXL_E_COUNT);
+        }
+    }
+    return FXL_OK;
+}
+
+static bool placed_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
+{
+    return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
+}
+
+static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const fxl_object *object = &scene->objects[i];
+        const fxl_model *model = &scene->models[object->model];
+        for (uint32_t j = 0; j < model->vertex_count; j++) {
+            const fxl_point *vertex = &scene->vertices[model->first_vertex + j];
+            if (!placed_in_range(vertex->x, object->centre.x) ||
+                !placed_in_range(vertex->y, object->centre.y) ||
+                !placed_in_range(vertex->z, object->centre.z)) {
+                return fail(fault, "object", i, FXL_E_RANGE);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
+/* A vertex of a model that is placed nowhere is held to twice the range. */
+static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    const int64_t limit = 2 * (int64_t)FXL_COORDINATE_MAX;
+    for (uint32_t i = 0; i < scene->vertex_count; i++) {
+        const fxl_point *vertex = &scene->vertices[i];
+        if (!fxl_within(vertex->x, limit) || !fxl_within(vertex->y, limit) ||
+            !fxl_within(vertex->z, limit)) {
+            return fail(fault, "vertex", i, FXL_E_RANGE);
+        }
+    }
+    return FXL_OK;
+}
+
+/* Components up to 2^30 + 2^2 keep every square below 2^61 and the sum below
+ * 2^63. */
+static bool is_unit(const fxl_direction *normal)
+{
+    const int64_t limit = (int64_t)FXL_Q2_30_ONE + 4;
+    if (!fxl_within(normal->x, limit) || !fxl_within(normal->y, limit) ||
+        !fxl_within(normal->z, limit)) {
+        return false;
+    }
+    int64_t square = (int64_t)normal->x * normal->x + (int64_t)normal->y * normal->y +
+                     (int64_t)normal->z * normal->z;
+    return fxl_within(square - (int64_t)FXL_Q2_30_ONE * FXL_Q2_30_ONE,
+                      FXL_NORMAL_SQUARE_MAX_ERROR);
+}
+
+/* The differences of two model vertices are below 2^31, so the sum is below
+ * sqrt(3) * 2^61 for a unit normal. */
+static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
+{
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const fxl_point *first = &vertices[scene->corners[face->first_corner]];
+    for (uint32_t i = 1; i < face->count; i++) {
+        const fxl_point *vertex = &vertices[scene->corners[face->first_corner + i]];
+        int64_t height = (int64_t)face->normal.x * ((int64_t)vertex->x - first->x) +
+                         (int64_t)face->normal.y * ((int64_t)vertex->y - first->y) +
+                         (int64_t)face->normal.z * ((int64_t)vertex->z - first->z);
+        if (!fxl_within(height, (int64_t)FXL_PLANARITY_MAX * FXL_Q2_30_ONE)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        for (uint32_t j = 0; j < model->face_count; j++) {
+            uint32_t number = model->first_face + j;
+            if (!is_unit(&scene->faces[number].normal)) {
+                return fail(fault, "face", number, FXL_E_NORMAL);
+            }
+            if (!is_flat(scene, model, &scene->faces[number])) {
+                return fail(fault, "face", number, FXL_E_PLANARITY);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
+/* One entry for each object, and for each face of the largest sorted model. */
+static uint32_t order_needed(const fxl_scene *scene)
+{
+    uint32_t faces = 0;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        if (model->kind == FXL_MODEL_SORTED && model->face_count > faces) {
+            faces = model->face_count;
+        }
+    }
+    return scene->object_count + faces;
+}
+
+fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
+{
+    static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
+        check_counts,  check_faces,    check_models,  check_objects,
+        check_placed_vertices, check_vertices, check_normals,
+    };
+    if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||
+        scene->faces == NULL || scene->models == NULL || scene->objects == NULL) {
+        return fail(fault, "scene", 0, FXL_E_ARGUMENT);
+    }
+    for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
+        fxl_status status = checks[i](scene, fault);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    scene->order_needed = order_needed(scene);
+    return FXL_OK;
+}

@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT */
+/* Opens a scene image (SPEC.md, chapter 8) in place. */
+#include <string.h>
+
+#include "arith.h"
+#include "crc.h"
+#include "fixel/scene.h"
+
+typedef struct {
+    uint32_t offset, count;
+} table;
+
+/* The header, byte for byte. */
+typedef struct {
+    uint32_t magic;
+    uint16_t version, header_size;
+    uint32_t image_size, crc;
+    uint16_t width, height;
+    uint32_t fov;
+    int32_t near, far, inset;
+    uint8_t background, path_kind;
+    uint16_t reserved;
+    fxl_pose start;
+    int32_t acceleration, friction, speed_max;
+    uint32_t turn;
+    table palette, vertices, corners, faces, models, objects, path;
+    uint32_t frame_count;
+    uint8_t reserved_tail[20];
+} header;
+
+_Static_assert(sizeof(header) == 160, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, start) == 40, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, palette) == 80, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, frame_count) == 136, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_point) == 12, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_face) == 20, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_model) == 20, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_object) == 16, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_stride) == 4, "SPEC.md, chapter 8");
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
+
+#define MAGIC 0x534C5846u /* "FXLS" */
+#define VERSION 1u
+#define PALETTE_ENTRIES 256u
+
+enum { PATH_POSES = 0, PATH_STRIDES = 1 };
+
+static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
+                       fxl_status status)
+{
+    if (fault != NULL) {
+        fault->what = what;
+        fault->index = index;
+    }
+    return status;
+}
+
+static fxl_status check_envelope(const header *head, size_t size)
+{
+    if (size < sizeof *head) {
+        return FXL_E_SIZE;
+    }
+    if (head->magic != MAGIC) {
+        return FXL_E_MAGIC;
+    }
+    if (head->version != VERSION) {
+        return FXL_E_VERSION;
+    }
+    if (head->header_size != sizeof *head || head->image_size < sizeof *head ||
+        head->image_size > FXL_SCENE_IMAGE_MAX || head->image_size % 4 != 0 ||
+        head->image_size > size) {
+        return FXL_E_SIZE;
+    }
+    const uint8_t *bytes = (const uint8_t *)head;
+    if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
+        return FXL_E_CRC;
+    }
+    if (head->reserved != 0 || head->path_kind > PATH_STRIDES) {
+        return FXL_E_RESERVED;
+    }
+    for (size_t i = 0; i < sizeof head->reserved_tail; i++) {
+        if (head->reserved_tail[i] != 0) {
+            return FXL_E_RESERVED;
+        }
+    }
+    return FXL_OK;
+}
+
+/* Lens, start and gait; a step without keys checks the last two by the very
+ * function that will use them. */
+static fxl_status check_settings(const header *head, fxl_scene_image *opened,
+                                 fxl_scene_fault *fault)
+{
+    fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near,
+                                          head->far, head->inset, &opened->lens);
+    if (status != FXL_OK) {
+        return fail(fault, "lens", 0, status);
+    }
+    opened->background = head->background;
+    opened->start.pose = head->start;
+    opened->start.speed = 0;
+    opened->start.clamped = 0;
+    opened->gait.acceleration = head->acceleration;
+    opened->gait.friction = head->friction;
+    opened->gait.speed_max = head->speed_max;
+    opened->gait.turn = head->turn;
+    if (!fxl_point_in_range(&head->start.position)) {
+        return fail(fault, "start pose", 0, FXL_E_RANGE);
+    }
+    fxl_viewer trial = opened->start;
+    status = fxl_viewer_step(&trial, 0, &opened->gait, NULL);
+    return status == FXL_OK ? FXL_OK : fail(fault, "gait", 0, status);
+}
+
+/* One table: aligned, behind the header, within the image. A count times at
+ * most 24 bytes is below 2^37. */
+static fxl_status check_table(const header *head, const table *entry, uint32_t entry_size,
+                              uint32_t count_max, const char *what, fxl_scene_fault *fault)
+{
+    if (entry->count == 0 || entry->count > count_max) {
+        return fail(fault, what, 0, FXL_E_COUNT);
+    }
+    if (entry->offset % 4 != 0) {
+        return fail(fault, what, 0, FXL_E_ALIGNMENT);
+    }
+    uint64_t bytes = (uint64_t)entry->count * entry_size;
+    if (entry->offset < sizeof *head || entry->offset > head->image_size ||
+        bytes > head->image_size - entry->offset) {
+        return fail(fault, what, 0, FXL_E_OFFSET);
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
+{
+    uint32_t path_entry = head->path_kind == PATH_POSES ? sizeof(fxl_pose) : sizeof(fxl_stride);
+    const struct {
+        const table *entry;
+        uint32_t entry_size, count_max;
+        const char *what;
+    } tables[] = {
+        {&head->palette, 3, PALETTE_ENTRIES, "palette table"},
+        {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
+        {&head->corners, sizeof(uint16_t), FXL_SCENE_CORNERS_MAX, "corner table"},
+        {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
+        {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
+        {&head->objects, sizeof(fxl_object), FXL_SCENE_OBJECTS_MAX, "object table"},
+        {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
+    };
+    if (head->palette.count != PALETTE_ENTRIES) {
+        return fail(fault, "palette table", 0, FXL_E_COUNT);
+    }
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        fxl_status status = check_table(head, tables[i].entry, tables[i].entry_size,
+                                        tables[i].count_max, tables[i].what, fault);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    return FXL_OK;
+}
+
+static const void *at(const header *head, uint32_t offset)
+{
+    return (const uint8_t *)head + offset;
+}
+
+static void point_to_tables(const header *head, fxl_scene_image *opened)
+{
+    opened->palette = at(head, head->palette.offset);
+    opened->scene.vertices = at(head, head->vertices.offset);
+    opened->scene.corners = at(head, head->corners.offset);
+    opened->scene.faces = at(head, head->faces.offset);
+    opened->scene.models = at(head, head->models.offset);
+    opened->scene.objects = at(head, head->objects.offset);
+    opened->scene.vertex_count = head->vertices.count;
+    opened->scene.corner_count = head->corners.count;
+    opened->scene.face_count = head->faces.count;
+    opened->scene.model_count = head->models.count;
+    opened->scene.object_count = head->objects.count;
+    opened->poses = head->path_kind == PATH_POSES ? at(head, head->path.offset) : NULL;
+    opened->strides = head->path_kind == PATH_STRIDES ? at(head, head->path.offset) : NULL;
+    opened->path_count = head->path.count;
+    opened->frame_count = head->frame_count;
+}
+
+static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fault)
+{
+    uint64_t frames = 0; /* at most 10^6 entries of 16 bits */
+    for (uint32_t i = 0; i < opened->path_count; i++) {
+        if (opened->poses != NULL) {
+            if (!fxl_point_in_range(&opened->poses[i].position)) {
+                return fail(fault, "pose", i, FXL_E_RANGE);
+            }
+            frames += 1;
+            continue;
+        }
+        const fxl_stride *stride = &opened->strides[i];
+        if ((stride->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
+            return fail(fault, "stride", i, FXL_E_RESERVED);
+        }
+        if (stride->frames == 0) {
+            return fail(fault, "stride", i, FXL_E_COUNT);
+        }
+        frames += stride->frames;
+    }
+    if (frames != opened->frame_count || frames > FXL_SCENE_PATH_MAX) {
+        return fail(fault, "path table", 0, FXL_E_COUNT);
+    }
+    return FXL_OK;
+}
+
+fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
+                          fxl_scene_fault *fault)
+{
+    if (image == NULL || opened == NULL) {
+        return fail(fault, "image", 0, FXL_E_ARGUMENT);
+    }
+    if ((uintptr_t)image % 4 != 0) {
+        return fail(fault, "image", 0, FXL_E_ALIGNMENT);
+    }
+    const header *head = image;
+    fxl_status status = check_envelope(head, size);
+    if (status != FXL_OK) {
+        return fail(fault, "image", 0, status);
+    }
+    fxl_scene_image found;
+    memset(&found, 0, sizeof found);
+    status = check_settings(head, &found, fault);
+    if (status != FXL_OK) {
+        return status;
+    }
+    status = check_tables(head, fault);
+    if (status != FXL_OK) {
+        return status;
+    }
+    point_to_tables(head, &found);
+    status = fxl_scene_check(&found.scene, fault);
+    if (status != FXL_OK) {
+        return status;
+    }
+    status = check_path(&found, fault);
+    if (status == FXL_OK) {
+        *opened = found;
+    }
+    return status;
+}

@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Powers a board on from its flash image and fetches its frame dump."""
+
+import argparse
+
+from fixel.emulator import run
+from fixel.errors import run_main
+from fixel.progress import Progress
+
+
+def positive(text):
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not at least 1")
+    return value
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--board", required=True, help="the board that image and program must be for")
+    parser.add_argument("--image", required=True, help="the flash image")
+    parser.add_argument("--elf", required=True, help="the program that the image holds")
+    parser.add_argument("--dump", required=True, help="the frame dump to write (.fxld)")
+    parser.add_argument("--frames", type=positive, help="how many frames (the whole path)")
+    parser.add_argument("--timeout", type=float, default=60.0,
+                        help="seconds without a new frame after which the board hangs (60)")
+    options = parser.parse_args(argv)
+    with Progress(f"frames on {options.board}") as progress:
+        result = run(options.board, options.image, options.elf, options.dump, options.frames,
+                     options.timeout, progress)
+    print(f"{result.board} ({result.cpu}): {result.frames} frames in {result.seconds:.1f} s: {options.dump}")
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""What Fixel's command-line tools share."""

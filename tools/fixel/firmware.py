@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""A board's program (ELF) and what it says about its board.
+
+Every program carries a section `.fxl_board` with lines of key=value, and the
+symbols of its memory map. There is no other table of boards: a new board needs
+no change here.
+"""
+
+import dataclasses
+import pathlib
+import shlex
+
+from elftools.common.exceptions import ELFError
+from elftools.elf.elffile import ELFFile
+
+from fixel.errors import ToolError
+
+HOST = "host"
+SYMBOLS = ("fxl_flash_base", "fxl_flash_size", "fxl_flash_sector", "fxl_scene_base", "fxl_scene_size")
+
+
+@dataclasses.dataclass(frozen=True)
+class Program:
+    """A program and its board. Addresses and sizes are bytes; those of the
+    host board, which has no memory map, are 0."""
+
+    path: pathlib.Path
+    board: str
+    cpu: str
+    qemu: tuple[str, ...]
+    segments: tuple[tuple[int, bytes], ...]
+    flash_base: int = 0
+    flash_size: int = 0
+    flash_sector: int = 0
+    scene_base: int = 0
+    scene_size: int = 0
+
+    @property
+    def hosted(self):
+        return self.board == HOST
+
+
+def read_note(elf, path):
+    section = elf.get_section_by_name(".fxl_board")
+    if section is None:
+        raise ToolError(f"{path} is not a program of Fixel: it does not name its board")
+    text = section.data().split(b"\0")[0].decode("ascii", "replace")
+    note = dict(line.split("=", 1) for line in text.splitlines() if "=" in line)
+    if not note.get("board"):
+        raise ToolError(f"{path} does not name its board: build it again")
+    return note
+
+
+def read_map(elf, path):
+    table = elf.get_section_by_name(".symtab")
+    found = {}
+    for name in SYMBOLS:
+        symbols = table.get_symbol_by_name(name) if table is not None else None
+        if not symbols:
+            raise ToolError(f"{path} has no symbol {name}: its board's memory.ld does not define it")
+        found[name.removeprefix("fxl_")] = symbols[0]["st_value"]
+    return found
+
+
+def load(path, board=None):
+    """Reads a program; board, where given, is the one that it must be for."""
+    path = pathlib.Path(path)
+    try:
+        with path.open("rb") as file:
+            elf = ELFFile(file)
+            note = read_note(elf, path)
+            if board is not None and note["board"] != board:
+                raise ToolError(f"{path} is for board {note['board']}, not for {board}")
+            common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
+                          qemu=tuple(shlex.split(note.get("qemu", ""))))
+            if note["board"] == HOST:
+                return Program(segments=(), **common)
+            segments = tuple((segment["p_paddr"], segment.data()) for segment in elf.iter_segments()
+                             if segment["p_type"] == "PT_LOAD" and segment["p_filesz"] > 0)
+            return Program(segments=segments, **common, **read_map(elf, path))
+    except OSError as error:
+        raise ToolError(f"cannot read {path}: {error.strerror}") from error
+    except ELFError as error:
+        raise ToolError(f"{path} is not an ELF file: {error}") from error

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""A scene for a bare OBJ file: the model in the middle, the camera about it."""
+
+from fractions import Fraction
+import math
+import os
+
+import numpy as np
+
+from fixel import obj, toml_scene
+from fixel.errors import ToolError
+from fixel.mesh import UNIT
+
+WIDTH, HEIGHT, FOV = 320, 240, 60
+RADIUS = 4          # world units from the model's middle to its farthest vertex
+MARGIN = 0.9        # how much of the screen the model may fill
+RISE = 15           # degrees that the camera looks down
+START = 210         # yaw of the first frame: most models' fronts, from a corner
+FRAMES = 60
+
+
+def _distance(points, frames):
+    """How far the camera must stand from the middle so that every vertex is
+    inside the screen in every frame. Per vertex, with sideways x, upward y and
+    onward z about the middle: |x| <= slope * (distance + z)."""
+    slope_x = MARGIN * math.tan(math.radians(FOV / 2))
+    slope_y = slope_x * HEIGHT / WIDTH
+    rise, needed = math.radians(RISE), 0.0
+    for i in range(frames):
+        yaw = math.radians(START) + 2 * math.pi * i / frames
+        x = points[:, 0] * math.cos(yaw) - points[:, 2] * math.sin(yaw)
+        level = points[:, 0] * math.sin(yaw) + points[:, 2] * math.cos(yaw)
+        y = points[:, 1] * math.cos(rise) + level * math.sin(rise)
+        z = level * math.cos(rise) - points[:, 1] * math.sin(rise)
+        needed = max(needed, (abs(x) / slope_x - z).max(), (abs(y) / slope_y - z).max())
+    return needed
+
+
+def scene_data(path, frames=None):
+    """The scene as a TOML file would say it."""
+    name = os.path.basename(path)
+    mesh, _ = obj.read(path, name)
+    used = sorted({corner for face in mesh.faces for corner in face})
+    points = np.array([mesh.vertices[i] for i in used], dtype=float) / UNIT
+    points -= (points.min(axis=0) + points.max(axis=0)) / 2
+    size = float(np.sqrt((points ** 2).sum(axis=1)).max())
+    if not 1e-9 < size < 1e9:
+        raise ToolError(f"{name}: the model's radius of {size:g} cannot be framed")
+    # Sixteen significant bits of scale do, and make the same numbers everywhere.
+    bits = 16 - math.frexp(RADIUS / size)[1]
+    scale = Fraction(round(RADIUS / size * Fraction(2) ** bits)) / Fraction(2) ** bits
+    distance = max(_distance(points * float(scale), frames or FRAMES), RADIUS * 1.1)
+    distance = Fraction(math.ceil(distance * 64), 64)
+    flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
+    rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
+    return {
+        "screen": {"width": WIDTH, "height": HEIGHT},
+        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - RADIUS) * Fraction(9, 10)),
+                 "far": (distance + RADIUS) * Fraction(11, 10)},
+        "background": "#1b2a38",
+        "light": {"direction": [Fraction(-8, 10), -1, Fraction(-4, 10)], "ambient": Fraction(1, 3),
+                  "colour": "#fff2dc", "sky": "#c4d4ff"},
+        "objects": [{"name": name, "obj": name, "scale": scale, "anchor": "middle",
+                     "colour": "#e8a860"}],
+        "path": {"orbit": {"radius": flat, "height": rise, "start": START,
+                           "frames": frames or FRAMES}},
+    }
+
+
+def compile_obj(path, frames=None, progress=None):
+    """A bare OBJ file -> (SceneImage, notes)."""
+    data = scene_data(path, frames)
+    name = os.path.basename(path)
+    scene, notes = toml_scene.compile_data(data, name, os.path.dirname(path), frames, progress)
+    return scene, notes + [f"{name}: framed by default: scaled by "
+                           f"{float(data['objects'][0]['scale']):.6g}, turned once in "
+                           f"{len(scene.path)} frames"]

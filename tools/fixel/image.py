@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: MIT
+"""Scene images: written, read and checked as chapters 3 and 8 of SPEC.md say."""
+
+from dataclasses import dataclass, field
+import os
+import struct
+import tempfile
+import zlib
+
+from fixel.errors import ToolError
+
+MAGIC = b"FXLS"
+VERSION = 1
+HEADER_SIZE = 160
+IMAGE_MAX = 16 << 20
+
+COORDINATE_MAX = 8191 << 16
+SCREEN_MAX = 1024
+FOV_MIN, FOV_MAX = 119304648, 1789569706
+NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
+GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
+FACE_VERTICES_MAX = 24
+PLANARITY_MAX = 4
+NORMAL_SQUARE_MAX_ERROR = 1 << 32
+
+CONVEX, SORTED = 0, 1
+POSES, STRIDES = 0, 1
+
+KEYS = {"forward": 1, "back": 2, "left": 4, "right": 8,
+        "pitch_up": 16, "pitch_down": 32, "roll_left": 64, "roll_right": 128}
+
+_HEAD = struct.Struct("<4sHHII HHI 3i BBH 3i3I 3iI 14I I 20s")
+_PALETTE = struct.Struct("<3B")
+_VERTEX = struct.Struct("<3i")
+_CORNER = struct.Struct("<H")
+_FACE = struct.Struct("<3iIBBH")
+_MODEL = struct.Struct("<4IB3s")
+_OBJECT = struct.Struct("<3iHBB")
+_POSE = struct.Struct("<3i3I")
+_STRIDE = struct.Struct("<HH")
+assert _HEAD.size == HEADER_SIZE
+
+
+@dataclass
+class Face:
+    normal: tuple       # 2.30
+    corners: tuple      # numbers of vertices within the model, clockwise from the front
+    colour: int
+
+
+@dataclass
+class Model:
+    vertices: list      # (x, y, z) in 16.16, relative to the object's centre
+    faces: list
+    kind: int = CONVEX
+
+
+@dataclass
+class Object:
+    centre: tuple       # 16.16
+    model: int
+    layer: int = 0
+
+
+@dataclass
+class SceneImage:
+    """Everything an image holds, in the image's own integers."""
+    width: int
+    height: int
+    fov: int
+    near: int
+    far: int
+    inset: int
+    background: int
+    palette: list                       # 256 x (red, green, blue)
+    models: list
+    objects: list
+    path_kind: int
+    path: list                          # (x, y, z, yaw, pitch, roll) or (keys, frames)
+    start: tuple = (0, 0, 0, 0, 0, 0)
+    gait: tuple = (0, 0, 0, 0)          # acceleration, friction, top speed, turn
+    size: int = field(default=0, compare=False)
+    crc: int = field(default=0, compare=False)
+
+    @property
+    def frames(self):
+        return len(self.path) if self.path_kind == POSES else sum(n for _, n in self.path)
+
+
+def fail(status, text):
+    raise ToolError(f"{status}: {text}")
+
+
+def _aligned(blob):
+    return blob + b"\0" * (-len(blob) % 4)
+
+
+def _model_tables(image):
+    """Vertices, corners, faces and models as packed bytes with their counts."""
+    vertices, corners, faces, models = [], [], [], []
+    for model in image.models:
+        models.append(_MODEL.pack(len(vertices), len(model.vertices), len(faces),
+                                  len(model.faces), model.kind, bytes(3)))
+        vertices += [_VERTEX.pack(*vertex) for vertex in model.vertices]
+        for face in model.faces:
+            faces.append(_FACE.pack(*face.normal, len(corners), len(face.corners),
+                                    face.colour, 0))
+            corners += [_CORNER.pack(corner) for corner in face.corners]
+    return [vertices, corners, faces, models]
+
+
+def pack(image):
+    """The bytes of an image. Checks the result, so that nothing is written
+    that a loader would refuse."""
+    path_entry = _POSE if image.path_kind == POSES else _STRIDE
+    tables = [[_PALETTE.pack(*entry) for entry in image.palette], *_model_tables(image),
+              [_OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
+              [path_entry.pack(*entry) for entry in image.path]]
+    body, where = b"", []
+    for table in tables:
+        where += [HEADER_SIZE + len(body), len(table)]
+        body += _aligned(b"".join(table))
+    size = HEADER_SIZE + len(body)
+    if size > IMAGE_MAX:
+        fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
+             "use fewer or smaller models or a shorter path")
+
+    def head(crc):
+        return _HEAD.pack(MAGIC, VERSION, HEADER_SIZE, size, crc, image.width, image.height,
+                          image.fov, image.near, image.far, image.inset, image.background,
+                          image.path_kind, 0, *image.start, *image.gait, *where, image.frames,
+                          bytes(20))
+
+    blob = head(zlib.crc32(head(0)[16:] + body)) + body
+    unpack(blob)
+    return blob
+
+
+def _head(blob):
+    """The header's fields, checked up to its reserved ones."""
+    if len(blob) < HEADER_SIZE:
+        fail("size", f"{len(blob)} bytes are fewer than a header's {HEADER_SIZE}")
+    fields = _HEAD.unpack_from(blob)
+    magic, version, header_size, size, crc = fields[:5]
+    if magic != MAGIC:
+        fail("magic", "this is not a scene image (it does not begin with FXLS)")
+    if version != VERSION:
+        fail("version", f"a scene image of version {version}; this tool knows version {VERSION}")
+    if header_size != HEADER_SIZE:
+        fail("size", f"header size {header_size} is not {HEADER_SIZE}")
+    if size % 4 or not HEADER_SIZE <= size <= IMAGE_MAX or size > len(blob):
+        fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
+    if zlib.crc32(blob[16:size]) != crc:
+        fail("crc", "the checksum does not match: the image is damaged")
+    if fields[13] or any(fields[-1]) or fields[12] not in (POSES, STRIDES):
+        fail("reserved", "a reserved field of the header is not zero, or the path kind is unknown")
+    return fields
+
+
+def check_lens(width, height, fov, near, far, inset):
+    """The lens's ranges, in the image's integers."""
+    if not (1 <= width <= SCREEN_MAX and 1 <= height <= SCREEN_MAX):
+        fail("range", f"a screen of {width}x{height} is outside 1..{SCREEN_MAX}")
+    if not FOV_MIN <= fov <= FOV_MAX:
+        fail("range", f"a field of view of {fov * 360 / 2**32:.4g} degrees is outside 10..150")
+    if near < NEAR_MIN:
+        fail("range", f"near = {near / 65536:.6g} is below 1/256")
+    if far > FAR_MAX:
+        fail("range", f"far = {far / 65536:.6g} is above 32767")
+    if not 0 <= inset <= INSET_MAX:
+        fail("range", f"inset = {inset / 65536:.6g} is outside 0..1")
+    if near + 2 * inset >= far:
+        fail("range", f"near + 2 inset = {(near + 2 * inset) / 65536:.6g} is not below "
+             f"far = {far / 65536:.6g}")
+
+
+def check_coordinates(point, what):
+    if any(abs(c) > COORDINATE_MAX for c in point):
+        fail("range", f"{what} ({', '.join(f'{c / 65536:.6g}' for c in point)}) "
+             "leaves -8191..8191")
+
+
+def _check_gait(gait):
+    if any(not 0 <= value <= GAIT_MAX for value in gait[:3]) or not 0 <= gait[3] <= TURN_MAX:
+        fail("range", "the gait is out of range (0..256 units a step, at most 1/4 turn a step)")
+
+
+def check_plane(normal, points, what):
+    """A face's normal and planarity, with the loader's integers."""
+    if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
+        fail("normal", f"the normal of {what} is not of unit length")
+    first = points[0]
+    for point in points:
+        height = sum(n * (a - b) for n, a, b in zip(normal, point, first))
+        if abs(height) > PLANARITY_MAX << 30:
+            fail("planarity", f"a vertex of {what} lies {height / 2**46:.3g} units off its plane")
+
+
+def _tables(blob, fields):
+    """The seven tables as lists of tuples, after their offsets and counts."""
+    limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 3, 1_000_000),
+              ("corners", _CORNER, 3, 4_000_000), ("faces", _FACE, 1, 1_000_000),
+              ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
+              ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000)]
+    size, tables = fields[3], []
+    for i, (name, entry, low, high) in enumerate(limits):
+        offset, count = fields[24 + 2 * i:26 + 2 * i]
+        if not low <= count <= high:
+            fail("count", f"{count} {name} are outside {low}..{high}")
+        if offset % 4:
+            fail("alignment", f"the table of {name} begins at {offset}, not a multiple of four")
+        if offset < HEADER_SIZE or offset + count * entry.size > size:
+            fail("offset", f"the table of {name} reaches outside the image")
+        tables.append(list(entry.iter_unpack(blob[offset:offset + count * entry.size])))
+    return tables
+
+
+def _check_faces(faces, corners):
+    for i, (*_, first, count, _, reserved) in enumerate(faces):
+        if reserved:
+            fail("reserved", f"face {i}: a reserved field is not zero")
+        if not 3 <= count <= FACE_VERTICES_MAX:
+            fail("count", f"face {i}: {count} vertices are outside 3..{FACE_VERTICES_MAX}")
+        if first + count > len(corners):
+            fail("index", f"face {i} reaches past the table of corners")
+
+
+def _read_models(models, vertices, corners, faces):
+    result = []
+    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved) in \
+            enumerate(models):
+        if kind not in (CONVEX, SORTED) or any(reserved):
+            fail("reserved", f"model {i}: unknown kind or reserved field not zero")
+        if not 3 <= vertex_count <= 65535 or not 1 <= face_count <= 65535:
+            fail("count", f"model {i}: {vertex_count} vertices, {face_count} faces")
+        if first_vertex + vertex_count > len(vertices) or first_face + face_count > len(faces):
+            fail("index", f"model {i} reaches past the vertices or the faces")
+        own = []
+        for number, (*normal, first, count, colour, _) in \
+                enumerate(faces[first_face:first_face + face_count], first_face):
+            outline = tuple(corner for corner, in corners[first:first + count])
+            if max(outline) >= vertex_count:
+                fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
+            own.append(Face(tuple(normal), outline, colour))
+        result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
+    return result
+
+
+def _read_objects(objects, models):
+    result = []
+    for i, (*centre, model, layer, reserved) in enumerate(objects):
+        if reserved:
+            fail("reserved", f"object {i}: a reserved field is not zero")
+        if model >= len(models):
+            fail("index", f"object {i}: model {model} of {len(models)}")
+        check_coordinates(centre, f"the centre of object {i}")
+        result.append(Object(tuple(centre), model, layer))
+    return result
+
+
+def _check_extents(objects, models):
+    """Every vertex of every object; a model's bounding box stands for all."""
+    boxes = {}
+    for i, item in enumerate(objects):
+        if item.model not in boxes:
+            axes = list(zip(*models[item.model].vertices))
+            boxes[item.model] = [[min(a) for a in axes], [max(a) for a in axes]]
+        for end in boxes[item.model]:
+            check_coordinates([c + e for c, e in zip(item.centre, end)], f"a vertex of object {i}")
+
+
+def _check_path(kind, path, frames):
+    for i, entry in enumerate(path):
+        if kind == POSES:
+            check_coordinates(entry[:3], f"pose {i}")
+        elif entry[0] & ~0xFF or entry[1] < 1:
+            fail("range", f"stride {i}: keys {entry[0]:#x}, {entry[1]} frames")
+    total = len(path) if kind == POSES else sum(n for _, n in path)
+    if total != frames or not 1 <= frames <= 1_000_000:
+        fail("count", f"the path has {total} frames, the header says {frames}")
+
+
+def unpack(blob):
+    """The scene of an image; ToolError names what is wrong, as the loader would."""
+    fields = _head(blob)
+    width, height, fov, near, far, inset, background, kind = *fields[5:11], *fields[11:13]
+    check_lens(width, height, fov, near, far, inset)
+    start, gait = fields[14:20], fields[20:24]
+    check_coordinates(start[:3], "the start")
+    _check_gait(gait)
+    palette, vertices, corners, faces, models, objects, path = _tables(blob, fields)
+    _check_faces(faces, corners)
+    models = _read_models(models, vertices, corners, faces)
+    objects = _read_objects(objects, models)
+    _check_extents(objects, models)
+    for i, model in enumerate(models):
+        for j, face in enumerate(model.faces):
+            check_plane(face.normal, [model.vertices[c] for c in face.corners],
+                        f"face {j} of model {i}")
+    _check_path(kind, path, fields[38])
+    return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
+                      kind, path, start, gait, fields[3], fields[4])
+
+
+def load(path):
+    try:
+        with open(path, "rb") as file:
+            blob = file.read()
+    except OSError as error:
+        raise ToolError(f"{path}: cannot be read ({error.strerror})") from error
+    try:
+        return unpack(blob)
+    except ToolError as error:
+        raise ToolError(f"{path}: {error}") from error
+
+
+def save(path, blob):
+    """Writes a file whole or not at all."""
+    folder = os.path.dirname(os.path.abspath(path))
+    temporary = None
+    try:
+        os.makedirs(folder, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(prefix=".scene-", dir=folder)
+        with os.fdopen(handle, "wb") as file:
+            file.write(blob)
+        umask = os.umask(0)
+        os.umask(umask)
+        os.chmod(temporary, 0o666 & ~umask)
+        os.replace(temporary, path)
+    except OSError as error:
+        if temporary and os.path.exists(temporary):
+            os.unlink(temporary)
+        raise ToolError(f"{path}: cannot be written ({error.strerror}); "
+                        "choose a folder that you may write to") from error

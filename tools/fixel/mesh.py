@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: MIT
+"""Meshes: turned, scaled, rounded to 16.16, and cut into faces that the
+library takes: flat, convex, of 3 to 24 vertices, with exact normals.
+
+Everything is done in integers on the rounded vertices, so that what is decided
+here holds for the numbers that the library sees."""
+
+from dataclasses import dataclass, field
+from math import isqrt, lcm
+
+import numpy as np
+
+from fixel.errors import ToolError
+from fixel.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, Face
+
+# A mesh's coordinates are integers in 1/UNIT: decimals of OBJ files stay exact.
+UNIT = 10 ** 18
+
+# How far, in 1/65536, a corner of a polygon may fall inside the line of its
+# neighbours: what rounding can do to corners on one line.
+DENT_MAX = 2
+
+
+@dataclass
+class Mesh:
+    """What a file or a solid gives: outlines clockwise as seen from the front."""
+    vertices: list
+    faces: list
+    places: list = field(default_factory=list)  # where each face stands, for messages
+
+
+@dataclass
+class Shape:
+    """A mesh as the library takes it. sources[i] is the number of the mesh's
+    face that face i came from; middle is the middle of the bounding box."""
+    vertices: list
+    faces: list
+    sources: list
+    notes: list
+    middle: tuple = (0, 0, 0)
+    half_height: int = 0
+    open_edges: int = 0
+
+
+def minus(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def newell(points):
+    """Twice the area, along the normal that points to the front: exact."""
+    total = (0, 0, 0)
+    first = points[0]
+    for a, b in zip(points[1:], points[2:]):
+        part = cross(minus(a, first), minus(b, first))
+        total = (total[0] + part[0], total[1] + part[1], total[2] + part[2])
+    return total
+
+
+def unit_normal(area):
+    """An integer vector at unit length in 2.30, each component to nearest."""
+    square = dot(area, area)
+
+    def component(value):
+        # Two more bits than needed, so that one rounding remains.
+        size = (isqrt((value * value << 64) // square) + 2) >> 2
+        return size if value >= 0 else -size
+    return tuple(component(value) for value in area)
+
+
+def transform(mesh, matrix):
+    """The mesh's vertices times a 3x3 matrix of Fractions, as 16.16."""
+    common = lcm(*(entry.denominator for row in matrix for entry in row))
+    rows = [[int(entry * common) << 17 for entry in row] for row in matrix]
+    half = common * UNIT
+    whole = 2 * half
+    return [tuple((r[0] * x + r[1] * y + r[2] * z + half) // whole for r in rows)
+            for x, y, z in mesh.vertices]
+
+
+def _merge(points):
+    """Distinct points, and for each old number the new one."""
+    numbers = {}
+    renamed = [numbers.setdefault(point, len(numbers)) for point in points]
+    return list(numbers), renamed
+
+
+def _outline(corners):
+    """Corners without those that repeat the one before."""
+    return [c for i, c in enumerate(corners) if c != corners[i - 1]]
+
+
+def is_flat(points, normal):
+    first = points[0]
+    return all(abs(dot(normal, minus(p, first))) <= PLANARITY_MAX << 30 for p in points)
+
+
+def is_convex_outline(points, area):
+    """Whether every corner lies on the inner side of every edge's line, but
+    for DENT_MAX."""
+    square = dot(area, area)
+    for i, b in enumerate(points):
+        edge = minus(b, points[i - 1])
+        limit = DENT_MAX * DENT_MAX * dot(edge, edge) * square
+        for p in points:
+            side = dot(cross(edge, minus(p, b)), area)
+            if side < 0 and side * side > limit:
+                return False
+    return True
+
+
+def _holds(a, b, c, p, area):
+    """Whether p lies in the triangle or on its outline."""
+    return (dot(cross(minus(b, a), minus(p, a)), area) >= 0
+            and dot(cross(minus(c, b), minus(p, b)), area) >= 0
+            and dot(cross(minus(a, c), minus(p, c)), area) >= 0)
+
+
+def _find_ear(ring, points, area):
+    """The position of a corner that can be cut off, or None."""
+    for i, number in enumerate(ring):
+        before, after = ring[i - 1], ring[(i + 1) % len(ring)]
+        a, b, c = points[before], points[number], points[after]
+        if dot(cross(minus(b, a), minus(c, a)), area) <= 0:
+            continue
+        if not any(_holds(a, b, c, points[other], area) for other in ring
+                   if points[other] not in (a, b, c)):
+            return i
+    return None
+
+
+def triangulate(corners, points, area):
+    """Triangles that make up a polygon (ear clipping), and whether its
+    outline is sound; one that crosses itself falls back on a fan."""
+    ring, triangles = list(corners), []
+    while len(ring) > 3:
+        i = _find_ear(ring, points, area)
+        if i is None:
+            fan = [(ring[0], ring[k], ring[k + 1]) for k in range(1, len(ring) - 1)]
+            # What is left may be a line that earlier cuts used up.
+            return triangles + fan, newell([points[c] for c in ring]) == (0, 0, 0)
+        triangles.append((ring[i - 1], ring[i], ring[(i + 1) % len(ring)]))
+        del ring[i]
+    return triangles + [tuple(ring)], True
+
+
+class _Counts:
+    """What happened to faces, told as one note a kind."""
+
+    def __init__(self):
+        self.found = {}
+
+    def add(self, text, place):
+        number, first = self.found.get(text, (0, place))
+        self.found[text] = number + 1, first
+
+    def notes(self, name):
+        return [f"{name}: {number} face{'s' if number > 1 else ''} {text}"
+                + (f" (first: {place})" if place else "")
+                for text, (number, place) in self.found.items()]
+
+
+def _pieces(corners, points, place, counts):
+    """A face of the mesh as pairs (corners, normal) that the library takes."""
+    corners = _outline(corners)
+    if len(corners) < 3:
+        counts.add("without area dropped", place)
+        return []
+    outline = [points[c] for c in corners]
+    area = newell(outline)
+    if area == (0, 0, 0):
+        counts.add("without area dropped", place)
+        return []
+    normal = unit_normal(area)
+    if len(corners) == 3:
+        return [(tuple(corners), normal)]
+    if len(corners) > FACE_VERTICES_MAX:
+        counts.add(f"of more than {FACE_VERTICES_MAX} vertices triangulated", place)
+    elif len(set(corners)) < len(corners) or not is_convex_outline(outline, area):
+        counts.add("with concave outlines triangulated", place)
+    elif not is_flat(outline, normal):
+        counts.add("that are not flat triangulated", place)
+    else:
+        return [(tuple(corners), normal)]
+    triangles, sound = triangulate(corners, points, area)
+    if not sound:
+        counts.add("whose outlines cross themselves cut into fans", place)
+    pieces = [(t, newell([points[c] for c in t])) for t in triangles]
+    return [(t, unit_normal(a)) for t, a in pieces if a != (0, 0, 0)]
+
+
+def _open_edges(faces):
+    """How many edges are not shared by two faces that agree on the front."""
+    balance = {}
+    for face in faces:
+        for a, b in zip(face.corners, face.corners[1:] + face.corners[:1]):
+            key, step = ((a, b), 1) if a < b else ((b, a), -1)
+            balance[key] = balance.get(key, 0) + step
+    return sum(1 for value in balance.values() if value)
+
+
+def _volume(vertices, faces):
+    """Six times the volume within; positive where fronts look outward."""
+    return sum(dot(vertices[face.corners[0]], newell([vertices[c] for c in face.corners]))
+               for face in faces)
+
+
+def turned(face):
+    """A face that looks the other way."""
+    return Face(tuple(-n for n in face.normal), face.corners[::-1], face.colour)
+
+
+def shape(mesh, matrix, name, inside=False, progress=None):
+    """The mesh, transformed, as the library takes it; vertices still relative
+    to the mesh's origin. inside: turn every face inward."""
+    points, renamed = _merge(transform(mesh, matrix))
+    if any(abs(c) > 2 * COORDINATE_MAX for p in points for c in p):
+        raise ToolError(f"{name}: with this scale the model is larger than the world "
+                        "(-8191..8191); make scale smaller")
+    counts, faces, sources = _Counts(), [], []
+    for number, corners in enumerate(mesh.faces):
+        if progress:
+            progress(f"{name}: face {number} of {len(mesh.faces)}")
+        place = mesh.places[number] if mesh.places else ""
+        for outline, normal in _pieces([renamed[c] for c in corners], points, place, counts):
+            faces.append(Face(normal, outline, 0))
+            sources.append(number)
+    if not faces:
+        raise ToolError(f"{name}: no face with any area is left; is scale too small?")
+    result = _used(points, faces, sources, counts.notes(name))
+    result.open_edges = _open_edges(result.faces)
+    if not result.open_edges and _volume(result.vertices, result.faces) < 0:
+        result.faces = [turned(face) for face in result.faces]
+        result.notes.append(f"{name}: the model was inside out (every front looked inward): "
+                            "its faces were turned round")
+    if inside:
+        result.faces = [turned(face) for face in result.faces]
+    return result
+
+
+def _used(points, faces, sources, notes):
+    """The shape with only those vertices that faces use."""
+    order = {}
+    for face in faces:
+        face.corners = tuple(order.setdefault(c, len(order)) for c in face.corners)
+    vertices = [points[c] for c in order]
+    low = [min(axis) for axis in zip(*vertices)]
+    high = [max(axis) for axis in zip(*vertices)]
+    middle = tuple((a + b) // 2 for a, b in zip(low, high))
+    return Shape(vertices, faces, sources, notes, middle, middle[1] - low[1])
+
+
+def bulge(result, cancel=None):
+    """How far, in 1/65536, vertices stand out from the planes of the faces:
+    the smaller of in front of and behind all of them. At most PLANARITY_MAX
+    means that faces that look the same way never hide each other, so that any
+    order will do. Doubles suffice: coordinates have 31 bits, the answer is
+    compared with whole units."""
+    vertices = np.array(result.vertices, dtype=float)
+    front = back = 0.0
+    for first in range(0, len(result.faces), 256):
+        chunk = result.faces[first:first + 256]
+        normals = np.array([face.normal for face in chunk], dtype=float) / 2 ** 30
+        bases = vertices[[face.corners[0] for face in chunk]]
+        heights = normals @ vertices.T - np.sum(normals * bases, axis=1)[:, None]
+        front, back = max(front, heights.max()), max(back, -heights.min())
+        if cancel is not None and min(front, back) > cancel:
+            break
+    return min(front, back)

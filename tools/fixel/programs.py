@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Runs the host's programs: each ends in its result or in one ToolError."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from fixel.errors import ToolError
+
+
+def run_program(command):
+    """Standard output of a program that must end with 0.
+
+    Its progress on stderr is passed on as it comes; its last words there make
+    the error where it fails.
+    """
+    name = pathlib.Path(command[0]).name
+    # stdout goes to a file, so that nothing waits on a full pipe while stderr is read.
+    with tempfile.TemporaryFile() as out:
+        try:
+            process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
+                                       stdout=out, stderr=subprocess.PIPE, text=True,
+                                       errors="replace")
+        except OSError as error:
+            raise ToolError(f"{command[0]}: cannot be started: {error.strerror}; "
+                            f"make all builds it") from error
+        last = ""
+        with process:
+            for line in process.stderr:
+                held, last = last, line.rstrip()
+                if held:
+                    print(held, file=sys.stderr, flush=True)
+        if process.returncode:
+            said = last.removeprefix("error: ") or f"ended with {process.returncode}"
+            raise ToolError(said if said.startswith(name) else f"{name}: {said}")
+        if last:
+            print(last, file=sys.stderr, flush=True)
+        out.seek(0)
+        return out.read().decode(errors="replace")
+
+
+class HostPrograms:
+    """The programs under a build folder."""
+
+    def __init__(self, build):
+        self.host = pathlib.Path(build) / "host"
+
+    def judge(self, scene, dump, report, twin):
+        """The double twin's verdict on a dump; its own frames go to the dump twin."""
+        run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin])
+        return read_json(report)
+
+    def raycast(self, scene, twin, report, every=1):
+        """The third judge's verdict on the twin's frames, of every so-manieth."""
+        run_program([self.host / "raycast", scene, twin, "--json", report, "--every", str(every)])
+        return read_json(report)
+
+    def stage_errors(self, scene, samples, seed):
+        """Differences between library and twin at every stage boundary."""
+        text = run_program([self.host / "stage_errors", scene, "--samples", str(samples),
+                            "--seed", str(seed)])
+        try:
+            return json.loads(text)["stages"]
+        except (ValueError, KeyError) as error:
+            raise ToolError(f"stage_errors: its output is not the JSON agreed on: {error}") from error
+
+
+def read_json(path):
+    """A JSON file."""
+    try:
+        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ToolError(f"{path}: cannot be read as JSON: {error}") from error

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: MIT
+"""Objects of a scene file: which mesh, where, how large, how turned, in which
+colours. Each becomes one or more placements of a coloured shape."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+import math
+import os
+
+from fixel import image, obj, palette, quantity, solids
+from fixel.errors import ToolError
+from fixel.mesh import bulge, shape
+from fixel.toml_table import Table
+
+KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
+        "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
+        "shade", "colour_index", "colour_step", "colour_next", "layer", "kind"}
+SCALE_MAX = 16384
+PLACEMENTS_MAX = 65535
+
+
+@dataclass
+class Placement:
+    """A model put somewhere: colours are still wishes, an int for a palette
+    index and a tuple for red, green, blue."""
+    shape: object
+    colours: tuple
+    kind: int
+    centre: tuple
+    layer: int
+    where: str
+
+
+def _turn(angle):
+    """Sine and cosine of degrees; exact at quarter turns."""
+    angle %= 360
+    if angle % 90 == 0:
+        quarter = int(angle // 90)
+        return Fraction((0, 1, 0, -1)[quarter]), Fraction((1, 0, -1, 0)[quarter])
+    radians = math.radians(float(angle))
+    return (Fraction(round(math.sin(radians) * 2 ** 52), 2 ** 52),
+            Fraction(round(math.cos(radians) * 2 ** 52), 2 ** 52))
+
+
+def matrix(scale, rotation):
+    """Scale, then turn: an object turned by yaw, pitch and roll looks where a
+    camera turned so would look. Its columns are the camera's rows (SPEC.md,
+    chapter 1)."""
+    (sy, cy), (sp, cp), (sr, cr) = (_turn(a) for a in rotation)
+    right = (cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy)
+    up = (-sr * cy - cr * sp * sy, cr * cp, sr * sy - cr * sp * cy)
+    forward = (cp * sy, sp, cp * cy)
+    return [[axis[row] * s for axis, s in zip((right, up, forward), scale)] for row in range(3)]
+
+
+def _scale(table):
+    value = table.data.get("scale", 1)
+    if isinstance(value, list):
+        scale = quantity.vector(value, table.at("scale"))
+    else:
+        scale = (quantity.fraction(value, table.at("scale")),) * 3
+    for item in scale:
+        if not 0 < item <= SCALE_MAX:
+            raise ToolError(f"{table.at('scale')} = {quantity.shown(item)} is outside "
+                            f"0..{SCALE_MAX} (0 not included)")
+    return scale
+
+
+def _rotation(table):
+    value = table.data.get("rotation", [0, 0, 0])
+    if not isinstance(value, list):
+        value = [value, 0, 0]
+    if len(value) != 3:
+        raise ToolError(f"{table.at('rotation')}: expected yaw or [yaw, pitch, roll] in degrees")
+    return tuple(quantity.degrees(v, f"{table.at('rotation')}[{i}]") for i, v in enumerate(value))
+
+
+def _solid_options(table):
+    options = {}
+    if "sides" in table:
+        options["sides"] = table.whole("sides", None, 3, solids.SIDES_MAX)
+    if "rings" in table:
+        options["rings"] = table.whole("rings", None, 2, solids.SIDES_MAX)
+    if "taper" in table:
+        options["taper"] = float(table.number("taper", None, Fraction(1, 100), 10))
+    if "cells" in table:
+        cells = table.rows("cells")
+        if len(cells) != 2 or not all(isinstance(c, int) and 1 <= c <= 200 for c in cells):
+            raise ToolError(f"{table.at('cells')}: expected two whole numbers from 1 to 200")
+        options["cells"] = tuple(cells)
+    return options
+
+
+def _ring_places(table):
+    """(offset, yaw) of each place on a ring about the position."""
+    if "ring" not in table:
+        return [((0, 0, 0), 0)]
+    ring = table.table("ring", {"count", "radius", "start", "turn"})
+    count = ring.whole("count", None, 1, 1000)
+    radius = ring.number("radius", None, 0, 16382, "world units")
+    start, turn = ring.degrees("start"), ring.switch("turn", True)
+    places = []
+    for i in range(count):
+        yaw = start + Fraction(360 * i, count)
+        sine, cosine = _turn(yaw)
+        places.append(((radius * sine, 0, radius * cosine), yaw if turn else 0))
+    return places
+
+
+def _repeat_offsets(table):
+    if "repeat" not in table:
+        return [(0, 0, 0)]
+    repeat = table.table("repeat", {"count", "step"})
+    count = repeat.rows("count")
+    if len(count) != 3 or not all(isinstance(c, int) and 1 <= c <= 1000 for c in count):
+        raise ToolError(f"{repeat.at('count')}: expected three whole numbers from 1 to 1000")
+    step = quantity.vector(repeat.need("step"), repeat.at("step"))
+    return [tuple(n * s for n, s in zip((i, j, k), step))
+            for k in range(count[2]) for j in range(count[1]) for i in range(count[0])]
+
+
+def _places(table):
+    """(position, extra yaw) of every placement, in order."""
+    if "positions" in table and "position" in table:
+        raise ToolError(f"{table.where}: both position and positions are given; keep one")
+    if "positions" in table:
+        bases = [quantity.position(p, f"{table.at('positions')}[{i}]")
+                 for i, p in enumerate(table.rows("positions"))]
+    else:
+        bases = [table.position("position") if "position" in table else (0, 0, 0)]
+    rings, offsets = _ring_places(table), _repeat_offsets(table)
+    if len(bases) * len(rings) * len(offsets) > PLACEMENTS_MAX:
+        raise ToolError(f"{table.where}: more than {PLACEMENTS_MAX} objects")
+    return [(tuple(map(sum, zip(base, out, offset))), yaw)
+            for base in bases for out, yaw in rings for offset in offsets]
+
+
+class Objects:
+    """Compiles the objects of one scene. notes are told to the user, once each."""
+
+    def __init__(self, name, folder, light, notes, progress=None):
+        self.name, self.folder, self.light = name, folder, light
+        self.notes, self.progress = notes, progress
+        self.files, self.shapes = {}, {}
+
+    def mesh(self, table):
+        """(mesh, name, identity) of an object's solid or file."""
+        source = table.only_one("obj", "solid")
+        if source == "solid":
+            name = table.choice("solid", None, list(solids.SOLIDS))
+            options = _solid_options(table)
+            return (solids.make(name, options, table.where), table.where,
+                    (name, *sorted(options.items())))
+        for key in ("sides", "rings", "taper", "cells"):
+            if key in table:
+                raise ToolError(f"{table.at(key)}: means nothing for an OBJ file")
+        name = table.text("obj")
+        if not os.path.isfile(os.path.join(self.folder, name)):
+            raise ToolError(f'{table.at("obj")}: there is no file "{name}"; the path is taken '
+                            "from the scene file's folder")
+        if name not in self.files:
+            self.files[name], notes = obj.read(os.path.join(self.folder, name), name)
+            self.notes += notes
+        return self.files[name], name, (name,)
+
+    def _shape(self, table, scale, rotation):
+        """The shape and its bulge, computed once for each mesh, size and turn."""
+        mesh, name, identity = self.mesh(table)
+        inside = table.switch("inside", False)
+        rotation = tuple(a % 360 for a in rotation)
+        key = (identity, scale, rotation, inside)
+        if key not in self.shapes:
+            made = shape(mesh, matrix(scale, rotation), name, inside, self.progress)
+            self.notes += made.notes
+            if made.open_edges and "obj" in table:
+                self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: "
+                                  "the model is open, and its faces show from their fronts only")
+            self.shapes[key] = (made, bulge(made, image.PLANARITY_MAX))
+        return self.shapes[key]
+
+    def _kind(self, table, out):
+        """Convex or sorted; checked where it is stated."""
+        stated = table.choice("kind", "", ["", "convex", "sorted"])
+        convex = out <= image.PLANARITY_MAX
+        if stated == "convex" and not convex:
+            raise ToolError(f"{table.at('kind')}: this model is not convex (some vertices stand "
+                            "out in front of some face); leave kind away or say \"sorted\"")
+        if not stated and not convex:
+            self.notes.append(f"{table.where}: not convex, so its faces are sorted far to near")
+        return image.CONVEX if convex and stated != "sorted" else image.SORTED
+
+    def _colours(self, table, made, number):
+        """What colour each face wishes for."""
+        if "colour_index" in table:
+            first = table.whole("colour_index", None, 1, 255) - 1
+            first += number * table.whole("colour_next", 0, 0, 254)
+            step = table.whole("colour_step", 0, 0, 254)
+            return tuple(1 + (first + source * step) % 255 for source in made.sources)
+        for key in ("colour_step", "colour_next"):
+            if key in table:
+                raise ToolError(f"{table.at(key)}: needs colour_index")
+        if "colours" in table:
+            bases = [palette.parse(c, f"{table.at('colours')}[{i}]")
+                     for i, c in enumerate(table.rows("colours"))]
+        else:
+            bases = [palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))]
+        shade = table.switch("shade", True)
+        return tuple(self.light.bake(bases[s % len(bases)], face.normal) if shade
+                     else bases[s % len(bases)] for s, face in zip(made.sources, made.faces))
+
+    def placements(self, data, number):
+        """All placements of the object that stands number-th in the file."""
+        name = data.get("name") if isinstance(data, dict) else None
+        where = f"{self.name}: object {number}" + (f' ("{name}")' if name else "")
+        table = Table(data, where, KEYS)
+        if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
+            raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
+        scale, rotation = _scale(table), _rotation(table)
+        anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
+        layer = table.whole("layer", 0, 0, 255)
+        result = []
+        for i, (position, yaw) in enumerate(_places(table)):
+            made, out = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
+            kind = self._kind(table, out)
+            place = where + (f", copy {i}" if i else "")
+            centre = self._centre(position, made, anchor, place)
+            moved = made.middle if anchor != "origin" else (0, 0, 0)
+            result.append(Placement((made, moved), self._colours(table, made, i), kind, centre,
+                                    layer, place))
+        return result
+
+    @staticmethod
+    def _centre(position, made, anchor, where):
+        """The object's centre in 16.16, with every vertex inside the world."""
+        for i, value in enumerate(position):
+            quantity.in_range(value, -8191, 8191, f"{where}: position[{i}]", "world units")
+        centre = [quantity.q16(value) for value in position]
+        moved = made.middle if anchor != "origin" else (0, 0, 0)
+        if anchor == "base":
+            centre[1] += made.half_height
+        for axis, name in enumerate("xyz"):
+            along = [vertex[axis] for vertex in made.vertices]
+            for vertex in (min(along), max(along)):
+                value = Fraction(centre[axis] + vertex - moved[axis], 65536)
+                quantity.in_range(value, -8191, 8191, f"{where}: a vertex, at {name}",
+                                  "world units")
+        return tuple(centre)

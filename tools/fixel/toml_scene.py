@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: MIT
+"""From a scene file to a scene image. docs/scenes.md describes the file."""
+
+from fractions import Fraction
+import math
+import os
+
+from fixel import image, palette, quantity, toml_table
+from fixel import path as walk
+from fixel.errors import ToolError
+from fixel.image import Face, Model, Object, SceneImage
+from fixel.toml_object import Objects
+from fixel.toml_table import Table
+
+FRAMES_MAX = 1_000_000
+TOP_KEYS = {"screen", "view", "background", "light", "objects", "path"}
+
+
+def _lens(top):
+    """width, height, fov, near, far, inset in the image's integers."""
+    screen = top.table("screen", {"width", "height"})
+    width = screen.whole("width", 320, 1, image.SCREEN_MAX)
+    height = screen.whole("height", 240, 1, image.SCREEN_MAX)
+    view = top.table("view", {"fov", "focal", "near", "far", "inset"})
+    if "focal" in view and "fov" in view:
+        raise ToolError(f"{view.where}: both fov and focal are given; keep one")
+    if "focal" in view:
+        focal = view.number("focal", None, Fraction(1, 1000), 10000, "pixels")
+        turns = Fraction(math.atan2(width / 2, float(focal)) / math.pi)
+        fov = 360 * turns
+        quantity.in_range(fov, 10, 150, f"{view.at('focal')}: the field of view that it gives",
+                          "degrees")
+    else:
+        fov = quantity.in_range(view.degrees("fov", 75), 10, 150, view.at("fov"), "degrees")
+    # 10 and 150 degrees are no whole binary angles; the range ends just inside.
+    fov = min(max(quantity.angle(fov), image.FOV_MIN), image.FOV_MAX)
+    near = view.number("near", Fraction(1, 4), Fraction(1, 256), 32767, "world units")
+    far = view.number("far", 256, Fraction(1, 256), 32767, "world units")
+    inset = view.number("inset", Fraction(4, 65536), 0, 1, "world units")
+    near, far, inset = quantity.q16(near), quantity.q16(far), quantity.q16(inset)
+    if near + 2 * inset >= far:
+        raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "
+                        f"below far = {far / 65536:g}")
+    return width, height, fov, near, far, inset
+
+
+def focal_pixels(width, fov):
+    """The focal length that the library will use, in pixels."""
+    return width / 2 / math.tan(fov * math.pi / 2 ** 32)
+
+
+def _near_warning(width, fov, near):
+    focal = focal_pixels(width, fov)
+    ratio = focal * 65536 / near
+    if ratio <= 1024:
+        return []
+    pixels = "1/32" if ratio > 2048 else "1/64"
+    return [f"warning: focal / near = {ratio:.0f}: vertices clipped at the near plane may be off "
+            f"by more than {pixels} pixel; near = {math.ceil(focal / 1024 * 1000) / 1000} "
+            "or more keeps them within 1/64"]
+
+
+def _light(top):
+    light = top.table("light", {"direction", "ambient", "colour", "sky"})
+    direction = quantity.vector(light.data.get("direction", ["-0.4", "-1", "0.7"]),
+                                light.at("direction"))
+    if not any(direction):
+        raise ToolError(f"{light.at('direction')}: [0, 0, 0] is no direction")
+    ambient = light.number("ambient", Fraction(2, 5), 0, 1)
+    return palette.Light([float(c) for c in direction], float(ambient),
+                         palette.parse(light.data.get("colour", "white"), light.at("colour")),
+                         palette.parse(light.data.get("sky", "white"), light.at("sky")))
+
+
+def _key(data, where):
+    key = Table(data, where, {"position", "yaw", "pitch", "roll", "look_at", "frames"})
+    if "look_at" in key and ("yaw" in key or "pitch" in key):
+        raise ToolError(f"{where}: look_at decides yaw and pitch; remove one or the other")
+    return walk.Key(key.position("position"), key.whole("frames", 1, 1, FRAMES_MAX),
+                    key.degrees("yaw"), key.degrees("pitch"), key.degrees("roll"),
+                    key.position("look_at") if "look_at" in key else None)
+
+
+def _gait(table):
+    gait = table.table("gait", {"acceleration", "friction", "speed_max", "turn"})
+    numbers = [quantity.q16(gait.number(key, default, 0, 256, "units a step")) for key, default in
+               (("acceleration", "0.05"), ("friction", "0.02"), ("speed_max", "0.4"))]
+    turn = quantity.in_range(gait.degrees("turn", 3), 0, 90, gait.at("turn"), "degrees a step")
+    return (*numbers, quantity.angle(turn))
+
+
+def _strides(table):
+    strides = []
+    for i, data in enumerate(table.rows("steps")):
+        step = Table(data, f"{table.at('steps')}[{i}]", {"keys", "frames"})
+        bits = 0
+        keys = step.need("keys")
+        if not isinstance(keys, list):
+            raise ToolError(f"{step.at('keys')}: expected a list like [\"forward\", \"left\"]")
+        for name in keys:
+            step_key = Table({"key": name}, step.at("keys"), {"key"})
+            bits |= image.KEYS[step_key.choice("key", None, list(image.KEYS))]
+        strides.append((bits, step.whole("frames", 1, 1, 65535)))
+    return strides
+
+
+def _start(table):
+    start = table.table("start", {"position", "yaw", "pitch", "roll"})
+    position = start.position("position") if "position" in start else (Fraction(0),) * 3
+    return (*(quantity.q16(c) for c in position),
+            *(quantity.angle(start.degrees(key)) for key in ("yaw", "pitch", "roll")))
+
+
+def _orbit(table, frames):
+    orbit = table.table("orbit", {"centre", "radius", "height", "frames", "start", "turns"})
+    centre = orbit.position("centre") if "centre" in orbit else (Fraction(0),) * 3
+    radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
+    height = orbit.number("height", 0, -16382, 16382, "world units")
+    count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
+    poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
+                       orbit.number("turns", 1, -100, 100))
+    for i, pose in enumerate(poses):
+        if any(abs(c) > image.COORDINATE_MAX for c in pose[:3]):
+            raise ToolError(f"{table.at('orbit')}: frame {i} leaves -8191..8191")
+    return poses
+
+
+def _shortened(strides, frames):
+    result, left = [], frames
+    for keys, count in strides:
+        if left:
+            result.append((keys, min(count, left)))
+            left -= result[-1][1]
+    return result
+
+
+def _path(top, frames):
+    """(kind, entries, start, gait); no more than frames of them where asked."""
+    table = top.table("path", {"keys", "steps", "orbit", "start", "gait", "interpolation"})
+    style = table.only_one("keys", "steps", "orbit")
+    gait = _gait(table)
+    if style != "keys" and "interpolation" in table:
+        raise ToolError(f"{table.at('interpolation')}: belongs to keys")
+    if style == "steps":
+        strides = _strides(table)
+        total, kind, entries, start = sum(n for _, n in strides), image.STRIDES, strides, \
+            _start(table)
+    else:
+        if "start" in table:
+            raise ToolError(f"{table.at('start')}: belongs to steps; {style} say where they begin")
+        if style == "keys":
+            keys = [_key(data, f"{table.at('keys')}[{i}]")
+                    for i, data in enumerate(table.rows("keys"))]
+            smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
+            if sum(key.frames for key in keys) > FRAMES_MAX:
+                raise ToolError(f"{table.at('keys')}: more than {FRAMES_MAX:,} frames")
+            entries = walk.poses(keys, smooth, f"{table.where}: key")
+        else:
+            entries = _orbit(table, frames)
+        total, kind, start = len(entries), image.POSES, entries[0]
+    if total > FRAMES_MAX:
+        raise ToolError(f"{table.where}: {total:,} frames are more than {FRAMES_MAX:,}")
+    if frames and frames > total:
+        raise ToolError(f"{table.where}: {frames} frames are asked for, and the path has {total}")
+    if frames:
+        entries = entries[:frames] if kind == image.POSES else _shortened(entries, frames)
+    return kind, entries, start, gait
+
+
+def _count_colours(placements):
+    wanted = {}
+    for placement in placements:
+        for colour in placement.colours:
+            wanted[colour] = wanted.get(colour, 0) + 1
+    return wanted
+
+
+def _models(placements, indices):
+    """Models and objects; equal models are made once. An object's position in
+    the list is its number in the order of drawing."""
+    numbers, models, objects = {}, [], []
+    for item in placements:
+        made, moved = item.shape
+        colours = tuple(indices[c] for c in item.colours)
+        key = (id(made), moved, colours, item.kind)
+        if key not in numbers:
+            vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
+            faces = tuple((f.normal, f.corners, c) for f, c in zip(made.faces, colours))
+            # Meshes from different sources may come out the same.
+            content = (vertices, faces, item.kind)
+            if content not in numbers:
+                if len(vertices) > 65535 or len(faces) > 65535:
+                    raise ToolError(f"{item.where}: {len(vertices)} vertices and {len(faces)} "
+                                    "faces; a model has at most 65535 of each, so split it")
+                numbers[content] = len(models)
+                models.append(Model(list(vertices), [Face(*f) for f in faces], item.kind))
+            numbers[key] = numbers[content]
+        objects.append(Object(item.centre, numbers[key], item.layer))
+    return models, objects
+
+
+def compile_data(data, name, folder, frames=None, progress=None):
+    """A scene as a dictionary of TOML's shape -> (SceneImage, notes)."""
+    top = Table(data, name, TOP_KEYS)
+    lens = _lens(top)
+    notes = _near_warning(lens[0], lens[2], lens[3])
+    background = palette.parse(data.get("background", "#101820"), top.at("background"))
+    kind, entries, start, gait = _path(top, frames)
+    objects = Objects(name, folder, _light(top), notes, progress)
+    placements = []
+    for number, item in enumerate(top.rows("objects")):
+        placements += objects.placements(item, number)
+    try:
+        colours, indices, merged = palette.allocate(background, _count_colours(placements))
+    except ToolError as error:
+        raise ToolError(f"{name}: {error}") from error
+    if merged:
+        notes.append(f"{name}: {merged} colours were merged into what the palette holds")
+    models, placed = _models(placements, indices)
+    scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
+    return scene, list(dict.fromkeys(notes))
+
+
+def compile_file(path, frames=None, progress=None):
+    """A scene file -> (SceneImage, notes)."""
+    return compile_data(toml_table.read(path), os.path.basename(path), os.path.dirname(path),
+                        frames, progress)

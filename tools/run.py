@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: MIT
+"""Walks a scene on a board, fetches the frames, and compares them with the host's and with double.
+
+Exit: 0 if the board's frames equal the host's byte for byte and every pixel
+that differs from double is explained; 1 if not; 2 if the run could not be made.
+"""
+
+import argparse
+import hashlib
+import pathlib
+import shutil
+import statistics
+import sys
+import tempfile
+
+import numpy
+
+import scene as scene_tool
+from fixel import dump, emulator, firmware, flash, output, picture
+from fixel.errors import ToolError, run_main
+from fixel.programs import HostPrograms
+from fixel.progress import Progress, steps
+from fixel.table import coloured, table
+
+# The files of a result; the last one comes last and goes first, so that a folder with it is whole.
+PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
+BOARD_TIMEOUT = 60.0    # seconds without a new frame
+
+
+def elf_of(board, build):
+    """The walk built for a board."""
+    return pathlib.Path(build) / "boards" / board / ("walk" if board == firmware.HOST else "walk.elf")
+
+
+def make_scene_image(scene, folder, frames):
+    """The scene image of a .toml or .obj, compiled into folder; an .fxls is one already."""
+    if pathlib.Path(scene).suffix == ".fxls":
+        return pathlib.Path(scene)
+    image = folder / "scene.fxls"
+    _, notes = scene_tool.build(scene, image, frames)
+    for note in notes:
+        print(f"  {note}", file=sys.stderr)
+    return image
+
+
+def walk(board, build, scene_image, folder, frames):
+    """The dump that a board leaves after a walk, and the board's core."""
+    elf = elf_of(board, build)
+    program = firmware.load(elf, board)
+    # The host has no flash: the scene image itself is what it boots from.
+    image = folder / f"{board}.bin"
+    flash.flash(board, elf, scene_image, image)
+    file = folder / f"{board}.fxld"
+    with Progress(f"walking on {board} ({program.cpu})") as progress:
+        emulator.run(board, image, elf, file, frames, BOARD_TIMEOUT, progress)
+    return file, program.cpu
+
+
+def frames_equal(a, b):
+    """Whether two dumps hold the same pictures of the same poses, byte for byte."""
+    return (a.width, a.height, len(a.frames)) == (b.width, b.height, len(b.frames)) \
+        and numpy.array_equal(a.palette, b.palette) \
+        and all(numpy.array_equal(one.pixels, other.pixels)
+                and (one.position, one.angles) == (other.position, other.angles)
+                for one, other in zip(a.frames, b.frames))
+
+
+def polygon_totals(frames):
+    """What became of the polygons, over all frames."""
+    total = {name: sum(frame.counters[name] for frame in frames) for name in dump.COUNTERS}
+    return {"in": total["in"],
+            "culled": total["backfacing"] + total["outside"] + total["degenerate"],
+            "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"]}
+
+
+def instruction_figures(frames):
+    """Instructions a frame; null where the board cannot count them."""
+    counts = [frame.instructions for frame in frames]
+    if not counts or not all(counts):
+        return {"min": None, "median": None, "mean": None, "max": None}
+    return {"min": min(counts), "median": int(statistics.median(counts)),
+            "mean": round(statistics.fmean(counts)), "max": max(counts)}
+
+
+def check_verdict(verdict, drawn, twin):
+    """The judge's counts against our own: two programs read these dumps."""
+    ours = [int((one.pixels != other.pixels).sum()) for one, other in zip(drawn.frames, twin.frames)]
+    theirs = [frame["pixels_differing"] for frame in verdict["frames"]]
+    if ours != theirs or verdict["pixels_differing"] != sum(ours):
+        raise ToolError("the judge counts other differing pixels than this tool does: "
+                        f"{verdict['pixels_differing']} and {sum(ours)}; one of them has a bug", 1)
+
+
+def summarise(options, cpu, drawn, verdict, equal):
+    """summary.json."""
+    return {"board": options.board, "cpu": cpu, "scene": options.scene,
+            "width": drawn.width, "height": drawn.height, "frames": len(drawn.frames),
+            "pixels": len(drawn.frames) * drawn.width * drawn.height,
+            "pixels_differing": verdict["pixels_differing"],
+            "pixels_unexplained": verdict["pixels_unexplained"],
+            "worst_frame_differing": max(frame["pixels_differing"] for frame in verdict["frames"]),
+            "max_edge_distance_px": verdict["max_edge_distance_px"],
+            "polygons": polygon_totals(drawn.frames),
+            "instructions_per_frame": instruction_figures(drawn.frames),
+            "frame_sha256": [hashlib.sha256(frame.pixels.tobytes()).hexdigest()
+                             for frame in drawn.frames],
+            "host_frames_equal": equal}
+
+
+def write_pictures(folder, drawn, twin):
+    """Every frame, every difference, and the walk as an animation."""
+    for frame, other in steps("writing pictures", list(zip(drawn.frames, twin.frames))):
+        image = picture.palette_image(frame.pixels, drawn.palette)
+        image.save(folder / f"frame_{frame.number:04d}.png")
+        differs = frame.pixels != other.pixels
+        if differs.any():
+            sheet = picture.side_by_side(picture.as_rgb(frame.pixels, drawn.palette),
+                                         picture.as_rgb(other.pixels, twin.palette), differs,
+                                         ["16.16", "double"])
+            sheet.save(folder / f"diff_{frame.number:04d}.png")
+    (folder / "walk.gif").write_bytes(
+        picture.animation_bytes([frame.pixels for frame in drawn.frames], drawn.palette))
+
+
+def print_summary(summary, out):
+    """A short table for people."""
+    polygons, counts = summary["polygons"], summary["instructions_per_frame"]
+    pixels, differing = summary["pixels"], summary["pixels_differing"]
+    distance = summary["max_edge_distance_px"]
+    rows = [["board", f"{summary['board']} ({summary['cpu']})"],
+            ["scene", f"{summary['scene']}, {summary['width']}x{summary['height']}, "
+                      f"{summary['frames']} frames"],
+            ["differ from double", f"{differing:,} of {pixels:,} pixels "
+                                   f"({100 * differing / pixels:.5f} %), worst frame "
+                                   f"{summary['worst_frame_differing']:,}"],
+            ["unexplained", f"{summary['pixels_unexplained']:,}"],
+            ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
+            ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
+            ["instructions a frame", "not counted on this board" if counts["min"] is None else
+             f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
+            ["equal to host", summary["host_frames_equal"]]]
+    print(table(rows))
+    good = passes(summary)
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {out}")
+
+
+def passes(summary):
+    """Whether the run is what it should be."""
+    return summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+
+
+def run(options, folder):
+    """The whole run; its files go into folder. The summary."""
+    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".run-", dir=options.build) as name:
+        work = pathlib.Path(name)
+        # QEMU may be missing: say so before the scene takes its time.
+        if options.board != firmware.HOST:
+            emulator.find_qemu()
+        image = make_scene_image(options.scene, work, options.frames)
+        file, cpu = walk(options.board, options.build, image, work, options.frames)
+        drawn = dump.read_dump(file)
+        if not drawn.frames:
+            raise ToolError(f"{options.scene}: the walk has no frames")
+        hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames) \
+            if options.board != firmware.HOST else (file, cpu)
+        equal = frames_equal(drawn, dump.read_dump(hosted))
+        with Progress("judging against double"):
+            verdict = HostPrograms(options.build).judge(image, file, work / "judge.json",
+                                                        work / "double.fxld")
+        twin = dump.read_dump(work / "double.fxld")
+        check_verdict(verdict, drawn, twin)
+        write_pictures(folder, drawn, twin)
+        shutil.move(file, folder / "board.fxld")
+        shutil.move(work / "double.fxld", folder / "double.fxld")
+    return summarise(options, cpu, drawn, verdict, equal)
+
+
+def frame_count(text):
+    """A number of frames from a command line."""
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000):
+        raise ToolError(f"FRAMES is '{text}'; it must be a whole number from 1 to 1,000,000")
+    return int(text)
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--board", required=True)
+    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--frames", help="how many frames; the whole path without")
+    parser.add_argument("--out", default="build/run", help="folder for the results")
+    parser.add_argument("--build", default="build", help="where make builds")
+    options = parser.parse_args(argv)
+    options.frames = frame_count(options.frames) if options.frames is not None else None
+    with output.replaced_folder(options.out, PATTERNS) as folder:
+        summary = run(options, folder)
+        output.write_json(folder / "summary.json", summary)
+    print_summary(summary, options.out)
+    return 0 if passes(summary) else 1
+
+
+if __name__ == "__main__":
+    run_main(main)

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Scene files into scene images, and scene images explained.
+
+    scene.py build SCENE -o OUT.fxls [--frames N]    SCENE is a .toml or an .obj
+    scene.py info OUT.fxls [--json]"""
+
+import argparse
+import json
+import os
+import sys
+import time
+
+from fixel import framing, image, path, toml_scene
+from fixel.errors import ToolError, run_main
+
+QUIET_SECONDS = 2.0
+
+
+class Progress:
+    """Tells on stderr what is being done, once it takes longer than is pleasant."""
+
+    def __init__(self):
+        self.next = time.monotonic() + QUIET_SECONDS
+
+    def __call__(self, text):
+        if time.monotonic() >= self.next:
+            print(f"scene: {text}", file=sys.stderr, flush=True)
+            self.next = time.monotonic() + QUIET_SECONDS
+
+
+def build(scene, out, frames=None):
+    """Compiles a scene file into an image file; answers the SceneImage and
+    what there is to say about it."""
+    suffix = os.path.splitext(scene)[1].lower()
+    if suffix not in (".toml", ".obj"):
+        raise ToolError(f"{scene}: a scene is a .toml or an .obj file")
+    if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
+        raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
+    compiler = framing.compile_obj if suffix == ".obj" else toml_scene.compile_file
+    compiled, notes = compiler(scene, frames, Progress())
+    try:
+        blob = image.pack(compiled)
+    except ToolError as error:
+        raise ToolError(f"{scene}: {error}") from error
+    image.save(out, blob)
+    compiled.size = len(blob)
+    return compiled, notes
+
+
+def summary(scene):
+    """What is in an image, as plain data."""
+    kinds = [scene.models[item.model].kind for item in scene.objects]
+    used = {face.colour for model in scene.models for face in model.faces}
+    layers = sorted({item.layer for item in scene.objects})
+    return {
+        "bytes": scene.size, "crc32": f"{scene.crc:08x}",
+        "width": scene.width, "height": scene.height,
+        "fov_degrees": round(scene.fov * 360 / 2 ** 32, 6),
+        "focal_pixels": round(toml_scene.focal_pixels(scene.width, scene.fov), 6),
+        "near": scene.near / 65536, "far": scene.far / 65536, "inset": scene.inset / 65536,
+        "objects": len(scene.objects), "convex_objects": kinds.count(image.CONVEX),
+        "sorted_objects": kinds.count(image.SORTED), "layers": layers,
+        "models": len(scene.models),
+        "vertices": sum(len(model.vertices) for model in scene.models),
+        "faces": sum(len(model.faces) for model in scene.models),
+        "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
+        "colours": len(used), "frames": scene.frames,
+        "path": "poses" if scene.path_kind == image.POSES else "strides",
+        "start": path.describe(scene.start),
+    }
+
+
+def info(file, as_json):
+    data = summary(image.load(file))
+    if as_json:
+        print(json.dumps(data, indent=1))
+        return
+    print(f"{file}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
+    print(f"  screen   {data['width']}x{data['height']}, field of view {data['fov_degrees']:g} "
+          f"degrees (focal {data['focal_pixels']:g} pixels)")
+    print(f"  depth    near {data['near']:g}, far {data['far']:g}, inset {data['inset']:g}")
+    print(f"  objects  {data['objects']} ({data['convex_objects']} convex, "
+          f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")
+    print(f"  models   {data['models']}: {data['vertices']:,} vertices, {data['faces']:,} faces "
+          f"({data['faces_placed']:,} placed), {data['colours']} colours")
+    print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(prog="scene.py", description=__doc__.split("\n")[0])
+    commands = parser.add_subparsers(dest="command", required=True)
+    making = commands.add_parser("build", help="compile a .toml or .obj into a scene image")
+    making.add_argument("scene")
+    making.add_argument("-o", "--out", required=True)
+    making.add_argument("--frames", type=int)
+    telling = commands.add_parser("info", help="say what is in a scene image")
+    telling.add_argument("image")
+    telling.add_argument("--json", action="store_true")
+    arguments = parser.parse_args(argv)
+    if arguments.command == "info":
+        info(arguments.image, arguments.json)
+        return 0
+    compiled, notes = build(arguments.scene, arguments.out, arguments.frames)
+    for note in notes:
+        print(note if note.startswith("warning:") else f"note: {note}", file=sys.stderr)
+    print(f"{arguments.out}: {compiled.size:,} bytes, {len(compiled.objects)} objects, "
+          f"{compiled.frames} frames", file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

@@ -1,0 +1,208 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Installs what a command of Fixel needs and this machine lacks.
+#
+# usage: tools/setup.sh [--packages-only] run|test|lib|format|tools...
+#
+#   run     cross compiler, QEMU, Python packages
+#   test    the same, and Ruby with CMock
+#   lib     cross compiler
+#   format  clang-format
+#   tools   Python packages
+#
+# Debian packages come from this machine's own apt sources; Python packages go
+# into .venv, and nowhere else. Where nothing is missing it says nothing and
+# takes a few hundredths of a second. Exit: 0 all there, 1 something is missing.
+set -eu
+cd "$(dirname "$0")/.."
+
+venv=.venv
+cmock_home=/usr/share/cmock
+cross=${CROSS:-arm-none-eabi-}
+
+say() { printf 'setup: %s\n' "$*" >&2; }
+die() { say "$*"; exit 1; }
+has() { command -v "$1" >/dev/null 2>&1; }
+compiles() { printf '#include <%s>\n' "$2" | "$1" -x c -E - >/dev/null 2>&1; }
+
+# --- what is missing ---------------------------------------------------------
+
+packages=
+need() { case " $packages " in *" $1 "*) ;; *) packages="$packages $1" ;; esac; }
+
+need_host_compiler() {
+    has gcc || need gcc
+    compiles gcc stdio.h || need libc6-dev
+}
+need_cross_compiler() {
+    has "${cross}gcc" || need gcc-arm-none-eabi
+    compiles "${cross}gcc" string.h || need libnewlib-arm-none-eabi
+}
+need_emulator() { has qemu-system-arm || need qemu-system-arm; }
+need_cmock() {
+    has ruby || need ruby
+    [ -f "$cmock_home/lib/cmock.rb" ] || need cmock
+}
+need_venv() { wants_venv=yes; }
+
+# The venv's stamp: the requirements and the interpreter that it was made for.
+venv_key() {
+    { cat requirements.txt; python3 -c 'import sys; print(sys.version, sys.executable)'; pwd; } |
+        sha256sum | cut -d' ' -f1
+}
+venv_is_ready() {
+    [ -x "$venv/bin/python" ] && [ "$(cat "$venv/.ready" 2>/dev/null)" = "$(venv_key)" ]
+}
+
+find_missing() {
+    packages=
+    wants_venv=
+    for what in "$@"; do
+        case $what in
+        run) need_host_compiler; need_cross_compiler; need_emulator; need_venv ;;
+        test) need_host_compiler; need_cross_compiler; need_emulator; need_cmock; need_venv ;;
+        lib) need_cross_compiler ;;
+        format) has clang-format || need clang-format ;;
+        tools) need_host_compiler; need_venv ;;
+        *) die "unknown set-up '$what': run, test, lib, format or tools" ;;
+        esac
+    done
+    has python3 || need python3
+    if [ -n "$wants_venv" ] && ! venv_is_ready; then
+        python3 -c 'import venv, ensurepip' 2>/dev/null || need python3-venv
+    fi
+}
+
+# --- Debian packages ---------------------------------------------------------
+
+# A folder of this run for logs and exit codes.
+make_scratch() {
+    scratch=$(mktemp -d "${TMPDIR:-/tmp}/fixel-setup.XXXXXX")
+    trap 'rm -rf "$scratch"' EXIT
+    trap 'exit 130' INT TERM
+}
+
+# Runs apt-get quietly; says how far it is every ten per cent; shows its words if it fails.
+apt_run() {
+    rm -f "$scratch/apt.exit"
+    {
+        code=0
+        DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -y -o DPkg::Lock::Timeout=300 \
+            -o Dpkg::Use-Pty=0 -o APT::Status-Fd=3 "$@" 3>&1 >>"$scratch/apt.log" 2>&1 </dev/null || code=$?
+        echo "$code" >"$scratch/apt.exit"
+    } | apt_progress
+    return "$(cat "$scratch/apt.exit")"
+}
+apt_progress() {
+    last=
+    while IFS=: read -r kind _ percent _; do
+        case $kind in dlstatus) doing=fetching ;; pmstatus) doing=installing ;; *) continue ;; esac
+        now="$doing $(( ${percent%%.*} / 10 ))0 %"
+        case $now in "$last" | *" 00 %" | *"100 %") ;; *) say "  $now" ;; esac
+        last=$now
+    done
+}
+apt_or_die() {
+    apt_run "$@" || { tail -n 15 "$scratch/apt.log" >&2; die "apt-get $1 failed; its words are above"; }
+}
+
+candidate() { LC_ALL=C apt-cache policy "$1" 2>/dev/null | grep -q '^  Candidate: [^(]'; }
+all_known() { for package in $packages; do candidate "$package" || return 1; done; }
+
+# Debian 12 has no CMock; its mirror serves Debian 13's, which is plain Ruby and
+# depends on nothing newer. The pin keeps every other package of Debian 13 out.
+add_cmock_source() {
+    say "cmock is not in Debian 12: adding suite trixie of this machine's own mirror, for cmock alone"
+    say "  (/etc/apt/sources.list.d/fixel-cmock.sources, /etc/apt/preferences.d/fixel-cmock)"
+    python3 tools/apt_mirror.py bookworm trixie >"$scratch/cmock.sources" || exit 1
+    printf '%s\n' 'Package: *' 'Pin: release n=trixie' 'Pin-Priority: -1' '' \
+        'Package: cmock' 'Pin: release n=trixie' 'Pin-Priority: 500' >"$scratch/cmock.pin"
+    # The pin goes first: without it the source could reach other packages.
+    install -m 644 "$scratch/cmock.pin" /etc/apt/preferences.d/fixel-cmock
+    install -m 644 "$scratch/cmock.sources" /etc/apt/sources.list.d/fixel-cmock.sources
+    apt_or_die update -o Dir::Etc::sourcelist=/etc/apt/sources.list.d/fixel-cmock.sources \
+        -o Dir::Etc::sourceparts=- -o APT::Get::List-Cleanup=0
+}
+needs_cmock_source() {
+    case " $packages " in *" cmock "*) ;; *) return 1 ;; esac
+    ! candidate cmock && [ "$(. /etc/os-release; echo "$ID:$VERSION_ID")" = debian:12 ]
+}
+
+apt_command="apt-get install -y --no-install-recommends"
+
+# Without root: the one command that somebody with root has to run.
+explain_without_root() {
+    if needs_cmock_source || ! all_known; then
+        command="$PWD/tools/setup.sh --packages-only $*"
+    else
+        command="$apt_command$packages"
+    fi
+    say "missing on this machine:$packages"
+    say "installing packages needs root. Run this, then try again:"
+    if has sudo; then say "  sudo $command"; else say "  su -c '$command'"; fi
+    exit 1
+}
+
+install_packages() {
+    has apt-get || die "missing:$packages, and there is no apt-get here: install them by hand"
+    [ "$(id -u)" -eq 0 ] || explain_without_root "$@"
+    : >"$scratch/apt.log"
+    if ! all_known; then
+        say "fetching the lists of packages (about 10 MB)"
+        apt_or_die update
+        if needs_cmock_source; then add_cmock_source; fi
+        all_known || die "not in this machine's apt sources: $(unknown). Add a source that has it."
+    fi
+    sizes=$(LC_ALL=C apt-get -o Dpkg::Use-Pty=0 --assume-no --no-install-recommends install $packages 2>/dev/null |
+        sed -n 's/^Need to get \(.*\) of archives.*/\1 to fetch/p
+                s/^After this operation, \(.*\) of additional.*/\1 on disk/p' | paste -sd, | sed 's/,/, /')
+    say "installing$packages (${sizes:-sizes unknown})"
+    if ! apt_run --no-install-recommends install $packages; then
+        # Lists that are too old name files that the mirror no longer has.
+        say "fetching fresh lists of packages and trying once more"
+        apt_or_die update
+        apt_or_die --no-install-recommends install $packages
+    fi
+}
+unknown() { for package in $packages; do candidate "$package" || printf '%s ' "$package"; done; }
+
+# --- Python packages ---------------------------------------------------------
+
+make_venv() {
+    say "making .venv with the Python packages of requirements.txt (about 40 MB to fetch, 200 MB on disk)"
+    rm -f "$venv/.ready"
+    python3 -m venv --clear "$venv" || die "python3 -m venv failed; its words are above"
+    {
+        code=0
+        "$venv/bin/python" -m pip install --disable-pip-version-check --no-input --no-color \
+            --progress-bar off -r requirements.txt 2>&1 </dev/null || code=$?
+        echo "$code" >"$scratch/pip.exit"
+    } | tee "$scratch/pip.log" | sed -u -n 's/^Collecting \([^ ]*\).*/setup:   \1/p; s/^Installing collected.*/setup:   installing/p' >&2
+    [ "$(cat "$scratch/pip.exit")" -eq 0 ] || {
+        tail -n 10 "$scratch/pip.log" >&2
+        die "pip could not install requirements.txt; its words are above"
+    }
+    venv_key >"$venv/.ready"
+}
+
+# --- all together ------------------------------------------------------------
+
+packages_only=
+if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|test|lib|format|tools..."
+
+is_ready() {
+    find_missing "$@"
+    [ -z "$packages" ] && { [ -z "$wants_venv" ] || [ -n "$packages_only" ] || venv_is_ready; }
+}
+is_ready "$@" && exit 0
+
+exec 9<tools/setup.sh
+flock 9                     # two commands at once set up one after the other
+make_scratch
+is_ready "$@" && exit 0
+[ -z "$packages" ] || install_packages "$@"
+find_missing "$@"
+[ -z "$packages" ] || die "still missing after installing:$packages. Is PATH set as usual?"
+if [ -n "$wants_venv" ] && [ -z "$packages_only" ] && ! venv_is_ready; then make_venv; fi
+say "ready"

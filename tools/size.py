@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: MIT
+"""Flash, RAM and worst stack of the firmware and of the library for each core.
+
+Also proves on the Cortex-M0 build that the library draws in neither floating
+point nor a heap: by its undefined symbols, and by linking all of it with
+nothing but the compiler's own helpers. Exit 1 where that proof fails.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+from elftools.elf.elffile import ELFFile
+
+from fixel import output, stack
+from fixel.errors import ToolError, run_main
+from fixel.table import coloured, table
+
+# What the library may ask of its surroundings: C's memory functions, which
+# freestanding gcc may call by itself, and libgcc's helpers for whole numbers.
+MEMORY_FUNCTIONS = {"memcpy", "memmove", "memset", "memcmp"}
+ALLOWED = re.compile(
+    r"^(memcpy|memmove|memset|memcmp|__aeabi_mem(cpy|move|set|clr)[48]?"
+    r"|__aeabi_(lmul|lcmp|ulcmp|llsl|llsr|lasr|u?idiv|u?idivmod|u?ldivmod|idiv0|ldiv0)"
+    r"|__(clz|ctz|popcount)[sd]i2|__gnu_thumb1_case_(sqi|uqi|shi|uhi|si))$")
+# What must not be in the linked result, whoever brought it.
+FORBIDDEN = re.compile(
+    r"^(__aeabi_([fd](add|sub|rsub|mul|div|neg|cmp|2)|c[fd]|u?[il]2[fd]|h2f)\w*"
+    r"|__\w*[sdtx]f[23i]?\w*|__(add|sub|mul|div|neg)[sd]f3|__(fix|float)\w*"
+    r"|_?(malloc|free|calloc|realloc|sbrk)(_r)?|_?_?(printf|puts)\w*)$")
+PROOF_CORE = "cortex-m0"
+EXCEPTION_FRAME = 36    # bytes that an interrupt pushes onto the program's stack, with alignment
+FLASH, RAM = "flash", "ram"
+SHF_WRITE, SHF_ALLOC = 1, 2
+
+
+def sections_size(elf):
+    """Bytes that a program or object needs of flash and of RAM; a stack section is not counted."""
+    size = {FLASH: 0, RAM: 0}
+    for section in elf.iter_sections():
+        if not section["sh_flags"] & SHF_ALLOC or section.name.startswith(".stack"):
+            continue
+        filled = section["sh_type"] != "SHT_NOBITS"
+        if filled:
+            size[FLASH] += section["sh_size"]
+        if section["sh_flags"] & SHF_WRITE or not filled:
+            size[RAM] += section["sh_size"]
+    return size
+
+
+def archive_size(file, cross):
+    """The same for a library, all its objects."""
+    total = {FLASH: 0, RAM: 0}
+    with tempfile.TemporaryDirectory(prefix="fixel-size-") as folder:
+        stack.run([f"{cross}ar", "x", "--output", folder, str(file)])
+        for member in sorted(pathlib.Path(folder).iterdir()):
+            with member.open("rb") as handle:
+                for kind, size in sections_size(ELFFile(handle)).items():
+                    total[kind] += size
+    return total
+
+
+def symbols_of(elf):
+    """Symbols of a program: name -> value."""
+    return {symbol.name: symbol["st_value"] for symbol in
+            elf.get_section_by_name(".symtab").iter_symbols() if symbol.name}
+
+
+def entry_name(elf):
+    """The function that the ELF header names as its entry."""
+    start = elf["e_entry"] & ~1
+    for symbol in elf.get_section_by_name(".symtab").iter_symbols():
+        if symbol["st_info"]["type"] == "STT_FUNC" and symbol["st_value"] & ~1 == start:
+            return symbol.name
+    raise ToolError("the program's entry is not a function with a name")
+
+
+def measure_firmware(file, cross, usage_folder):
+    """Flash, RAM, worst stack of a program."""
+    with open(file, "rb") as handle:
+        elf = ELFFile(handle)
+        size, symbols, entry = sections_size(elf), symbols_of(elf), entry_name(elf)
+    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder))
+    deepest = graph.depth(entry)
+    handlers = [graph.depth(name).size for name in graph.roots() if name != entry]
+    return {"file": str(file), **size,
+            "stack": deepest.size + EXCEPTION_FRAME, "stack_path": deepest.path,
+            "stack_reserved": symbols.get("fxl_stack_size"),
+            "handler_stack": max(handlers, default=0),
+            "recursive": sorted(graph.recursive), "indirect_calls": graph.indirect(entry)}
+
+
+def measure_library(core, file, cross, usage_folder):
+    """Flash, RAM, worst stack of the library's public functions."""
+    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder))
+    deepest = max((graph.depth(name) for name in graph.functions if name.startswith("fxl_")),
+                  key=lambda depth: depth.size)
+    indirect = sorted(name for name, each in graph.functions.items() if each.indirect)
+    return {"core": core, **archive_size(file, cross), "stack": deepest.size,
+            "stack_path": deepest.path, "recursive": sorted(graph.recursive),
+            "indirect_calls": indirect}
+
+
+def undefined_symbols(library, cross):
+    """What a library asks of others."""
+    wanted, defined = set(), set()
+    for line in stack.run([f"{cross}nm", str(library)]).splitlines():
+        fields = line.split()
+        if len(fields) >= 2 and fields[-2] in "Uw" and len(fields) == 2:
+            wanted.add(fields[1])
+        elif len(fields) == 3:
+            defined.add(fields[2])
+    return sorted(wanted - defined)
+
+
+def link_alone(library, cross, core, program):
+    """Links all of a library with libgcc and nothing else; what the linker says if it cannot.
+
+    The memory functions are the firmware's, so their names get an address here.
+    """
+    given = [f"-Wl,--defsym={name}=0" for name in sorted(MEMORY_FUNCTIONS)]
+    try:
+        stack.run([f"{cross}gcc", f"-mcpu={core}", "-mthumb", "-nostdlib", "-Wl,--whole-archive",
+                   str(library), "-Wl,--no-whole-archive", *given, "-lgcc", "-Wl,--entry=0",
+                   "-o", str(program)])
+    except ToolError as error:
+        return str(error)
+    return None
+
+
+def prove_pure(library, cross, core=PROOF_CORE):
+    """That a library has no float and no heap: what was looked at, and what is wrong."""
+    undefined = undefined_symbols(library, cross)
+    wrong = [f"it asks for {name}" for name in undefined if not ALLOWED.match(name)]
+    linked = []
+    with tempfile.TemporaryDirectory(prefix="fixel-size-") as folder:
+        program = pathlib.Path(folder) / "proof.elf"
+        complaint = link_alone(library, cross, core, program)
+        if complaint:
+            wrong.append(f"it does not link by itself: {complaint}")
+        else:
+            with program.open("rb") as handle:
+                linked = sorted(symbols_of(ELFFile(handle)))
+            wrong += [f"linked, it contains {name}" for name in linked if FORBIDDEN.match(name)]
+    return {"core": core, "undefined": undefined, "linked_symbols": len(linked), "wrong": wrong,
+            "passes": not wrong}
+
+
+def print_sizes(result):
+    """For people."""
+    rows = [[f"firmware {result['board']}", each[FLASH], each[RAM], each["stack"],
+             each["stack_reserved"]] for each in result["firmware"]]
+    rows += [[f"library {each['core']}", each[FLASH], each[RAM], each["stack"], None]
+             for each in result["library"]]
+    print(table(rows, ["bytes", "flash", "RAM", "stack", "reserved"]))
+    print("stack: frames by gcc -fstack-usage along the deepest way through the calls in the\n"
+          f"machine code; the firmware's with {EXCEPTION_FRAME} bytes for an interrupt. RAM without stacks.")
+    for each in result["firmware"]:
+        print(f"deepest: {' > '.join(each['stack_path'])}; handlers {each['handler_stack']}")
+        if each["recursive"] or each["indirect_calls"]:
+            print(f"not bounded: recursion in {each['recursive'] or 'none'}, "
+                  f"calls through pointers in {each['indirect_calls'] or 'none'}")
+    proof = result["proof"]
+    if proof["passes"]:
+        print(f"{coloured('no float, no heap', 'green')}: linked alone for {proof['core']}; "
+              f"asks only for {', '.join(proof['undefined']) or 'nothing'}")
+    else:
+        print(f"{coloured('FAIL', 'red')}: the library for {proof['core']} is not free of float and heap:")
+        print("\n".join(f"  {line}" for line in proof["wrong"]))
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--board", required=True)
+    parser.add_argument("--elf", help="the firmware; without, only the library")
+    parser.add_argument("--library", action="append", default=[], metavar="CORE=FILE",
+                        help="libfixel.a for a core")
+    parser.add_argument("--cross", default="arm-none-eabi-")
+    parser.add_argument("--out", required=True, help="the JSON file to write")
+    options = parser.parse_args(argv)
+    libraries = dict(item.split("=", 1) for item in options.library)
+    if PROOF_CORE not in libraries:
+        raise ToolError(f"--library {PROOF_CORE}=FILE is missing: the proof needs it")
+    result = {"board": options.board,
+              "firmware": [measure_firmware(options.elf, options.cross,
+                                            pathlib.Path(options.elf).parent)] if options.elf else [],
+              "library": [measure_library(core, file, options.cross, pathlib.Path(file).parent)
+                          for core, file in libraries.items()],
+              "proof": prove_pure(libraries[PROOF_CORE], options.cross)}
+    output.write_json(options.out, result)
+    print_sizes(result)
+    print(f"JSON: {options.out}", file=sys.stderr)
+    return 0 if result["proof"]["passes"] else 1
+
+
+if __name__ == "__main__":
+    run_main(main)

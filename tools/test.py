@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: MIT
+"""Runs every test: units on the host, the same units on the emulated board, the tools.
+
+Prints a line for each suite as it ends and failures whole. The last line is
+"N passed, N failed" (", N skipped" where some were); exit 1 if any failed or
+nothing ran.
+"""
+
+import argparse
+import concurrent.futures
+import dataclasses
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import xml.etree.ElementTree
+
+from fixel import emulator
+from fixel.errors import ToolError, run_main
+from fixel.table import coloured
+
+HOST_TIMEOUT = 600      # seconds for one program
+BOARD_TIMEOUT = 600
+PYTEST_TIMEOUT = 1200
+QUIET = 20.0            # seconds without a line after which the one running is named
+TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests" / "tools"
+
+
+@dataclasses.dataclass
+class Outcome:
+    """What a suite gave; output is shown where something failed."""
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+    output: str = ""
+
+
+def count_unity(text):
+    """Passed, failed, skipped as Unity printed them, a line for each test."""
+    return tuple(len(re.findall(pattern, text, re.MULTILINE))
+                 for pattern in (r":PASS\s*$", r":FAIL\b", r":IGNORE\b"))
+
+
+def run_host(program):
+    """A Unity program on the host. One that ends early counts as a failure more."""
+    # A path of its own: "x" alone would be looked for in PATH.
+    command = [str(pathlib.Path(program).resolve())]
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=HOST_TIMEOUT, check=False)
+    except OSError as error:
+        return Outcome(failed=1, output=f"{program}: {error.strerror}")
+    except subprocess.TimeoutExpired as error:
+        text = (error.stdout or b"").decode(errors="replace")
+        return Outcome(failed=1, output=f"{text}\n{program}: still running after {HOST_TIMEOUT} s")
+    text = done.stdout.decode(errors="replace")
+    passed, failed, skipped = count_unity(text)
+    summary = re.search(r"^(\d+) Tests (\d+) Failures (\d+) Ignored", text, re.MULTILINE)
+    if not summary or [int(n) for n in summary.groups()] != [passed + failed + skipped, failed, skipped]:
+        failed += 1
+        text += f"\n{program}: ended with {done.returncode} before its summary, or counted otherwise"
+    elif done.returncode and not failed:
+        failed += 1
+        text += f"\n{program}: ended with {done.returncode} though nothing failed"
+    return Outcome(passed, failed, skipped, text)
+
+
+def run_board(elf):
+    """A Unity program on its emulated board."""
+    try:
+        passed, failed, text = emulator.run_unit(elf, BOARD_TIMEOUT)
+    except ToolError as error:
+        return Outcome(failed=1, output=str(error))
+    return Outcome(passed, failed, count_unity(text)[2], text)
+
+
+def run_pytest(file):
+    """One file of pytest tests."""
+    with tempfile.TemporaryDirectory(prefix="fixel-test-") as folder:
+        report = pathlib.Path(folder) / "report.xml"
+        command = [sys.executable, "-m", "pytest", str(file), "-q", "--tb=long", "--color=no",
+                   "-rs", "-p", "no:cacheprovider", f"--junitxml={report}",
+                   f"--basetemp={folder}/tmp"]
+        try:
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, timeout=PYTEST_TIMEOUT, check=False)
+        except subprocess.TimeoutExpired:
+            return Outcome(failed=1, output=f"{file}: still running after {PYTEST_TIMEOUT} s")
+        text = done.stdout.decode(errors="replace")
+        return _pytest_outcome(report, done.returncode, text)
+
+
+def _pytest_outcome(report, code, text):
+    try:
+        suite = xml.etree.ElementTree.parse(report).getroot().find("testsuite")
+        total, skipped = int(suite.get("tests")), int(suite.get("skipped"))
+        failed = int(suite.get("failures")) + int(suite.get("errors"))
+    except (OSError, AttributeError, xml.etree.ElementTree.ParseError):
+        return Outcome(failed=1, output=text)
+    if code and not failed:     # 1: some failed; anything else: pytest itself did
+        failed = 1
+    return Outcome(max(0, total - failed - skipped), failed, skipped, text)
+
+
+def all_suites(options):
+    """(name, function, argument) of every suite, the long ones first."""
+    suites = [(f"tools/{file.stem}", run_pytest, file) for file in sorted(TESTS.glob("test_*.py"))]
+    suites += [(f"host/{pathlib.Path(program).stem}", run_host, program)
+               for program in options.host_unit]
+    suites += [(f"{options.board}/{pathlib.Path(elf).stem}", run_board, elf)
+               for elf in options.board_unit]
+    chosen = [suite for suite in suites if options.only in suite[0]]
+    return chosen
+
+
+class Printer:
+    """A line a suite; where nothing happens for long, what is still running."""
+
+    def __init__(self, names):
+        self.width = max(map(len, names), default=0)
+        self.total, self.done = len(names), 0
+        self.running = {}
+        self.lock = threading.Lock()
+        self.last = time.monotonic()
+
+    def start(self, name):
+        with self.lock:
+            self.running[name] = time.monotonic()
+
+    def end(self, name, outcome):
+        with self.lock:
+            seconds = time.monotonic() - self.running.pop(name)
+            self.done += 1
+            word = coloured("FAIL", "red") if outcome.failed else coloured("ok", "green") + "  "
+            counts = f"{outcome.passed:5} passed" + \
+                (f", {outcome.failed} failed" if outcome.failed else "") + \
+                (f", {outcome.skipped} skipped" if outcome.skipped else "")
+            print(f"[{self.done:{len(str(self.total))}}/{self.total}] {word} "
+                  f"{name:{self.width}} {counts}  {seconds:.1f} s", flush=True)
+            if outcome.failed:
+                print(outcome.output.rstrip(), flush=True)
+            self.last = time.monotonic()
+
+    def remind(self):
+        """Names what is running where that has been the case for long."""
+        with self.lock:
+            if self.running and time.monotonic() - self.last > QUIET:
+                print(f"        still running: {', '.join(self.running)}", file=sys.stderr, flush=True)
+                self.last = time.monotonic()
+
+
+def run_all(suites, workers):
+    """Outcomes of all suites, run side by side."""
+    printer = Printer([name for name, _, _ in suites])
+
+    def one(name, function, argument):
+        printer.start(name)
+        outcome = function(argument)
+        printer.end(name, outcome)
+        return outcome
+
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        waiting = {pool.submit(one, *suite) for suite in suites}
+        outcomes = []
+        while waiting:
+            done, waiting = concurrent.futures.wait(waiting, timeout=1.0)
+            outcomes += [future.result() for future in done]
+            printer.remind()
+    return outcomes
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--host-unit", nargs="*", default=[], help="Unity programs for the host")
+    parser.add_argument("--board", default="", help="the board of --board-unit")
+    parser.add_argument("--board-unit", nargs="*", default=[], help="Unity programs for that board")
+    parser.add_argument("--only", default="", help="only suites with this in their name")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    options = parser.parse_args(argv)
+    outcomes = run_all(all_suites(options), max(1, options.workers))
+    passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes)
+                               for name in ("passed", "failed", "skipped"))
+    if passed + failed == 0:
+        print("no test ran", file=sys.stderr)
+    print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
+    return 1 if failed or passed == 0 else 0
+
+
+if __name__ == "__main__":
+    run_main(main)
