@@ -20,6 +20,12 @@ export CROSS HOSTCC
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
+# Quiet unless V=1: of a recipe for the host only the file that it makes is named.
+ifndef V
+.SILENT:
+SHELL = $(if $(filter-out $(MADE),$(filter $(BUILD)/host/%,$@)),$(eval MADE := $@)$(info $()  HOST $@))/bin/sh
+endif
+
 # --- boards ------------------------------------------------------------------
 
 BOARDS := $(sort $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
@@ -103,7 +109,8 @@ SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
 
 size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float and no heap
-	@for core in $(SIZE_CORES); do $(MAKE) --no-print-directory -s lib CORE=$$core || exit; done
+	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
+	    $(MAKE) --no-print-directory lib CORE=$$core >/dev/null || exit; done
 	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK)) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 

@@ -111,7 +111,7 @@ def render(report, drawn, twin):
     walk = {**{key: report[key] for key in ("width", "height", "pixels", "pixels_differing",
                                             "pixels_unexplained", "max_edge_distance_px")},
             "frames": len(report["frames"]), "distance": distance_text(report["distance"]),
-            "percent": 100 * report["pixels_differing"] / report["pixels"]}
+            "one_in": report["pixels"] // report["pixels_differing"] if report["pixels_differing"] else 0}
     return environment.get_template("report.html").render(
         scene=report["scene"], walk=walk, stages=rows, third=report["third_judge"],
         project_max=max((row["max"] for row in rows if row["stage"] == "project"), default=0.0),

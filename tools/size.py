@@ -82,25 +82,28 @@ def measure_firmware(file, cross, usage_folder):
     with open(file, "rb") as handle:
         elf = ELFFile(handle)
         size, symbols, entry = sections_size(elf), symbols_of(elf), entry_name(elf)
-    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder))
+    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder),
+                        lambda name: name == entry)
     deepest = graph.depth(entry)
     handlers = [graph.depth(name).size for name in graph.roots() if name != entry]
     return {"file": str(file), **size,
             "stack": deepest.size + EXCEPTION_FRAME, "stack_path": deepest.path,
             "stack_reserved": symbols.get("fxl_stack_size"),
             "handler_stack": max(handlers, default=0),
-            "recursive": sorted(graph.recursive), "indirect_calls": graph.indirect(entry)}
+            "not_bounded": graph.unbounded()}
 
 
 def measure_library(core, file, cross, usage_folder):
     """Flash, RAM, worst stack of the library's public functions."""
-    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder))
-    deepest = max((graph.depth(name) for name in graph.functions if name.startswith("fxl_")),
-                  key=lambda depth: depth.size)
-    indirect = sorted(name for name, each in graph.functions.items() if each.indirect)
+    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder), is_public)
+    deepest = max(map(graph.depth, filter(is_public, graph.functions)), key=lambda depth: depth.size)
     return {"core": core, **archive_size(file, cross), "stack": deepest.size,
-            "stack_path": deepest.path, "recursive": sorted(graph.recursive),
-            "indirect_calls": indirect}
+            "stack_path": deepest.path, "not_bounded": graph.unbounded()}
+
+
+def is_public(name):
+    """Whether a function of the library is not static."""
+    return name.startswith("fxl_")
 
 
 def undefined_symbols(library, cross):
@@ -157,11 +160,10 @@ def print_sizes(result):
     print(table(rows, ["bytes", "flash", "RAM", "stack", "reserved"]))
     print("stack: frames by gcc -fstack-usage along the deepest way through the calls in the\n"
           f"machine code; the firmware's with {EXCEPTION_FRAME} bytes for an interrupt. RAM without stacks.")
-    for each in result["firmware"]:
-        print(f"deepest: {' > '.join(each['stack_path'])}; handlers {each['handler_stack']}")
-        if each["recursive"] or each["indirect_calls"]:
-            print(f"not bounded: recursion in {each['recursive'] or 'none'}, "
-                  f"calls through pointers in {each['indirect_calls'] or 'none'}")
+    for each in result["firmware"] + result["library"]:
+        print(f"deepest, {each.get('core', result['board'])}: {' > '.join(each['stack_path'])}")
+        if each["not_bounded"]:
+            print(f"  not bounded: {', '.join(each['not_bounded'])}")
     proof = result["proof"]
     if proof["passes"]:
         print(f"{coloured('no float, no heap', 'green')}: linked alone for {proof['core']}; "

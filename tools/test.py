@@ -45,6 +45,11 @@ def count_unity(text):
                  for pattern in (r":PASS\s*$", r":FAIL\b", r":IGNORE\b"))
 
 
+def without_passes(text):
+    """Unity's output less the lines of what passed."""
+    return re.sub(r"^.*:PASS\s*\n", "", text, flags=re.MULTILINE).rstrip()
+
+
 def run_host(program):
     """A Unity program on the host. One that ends early counts as a failure more."""
     # A path of its own: "x" alone would be looked for in PATH.
@@ -142,7 +147,7 @@ class Printer:
             print(f"[{self.done:{len(str(self.total))}}/{self.total}] {word} "
                   f"{name:{self.width}} {counts}  {seconds:.1f} s", flush=True)
             if outcome.failed:
-                print(outcome.output.rstrip(), flush=True)
+                print(without_passes(outcome.output), flush=True)
             self.last = time.monotonic()
 
     def remind(self):

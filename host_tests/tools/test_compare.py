@@ -8,6 +8,8 @@ import pytest
 from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from PIL import Image
 
+from fixel import picture
+
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
 
 
@@ -157,3 +159,18 @@ def test_make_compare_gives_the_same_exits(pictures, tmp_path, a, b, code):
 def test_make_compare_without_b(pictures):
     done = run_make("compare", f"A={pictures['a']}")
     assert done.returncode == 2 and "B= is missing" in done.stderr
+
+
+def test_enlargement_centres_a_single_pixel():
+    differs = numpy.zeros((240, 320), bool)
+    differs[112, 193] = True
+    y0, y1, x0, x1 = picture.differing_region(differs, 24)
+    assert (y1 - y0, x1 - x0) == (24, 24)
+    assert abs((y0 + y1) / 2 - 112) <= 1 and abs((x0 + x1) / 2 - 193) <= 1
+
+
+def test_enlargement_stays_within_the_frame():
+    differs = numpy.zeros((20, 400), bool)
+    differs[0, 399] = True
+    y0, y1, x0, x1 = picture.differing_region(differs, 24)
+    assert (y0, y1) == (0, 20) and x1 <= 400 and x0 <= 399 < x1

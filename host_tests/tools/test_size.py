@@ -76,7 +76,7 @@ def test_stack_adds_up_along_the_calls(tmp_path):
     int fxl_top(int n) { return fxl_mid(n) + 1; }
     """
     file = library(tmp_path, source, "cortex-m3")
-    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path))
+    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path), size_tool.is_public)
     deepest = graph.depth("fxl_top")
     assert deepest.path == ["fxl_top", "fxl_mid", "fxl_leaf"]
     usage = stack.read_usage(tmp_path)
@@ -88,16 +88,25 @@ def test_frames_without_su_files_come_from_the_instructions(tmp_path):
     source = "int use(int, int); int fxl_one(int a, int b) { volatile char room[64]; room[a] = 1; return use(a, b) + room[b]; }"
     file = library(tmp_path, source, "cortex-m3")
     usage = stack.read_usage(tmp_path)
-    assert stack.Graph(stack.disassemble(file, CROSS), {}).frame("fxl_one") == usage["fxl_one"]
+    assert stack.Graph(stack.disassemble(file, CROSS), {}, size_tool.is_public).frame("fxl_one") == usage["fxl_one"]
 
 
-def test_recursion_and_pointers_are_reported(tmp_path):
+def test_recursion_is_reported(tmp_path):
+    source = "int fxl_loop(int n) { return n < 2 ? n : fxl_loop(n - 1) * fxl_loop(n - 2); }"
+    graph = stack.Graph(stack.disassemble(library(tmp_path, source), CROSS), {}, size_tool.is_public)
+    graph.depth("fxl_loop")
+    assert graph.unbounded() == ["fxl_loop"]
+
+
+def test_call_through_a_pointer_counts_as_the_deepest_that_nobody_names(tmp_path):
     source = """
-    int (*pointer)(int);
-    int fxl_loop(int n) { return n < 2 ? pointer(n) + 1 : fxl_loop(n - 1) * fxl_loop(n - 2); }
+    static int small(int n) { volatile char room[16]; room[n] = 1; return room[0]; }
+    static int large(int n) { volatile char room[200]; room[n] = 1; return room[0]; }
+    static int (*const table[])(int) = {small, large};
+    int fxl_any(int which, int n) { return table[which](n) + 1; }
     """
     file = library(tmp_path, source, "cortex-m3")
-    graph = stack.Graph(stack.disassemble(file, CROSS), {})
-    graph.depth("fxl_loop")
-    assert graph.indirect("fxl_loop") == ["fxl_loop"]
-    assert graph.recursive == {"fxl_loop"}
+    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path), size_tool.is_public)
+    deepest = graph.depth("fxl_any")
+    assert deepest.path == ["fxl_any", "large"] and deepest.size > 200
+    assert graph.unbounded() == []

@@ -34,6 +34,7 @@ def test_failure_is_shown_whole(tmp_path):
     code, lines, done = drive(program(tmp_path, "one", GOOD, 0), program(tmp_path, "two", BAD, 1))
     assert (code, lines[-1]) == (1, "3 passed, 1 failed")
     assert "test_two:FAIL: Expected 1 Was 2" in done.stdout
+    assert "PASS" not in done.stdout
 
 
 def test_skipped_are_counted(tmp_path):

@@ -376,7 +376,7 @@ void test_path_of_strides(void)
 {
     tiny_image *image = tiny_image_make(true);
     tiny_put16(tiny_entry(image, AT_PATH, 1, STRIDE), 0x100);
-    expect(FXL_E_RANGE, image);
+    expect(FXL_E_RESERVED, image);
     image = tiny_image_make(true);
     tiny_put16(tiny_entry(image, AT_PATH, 1, STRIDE) + 2, 0);
     expect(FXL_E_COUNT, image);
@@ -418,14 +418,54 @@ void test_the_fault_names_the_element(void)
     TEST_ASSERT_EQUAL_UINT32(2, fault.index);
 }
 
-/* The same number of models as the largest needs, not the sum. */
-void test_order_needs_the_objects_and_the_largest_sorted_model(void)
+static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, uint32_t expected)
 {
     tiny_scene *tiny = tiny_make();
-    tiny->models[1].face_count = 4;
+    tiny->models[0].kind = kind0;
+    tiny->models[1].kind = kind1;
+    tiny->models[1].face_count = faces1;
+    tiny->scene.face_count = 6 + faces1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_TRUE(tiny->scene.order_needed >= TINY_OBJECTS + 4);
-    TEST_ASSERT_TRUE(tiny->scene.order_needed <= TINY_OBJECTS + 6);
+    TEST_ASSERT_EQUAL_UINT32(expected, tiny->scene.order_needed);
+}
+
+void test_order_needs_the_objects_and_the_largest_sorted_model(void)
+{
+    expect_order_needed(FXL_MODEL_CONVEX, FXL_MODEL_CONVEX, 6, TINY_OBJECTS);
+    expect_order_needed(FXL_MODEL_CONVEX, FXL_MODEL_SORTED, 4, TINY_OBJECTS + 4);
+    expect_order_needed(FXL_MODEL_SORTED, FXL_MODEL_CONVEX, 4, TINY_OBJECTS + 6);
+    expect_order_needed(FXL_MODEL_SORTED, FXL_MODEL_SORTED, 4, TINY_OBJECTS + 6);
+}
+
+/* Models take the vertices and the faces in turn, none twice, none left out. */
+void test_models_share_nothing_and_leave_nothing_out(void)
+{
+    expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 0, 0);
+    expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 8, 0);
+    expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 12, 5);
+    expect_entry_word(FXL_E_INDEX, AT_MODELS, 0, MODEL, 12, 5);
+}
+
+/* Objects times vertices is what a loader has to look at: 65535 x 61 is within
+ * the limit, 65535 x 62 is not. */
+void test_too_many_placed_vertices_are_refused(void)
+{
+    static fxl_object many[FXL_SCENE_OBJECTS_MAX];
+    static fxl_point vertices[62 + 8];
+    for (uint32_t extra = 61; extra <= 62; extra++) {
+        tiny_scene *tiny = tiny_make();
+        memset(vertices, 0, sizeof vertices);
+        memcpy(vertices, tiny->vertices, 8 * sizeof vertices[0]);
+        memcpy(vertices + extra, tiny->vertices + 8, 8 * sizeof vertices[0]);
+        tiny->models[0].vertex_count = extra;
+        tiny->models[1].first_vertex = extra;
+        tiny->scene.vertices = vertices;
+        tiny->scene.vertex_count = extra + 8;
+        tiny->scene.objects = many;
+        tiny->scene.object_count = FXL_SCENE_OBJECTS_MAX;
+        TEST_ASSERT_EQUAL(extra == 61 ? FXL_OK : FXL_E_COUNT,
+                          fxl_scene_check(&tiny->scene, NULL));
+    }
 }
 
 void test_every_status_has_its_own_sentence(void)

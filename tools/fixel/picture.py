@@ -75,7 +75,9 @@ def differing_region(differs, size=24):
     best = counts.max()
     tops, lefts = numpy.nonzero(counts == best)
     # Of all windows that hold as many, the middle one centres what it shows.
-    y0, x0 = int(tops[len(tops) // 2]), int(lefts[len(lefts) // 2])
+    y0 = int(tops[len(tops) // 2])
+    beside = lefts[tops == y0]
+    x0 = int(beside[len(beside) // 2])
     return y0, y0 + rows, x0, x0 + columns
 
 

@@ -3,8 +3,9 @@
 
 Frame sizes come from the compiler (-fstack-usage, .su files) where it wrote
 them, else from the instructions that move the stack pointer (libgcc's
-assembly). Calls come from the disassembly. What cannot be followed, calls
-through pointers and recursion, is reported and not guessed.
+assembly). Calls come from the disassembly. A call through a pointer counts as
+one of the deepest function that nobody calls by name. Recursion, and a pointer
+behind a pointer, have no bound here and are reported.
 """
 
 import dataclasses
@@ -115,12 +116,17 @@ class Depth:
 
 
 class Graph:
-    """Stack depth over a graph of calls."""
+    """Stack depth over a graph of calls. entries are called from outside only, never by pointer."""
 
-    def __init__(self, functions, usage):
+    def __init__(self, functions, usage, is_entry):
         self.functions = functions
         self.usage = usage
         self.recursive = set()
+        self.known = {}
+        self.pointed = [name for name in self.roots() if not is_entry(name)]
+        self.deepest_pointed = Depth(0, [])
+        self.deepest_pointed = max(map(self.depth, self.pointed), key=lambda depth: depth.size,
+                                   default=Depth(0, []))
         self.known = {}
 
     def frame(self, name):
@@ -137,17 +143,23 @@ class Graph:
             return Depth(0, [])
         if name not in self.functions:
             return Depth(0, [])     # another's: the firmware's memcpy, seen from the library
-        deepest = max((self.depth(callee, (*above, name)) for callee in
-                       sorted(self.functions[name].calls)), key=lambda depth: depth.size,
-                      default=Depth(0, []))
+        ways = [self.depth(callee, (*above, name)) for callee in sorted(self.functions[name].calls)]
+        if self.functions[name].indirect:
+            ways.append(self.deepest_pointed)
+        deepest = max(ways, key=lambda depth: depth.size, default=Depth(0, []))
         result = Depth(self.frame(name) + deepest.size, [name, *deepest.path])
         self.known[name] = result
         return result
 
     def roots(self):
-        """Functions that nobody calls."""
+        """Functions that nobody calls by name."""
         called = {callee for function in self.functions.values() for callee in function.calls}
         return [name for name in self.functions if name not in called]
+
+    def unbounded(self):
+        """Functions that may deepen the stack beyond what is counted."""
+        behind = {each for name in self.pointed for each in self.indirect(name)}
+        return sorted(self.recursive | behind)
 
     def reach(self, name):
         """Every function that can run below one."""

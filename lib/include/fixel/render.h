@@ -7,7 +7,7 @@
 #include "fixel/order.h"
 #include "fixel/scan.h"
 
-/* A renderer: about 6 KB that the caller owns. Several may live at once; none
+/* A renderer: about 4 KB that the caller owns. Several may live at once; none
  * knows of another. Members are for reading only. */
 typedef struct {
     const fxl_scene *scene;

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""The README is true to the letter: its program is built outside the tree, as it says, and run."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def program():
+    return re.search(r"```c\n(.*?)```", README, re.DOTALL).group(1)
+
+
+def promised_rows():
+    block = README.split("<!-- output -->\n", 1)[1]
+    rows = []
+    for line in block.splitlines():
+        if line and not line.startswith("    "):
+            break
+        if line:
+            rows.append(line[4:].rstrip())
+    return rows
+
+
+@pytest.fixture(scope="module")
+def library():
+    """make lib, into a folder of its own, as somebody's firmware would."""
+    def build(core):
+        done = subprocess.run(["make", "lib", f"CORE={core}"], cwd=ROOT, text=True,
+                              capture_output=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return ROOT / "build" / "lib" / core
+    return build
+
+
+def compile_outside(compiler, library, folder, *options):
+    source = folder / "cube.c"
+    source.write_text(program(), encoding="utf-8")
+    done = subprocess.run([*compiler, source, f"-I{library / 'include'}", library / "libfixel.a",
+                           "-o", folder / "cube", *options],
+                          cwd=folder, text=True, capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    return folder / "cube"
+
+
+def test_program_is_short():
+    assert len(program().splitlines()) <= 30
+
+
+def test_program_draws_what_the_readme_shows(library, tmp_path):
+    cube = compile_outside(["gcc", "-Wall", "-Wextra"], library("host"), tmp_path)
+    done = subprocess.run([cube], text=True, capture_output=True, check=True)
+    rows = [row.rstrip() for row in done.stdout.splitlines()]
+    assert len(rows) == 28
+    shown = promised_rows()
+    assert len(shown) >= 15
+    start = rows.index(shown[0])
+    assert rows[start:start + len(shown)] == shown
+
+
+@pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3"])
+def test_program_links_for_a_microcontroller(library, tmp_path, core):
+    compile_outside(["arm-none-eabi-gcc", f"-mcpu={core}", "-mthumb", "--specs=nosys.specs", "-Wl,-w"],
+                    library(core), tmp_path)
+
+
+def test_files_named_exist():
+    for target in re.findall(r"\]\(([^)#]+)\)", README):
+        assert (ROOT / target).exists(), target
