@@ -4,104 +4,93 @@
 #include "arith.h"
 #include "sine.h"
 
-/* Numbers in this file are unsigned fractions with 32 bits after the point,
- * held in 64 bits so that 1 is 2^32. */
-#define ONE ((uint64_t)1 << 32)
+/* Numbers below are unsigned fractions with 64 bits after the point unless
+ * their names say otherwise; fxl_multiply_high multiplies two of them and loses
+ * less than one unit. Beside what a series leaves out, errors stay below 2^-58. */
 
-/* 2 pi, with 29 bits after the point; off by less than 2^-34 of itself. */
-#define TWO_PI_Q29 ((uint64_t)3373259426u)
+/* 2 pi with 61 bits after the point. */
+#define TWO_PI_Q61 0xC90FDAA22168C235u
 
-/* a * b for a, b <= 2^32, not both 2^32; costs half a unit. */
-static uint64_t multiply(uint64_t a, uint64_t b)
-{
-    FXL_ASSERT(a <= ONE && b <= ONE && (a < ONE || b < ONE));
-    uint64_t product = a * b;
-    return (product >> 32) + ((product >> 31) & 1u);
-}
+/* 1 with 62 bits after the point: what the series answer in. */
+#define ONE_Q62 ((uint64_t)1 << 62)
 
-/* An eighth of a turn at the most, as radians: angle * 2 pi / 2^32. */
+/* An eighth of a turn at the most, as radians: angle * 2 pi / 2^32 < 0.79. */
 static uint64_t radians(uint32_t angle)
 {
     FXL_ASSERT(angle <= FXL_ANGLE_QUARTER / 2);
-    return (angle * TWO_PI_Q29 + ((uint64_t)1 << 28)) >> 29;
+    return fxl_multiply_high((uint64_t)angle << 34, TWO_PI_Q61) << 1;
 }
 
-/* 1 - square / (n (n + 1)) * rest: one step of a Taylor series from within. */
+/* square / divisor * (1 - rest): one step of a Taylor series from within. */
 static uint64_t series_step(uint64_t square, uint32_t divisor, uint64_t rest)
 {
-    return ONE - multiply(multiply(square, rest), (ONE + divisor / 2) / divisor);
+    return fxl_multiply_high(square - fxl_multiply_high(square, rest), UINT64_MAX / divisor);
 }
 
 /* sin x = x (1 - x^2/6 (1 - x^2/20 (1 - x^2/42 (1 - x^2/72 (1 - x^2/110))))).
  * What is left out is below x^13/13! < 2^-37 for x <= pi/4. */
-static uint64_t sine_of_radians(uint64_t x)
+static uint64_t sine_q62(uint64_t x)
 {
-    uint64_t square = multiply(x, x);
-    uint64_t sum = series_step(square, 110, ONE - 1);
-    sum = series_step(square, 72, sum);
-    sum = series_step(square, 42, sum);
-    sum = series_step(square, 20, sum);
-    sum = series_step(square, 6, sum);
-    return multiply(x, sum);
+    static const uint8_t divisors[] = {110, 72, 42, 20, 6};
+    uint64_t square = fxl_multiply_high(x, x);
+    uint64_t rest = 0;
+    for (size_t i = 0; i < sizeof divisors; i++) {
+        rest = series_step(square, divisors[i], rest);
+    }
+    return (x - fxl_multiply_high(x, rest)) >> 2;
 }
 
 /* cos x = 1 - x^2/2 (1 - x^2/12 (1 - x^2/30 (1 - x^2/56 (1 - x^2/90 (1 - x^2/132))))).
  * What is left out is below x^14/14! < 2^-41 for x <= pi/4. */
-static uint64_t cosine_of_radians(uint64_t x)
+static uint64_t cosine_q62(uint64_t x)
 {
-    uint64_t square = multiply(x, x);
-    uint64_t sum = series_step(square, 132, ONE - 1);
-    sum = series_step(square, 90, sum);
-    sum = series_step(square, 56, sum);
-    sum = series_step(square, 30, sum);
-    sum = series_step(square, 12, sum);
-    return series_step(square, 2, sum);
-}
-
-/* The sine of 0..1/4 turn in units of 2^-31, rounded once more: 0..2^31. */
-static uint32_t quarter_sine(uint32_t angle)
-{
-    uint64_t sine;
-    if (angle <= FXL_ANGLE_QUARTER / 2) {
-        sine = sine_of_radians(radians(angle));
-    } else {
-        sine = cosine_of_radians(radians(FXL_ANGLE_QUARTER - angle));
+    static const uint8_t divisors[] = {132, 90, 56, 30, 12, 2};
+    uint64_t square = fxl_multiply_high(x, x);
+    uint64_t rest = 0;
+    for (size_t i = 0; i < sizeof divisors; i++) {
+        rest = series_step(square, divisors[i], rest);
     }
-    return (uint32_t)((sine + 1) >> 1);
+    return ONE_Q62 - (rest >> 2);
 }
 
-/* Folds any angle to a quarter turn, so that sin(-a) is -sin(a) by itself. */
-static uint32_t magnitude_and_sign(fxl_angle angle, bool *negative)
+/* The sine of 0..1/4 turn. */
+static uint64_t quarter_sine_q62(uint32_t angle)
 {
-    *negative = angle > 2 * FXL_ANGLE_QUARTER;
-    uint32_t folded = *negative ? 0u - angle : angle;
+    if (angle <= FXL_ANGLE_QUARTER / 2) {
+        return sine_q62(radians(angle));
+    }
+    return cosine_q62(radians(FXL_ANGLE_QUARTER - angle));
+}
+
+/* The sine of any angle in units of 2^-bits, rounded once. Any angle is folded
+ * to a quarter turn first, so that sin(-a) is -sin(a) by itself. */
+static int64_t rounded_sine(fxl_angle angle, unsigned bits)
+{
+    bool negative = angle > 2 * FXL_ANGLE_QUARTER;
+    uint32_t folded = negative ? 0u - angle : angle;
     if (folded > FXL_ANGLE_QUARTER) {
         folded = 2 * FXL_ANGLE_QUARTER - folded;
     }
-    return quarter_sine(folded);
+    int64_t magnitude = fxl_round_shift((int64_t)quarter_sine_q62(folded), 62 - bits);
+    return negative ? -magnitude : magnitude;
 }
 
 int64_t fxl_sin_q31(fxl_angle angle)
 {
-    bool negative;
-    int64_t magnitude = (int64_t)magnitude_and_sign(angle, &negative);
-    return negative ? -magnitude : magnitude;
+    return rounded_sine(angle, 31);
 }
 
 int64_t fxl_cos_q31(fxl_angle angle)
 {
-    return fxl_sin_q31(angle + FXL_ANGLE_QUARTER);
+    return rounded_sine(angle + FXL_ANGLE_QUARTER, 31);
 }
 
 fxl_q2_30 fxl_sin(fxl_angle angle)
 {
-    bool negative;
-    uint32_t magnitude = magnitude_and_sign(angle, &negative);
-    fxl_q2_30 rounded = (fxl_q2_30)((magnitude >> 1) + (magnitude & 1u));
-    return negative ? -rounded : rounded;
+    return (fxl_q2_30)rounded_sine(angle, 30);
 }
 
 fxl_q2_30 fxl_cos(fxl_angle angle)
 {
-    return fxl_sin(angle + FXL_ANGLE_QUARTER);
+    return (fxl_q2_30)rounded_sine(angle + FXL_ANGLE_QUARTER, 30);
 }

@@ -70,6 +70,17 @@ static inline unsigned fxl_bit_length(uint64_t value)
     return low == 0 ? 0u : 32u - (unsigned)__builtin_clz(low);
 }
 
+/* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
+ * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */
+static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b)
+{
+    uint64_t a_high = a >> 32, a_low = (uint32_t)a;
+    uint64_t b_high = b >> 32, b_low = (uint32_t)b;
+    uint64_t middle = a_high * b_low + ((a_low * b_low) >> 32);
+    uint64_t other = a_low * b_high + (uint32_t)middle;
+    return a_high * b_high + (middle >> 32) + (other >> 32);
+}
+
 static inline uint64_t fxl_magnitude(int64_t value)
 {
     return value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value;

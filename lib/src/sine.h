@@ -6,7 +6,7 @@
 #include "fixel/format.h"
 
 /* Sine and cosine in units of 2^-31, so 1 is 2^31.
- * Error: at most 0.8 unit of 2^-31. */
+ * Error: at most 0.52 unit of 2^-31. */
 int64_t fxl_sin_q31(fxl_angle angle);
 int64_t fxl_cos_q31(fxl_angle angle);
 

@@ -6,7 +6,7 @@
 #include "fixel/format.h"
 
 /* The sine of an angle, as 2.30.
- * Takes any angle. Error: at most 1 unit of 2^-30; exact at the quarter turns.
+ * Takes any angle. Error: at most 0.51 unit of 2^-30; exact at the quarter turns.
  * sin(-a) == -sin(a) for every a. */
 fxl_q2_30 fxl_sin(fxl_angle angle);
 
