@@ -94,7 +94,8 @@ static void show_progress(uint32_t judged, uint32_t total)
     if (judged == total ? !terminal : now - last < (terminal ? 1 : 2))
         return;
     last = now;
-    fprintf(stderr, terminal ? "\rrays: %u of %u frames" : "rays: %u of %u frames\n", judged, total);
+    fprintf(stderr, "%srays: %u of %u frames%s", terminal ? "\r" : "", judged, total,
+            terminal ? "" : "\n");
     if (terminal && judged == total)
         fputc('\n', stderr);
 }

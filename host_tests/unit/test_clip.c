@@ -20,8 +20,9 @@ static fxl_polygon flat(const int *numbers, uint8_t count)
     }
     return polygon;
 }
+#define INTEGERS(...) ((const int[]){__VA_ARGS__})
 #define FLAT(...) \
-    flat((const int[]){__VA_ARGS__}, (uint8_t)(sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2))
+    flat(INTEGERS(__VA_ARGS__), (uint8_t)(sizeof INTEGERS(__VA_ARGS__) / sizeof(int) / 2))
 
 /* Which vertex comes first is not laid down; their order is. */
 static void expect_flat(fxl_polygon expected, const fxl_polygon *actual)

@@ -40,6 +40,20 @@ void test_edge_on_is_not_seen(void)
     }
 }
 
+/* The least sum that there is, 1 unit of 2^-46, decides. */
+void test_the_least_bit_decides(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_face *face = &tiny->faces[1];
+    const fxl_point *first = &tiny->vertices[tiny->corners[face->first_corner]];
+    face->normal.y = 1;
+    for (int32_t side = -1; side <= 1; side++) {
+        fxl_point eye = {first->x, first->y + side, first->z};
+        TEST_ASSERT_EQUAL(side > 0,
+                          fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
+    }
+}
+
 void test_facing_is_exact_everywhere(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -71,6 +85,7 @@ void test_a_face_becomes_a_polygon_of_the_world(void)
     fxl_face_to_polygon(&tiny->scene, &tiny->objects[0], face, &polygon);
     TEST_ASSERT_EQUAL(face->colour, polygon.colour);
     TEST_ASSERT_EQUAL(4, polygon.count);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &polygon.vertices[4], sizeof polygon.vertices[4]);
     for (uint32_t i = 0; i < 4; i++) {
         const fxl_point *from = &tiny->vertices[tiny->corners[face->first_corner + i]];
         const fxl_vertex *vertex = &polygon.vertices[i];

@@ -100,7 +100,8 @@ void test_distances_from_the_eye(void)
         }
         int64_t near = fxl_plane_distance(&frustum.planes[FXL_PLANE_NEAR], &pose.position);
         int64_t far = fxl_plane_distance(&frustum.planes[FXL_PLANE_FAR], &pose.position);
-        int64_t nearest = (int64_t)lens.near + lens.inset, farthest = (int64_t)lens.far - lens.inset;
+        int64_t nearest = (int64_t)lens.near + lens.inset;
+        int64_t farthest = (int64_t)lens.far - lens.inset;
         expect_within(unit + nearest * 7, -nearest * unit, near);
         expect_within(unit + farthest * 7, farthest * unit, far);
     }

@@ -162,8 +162,10 @@ void test_objects_by_layer_then_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
     fxl_point eye = {0, 0, Q16(-5)};
+    entries[TINY_OBJECTS].index = 4321;
     fxl_order_objects(&tiny->scene, &eye, entries);
     const uint32_t far_to_near[] = {2, 1, 0};
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(4321, entries[TINY_OBJECTS].index, "one entry too many");
     for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
         const fxl_order_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
@@ -209,6 +211,19 @@ void test_faces_that_face_the_eye_far_to_near(void)
         TEST_ASSERT_TRUE(i == 0 || before(&entries[i - 1], &entries[i]));
     }
     TEST_ASSERT_EQUAL_UINT32(5, entries[2].index);
+}
+
+void test_every_face_is_seen_from_somewhere(void)
+{
+    tiny_scene *tiny = tiny_make();
+    for (uint32_t f = 0; f < 6; f++) {
+        fxl_q16_16 out = f % 2 ? Q16(9) : Q16(-9);
+        fxl_point eye = {f / 2 == 0 ? out : 0, f / 2 == 1 ? out : 0, f / 2 == 2 ? out : 0};
+        eye.z += Q16(10);
+        uint32_t count = fxl_order_faces(&tiny->scene, &tiny->objects[1], &eye, entries);
+        TEST_ASSERT_EQUAL_UINT32(1, count);
+        TEST_ASSERT_EQUAL_UINT32(f, entries[0].index);
+    }
 }
 
 void test_no_face_faces_an_eye_inside(void)

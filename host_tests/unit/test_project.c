@@ -16,7 +16,7 @@ void test_straight_ahead_is_the_middle(void)
     TEST_ASSERT_EQUAL_INT32(Q16(160), screen.x);
     TEST_ASSERT_EQUAL_INT32(Q16(120), screen.y);
     lens = unit_lens(63, 1);
-    screen = project(&lens, 0, 0, 1 << 30);
+    screen = project(&lens, 0, 0, 1); /* the smallest depth there is */
     TEST_ASSERT_EQUAL_INT32(Q16(31.5), screen.x);
     TEST_ASSERT_EQUAL_INT32(Q16(0.5), screen.y);
 }

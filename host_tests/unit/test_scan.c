@@ -252,6 +252,59 @@ void test_coverage_is_the_definition(void)
     }
 }
 
+/* The number whose product with `factor` leaves 1 over modulo `modulus`; both
+ * without a common divisor. Euclid. */
+static int64_t inverse_of(int64_t factor, int64_t modulus)
+{
+    int64_t a = modulus, b = factor % modulus, x = 0, y = 1;
+    while (b != 0) {
+        int64_t quotient = a / b, swap = a - quotient * b;
+        a = b;
+        b = swap;
+        swap = x - quotient * y;
+        x = y;
+        y = swap;
+    }
+    return (x + modulus) % modulus;
+}
+
+/* An edge that passes the centre of pixel (column, 0) by `side` units of
+ * 2^-32 pixel / height, the least that there is; or, for 0, through it. It
+ * begins t units above the centre, straight below a centre of column 0, and is
+ * t + multiple of t high: dx t = 65536 height + side is solved for height. */
+static void least_miss(int32_t side, int32_t column)
+{
+    int64_t t = unit_between(16384, 32767) * 2 + 1;
+    int64_t height = (t - side) * inverse_of(65536 * column, t) % t;
+    height += t * unit_between(2, 8);
+    int64_t dx = (65536 * height * column + side) / t;
+    TEST_ASSERT_EQUAL_INT64(65536 * height * column + side, dx * t);
+    fxl_q16_16 x = 32768, top = (fxl_q16_16)(32768 - t), bottom = top + (fxl_q16_16)height;
+    fxl_screen_polygon polygon = {
+        .count = 3, .points = {{x, top}, {x + (fxl_q16_16)dx, bottom}, {x - Q16(1000), bottom}}};
+    picture canvas;
+    picture_clear(&canvas, 16, 16);
+    picture_add(&canvas, &polygon, '#');
+    for (int y = 0; y < 16; y++) {
+        for (int column_at = 0; column_at < 16; column_at++) {
+            bool inside = picture_winding(&polygon, column_at, y) != 0;
+            TEST_ASSERT_EQUAL(inside ? '#' : '.', canvas.pixels[y][column_at]);
+        }
+    }
+    /* A right edge: a centre on it is out, one the least bit left of it is in. */
+    TEST_ASSERT_EQUAL(side > 0 ? '#' : '.', canvas.pixels[0][column]);
+    TEST_ASSERT_EQUAL('#', canvas.pixels[0][column - 1]);
+}
+
+void test_edges_that_just_miss_a_centre(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        least_miss(1, 1 << i % 4);
+        least_miss(0, 1 << i % 4);
+        least_miss(-1, 1 << i % 4);
+    }
+}
+
 /* The widest screen, edges from end to end of the range. */
 void test_coverage_on_the_largest_screen(void)
 {

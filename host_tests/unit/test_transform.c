@@ -68,6 +68,20 @@ void test_points_near_the_eye(void)
     }
 }
 
+/* 2^59 - 1: to 31 bits it rounds up to a number of 32, and takes a bit less. */
+void test_rounding_up_to_another_bit(void)
+{
+    const fxl_direction slanted = {FXL_Q2_30_ONE - 1, 1, 0}, none = {0, 0, 0};
+    const fxl_direction opposite = {1 - FXL_Q2_30_ONE, -1, 0};
+    fxl_camera camera = {{Q16(-4096), Q16(-4096), 0}, slanted, opposite, none};
+    fxl_point point = {Q16(4096), Q16(4096) - 1, 0};
+    fxl_view_point view;
+    fxl_transform_point(&camera, &point, &view);
+    TEST_ASSERT_EQUAL_INT32(1 << 30, view.x);
+    TEST_ASSERT_EQUAL_INT32(-(1 << 30), view.y);
+    TEST_ASSERT_EQUAL(29, view.exponent);
+}
+
 void test_the_eye_itself_is_nowhere(void)
 {
     fxl_pose pose = unit_pose();

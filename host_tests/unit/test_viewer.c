@@ -167,6 +167,7 @@ void test_what_is_out_of_range_is_refused(void)
     const fxl_gait top = {FXL_GAIT_MAX, FXL_GAIT_MAX, FXL_GAIT_MAX, FXL_ANGLE_QUARTER};
     fxl_viewer viewer = {.speed = Q16(1)};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_viewer_step(&(fxl_viewer){0}, 0, &top, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_viewer_step(&(fxl_viewer){0}, 0, &(fxl_gait){0}, NULL));
     expect_refused(FXL_E_RANGE, viewer, 0x100, gait);
     for (int member = 0; member < 4; member++) {
         fxl_gait low = top, high = top;
