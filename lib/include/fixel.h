@@ -19,6 +19,8 @@
 #include "fixel/angle.h"
 #include "fixel/camera.h"
 #include "fixel/clip.h"
+#include "fixel/clip_view.h"
+#include "fixel/clipper.h"
 #include "fixel/cull.h"
 #include "fixel/fill.h"
 #include "fixel/format.h"

@@ -60,6 +60,17 @@ static void set_side_planes(const fxl_camera *camera, const fxl_lens *lens, uint
     *high = fxl_plane_from_point(&camera->position, &normal, lens->inset);
 }
 
+void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
+{
+    uint32_t focal = (uint32_t)lens->focal;
+    normalise(focal, lens->width * 32768u, &frustum->x_side, &frustum->x_depth);
+    normalise(focal, lens->height * 32768u, &frustum->y_side, &frustum->y_depth);
+    /* near and far are below 2^31, the inset is at most 2^16: below 2^62. */
+    frustum->near = ((int64_t)lens->near + lens->inset) * FXL_Q2_30_ONE;
+    frustum->far = ((int64_t)lens->far - lens->inset) * FXL_Q2_30_ONE;
+    frustum->inset = (int64_t)lens->inset * FXL_Q2_30_ONE;
+}
+
 void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum)
 {
     fxl_plane *planes = frustum->planes;

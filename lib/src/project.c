@@ -3,34 +3,66 @@
 
 #include "arith.h"
 
-/* focal * side / depth, rounded once, for depth > 0; false where it lies
- * outside low..high. focal is below 2^29 and a mantissa below 2^31, so the
- * product is below 2^60; low and high are below 2^29, so their products are
- * too. Rounding never carries past a whole limit. */
-static bool offset_from_centre(fxl_q16_16 focal, int32_t side, int32_t depth, int32_t low,
-                               int32_t high, int32_t *offset)
+/* Where a view point's depth is brought to: depth = z 2^-shift, rounded, from
+ * 2^30 to 2^31. z below 2^61 and at least 2^37 keeps shift within 7..30. */
+typedef struct {
+    int64_t depth;
+    unsigned shift;
+} scaled_depth;
+
+static scaled_depth scale_depth(fxl_q18_46 z)
 {
-    int64_t product = (int64_t)focal * side;
-    if (product < (int64_t)low * depth || product > (int64_t)high * depth) {
+    scaled_depth scaled;
+    scaled.shift = fxl_bit_length((uint64_t)z) - 31u;
+    scaled.depth = fxl_round_shift(z, scaled.shift);
+    return scaled;
+}
+
+/* floor(focal * side / 2^shift), 0 < shift < 32; false where it would reach
+ * 2^62. focal is below 2^29 and |side| below 2^61. With side = 2^32 high + low
+ * the product is 2^32 (focal high) + focal low: |focal high| <= 2^58, focal low
+ * is below 2^61, and 2^32 (focal high) is divisible by 2^shift. */
+static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
+{
+    int64_t high = focal * (side >> 32);
+    int64_t low = focal * (int64_t)(uint32_t)side;
+    if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
         return false;
     }
-    *offset = (int32_t)fxl_divide_round(product, depth);
+    *product = high * ((int64_t)1 << (32 - shift)) + (low >> shift);
+    return true;
+}
+
+/* focal * side / depth, rounded once; false where it lies outside low..high,
+ * which are below 2^29, so that their products with the depth are below 2^60.
+ * Rounding never carries past a whole limit. The product's own rounding down
+ * costs less than 2^-30 of a unit; that of the depth 2^-31 of the result. */
+static bool offset_from_centre(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled,
+                               int32_t low, int32_t high, int32_t *offset)
+{
+    int64_t product;
+    if (!scale_product(focal, side, scaled->shift, &product) ||
+        product < low * scaled->depth || product > high * scaled->depth) {
+        return false;
+    }
+    *offset = (int32_t)fxl_divide_round(product, scaled->depth);
     return true;
 }
 
 fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
                              fxl_screen_point *screen)
 {
-    if (view->z <= 0) {
+    if (view->z < FXL_PROJECT_DEPTH_MIN) {
         return FXL_E_RANGE;
     }
+    const int32_t limit = FXL_SCREEN_COORDINATE_MAX;
     int32_t centre_x = (int32_t)lens->width * 32768;
     int32_t centre_y = (int32_t)lens->height * 32768;
-    const int32_t limit = FXL_SCREEN_COORDINATE_MAX;
+    scaled_depth scaled = scale_depth(view->z);
     int32_t x, y;
-    if (!offset_from_centre(lens->focal, view->x, view->z, -limit - centre_x, limit - centre_x,
+    if (!offset_from_centre(lens->focal, view->x, &scaled, -limit - centre_x, limit - centre_x,
                             &x) ||
-        !offset_from_centre(lens->focal, view->y, view->z, centre_y - limit, centre_y + limit,
+        !offset_from_centre(lens->focal, view->y, &scaled, centre_y - limit, centre_y + limit,
                             &y)) {
         return FXL_E_RANGE;
     }
@@ -45,7 +77,8 @@ fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *vie
     screen->colour = view->colour;
     screen->count = 0;
     for (uint32_t i = 0; i < view->count; i++) {
-        fxl_status status = fxl_project_point(lens, &view->points[i], &screen->points[i]);
+        fxl_status status =
+            fxl_project_point(lens, &view->vertices[i].position, &screen->points[i]);
         if (status != FXL_OK) {
             return status;
         }

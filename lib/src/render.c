@@ -6,7 +6,6 @@
 #include "fixel/cull.h"
 #include "fixel/fill.h"
 #include "fixel/project.h"
-#include "fixel/transform.h"
 
 /* scan -> fill. False where scan refused the polygon. */
 static bool paint(fxl_renderer *renderer, const fxl_band *band)
@@ -21,14 +20,14 @@ static bool paint(fxl_renderer *renderer, const fxl_band *band)
     return true;
 }
 
-/* clip -> transform -> project -> scan -> fill, for a face that faces the eye. */
+/* clip (and transform) -> project -> scan -> fill, for a face that faces the eye. */
 static void draw_face(fxl_renderer *renderer, const fxl_object *object, const fxl_face *face,
                       const fxl_band *band, fxl_counters *counters)
 {
-    const fxl_polygon *clipped;
+    const fxl_view_polygon *clipped;
     fxl_face_to_polygon(renderer->scene, object, face, &renderer->polygon);
-    fxl_clip_result cut = fxl_clip_to_frustum(&renderer->polygon, &renderer->frustum,
-                                              &renderer->clip, &clipped);
+    fxl_clip_result cut =
+        renderer->clipper(&renderer->polygon, &renderer->view, &renderer->work, &clipped);
     switch (cut) {
     case FXL_CLIP_OUTSIDE:
         counters->outside += 1;
@@ -43,8 +42,7 @@ static void draw_face(fxl_renderer *renderer, const fxl_object *object, const fx
     case FXL_CLIP_CUT:
         break;
     }
-    fxl_transform_polygon(&renderer->camera, clipped, &renderer->view);
-    if (fxl_project_polygon(&renderer->lens, &renderer->view, &renderer->screen) != FXL_OK ||
+    if (fxl_project_polygon(&renderer->view.lens, clipped, &renderer->screen) != FXL_OK ||
         !paint(renderer, band)) {
         counters->refused += 1;
         return;
@@ -59,7 +57,7 @@ static void draw_convex(fxl_renderer *renderer, const fxl_object *object,
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &renderer->scene->faces[model->first_face + i];
-        if (fxl_face_is_front(renderer->scene, object, face, &renderer->camera.position)) {
+        if (fxl_face_is_front(renderer->scene, object, face, &renderer->view.camera.position)) {
             draw_face(renderer, object, face, band, counters);
         } else {
             counters->backfacing += 1;
@@ -72,7 +70,7 @@ static void draw_sorted(fxl_renderer *renderer, const fxl_object *object,
 {
     fxl_order_entry *order = renderer->order + renderer->scene->object_count;
     uint32_t count =
-        fxl_order_faces(renderer->scene, object, &renderer->camera.position, order);
+        fxl_order_faces(renderer->scene, object, &renderer->view.camera.position, order);
     counters->backfacing += model->face_count - count;
     for (uint32_t i = 0; i < count; i++) {
         const fxl_face *face = &renderer->scene->faces[model->first_face + order[i].index];
@@ -96,7 +94,8 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, con
         return FXL_E_CAPACITY;
     }
     renderer->scene = scene;
-    renderer->lens = *lens;
+    renderer->view.lens = *lens;
+    renderer->clipper = fxl_clip_by_view;
     renderer->order = order;
     renderer->ready = false;
     memset(&renderer->counters, 0, sizeof renderer->counters);
@@ -108,12 +107,13 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    fxl_status status = fxl_camera_from_pose(pose, &renderer->camera);
+    fxl_status status = fxl_camera_from_pose(pose, &renderer->view.camera);
     if (status != FXL_OK) {
         return refuse(renderer, status);
     }
-    fxl_frustum_from_camera(&renderer->camera, &renderer->lens, &renderer->frustum);
-    fxl_order_objects(renderer->scene, &renderer->camera.position, renderer->order);
+    fxl_frustum_from_camera(&renderer->view.camera, &renderer->view.lens, &renderer->view.frustum);
+    fxl_view_frustum_from_lens(&renderer->view.lens, &renderer->view.view_frustum);
+    fxl_order_objects(renderer->scene, &renderer->view.camera.position, renderer->order);
     uint32_t refused_calls = renderer->counters.refused_calls;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     renderer->counters.refused_calls = refused_calls;
@@ -132,8 +132,8 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
     if (!renderer->ready) {
         return refuse(renderer, FXL_E_ORDER);
     }
-    if (band->width != renderer->lens.width || band->stride < band->width || band->rows < 1 ||
-        band->first_row + band->rows > renderer->lens.height) {
+    if (band->width != renderer->view.lens.width || band->stride < band->width || band->rows < 1 ||
+        band->first_row + band->rows > renderer->view.lens.height) {
         return refuse(renderer, FXL_E_RANGE);
     }
     fxl_counters uncounted = {0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The view frustum as six planes of the world (Listing 65.3, SetUpFrustum). */
+/* The view frustum, in the view and as six planes of the world (Listing 65.3,
+ * SetUpFrustum). */
 #ifndef FXL_FRUSTUM_H
 #define FXL_FRUSTUM_H
 
@@ -19,6 +20,24 @@ enum {
 typedef struct {
     fxl_plane planes[FXL_PLANE_COUNT];
 } fxl_frustum;
+
+/* The frustum in the view. A point (x, y, z) is inside
+ *   left, right   where  +-x_side x + x_depth z >= inset,
+ *   bottom, top   where  +-y_side y + y_depth z >= inset,
+ *   near          where  z >= near,
+ *   far           where  z <= far.
+ * These integers are the planes: whatever clips in the view clips to them
+ * exactly. near and far have the inset in them. */
+typedef struct {
+    fxl_q2_30 x_side, x_depth;
+    fxl_q2_30 y_side, y_depth;
+    fxl_q18_46 near, far, inset;
+} fxl_view_frustum;
+
+/* The frustum of a lens made by its function.
+ * Error: (x_side, x_depth) is (focal, width/2) scaled to unit length, each
+ * component within 1 unit of 2^-30; y likewise; near, far, inset exact. */
+void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum);
 
 /* The six planes, rotated into the world, each moved inward by lens->inset.
  * In view space, before the inset: left (focal, 0, width/2), right

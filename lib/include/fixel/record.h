@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The records between the stages: the treaty that every stage signs.
  *
- *   scene -> cull -> fxl_polygon -> clip -> fxl_polygon -> transform ->
+ *   scene -> cull -> fxl_polygon -> transform -> fxl_view_polygon -> clip ->
  *   fxl_view_polygon -> project -> fxl_screen_polygon -> scan -> fxl_span ->
  *   fill -> fxl_band
+ *
+ * The chapter's clipper stands before transform instead: fxl_polygon -> clip
+ * -> fxl_polygon -> transform. clipper.h is the treaty that covers both ways.
  *
  * Axes: x right, y up, z forward, left-handed, in the world and in the view.
  * On the screen x goes right and y goes DOWN; pixel (i, j) covers
@@ -53,20 +56,23 @@ typedef struct {
     fxl_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_polygon;
 
-/* A point relative to the eye, along right, up and forward:
- * coordinate = mantissa * 2^(exponent - 46) world units. The largest of
- * |x|, |y|, |z| uses 31 bits; the one exponent is shared, so that it cancels
- * when the point is projected. */
+/* A point relative to the eye, along right, up and forward, in units of 2^-46
+ * world unit. Below 2^61. */
 typedef struct {
-    int32_t x, y, z;
-    int8_t exponent;
+    fxl_q18_46 x, y, z;
 } fxl_view_point;
 
-/* What transform hands to project. */
+typedef struct {
+    fxl_view_point position;
+    fxl_q16_16 u, v;
+} fxl_view_vertex;
+
+/* A polygon of the view: what transform and clip hand to each other, and to
+ * project. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
-    fxl_view_point points[FXL_POLYGON_CAPACITY];
+    fxl_view_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_view_polygon;
 
 /* A point of the screen in pixels, y down. */

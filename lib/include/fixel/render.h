@@ -3,23 +3,21 @@
 #ifndef FXL_RENDER_H
 #define FXL_RENDER_H
 
-#include "fixel/clip.h"
+#include "fixel/clipper.h"
 #include "fixel/order.h"
 #include "fixel/scan.h"
 
-/* A renderer: about 4 KB that the caller owns. Several may live at once; none
- * knows of another. Members are for reading only. */
+/* A renderer: about 5 KB that the caller owns. Several may live at once; none
+ * knows of another. Members are for reading only, but for the clipper. */
 typedef struct {
     const fxl_scene *scene;
-    fxl_lens lens;
     fxl_order_entry *order; /* objects, then room for one model's faces */
-    fxl_camera camera;
-    fxl_frustum frustum;
+    fxl_clipper clipper;    /* fxl_clip_by_view, or another set between two frames */
+    bool ready;             /* a frame has begun */
     fxl_counters counters;
-    bool ready;        /* a frame has begun */
+    fxl_view view;
     fxl_polygon polygon;
-    fxl_clip_work clip;
-    fxl_view_polygon view;
+    fxl_clipper_work work;
     fxl_screen_polygon screen;
     fxl_scan scan;
 } fxl_renderer;

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/clip_view.h"
+
+#include "arith.h"
+
+/* floor((side * across + depth * along) / 2^30) for a unit vector (side, depth)
+ * and |across|, |along| < 2^61, exactly. With v = 2^32 high + low the sum is
+ * 2^32 (side across_high + depth along_high) + (side across_low + depth
+ * along_low): the first bracket is below 2^60, the second below
+ * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
+static fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth,
+                               fxl_q18_46 along)
+{
+    int64_t high = side * (across >> 32) + depth * (along >> 32);
+    int64_t low = side * (int64_t)(uint32_t)across + depth * (int64_t)(uint32_t)along;
+    return high * 4 + (low >> 30);
+}
+
+/* Results are below 2^61 for the sides, before the inset, and below 2^62 for
+ * near and far. */
+fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
+                             const fxl_view_point *point)
+{
+    switch (plane) {
+    case FXL_PLANE_LEFT:
+        return project_onto(frustum->x_side, point->x, frustum->x_depth, point->z) -
+               frustum->inset;
+    case FXL_PLANE_RIGHT:
+        return project_onto(-frustum->x_side, point->x, frustum->x_depth, point->z) -
+               frustum->inset;
+    case FXL_PLANE_BOTTOM:
+        return project_onto(frustum->y_side, point->y, frustum->y_depth, point->z) -
+               frustum->inset;
+    case FXL_PLANE_TOP:
+        return project_onto(-frustum->y_side, point->y, frustum->y_depth, point->z) -
+               frustum->inset;
+    case FXL_PLANE_NEAR:
+        return point->z - frustum->near;
+    default:
+        FXL_ASSERT(plane == FXL_PLANE_FAR);
+        return frustum->far - point->z;
+    }
+}
+
+/* One digit of 32 bits of *rest / whole, rest < whole, 2^63 <= whole < 2^64;
+ * *rest becomes what is left (Knuth, algorithm D). The estimate from the upper
+ * half of whole is too large by two at most. */
+static uint32_t divide_digit(uint64_t *rest, uint64_t whole)
+{
+    uint64_t high = whole >> 32, low = (uint32_t)whole;
+    uint64_t digit = *rest / high;
+    uint64_t left = *rest - digit * high;
+    while (left <= UINT32_MAX && (digit > UINT32_MAX || digit * low > left << 32)) {
+        digit -= 1;
+        left += high;
+    }
+    /* The true remainder is below 2^64, so what wraps on the way cancels. */
+    *rest = (*rest << 32) - digit * whole;
+    return (uint32_t)digit;
+}
+
+/* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
+ * 2^62. */
+static uint64_t crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
+{
+    FXL_ASSERT(inside >= 0 && outside < 0);
+    uint64_t whole = (uint64_t)inside + fxl_magnitude(outside);
+    unsigned shift = 64u - fxl_bit_length(whole);
+    uint64_t rest = (uint64_t)inside << shift;
+    whole <<= shift;
+    uint64_t upper = divide_digit(&rest, whole);
+    uint64_t lower = divide_digit(&rest, whole);
+    return upper << 32 | lower;
+}
+
+/* from + (to - from) fraction / 2^64, rounded towards from: less than one unit.
+ * |to - from| is below 2^62. */
+static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
+{
+    uint64_t part = fxl_multiply_high(fxl_magnitude(to - from), fraction);
+    return to < from ? from - (int64_t)part : from + (int64_t)part;
+}
+
+/* The same for texture coordinates, rounded to nearest. */
+static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
+{
+    int64_t extent = (int64_t)to - from;
+    return (fxl_q16_16)(from + fxl_round_shift(extent * (int64_t)(fraction >> 33), 31));
+}
+
+/* Where the edge from an inside to an outside vertex crosses the plane. Always
+ * in this direction, so that both owners of an edge get the same bits. */
+static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
+                         uint64_t fraction, fxl_view_vertex *vertex)
+{
+    const fxl_view_point *from = &inside->position;
+    const fxl_view_point *to = &outside->position;
+    vertex->position.x = interpolate(from->x, to->x, fraction);
+    vertex->position.y = interpolate(from->y, to->y, fraction);
+    vertex->position.z = interpolate(from->z, to->z, fraction);
+    vertex->u = interpolate_texel(inside->u, outside->u, fraction);
+    vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+}
+
+/* Fills in every vertex's distance; answers how many are inside. */
+static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum,
+                        int plane, fxl_q18_46 *distances)
+{
+    uint32_t inside_count = 0;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
+        inside_count += distances[i] >= 0;
+    }
+    return inside_count;
+}
+
+/* Room for one more vertex; null when the polygon is full. */
+static fxl_view_vertex *append(fxl_view_polygon *polygon, uint32_t *count)
+{
+    if (*count == FXL_POLYGON_CAPACITY) {
+        return NULL;
+    }
+    return &polygon->vertices[(*count)++];
+}
+
+/* Emits what an edge contributes: its first vertex if that is inside, then the
+ * crossing if one end is inside and the other outside. An inside end that lies
+ * on the plane is that crossing already. */
+static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
+                        uint32_t current, uint32_t next, fxl_view_polygon *out, uint32_t *count)
+{
+    bool current_inside = distances[current] >= 0;
+    if (current_inside) {
+        fxl_view_vertex *vertex = append(out, count);
+        if (vertex == NULL) {
+            return false;
+        }
+        *vertex = in->vertices[current];
+    }
+    if (current_inside == (distances[next] >= 0)) {
+        return true;
+    }
+    uint32_t inside = current_inside ? current : next;
+    uint32_t outside = current_inside ? next : current;
+    if (distances[inside] == 0) {
+        return true;
+    }
+    fxl_view_vertex *vertex = append(out, count);
+    if (vertex == NULL) {
+        return false;
+    }
+    set_crossing(&in->vertices[inside], &in->vertices[outside],
+                 crossing_fraction(distances[inside], distances[outside]), vertex);
+    return true;
+}
+
+fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in,
+                                       const fxl_view_frustum *frustum, int plane,
+                                       fxl_view_polygon *out, fxl_q18_46 *distances)
+{
+    FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
+    uint32_t inside_count = measure(in, frustum, plane, distances);
+    if (inside_count == in->count) {
+        return FXL_CLIP_INSIDE;
+    }
+    if (inside_count == 0) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    uint32_t count = 0;
+    for (uint32_t current = 0; current < in->count; current++) {
+        uint32_t next = current + 1 == in->count ? 0 : current + 1;
+        if (!append_edge(in, distances, current, next, out, &count)) {
+            return FXL_CLIP_CAPACITY;
+        }
+    }
+    if (count < 3) {
+        return FXL_CLIP_DEGENERATE;
+    }
+    out->colour = in->colour;
+    out->count = (uint8_t)count;
+    return FXL_CLIP_CUT;
+}
+
+fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
+                                         const fxl_view_frustum *frustum,
+                                         fxl_clip_view_work *work,
+                                         const fxl_view_polygon **result)
+{
+    const fxl_view_polygon *current = in;
+    uint32_t spare = 0;
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        fxl_view_polygon *out = &work->polygons[spare];
+        fxl_clip_result cut =
+            fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
+        if (cut == FXL_CLIP_CUT) {
+            current = out;
+            spare ^= 1u;
+        } else if (cut != FXL_CLIP_INSIDE) {
+            *result = NULL;
+            return cut;
+        }
+    }
+    *result = current;
+    return current == in ? FXL_CLIP_INSIDE : FXL_CLIP_CUT;
+}
