@@ -23,9 +23,9 @@ from fixel import emulator
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured
 
-HOST_TIMEOUT = 600      # seconds for one program
-BOARD_TIMEOUT = 600
-PYTEST_TIMEOUT = 1200
+HOST_TIMEOUT = 300      # seconds for one program
+BOARD_TIMEOUT = 300
+PYTEST_TIMEOUT = 600
 QUIET = 20.0            # seconds without a line after which the one running is named
 TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests" / "tools"
 

@@ -26,6 +26,12 @@
 #define MPU_RBAR        ARMV7M_REGISTER(0xE000ED9Cu)
 #define MPU_RASR        ARMV7M_REGISTER(0xE000EDA0u)
 
+/* The lowest bytes of memory: the vector table, which the core reads
+ * unprotected, and nothing else, so that a null pointer cannot pass. A page of
+ * the emulator's: a smaller region would make it check every access to the rest
+ * of the page, which QEMU 10 takes tens of times longer for. */
+#define ARMV7M_NULL_BYTES 4096u
+
 /* Places from linker/sections.ld and the board's memory.ld. Only their
  * addresses mean anything; of ..._size symbols the address is the size. */
 extern uint32_t fxl_data_load[], fxl_data_start[], fxl_data_end[];
@@ -43,8 +49,7 @@ void armv7m_fault(void);
 
 /* Sets up and turns on the memory protection: flash read-only; the rest of the
  * code space, the lowest bytes of memory and the guard below the stack out of
- * bounds. Ends the
- * program with SYSTEM_EXIT_BOARD on a core without it. */
+ * bounds. Ends the program with SYSTEM_EXIT_BOARD on a core without it. */
 void armv7m_protect(void);
 
 /* The SysTick interrupt; parts/systick.c has one. */

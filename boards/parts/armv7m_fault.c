@@ -19,7 +19,6 @@
 #define CFSR_UNALIGNED (1u << 24)
 #define CFSR_DIVBYZERO (1u << 25)
 
-#define NULL_BYTES         256u
 #define FIRST_SYSTEM_FAULT 3u
 #define LAST_SYSTEM_FAULT  6u
 
@@ -83,7 +82,7 @@ static int memory_code(uint32_t cfsr, bool known, uint32_t address)
     /* Flash is read-only, so data access to it that faults was a write. */
     const uint32_t flash_offset = address - (uint32_t)(uintptr_t)fxl_flash_base;
 
-    if (known && address < NULL_BYTES) {
+    if (known && address < ARMV7M_NULL_BYTES) {
         return SYSTEM_EXIT_NULL;
     }
     if (known && (cfsr & CFSR_DACCVIOL) != 0 &&

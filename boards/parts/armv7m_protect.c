@@ -21,8 +21,6 @@
 #define CODE_SPACE_BASE 0x00000000u
 #define CODE_SPACE_SIZE 0x20000000u
 
-#define NULL_BYTES 256u /* the vector table, which the core reads unprotected */
-
 /* Region number covers size bytes, a power of two from 32, from an address
  * that is a multiple of it. Where regions overlap, the higher number rules. */
 static void set_region(uint32_t number, uintptr_t address, uint32_t size, uint32_t attributes)
@@ -47,7 +45,7 @@ void armv7m_protect(void)
     }
     set_region(0, CODE_SPACE_BASE, CODE_SPACE_SIZE, RASR_NO_ACCESS | RASR_XN);
     set_region(1, (uintptr_t)fxl_flash_base, (uint32_t)(uintptr_t)fxl_flash_size, RASR_READ_ONLY);
-    set_region(2, 0, NULL_BYTES, RASR_NO_ACCESS | RASR_XN);
+    set_region(2, 0, ARMV7M_NULL_BYTES, RASR_NO_ACCESS | RASR_XN);
     set_region(3, guard, guard_size, RASR_NO_ACCESS | RASR_XN);
     MPU_CTRL = CTRL_ENABLE | CTRL_PRIVDEFENA;
     __asm__ volatile("dsb\n\tisb" ::: "memory");

@@ -123,7 +123,7 @@ static void say_all(report *out, const options *wanted, const session *run) {
 }
 
 static bool parse_options(int count, char **arguments, options *wanted) {
-    *wanted = (options){.distance = 1.0 / 64};
+    *wanted = (options){.distance = 1.0 / 8192};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;
