@@ -38,12 +38,14 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run flash boot report size all
+NEEDS_run    := run flash boot size pictures
+NEEDS_report := report all
 NEEDS_test   := test
 NEEDS_lib    := lib
 NEEDS_format := format
+NEEDS_fuzz   := fuzz
 NEEDS_tools  := compare
-SETUP := $(strip $(foreach what,run test lib format tools,\
+SETUP := $(strip $(foreach what,run report test lib format fuzz tools,\
     $(if $(filter $(NEEDS_$(what)),$(MAKECMDGOALS)),$(what))))
 
 # Once: not again in a make that this one started.

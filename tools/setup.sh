@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|test|lib|format|tools...
+# usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools...
 #
 #   run     cross compiler, QEMU, Python packages
-#   test    the same, and Ruby with CMock
+#   report  the same, and GMP
+#   test    the same, and Ruby with CMock, and Chromium, which opens the report
 #   lib     cross compiler
 #   format  clang-format
+#   fuzz    clang with its sanitizers and coverage tools, Python packages
 #   tools   Python packages
 #
 # Debian packages come from this machine's own apt sources; Python packages go
@@ -43,6 +45,21 @@ need_cmock() {
     has ruby || need ruby
     [ -f "$cmock_home/lib/cmock.rb" ] || need cmock
 }
+need_gmp() { compiles gcc gmp.h || need libgmp-dev; }
+need_browser() { has chromium || need chromium; }
+# A run-time library has no command of its own: ask the compiler to link one.
+need_fuzzer() {
+    clang=$(find_clang) || { need clang; need llvm; need libclang-rt-dev; return; }
+    has "llvm-cov${clang#clang}" || need llvm
+    printf 'int LLVMFuzzerTestOneInput(const unsigned char *d, unsigned long n) { return d && !n; }\n' |
+        "$clang" -x c -fsanitize=fuzzer,address -o /dev/null - 2>/dev/null || need libclang-rt-dev
+}
+find_clang() {
+    for clang in clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-14; do
+        if has "$clang"; then echo "$clang"; return; fi
+    done
+    return 1
+}
 need_venv() { wants_venv=yes; }
 
 # The venv's stamp: the requirements and the interpreter that it was made for.
@@ -60,11 +77,15 @@ find_missing() {
     for what in "$@"; do
         case $what in
         run) need_host_compiler; need_cross_compiler; need_emulator; need_venv ;;
-        test) need_host_compiler; need_cross_compiler; need_emulator; need_cmock; need_venv ;;
+        report) need_host_compiler; need_cross_compiler; need_emulator; need_gmp; need_venv ;;
+        test)
+            need_host_compiler; need_cross_compiler; need_emulator; need_gmp
+            need_cmock; need_browser; need_venv ;;
         lib) need_cross_compiler ;;
+        fuzz) need_host_compiler; need_fuzzer; need_venv ;;
         format) has clang-format || need clang-format ;;
         tools) need_host_compiler; need_venv ;;
-        *) die "unknown set-up '$what': run, test, lib, format or tools" ;;
+        *) die "unknown set-up '$what': run, report, test, lib, format, fuzz or tools" ;;
         esac
     done
     has python3 || need python3
@@ -189,7 +210,7 @@ make_venv() {
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|test|lib|format|tools..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools..."
 
 is_ready() {
     find_missing "$@"

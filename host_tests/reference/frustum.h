@@ -7,12 +7,12 @@
 #include "reference/lens.h"
 
 enum {
+    REF_PLANE_NEAR,
+    REF_PLANE_FAR,
     REF_PLANE_LEFT,
     REF_PLANE_RIGHT,
     REF_PLANE_BOTTOM,
     REF_PLANE_TOP,
-    REF_PLANE_NEAR,
-    REF_PLANE_FAR,
     REF_PLANE_COUNT
 };
 

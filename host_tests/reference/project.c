@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/project.h"
 
-ref_screen_point ref_project_point(const ref_lens *lens, const ref_point *view) {
-    return (ref_screen_point){lens->width / 2.0 + lens->focal * view->x / view->z,
-                              lens->height / 2.0 - lens->focal * view->y / view->z};
+ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view)
+{
+    return (ref_screen_point){(double)(lens->width / 2.0 + lens->focal * view->x / view->z),
+                              (double)(lens->height / 2.0 - lens->focal * view->y / view->z)};
 }
 
 void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,
-                         ref_screen_polygon *screen) {
+                         ref_screen_polygon *screen)
+{
     screen->colour = view->colour;
     screen->count = view->count;
     for (int i = 0; i < view->count; i++) {
-        screen->points[i] = ref_project_point(lens, &view->points[i]);
+        screen->points[i] = ref_project_point(lens, &view->vertices[i].position);
     }
 }

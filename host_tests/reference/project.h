@@ -6,7 +6,7 @@
 #include "reference/lens.h"
 
 /* Requires view->z > 0. */
-ref_screen_point ref_project_point(const ref_lens *lens, const ref_point *view);
+ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view);
 void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,
                          ref_screen_polygon *screen);
 

@@ -54,11 +54,21 @@ typedef struct {
     ref_vertex vertices[REF_POLYGON_CAPACITY];
 } ref_polygon;
 
-/* Relative to the eye: along right, up and forward. */
+/* A point relative to the eye: along right, up and forward. Kept to 64 bits, so
+ * that the library's sums and the twin's of the same integers are exact. */
+typedef struct {
+    long double x, y, z;
+} ref_view_point;
+
+typedef struct {
+    ref_view_point position;
+    double u, v;
+} ref_view_vertex;
+
 typedef struct {
     uint8_t colour;
     int count;
-    ref_point points[REF_POLYGON_CAPACITY];
+    ref_view_vertex vertices[REF_POLYGON_CAPACITY];
 } ref_view_polygon;
 
 /* In pixels, y down. */

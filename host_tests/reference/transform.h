@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* From the world into the view (SPEC.md 4.6), in double. */
+/* From the world into the view (SPEC.md 4.6). */
 #ifndef REF_TRANSFORM_H
 #define REF_TRANSFORM_H
 
 #include "reference/camera.h"
 
-ref_point ref_transform_point(const ref_camera *camera, const ref_point *point);
+/* Summed in 64 bits: exact where matrix and point are the library's integers. */
+ref_view_point ref_transform_point(const ref_camera *camera, const ref_point *point);
 void ref_transform_polygon(const ref_camera *camera, const ref_polygon *polygon,
                            ref_view_polygon *view);
 

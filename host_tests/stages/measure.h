@@ -8,6 +8,7 @@
 
 /* The tally of each stage, named and empty. */
 stages_tally stages_clip_tally(const char *input);
+stages_tally stages_clip_world_tally(const char *input);
 stages_tally stages_transform_tally(const char *input);
 stages_tally stages_project_tally(const char *input);
 stages_tally stages_fill_tally(const char *input);
@@ -15,8 +16,19 @@ stages_tally stages_fill_tally(const char *input);
 /* Clips plane by plane; before each plane both sides start from the library's
  * polygon, so that one plane's rounding is not counted for the next. Samples
  * are the vertices that a plane made. *polygon becomes what is left; false
- * where nothing is. */
-int stages_measure_clip(stages_tally *tally, const fxl_frustum *frustum, fxl_polygon *polygon);
+ * where nothing is. The first is the view's clipper, the second the world's. The
+ * first leaves out a plane that a vertex lies inside of by less than 2^-46: there
+ * the library's verdict, on the plane, is as good as the twin's. */
+int stages_measure_clip(stages_tally *tally, const fxl_view_frustum *frustum,
+                        fxl_view_polygon *polygon);
+int stages_measure_clip_world(stages_tally *tally, const fxl_frustum *frustum,
+                              fxl_polygon *polygon);
+
+/* The library's frustum of the view against the twin's of the same lens: where a
+ * component of a normal is more than 1.5 units of 2^-30 off, or a depth or the
+ * inset at all, the clip's input was another, and that is a mismatch. */
+void stages_check_view_frustum(stages_tally *clip, const fxl_lens *lens,
+                               const fxl_view_frustum *frustum);
 
 void stages_measure_transform(stages_tally *tally, const fxl_camera *camera, const fxl_point *point,
                               fxl_view_point *view);

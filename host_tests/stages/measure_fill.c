@@ -5,7 +5,8 @@
 #include "stages/bridge.h"
 #include "stages/measure.h"
 
-stages_tally stages_fill_tally(const char *input) {
+stages_tally stages_fill_tally(const char *input)
+{
     return (stages_tally){
         .stage = "fill",
         .input = input,
@@ -17,8 +18,8 @@ stages_tally stages_fill_tally(const char *input) {
 }
 
 /* Marks the library's pixels; answers how many it drew twice or outside. */
-static uint32_t draw_fixed(const fxl_screen_polygon *polygon, const fxl_band *band,
-                           uint32_t *drawn) {
+static uint32_t draw_fixed(const fxl_screen_polygon *polygon, const fxl_band *band, uint32_t *drawn)
+{
     static fxl_scan scan;
     fxl_span span;
     uint32_t wrong = 0;
@@ -44,7 +45,8 @@ static uint32_t draw_fixed(const fxl_screen_polygon *polygon, const fxl_band *ba
 }
 
 void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
-                         const fxl_band *band) {
+                         const fxl_band *band)
+{
     uint32_t drawn, found = 0;
     uint32_t wrong = draw_fixed(polygon, band, &drawn);
     ref_screen_polygon exact = bridge_screen_polygon(polygon);

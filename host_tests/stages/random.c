@@ -4,54 +4,64 @@
 #include <math.h>
 
 /* SplitMix64 (Steele, Lea, Flood 2014). */
-static uint64_t next(stages_random *random) {
+static uint64_t next(stages_random *random)
+{
     uint64_t z = random->state += UINT64_C(0x9E3779B97F4A7C15);
     z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
     z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
     return z ^ z >> 31;
 }
 
-stages_random stages_random_start(uint64_t seed, uint64_t shard) {
+stages_random stages_random_start(uint64_t seed, uint64_t shard)
+{
     stages_random random = {seed};
     random.state = next(&random) + shard;
     random.state = next(&random);
     return random;
 }
 
-uint32_t stages_random_below(stages_random *random, uint32_t limit) {
+uint32_t stages_random_below(stages_random *random, uint32_t limit)
+{
     return (uint32_t)((next(random) >> 32) * limit >> 32);
 }
 
 /* low <= x < high */
-static double uniform(stages_random *random, double low, double high) {
+static double uniform(stages_random *random, double low, double high)
+{
     return low + (high - low) * ldexp((double)(next(random) >> 11), -53);
 }
 
 /* Evenly by magnitude. */
-static double spread(stages_random *random, double low, double high) {
+static double spread(stages_random *random, double low, double high)
+{
     return low * pow(high / low, uniform(random, 0, 1));
 }
 
-static double signed_spread(stages_random *random, double low, double high) {
+static double signed_spread(stages_random *random, double low, double high)
+{
     double size = spread(random, low, high);
     return stages_random_below(random, 2) ? size : -size;
 }
 
-static fxl_q16_16 coordinate(double units) {
+static fxl_q16_16 coordinate(double units)
+{
     double limit = FXL_COORDINATE_MAX;
     return (fxl_q16_16)fmax(-limit, fmin(limit, round(units * 65536)));
 }
 
-static fxl_point point_at(double x, double y, double z) {
+static fxl_point point_at(double x, double y, double z)
+{
     return (fxl_point){coordinate(x), coordinate(y), coordinate(z)};
 }
 
-static fxl_angle angle(stages_random *random) {
+static fxl_angle angle(stages_random *random)
+{
     uint32_t any = (uint32_t)(next(random) >> 32);
     return stages_random_below(random, 8) == 0 ? any & 0xE0000000u : any;
 }
 
-fxl_pose stages_random_pose(stages_random *random) {
+fxl_pose stages_random_pose(stages_random *random)
+{
     double reach = stages_random_below(random, 2) ? 8191 : spread(random, 1, 8191);
     fxl_pose pose = {.yaw = angle(random), .pitch = angle(random), .roll = angle(random)};
     pose.position = point_at(uniform(random, -reach, reach), uniform(random, -reach, reach),
@@ -59,7 +69,8 @@ fxl_pose stages_random_pose(stages_random *random) {
     return pose;
 }
 
-fxl_lens stages_random_lens(stages_random *random) {
+fxl_lens stages_random_lens(stages_random *random)
+{
     fxl_lens lens;
     fxl_status status;
     do {
@@ -82,7 +93,8 @@ fxl_lens stages_random_lens(stages_random *random) {
 }
 
 /* eye + right x + up y + forward z */
-static void along_camera(const fxl_camera *camera, const double view[3], double world[3]) {
+static void along_camera(const fxl_camera *camera, const double view[3], double world[3])
+{
     const fxl_direction *axes[3] = {&camera->right, &camera->up, &camera->forward};
     world[0] = camera->position.x / 65536.0;
     world[1] = camera->position.y / 65536.0;
@@ -94,13 +106,15 @@ static void along_camera(const fxl_camera *camera, const double view[3], double 
     }
 }
 
-static void set_vertex(stages_random *random, fxl_vertex *vertex, fxl_point position) {
+static void set_vertex(stages_random *random, fxl_vertex *vertex, fxl_point position)
+{
     vertex->position = position;
     vertex->u = (fxl_q16_16)stages_random_below(random, 1024 * 65536u) - 512 * 65536;
     vertex->v = (fxl_q16_16)stages_random_below(random, 1024 * 65536u) - 512 * 65536;
 }
 
-static void any_polygon(stages_random *random, const fxl_camera *camera, fxl_polygon *polygon) {
+static void any_polygon(stages_random *random, const fxl_camera *camera, fxl_polygon *polygon)
+{
     polygon->count = (uint8_t)(3 + stages_random_below(random, FXL_POLYGON_CAPACITY - 2));
     for (int i = 0; i < polygon->count; i++) {
         set_vertex(random, &polygon->vertices[i], stages_random_point(random, &camera->position));
@@ -108,7 +122,8 @@ static void any_polygon(stages_random *random, const fxl_camera *camera, fxl_pol
 }
 
 /* Points of an ellipse at rising angles: flat and convex but for rounding. */
-static void round_polygon(stages_random *random, const fxl_camera *camera, fxl_polygon *polygon) {
+static void round_polygon(stages_random *random, const fxl_camera *camera, fxl_polygon *polygon)
+{
     double depth = spread(random, 1.0 / 64, 8191), size = depth * spread(random, 1.0 / 64, 16);
     double centre[3] = {uniform(random, -depth, depth), uniform(random, -depth, depth),
                         uniform(random, -0.25, 1) * depth};
@@ -129,7 +144,8 @@ static void round_polygon(stages_random *random, const fxl_camera *camera, fxl_p
     }
 }
 
-fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camera) {
+fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camera)
+{
     fxl_polygon polygon = {.colour = 1};
     if (stages_random_below(random, 8) == 0) {
         any_polygon(random, camera, &polygon);
@@ -139,7 +155,8 @@ fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camer
     return polygon;
 }
 
-fxl_point stages_random_point(stages_random *random, const fxl_point *eye) {
+fxl_point stages_random_point(stages_random *random, const fxl_point *eye)
+{
     if (stages_random_below(random, 4) == 0) {
         return point_at(uniform(random, -8191, 8191), uniform(random, -8191, 8191),
                         uniform(random, -8191, 8191));
@@ -149,25 +166,31 @@ fxl_point stages_random_point(stages_random *random, const fxl_point *eye) {
                     eye->z / 65536.0 + signed_spread(random, 1.0 / 65536, 16382));
 }
 
-fxl_view_point stages_random_view_point(stages_random *random, const fxl_lens *lens) {
+/* With bits of its own below a double's 53. */
+static fxl_q18_46 view_coordinate(stages_random *random, double units)
+{
+    const double limit = 0x1p61 - 0x1p12;
+    double rounded = fmax(-limit, fmin(limit, round(ldexp(units, 46))));
+    return (fxl_q18_46)rounded + (fxl_q18_46)stages_random_below(random, 512);
+}
+
+fxl_view_point stages_random_view_point(stages_random *random, const fxl_lens *lens)
+{
     /* 1 in 16 a wide miss, of either sign of z */
     double reach = 1, focal = lens->focal / 65536.0;
-    double z = spread(random, 1.0 / 256, 28000);
+    double z = spread(random, 1.0 / 512, 28000);
     if (stages_random_below(random, 16) == 0) {
         reach = 20;
         z = stages_random_below(random, 4) ? z : -z;
     }
     double x = uniform(random, -reach, reach) * z * lens->width / 2 / focal;
     double y = uniform(random, -reach, reach) * z * lens->height / 2 / focal;
-    int power;
-    frexp(fmax(fabs(x), fmax(fabs(y), fabs(z))), &power); /* largest < 2^power */
-    int shift = 31 - power;
-    /* Downward in size: the largest must not become 2^31. */
-    return (fxl_view_point){(int32_t)trunc(ldexp(x, shift)), (int32_t)trunc(ldexp(y, shift)),
-                            (int32_t)trunc(ldexp(z, shift)), (int8_t)(46 - shift)};
+    return (fxl_view_point){view_coordinate(random, x), view_coordinate(random, y),
+                            view_coordinate(random, z)};
 }
 
-static fxl_q16_16 screen_coordinate(stages_random *random, uint32_t kind, int size) {
+static fxl_q16_16 screen_coordinate(stages_random *random, uint32_t kind, int size)
+{
     switch (kind) {
     case 0: /* anywhere in range */
         return (fxl_q16_16)uniform(random, -FXL_SCREEN_COORDINATE_MAX, FXL_SCREEN_COORDINATE_MAX);
@@ -182,7 +205,8 @@ static fxl_q16_16 screen_coordinate(stages_random *random, uint32_t kind, int si
     }
 }
 
-fxl_screen_polygon stages_random_outline(stages_random *random, int width, int height) {
+fxl_screen_polygon stages_random_outline(stages_random *random, int width, int height)
+{
     fxl_screen_polygon polygon = {.colour = 1};
     uint32_t kind = stages_random_below(random, 5);
     uint32_t many = stages_random_below(random, 4) == 0 ? FXL_POLYGON_CAPACITY - 2 : 4;

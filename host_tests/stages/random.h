@@ -22,7 +22,7 @@ fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camer
 /* A point of the world: near the eye or far from it. */
 fxl_point stages_random_point(stages_random *random, const fxl_point *eye);
 
-/* A view point whose largest coordinate uses 31 bits; mostly on the screen. */
+/* A view point, every bit of it at random; mostly on the screen. */
 fxl_view_point stages_random_view_point(stages_random *random, const fxl_lens *lens);
 
 /* An outline about a screen: large, small, on a grid of half pixels (ties), or

@@ -26,22 +26,26 @@ typedef struct {
 } options;
 
 typedef struct {
-    stages_tally clip, transform, project, fill;
+    stages_tally clip, clip_world, transform, project, fill;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
 
-static int fail(const char *where, const char *what) {
+static int fail(const char *where, const char *what)
+{
     fprintf(stderr, "error: %s: %s\n", where, what);
     return 2;
 }
 
-static tallies tallies_for(const char *input) {
-    return (tallies){stages_clip_tally(input), stages_transform_tally(input),
-                     stages_project_tally(input), stages_fill_tally(input)};
+static tallies tallies_for(const char *input)
+{
+    return (tallies){stages_clip_tally(input), stages_clip_world_tally(input),
+                     stages_transform_tally(input), stages_project_tally(input),
+                     stages_fill_tally(input)};
 }
 
-static void progress(const char *what, uint64_t done, uint64_t all) {
+static void progress(const char *what, uint64_t done, uint64_t all)
+{
     static time_t reported;
     time_t now = time(NULL);
     if (reported == 0) {
@@ -54,32 +58,59 @@ static void progress(const char *what, uint64_t done, uint64_t all) {
     }
 }
 
-/* One polygon down the library's own way, measured at every boundary. */
-static void take_polygon(tallies *to, const fxl_camera *camera, const fxl_lens *lens,
-                         const fxl_frustum *frustum, fxl_polygon *polygon) {
-    if (!stages_measure_clip(&to->clip, frustum, polygon)) {
+/* What a frame's stages share. */
+static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
+{
+    view->lens = *lens;
+    if (fxl_camera_from_pose(pose, &view->camera) != FXL_OK) {
+        return 0;
+    }
+    fxl_frustum_from_camera(&view->camera, lens, &view->frustum);
+    fxl_view_frustum_from_lens(lens, &view->view_frustum);
+    return 1;
+}
+
+/* Every vertex into the view. */
+static void take_vertices(stages_tally *transform, const fxl_camera *camera,
+                          const fxl_polygon *polygon, fxl_view_polygon *seen)
+{
+    *seen = (fxl_view_polygon){.colour = polygon->colour, .count = polygon->count};
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_vertex *vertex = &polygon->vertices[i];
+        stages_measure_transform(transform, camera, &vertex->position, &seen->vertices[i].position);
+        seen->vertices[i].u = vertex->u;
+        seen->vertices[i].v = vertex->v;
+    }
+}
+
+/* One polygon down the library's own way, measured at every boundary; and, to
+ * the side, through the world's clipper. */
+static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon)
+{
+    fxl_view_polygon seen;
+    take_vertices(&to->transform, &view->camera, polygon, &seen);
+    stages_measure_clip_world(&to->clip_world, &view->frustum, polygon);
+    if (!stages_measure_clip(&to->clip, &view->view_frustum, &seen)) {
         return;
     }
-    fxl_screen_polygon screen = {.colour = polygon->colour, .count = polygon->count};
-    for (int i = 0; i < polygon->count; i++) {
-        fxl_view_point view;
-        stages_measure_transform(&to->transform, camera, &polygon->vertices[i].position, &view);
-        if (!stages_measure_project(&to->project, lens, &view, &screen.points[i])) {
+    fxl_screen_polygon screen = {.colour = seen.colour, .count = seen.count};
+    for (int i = 0; i < seen.count; i++) {
+        if (!stages_measure_project(&to->project, &view->lens, &seen.vertices[i].position,
+                                    &screen.points[i])) {
             return;
         }
     }
-    fxl_band band = {pixels, lens->width, lens->width, 0, lens->height};
+    fxl_band band = {pixels, view->lens.width, view->lens.width, 0, view->lens.height};
     stages_measure_fill(&to->fill, &screen, &band);
 }
 
-static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose *pose) {
+static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose *pose)
+{
     const fxl_scene *scene = &image->scene;
-    fxl_camera camera;
-    fxl_frustum frustum;
-    if (fxl_camera_from_pose(pose, &camera) != FXL_OK) {
+    fxl_view view;
+    if (!view_from(pose, &image->lens, &view)) {
         return;
     }
-    fxl_frustum_from_camera(&camera, &image->lens, &frustum);
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const fxl_object *object = &scene->objects[i];
         const fxl_model *model = &scene->models[object->model];
@@ -88,13 +119,14 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
             if (fxl_face_is_front(scene, object, face, &pose->position)) {
                 fxl_polygon polygon;
                 fxl_face_to_polygon(scene, object, face, &polygon);
-                take_polygon(to, &camera, &image->lens, &frustum, &polygon);
+                take_polygon(to, &view, &polygon);
             }
         }
     }
 }
 
-static void take_path(tallies *to, const fxl_scene_image *image) {
+static void take_path(tallies *to, const fxl_scene_image *image)
+{
     fxl_viewer viewer = image->start;
     uint32_t every = 1 + (image->frame_count - 1) / FRAMES_MAX;
     uint32_t stride = 0, done = 0; /* frames of this stride */
@@ -119,7 +151,8 @@ static void take_path(tallies *to, const fxl_scene_image *image) {
 }
 
 /* 0, or 2 after saying why. */
-static int take_scene(tallies *to, const char *path) {
+static int take_scene(tallies *to, const char *path)
+{
     FILE *file = fopen(path, "rb");
     if (!file) {
         return fail(path, strerror(errno));
@@ -143,26 +176,39 @@ static int take_scene(tallies *to, const char *path) {
     return status == FXL_OK ? 0 : fail(path, fxl_status_text(status));
 }
 
-static void take_random_polygon(stages_tally *clip, stages_random *random) {
+/* Both clippers get the same polygon; now and then one with a vertex exactly on
+ * a plane. A side plane of the view passes exactly through nothing but rare
+ * integers, so there it is near or far. */
+static void take_random_polygon(tallies *to, stages_random *random)
+{
     fxl_pose pose = stages_random_pose(random);
     fxl_lens lens = stages_random_lens(random);
-    fxl_camera camera;
-    fxl_frustum frustum;
-    if (fxl_camera_from_pose(&pose, &camera) != FXL_OK) {
-        clip->mismatched++; /* every random pose is in range */
+    fxl_view view;
+    if (!view_from(&pose, &lens, &view)) {
+        to->clip.mismatched++; /* every random pose is in range */
         return;
     }
-    fxl_frustum_from_camera(&camera, &lens, &frustum);
-    fxl_polygon polygon = stages_random_polygon(random, &camera);
-    if (stages_random_below(random, 8) == 0) { /* a vertex exactly on a plane */
-        fxl_plane *plane = &frustum.planes[stages_random_below(random, FXL_PLANE_COUNT)];
-        const fxl_vertex *vertex = &polygon.vertices[stages_random_below(random, polygon.count)];
-        *plane = fxl_plane_from_point(&vertex->position, &plane->normal, 0);
+    stages_check_view_frustum(&to->clip, &lens, &view.view_frustum);
+    fxl_polygon polygon = stages_random_polygon(random, &view.camera);
+    fxl_view_polygon seen;
+    fxl_transform_polygon(&view.camera, &polygon, &seen);
+    if (stages_random_below(random, 8) == 0) {
+        fxl_plane *plane = &view.frustum.planes[stages_random_below(random, FXL_PLANE_COUNT)];
+        uint32_t on = stages_random_below(random, polygon.count);
+        *plane = fxl_plane_from_point(&polygon.vertices[on].position, &plane->normal, 0);
+        fxl_q18_46 depth = seen.vertices[on].position.z;
+        if (stages_random_below(random, 2)) {
+            view.view_frustum.near = depth;
+        } else {
+            view.view_frustum.far = depth;
+        }
     }
-    stages_measure_clip(clip, &frustum, &polygon);
+    stages_measure_clip(&to->clip, &view.view_frustum, &seen);
+    stages_measure_clip_world(&to->clip_world, &view.frustum, &polygon);
 }
 
-static void take_random_points(tallies *to, stages_random *random) {
+static void take_random_points(tallies *to, stages_random *random)
+{
     fxl_pose pose = stages_random_pose(random);
     fxl_camera camera;
     if (fxl_camera_from_pose(&pose, &camera) != FXL_OK) {
@@ -180,7 +226,8 @@ static void take_random_points(tallies *to, stages_random *random) {
 }
 
 /* A band anywhere on a screen that is mostly small. */
-static void take_random_outline(stages_tally *fill, stages_random *random) {
+static void take_random_outline(stages_tally *fill, stages_random *random)
+{
     uint32_t large = stages_random_below(random, 64) == 0 ? FXL_SCREEN_MAX : 48;
     uint16_t width = (uint16_t)(1 + stages_random_below(random, large));
     uint16_t height = (uint16_t)(1 + stages_random_below(random, large));
@@ -191,13 +238,14 @@ static void take_random_outline(stages_tally *fill, stages_random *random) {
     stages_measure_fill(fill, &outline, &band);
 }
 
-static void take_random(tallies *to, const options *wanted) {
+static void take_random(tallies *to, const options *wanted)
+{
     /* A shard a stage, so that one stage's input does not depend on another's. */
     stages_random polygons = stages_random_start(wanted->seed, 1);
     stages_random points = stages_random_start(wanted->seed, 2);
     stages_random outlines = stages_random_start(wanted->seed, 3);
     for (uint64_t i = 0; i < wanted->samples; i++) {
-        take_random_polygon(&to->clip, &polygons);
+        take_random_polygon(to, &polygons);
         take_random_points(to, &points);
         if (i % FILL_SHARE == 0) {
             take_random_outline(&to->fill, &outlines);
@@ -206,15 +254,18 @@ static void take_random(tallies *to, const options *wanted) {
     }
 }
 
-static void print_tallies(const tallies *of, const char *end) {
-    const stages_tally *all[] = {&of->clip, &of->transform, &of->project, &of->fill};
-    for (int i = 0; i < 4; i++) {
+static void print_tallies(const tallies *of, const char *end)
+{
+    const stages_tally *all[] = {&of->clip, &of->clip_world, &of->transform, &of->project,
+                                 &of->fill};
+    for (int i = 0; i < 5; i++) {
         stages_print(all[i]);
-        puts(i < 3 ? "," : end);
+        puts(i < 4 ? "," : end);
     }
 }
 
-static int parse_number(const char *text, uint64_t *number) {
+static int parse_number(const char *text, uint64_t *number)
+{
     char *end;
     errno = 0;
     unsigned long long value = strtoull(text, &end, 10);
@@ -222,7 +273,8 @@ static int parse_number(const char *text, uint64_t *number) {
     return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0;
 }
 
-static int parse_options(int count, char **arguments, options *wanted) {
+static int parse_options(int count, char **arguments, options *wanted)
+{
     *wanted = (options){.samples = 200000, .seed = 1};
     for (int i = 1; i < count; i++) {
         int samples = strcmp(arguments[i], "--samples") == 0;
@@ -240,7 +292,8 @@ static int parse_options(int count, char **arguments, options *wanted) {
     return 1;
 }
 
-int main(int count, char **arguments) {
+int main(int count, char **arguments)
+{
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
         return fail("usage", "stage_errors [SCENE.fxls] [--samples N] [--seed S]");

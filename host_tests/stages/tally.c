@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
-void stages_count(stages_tally *tally, double difference, int within_bound) {
+void stages_count(stages_tally *tally, double difference, int within_bound)
+{
     int bin = 0;
     while (bin < TALLY_BINS - 1 && difference > ldexp(1, bin + TALLY_FIRST_POWER)) {
         bin++;
@@ -17,11 +18,13 @@ void stages_count(stages_tally *tally, double difference, int within_bound) {
     tally->beyond_bound += !within_bound;
 }
 
-void stages_extra(stages_tally *tally, int which, double difference) {
+void stages_extra(stages_tally *tally, int which, double difference)
+{
     tally->extras[which] = fmax(tally->extras[which], difference);
 }
 
-static void print_histogram(const stages_tally *tally) {
+static void print_histogram(const stages_tally *tally)
+{
     int first = 0, last = TALLY_BINS - 1;
     while (first < last && tally->bins[first] == 0) {
         first++;
@@ -37,7 +40,8 @@ static void print_histogram(const stages_tally *tally) {
     printf("]");
 }
 
-void stages_print(const stages_tally *tally) {
+void stages_print(const stages_tally *tally)
+{
     printf("    {\"stage\": \"%s\", \"input\": \"%s\", \"samples\": %" PRIu64
            ", \"max\": %.9g, \"mean\": %.9g,\n",
            tally->stage, tally->input, tally->samples, tally->max,

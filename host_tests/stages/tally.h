@@ -8,8 +8,8 @@
 /* Bin k counts differences <= 2^(k + TALLY_FIRST_POWER); the first also takes
  * 0, the last everything larger. */
 enum {
-    TALLY_BINS = 40,
-    TALLY_FIRST_POWER = -20
+    TALLY_BINS = 56,
+    TALLY_FIRST_POWER = -36
 };
 
 enum {

@@ -10,19 +10,6 @@ static void make(const fxl_pose *pose, const fxl_lens *lens, fxl_camera *camera,
     fxl_frustum_from_camera(camera, lens, frustum);
 }
 
-static fxl_lens random_lens(void)
-{
-    fxl_lens lens;
-    fxl_q16_16 near = unit_between(FXL_NEAR_MIN, Q16(100));
-    fxl_angle fov = (fxl_angle)unit_between((int32_t)FXL_FOV_MIN, (int32_t)FXL_FOV_MAX);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_lens_from_fov((uint16_t)unit_between(1, FXL_SCREEN_MAX),
-                                        (uint16_t)unit_between(1, FXL_SCREEN_MAX), fov, near,
-                                        unit_between(Q16(200), FXL_FAR_MAX),
-                                        unit_between(0, FXL_INSET_MAX), &lens));
-    return lens;
-}
-
 void test_four_sides_of_an_unturned_view(void)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
@@ -31,9 +18,10 @@ void test_four_sides_of_an_unturned_view(void)
     fxl_frustum frustum;
     make(&pose, &lens, &camera, &frustum);
     fxl_point middle = {0, 0, Q16(10)};
-    const fxl_point outside[FXL_PLANE_COUNT] = {{Q16(-11), 0, Q16(10)}, {Q16(11), 0, Q16(10)},
-                                                {0, Q16(-11), Q16(10)}, {0, Q16(11), Q16(10)},
-                                                {0, 0, Q16(0.05)},      {0, 0, Q16(1001)}};
+    const fxl_point outside[FXL_PLANE_COUNT] = {
+        [FXL_PLANE_LEFT] = {Q16(-11), 0, Q16(10)},   [FXL_PLANE_RIGHT] = {Q16(11), 0, Q16(10)},
+        [FXL_PLANE_BOTTOM] = {0, Q16(-11), Q16(10)}, [FXL_PLANE_TOP] = {0, Q16(11), Q16(10)},
+        [FXL_PLANE_NEAR] = {0, 0, Q16(0.05)},        [FXL_PLANE_FAR] = {0, 0, Q16(1001)}};
     for (int outer = 0; outer < FXL_PLANE_COUNT; outer++) {
         for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
             const fxl_plane *side = &frustum.planes[plane];
@@ -63,7 +51,7 @@ void test_normals_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_pose pose = unit_pose();
-        fxl_lens lens = random_lens();
+        fxl_lens lens = unit_any_lens();
         fxl_camera camera;
         fxl_frustum frustum;
         make(&pose, &lens, &camera, &frustum);
@@ -90,7 +78,7 @@ void test_distances_from_the_eye(void)
     const int64_t unit = (int64_t)1 << 30;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_pose pose = unit_pose();
-        fxl_lens lens = random_lens();
+        fxl_lens lens = unit_any_lens();
         fxl_camera camera;
         fxl_frustum frustum;
         make(&pose, &lens, &camera, &frustum);
@@ -104,5 +92,76 @@ void test_distances_from_the_eye(void)
         int64_t farthest = (int64_t)lens.far - lens.inset;
         expect_within(unit + nearest * 7, -nearest * unit, near);
         expect_within(unit + farthest * 7, farthest * unit, far);
+    }
+}
+
+/* Half a unit for rounding the quotient, and half a unit for the root. */
+static void expect_unit_vector(double side, double depth, fxl_q2_30 unit_side, fxl_q2_30 unit_depth)
+{
+    double length = sqrt(side * side + depth * depth);
+    TEST_ASSERT_NEAR(unit_side, side / length * FXL_Q2_30_ONE, 1.0);
+    TEST_ASSERT_NEAR(unit_depth, depth / length * FXL_Q2_30_ONE, 1.0);
+}
+
+void test_the_view_frustum_is_that_of_the_lens(void)
+{
+    const int64_t unit = (int64_t)1 << 30;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_lens lens = unit_any_lens();
+        fxl_view_frustum frustum;
+        fxl_view_frustum_from_lens(&lens, &frustum);
+        expect_unit_vector(lens.focal, lens.width * 32768.0, frustum.x_side, frustum.x_depth);
+        expect_unit_vector(lens.focal, lens.height * 32768.0, frustum.y_side, frustum.y_depth);
+        TEST_ASSERT_EQUAL_INT64(((int64_t)lens.near + lens.inset) * unit, frustum.near);
+        TEST_ASSERT_EQUAL_INT64(((int64_t)lens.far - lens.inset) * unit, frustum.far);
+        TEST_ASSERT_EQUAL_INT64(lens.inset * unit, frustum.inset);
+    }
+}
+
+void test_a_square_view_frustum(void)
+{
+    fxl_lens lens = unit_lens(64, 64);
+    fxl_view_frustum frustum;
+    fxl_view_frustum_from_lens(&lens, &frustum);
+    /* 90 degrees: both components are 2^30 / sqrt 2 = 759250124.99. */
+    TEST_ASSERT_INT32_WITHIN(1, 759250125, frustum.x_side);
+    TEST_ASSERT_INT32_WITHIN(1, 759250125, frustum.x_depth);
+    TEST_ASSERT_EQUAL_INT32(frustum.x_side, frustum.y_side);
+    TEST_ASSERT_EQUAL_INT32(frustum.x_depth, frustum.y_depth);
+}
+
+static int64_t size_of(int64_t value)
+{
+    return value < 0 ? -value : value;
+}
+
+/* Both frustums say the same of a point of the world. near and far rest on the
+ * same integers; a side plane was rounded once more when it was turned into the
+ * world, by half a unit of 2^-30 a component of its normal. */
+void test_the_view_frustum_is_the_one_in_the_world(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 4; i++) {
+        fxl_pose pose = unit_pose();
+        fxl_lens lens = unit_any_lens();
+        fxl_point point = unit_point(i % 2 ? FXL_COORDINATE_MAX : Q16(40));
+        fxl_camera camera;
+        fxl_frustum world;
+        fxl_view_frustum view;
+        fxl_view_point seen;
+        if (i % 2 == 0) {
+            pose.position = unit_point(Q16(40));
+        }
+        make(&pose, &lens, &camera, &world);
+        fxl_view_frustum_from_lens(&lens, &view);
+        fxl_transform_point(&camera, &point, &seen);
+        int64_t way = size_of((int64_t)point.x - pose.position.x) +
+                      size_of((int64_t)point.y - pose.position.y) +
+                      size_of((int64_t)point.z - pose.position.z);
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            bool depth = plane == FXL_PLANE_NEAR || plane == FXL_PLANE_FAR;
+            int64_t bound = depth ? 0 : way / 2 + 2;
+            expect_within(bound, fxl_plane_distance(&world.planes[plane], &point),
+                          fxl_view_distance(&view, plane, &seen));
+        }
     }
 }

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "unit.h"
+#include "wide.h"
 
-static fxl_screen_point project(const fxl_lens *lens, int32_t x, int32_t y, int32_t z)
+/* World units of the view, exactly. */
+#define V(units) ((fxl_q18_46)(units) * ((int64_t)1 << 46))
+
+static fxl_screen_point project(const fxl_lens *lens, int64_t x, int64_t y, int64_t z)
 {
-    fxl_view_point view = {x, y, z, 0};
+    fxl_view_point view = {x, y, z};
     fxl_screen_point screen;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_project_point(lens, &view, &screen));
     return screen;
@@ -12,11 +16,14 @@ static fxl_screen_point project(const fxl_lens *lens, int32_t x, int32_t y, int3
 void test_straight_ahead_is_the_middle(void)
 {
     fxl_lens lens = unit_lens(320, 240);
-    fxl_screen_point screen = project(&lens, 0, 0, 1 << 30);
+    fxl_screen_point screen = project(&lens, 0, 0, V(1));
     TEST_ASSERT_EQUAL_INT32(Q16(160), screen.x);
     TEST_ASSERT_EQUAL_INT32(Q16(120), screen.y);
     lens = unit_lens(63, 1);
-    screen = project(&lens, 0, 0, 1); /* the smallest depth there is */
+    screen = project(&lens, 0, 0, FXL_PROJECT_DEPTH_MIN);
+    TEST_ASSERT_EQUAL_INT32(Q16(31.5), screen.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.5), screen.y);
+    screen = project(&lens, 0, 0, ((int64_t)1 << 61) - 1);
     TEST_ASSERT_EQUAL_INT32(Q16(31.5), screen.x);
     TEST_ASSERT_EQUAL_INT32(Q16(0.5), screen.y);
 }
@@ -25,65 +32,118 @@ void test_right_is_right_and_up_is_up(void)
 {
     fxl_lens lens = unit_lens(320, 240);
     lens.focal = Q16(160);
-    fxl_screen_point screen = project(&lens, 1 << 29, 0, 1 << 30);
-    TEST_ASSERT_EQUAL_INT32(Q16(240), screen.x);
-    screen = project(&lens, 0, 1 << 29, 1 << 30);
-    TEST_ASSERT_EQUAL_INT32(Q16(40), screen.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(240), project(&lens, V(1), 0, V(2)).x);
+    TEST_ASSERT_EQUAL_INT32(Q16(40), project(&lens, 0, V(1), V(2)).y);
+    TEST_ASSERT_EQUAL_INT32(Q16(80), project(&lens, -V(7000), 0, V(14000)).x);
+    TEST_ASSERT_EQUAL_INT32(Q16(200), project(&lens, 0, -V(7000), V(14000)).y);
 }
 
-/* 5852 pixels of focal length are below 2^29 units; times 2^31, below 2^60. */
-static void expect_nearest(int64_t focal, int32_t side, int32_t depth, int32_t offset)
+/* |offset - focal side / depth| <= 1/2 + 2^-31 |offset| + 2^-30, times 2^32
+ * depth. The first difference is about depth, the products below 2^92. */
+static void expect_nearest(int64_t focal, int64_t side, int64_t depth, int64_t offset)
 {
-    int64_t twice_error = 2 * ((int64_t)offset * depth - focal * side);
-    TEST_ASSERT_TRUE(twice_error <= depth && twice_error >= -(int64_t)depth);
+    int64_t error;
+    wide difference = wide_difference(wide_product(offset, depth), wide_product(focal, side));
+    TEST_ASSERT_TRUE_MESSAGE(wide_narrow(difference, &error), "far off");
+    error = error < 0 ? -error : error;
+    int64_t size = offset < 0 ? -offset : offset;
+    int64_t bound = ((int64_t)1 << 31) + 2 * (size + 1) + 4;
+    TEST_ASSERT_TRUE_MESSAGE(
+        wide_compare(wide_product(error, (int64_t)1 << 32), wide_product(depth, bound)) <= 0,
+        "beyond the bound");
+}
+
+/* Whether focal side / depth is not clearly within low + 1 .. high - 1. */
+static bool at_an_end(int64_t focal, int64_t side, int64_t depth, int64_t low, int64_t high)
+{
+    wide product = wide_product(focal, side);
+    return wide_compare(product, wide_product(low + 1, depth)) < 0 ||
+           wide_compare(product, wide_product(high - 1, depth)) > 0;
+}
+
+static void expect_rightly_refused(const fxl_lens *lens, const fxl_view_point *view)
+{
+    const int64_t limit = FXL_SCREEN_COORDINATE_MAX;
+    int64_t x = lens->width * 32768, y = lens->height * 32768;
+    TEST_ASSERT_TRUE(view->z < FXL_PROJECT_DEPTH_MIN ||
+                     at_an_end(lens->focal, view->x, view->z, -limit - x, limit - x) ||
+                     at_an_end(lens->focal, view->y, view->z, y - limit, y + limit));
+}
+
+/* A side of a point at a depth of so many bits, mostly on the screen. */
+static int64_t random_side(int bits)
+{
+    int side = bits + unit_between(-12, 5);
+    return unit_wide((unsigned)(side < 1 ? 1 : side > 61 ? 61 : side));
 }
 
 void test_rounding_is_to_nearest(void)
 {
     int projected = 0;
     for (int i = 0; i < UNIT_REPEAT; i++) {
-        fxl_lens lens;
-        fxl_angle fov = (fxl_angle)unit_between((int32_t)FXL_FOV_MIN, (int32_t)FXL_FOV_MAX);
-        fxl_screen_point screen;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov((uint16_t)unit_between(1, FXL_SCREEN_MAX),
-                                                    (uint16_t)unit_between(1, FXL_SCREEN_MAX), fov,
-                                                    Q16(1), Q16(2), 0, &lens));
-        fxl_view_point view = {unit_between(-INT32_MAX, INT32_MAX),
-                               unit_between(-INT32_MAX, INT32_MAX), unit_between(1, INT32_MAX),
-                               (int8_t)unit_between(-15, 30)};
-        if (fxl_project_point(&lens, &view, &screen) != FXL_OK) {
+        fxl_lens lens = unit_any_lens();
+        int bits = unit_between(37, 61);
+        int64_t z = unit_wide((unsigned)bits);
+        fxl_view_point view = {random_side(bits), random_side(bits), z < 0 ? -z : z};
+        fxl_screen_point screen = {0, 0};
+        fxl_status status = fxl_project_point(&lens, &view, &screen);
+        if (status != FXL_OK) {
+            TEST_ASSERT_EQUAL(FXL_E_RANGE, status);
+            expect_rightly_refused(&lens, &view);
             continue;
         }
         projected++;
+        TEST_ASSERT_TRUE(view.z >= FXL_PROJECT_DEPTH_MIN);
+        TEST_ASSERT_INT32_WITHIN(FXL_SCREEN_COORDINATE_MAX, 0, screen.x);
+        TEST_ASSERT_INT32_WITHIN(FXL_SCREEN_COORDINATE_MAX, 0, screen.y);
         expect_nearest(lens.focal, view.x, view.z, screen.x - lens.width * 32768);
         expect_nearest(lens.focal, view.y, view.z, lens.height * 32768 - screen.y);
     }
     TEST_ASSERT_TRUE_MESSAGE(projected > UNIT_REPEAT / 4, "too few were on the screen");
 }
 
-/* Offsets of 1/2 and -1/2 unit, from the middle: halves go upward. */
+/* Offsets of 1/2 and -1/2 unit, from the middle: halves go upward. At every
+ * depth of one bit that the eye can see. */
 void test_halves_go_upward(void)
 {
     fxl_lens lens = unit_lens(2, 2);
     lens.focal = Q16(1);
-    TEST_ASSERT_EQUAL_INT32(Q16(1) + 1, project(&lens, 1 << 13, 0, 1 << 30).x);
-    TEST_ASSERT_EQUAL_INT32(Q16(1), project(&lens, -(1 << 13), 0, 1 << 30).x);
+    for (int bit = 37; bit <= 60; bit++) {
+        int64_t depth = (int64_t)1 << bit, half = depth >> 17;
+        TEST_ASSERT_EQUAL_INT32(Q16(1) + 1, project(&lens, half, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(1), project(&lens, half - 1, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(1), project(&lens, -half, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(1) - 1, project(&lens, -half - 1, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(1) - 1, project(&lens, 0, half, depth).y);
+        TEST_ASSERT_EQUAL_INT32(Q16(1), project(&lens, 0, -half, depth).y);
+    }
 }
 
-void test_the_exponent_cancels(void)
+/* The whole side counts: its last bit moves the outcome. */
+void test_no_bit_of_the_side_is_lost(void)
+{
+    fxl_lens lens = unit_lens(2, 2);
+    lens.focal = Q16(1);
+    int64_t depth = (int64_t)1 << 60, side = (depth >> 16) * 60000 + (depth >> 17);
+    TEST_ASSERT_EQUAL_INT32(Q16(1) + 60001, project(&lens, side, 0, depth).x);
+    TEST_ASSERT_EQUAL_INT32(Q16(1) + 60000, project(&lens, side - 1, 0, depth).x);
+}
+
+/* Where nothing is rounded away, only the direction counts. */
+void test_the_scale_cancels(void)
 {
     fxl_lens lens = unit_lens(320, 240);
-    fxl_view_point view = {123456789, -98765432, 1234567890, -15};
-    fxl_screen_point first, screen;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_project_point(&lens, &view, &first));
-    view.exponent = 30;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_project_point(&lens, &view, &screen));
-    TEST_ASSERT_EQUAL_MEMORY(&first, &screen, sizeof first);
+    fxl_screen_point first = project(&lens, 123456789, -98765432, 1234567890ll << 7);
+    for (int shift = 0; shift < 23; shift++) {
+        fxl_screen_point screen = project(&lens, 123456789ll << shift, -98765432ll * (1 << shift),
+                                          1234567890ll << (7 + shift));
+        TEST_ASSERT_EQUAL_MEMORY(&first, &screen, sizeof first);
+    }
 }
 
-static void expect_refused(const fxl_lens *lens, int32_t x, int32_t y, int32_t z)
+static void expect_refused(const fxl_lens *lens, int64_t x, int64_t y, int64_t z)
 {
-    fxl_view_point view = {x, y, z, 0};
+    fxl_view_point view = {x, y, z};
     fxl_screen_point screen = {12345, 54321};
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_project_point(lens, &view, &screen));
     TEST_ASSERT_EQUAL_INT32(12345, screen.x);
@@ -92,49 +152,62 @@ static void expect_refused(const fxl_lens *lens, int32_t x, int32_t y, int32_t z
 
 void test_what_is_off_range_is_refused(void)
 {
+    const int64_t end = ((int64_t)1 << 61) - 1, nearest = FXL_PROJECT_DEPTH_MIN;
     fxl_lens lens = unit_lens(320, 240);
     lens.focal = Q16(160);
     expect_refused(&lens, 0, 0, 0);
     expect_refused(&lens, 5, 5, -1);
-    expect_refused(&lens, 0, 0, -INT32_MAX);
-    expect_refused(&lens, INT32_MAX, 0, 1);
-    expect_refused(&lens, -INT32_MAX, 0, 1);
-    expect_refused(&lens, 0, INT32_MAX, 1);
-    expect_refused(&lens, 0, -INT32_MAX, 1);
+    expect_refused(&lens, 0, 0, -end);
+    expect_refused(&lens, 0, 0, nearest - 1);
+    for (int64_t depth = nearest; depth <= (int64_t)1 << 50; depth *= 2) {
+        expect_refused(&lens, end, 0, depth);
+        expect_refused(&lens, -end, 0, depth);
+        expect_refused(&lens, 0, end, depth);
+        expect_refused(&lens, 0, -end, depth);
+        expect_refused(&lens, -end, end, depth);
+    }
 }
 
-/* 160 + 3935 = 4095, and a unit more; 160 - 4255 = -4095, and a unit less. */
+/* 160 + 3935 = 4095, and a bit more; 160 - 4255 = -4095, and a bit less. */
+static void expect_ends_at_4095(const fxl_lens *lens, int64_t one)
+{
+    TEST_ASSERT_EQUAL_INT32(Q16(4095), project(lens, 3935 * one, 0, one).x);
+    TEST_ASSERT_EQUAL_INT32(Q16(-4095), project(lens, -4255 * one, 0, one).x);
+    TEST_ASSERT_EQUAL_INT32(Q16(4095), project(lens, 0, -3935 * one, one).y);
+    TEST_ASSERT_EQUAL_INT32(Q16(-4095), project(lens, 0, 4255 * one, one).y);
+    int64_t more = one >> 16; /* a unit of the screen */
+    expect_refused(lens, 3935 * one + more, 0, one);
+    expect_refused(lens, -4255 * one - more, 0, one);
+    expect_refused(lens, 0, -3935 * one - more, one);
+    expect_refused(lens, 0, 4255 * one + more, one);
+}
+
 void test_the_range_ends_at_4095(void)
 {
     fxl_lens lens = unit_lens(320, 320);
     lens.focal = Q16(1);
-    TEST_ASSERT_EQUAL_INT32(Q16(4095), project(&lens, 3935 << 16, 0, 1 << 16).x);
-    TEST_ASSERT_EQUAL_INT32(Q16(-4095), project(&lens, -(4255 << 16), 0, 1 << 16).x);
-    TEST_ASSERT_EQUAL_INT32(Q16(4095), project(&lens, 0, -(3935 << 16), 1 << 16).y);
-    TEST_ASSERT_EQUAL_INT32(Q16(-4095), project(&lens, 0, 4255 << 16, 1 << 16).y);
-    expect_refused(&lens, (3935 << 16) + 1, 0, 1 << 16);
-    expect_refused(&lens, -(4255 << 16) - 1, 0, 1 << 16);
-    expect_refused(&lens, 0, -(3935 << 16) - 1, 1 << 16);
-    expect_refused(&lens, 0, (4255 << 16) + 1, 1 << 16);
+    expect_ends_at_4095(&lens, FXL_PROJECT_DEPTH_MIN);
+    expect_ends_at_4095(&lens, V(1));
+    expect_ends_at_4095(&lens, (int64_t)1 << 48);
 }
 
 void test_a_polygon_is_its_points(void)
 {
     fxl_lens lens = unit_lens(320, 240);
     fxl_view_polygon view = {.colour = 9, .count = 3};
-    view.points[0] = (fxl_view_point){100, 200, 1 << 30, 0};
-    view.points[1] = (fxl_view_point){-(1 << 29), 1 << 28, 1 << 30, 4};
-    view.points[2] = (fxl_view_point){77777777, 1 << 25, 1 << 29, -3};
+    view.vertices[0].position = (fxl_view_point){100, 200, (int64_t)1 << 40};
+    view.vertices[1].position = (fxl_view_point){-V(5), V(2), V(10)};
+    view.vertices[2].position = (fxl_view_point){77777777777, 1 << 25, (int64_t)1 << 38};
     fxl_screen_polygon screen;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_project_polygon(&lens, &view, &screen));
     TEST_ASSERT_EQUAL(9, screen.colour);
     TEST_ASSERT_EQUAL(3, screen.count);
     for (int i = 0; i < 3; i++) {
         fxl_screen_point point;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_project_point(&lens, &view.points[i], &point));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_project_point(&lens, &view.vertices[i].position, &point));
         TEST_ASSERT_EQUAL_MEMORY(&point, &screen.points[i], sizeof point);
     }
-    view.points[2].z = 0;
+    view.vertices[2].position.z = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_project_polygon(&lens, &view, &screen));
     TEST_ASSERT_EQUAL(0, screen.count);
 }

@@ -21,6 +21,17 @@ int32_t unit_between(int32_t low, int32_t high)
     return (int32_t)(low + (int64_t)(bits % count));
 }
 
+int64_t unit_wide(unsigned bits)
+{
+    int64_t limit = ((int64_t)1 << bits) - 1;
+    int64_t size = (int64_t)((uint64_t)unit_random() << 32 | unit_random()) & limit;
+    uint32_t kind = unit_random();
+    if ((kind & 0x70u) == 0) {
+        size = limit - (kind & 2u);
+    }
+    return kind & 1u ? size : -size;
+}
+
 fxl_point unit_point(fxl_q16_16 limit)
 {
     fxl_point point = {unit_between(-limit, limit), unit_between(-limit, limit),
@@ -59,6 +70,19 @@ fxl_lens unit_lens(uint16_t width, uint16_t height)
     fxl_lens lens;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(width, height, FXL_ANGLE_QUARTER, Q16(0.0625),
                                                 Q16(1000), FXL_INSET_DEFAULT, &lens));
+    return lens;
+}
+
+fxl_lens unit_any_lens(void)
+{
+    fxl_lens lens;
+    fxl_q16_16 near = unit_between(FXL_NEAR_MIN, unit_random() % 2 ? Q16(100) : Q16(0.5));
+    fxl_angle fov = (fxl_angle)unit_between((int32_t)FXL_FOV_MIN, (int32_t)FXL_FOV_MAX);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_lens_from_fov((uint16_t)unit_between(1, FXL_SCREEN_MAX),
+                                        (uint16_t)unit_between(1, FXL_SCREEN_MAX), fov, near,
+                                        unit_between(Q16(200), FXL_FAR_MAX),
+                                        unit_between(0, FXL_INSET_MAX), &lens));
     return lens;
 }
 

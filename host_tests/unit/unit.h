@@ -33,6 +33,10 @@ uint32_t unit_random(void);
 /* A random number of low..high, both included. */
 int32_t unit_between(int32_t low, int32_t high);
 
+/* A random number of so many bits at most, 1..62, and either sign; one in
+ * eight is at an end or within two of it. */
+int64_t unit_wide(unsigned bits);
+
 /* Random points |c| <= limit, some of them at the range's ends. */
 fxl_point unit_point(fxl_q16_16 limit);
 
@@ -44,6 +48,9 @@ fxl_pose unit_pose(void);
 
 /* Standard lens of the tests: 90 degrees, near 1/16, far 1000, inset 4/65536. */
 fxl_lens unit_lens(uint16_t width, uint16_t height);
+
+/* Any lens there is; far is 200 at least. */
+fxl_lens unit_any_lens(void);
 
 /* CRC-32 of IEEE 802.3. */
 uint32_t unit_crc32(const uint8_t *bytes, uint32_t size);

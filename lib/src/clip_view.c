@@ -81,11 +81,13 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* The same for texture coordinates, rounded to nearest. */
+/* The same for texture coordinates, to the nearest: half a unit. |to - from| is
+ * below 2^32. */
 static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 {
     int64_t extent = (int64_t)to - from;
-    return (fxl_q16_16)(from + fxl_round_shift(extent * (int64_t)(fraction >> 33), 31));
+    int64_t part = (int64_t)((fxl_multiply_high(fxl_magnitude(extent) << 1, fraction) + 1) >> 1);
+    return (fxl_q16_16)(extent < 0 ? from - part : from + part);
 }
 
 /* Where the edge from an inside to an outside vertex crosses the plane. Always

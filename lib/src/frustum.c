@@ -4,7 +4,9 @@
 #include "arith.h"
 #include "fixel/plane.h"
 
-/* floor(sqrt(value)), one bit a step. */
+/* The whole number nearest to sqrt(value), one bit a step; below 2^32 for
+ * value < 2^63. What is left at the end is value - root^2, and (root + 1/2)^2
+ * is root^2 + root + 1/4. */
 static uint32_t square_root(uint64_t value)
 {
     uint64_t root = 0;
@@ -16,7 +18,7 @@ static uint32_t square_root(uint64_t value)
             root >>= 1;
         }
     }
-    return (uint32_t)root;
+    return (uint32_t)(value > root ? root + 1 : root);
 }
 
 /* Scales (a, b), 0 < a, b < 2^30, to unit length. Both are first shifted up
@@ -26,8 +28,8 @@ static void normalise(uint32_t a, uint32_t b, fxl_q2_30 *unit_a, fxl_q2_30 *unit
     unsigned shift = 30u - fxl_bit_length(a | b);
     uint64_t wide_a = (uint64_t)a << shift;
     uint64_t wide_b = (uint64_t)b << shift;
-    /* Squares below 2^60, so the root is below 2^31; taking twice the operands
-     * costs a quarter of a unit less than nothing and gains a bit. */
+    /* Squares below 2^60, so four times their sum is below 2^63. The root of
+     * that is twice the length, with a bit more than the length itself. */
     uint64_t length = square_root(4 * (wide_a * wide_a + wide_b * wide_b));
     *unit_a = (fxl_q2_30)fxl_divide_round((int64_t)(wide_a << 31), (int64_t)length);
     *unit_b = (fxl_q2_30)fxl_divide_round((int64_t)(wide_b << 31), (int64_t)length);

@@ -32,7 +32,8 @@ typedef struct {
  * capacity for FXL_CLIP_CAPACITY; its colour and count are set for
  * FXL_CLIP_CUT.
  * Error of a new vertex: at most 0.51 unit of 1/65536 in each coordinate from
- * a point of the edge; at most (edge length) * 2^-29 + 0.9 unit from the plane. */
+ * a point of the edge; at most (edge length) * 2^-29 + 0.9 unit from the plane;
+ * u and v: 0.51 unit + their difference along the edge * 2^-30. */
 fxl_clip_result fxl_clip_to_plane(const fxl_polygon *in, const fxl_plane *plane, fxl_polygon *out,
                                   fxl_q18_46 *distances);
 

@@ -33,7 +33,7 @@ typedef fxl_clip_result (*fxl_clipper)(const fxl_polygon *polygon, const fxl_vie
 
 /* Transform, then clip on exact sums: the precise way, and what a renderer
  * uses unless told otherwise. Outline on the screen within 1.25/65536 pixel of
- * the exact one. */
+ * the exact one, but for what SPEC.md, chapter 6a, excepts. */
 fxl_clip_result fxl_clip_by_view(const fxl_polygon *polygon, const fxl_view *view,
                                  fxl_clipper_work *work, const fxl_view_polygon **result);
 

@@ -7,13 +7,16 @@
 #include "fixel/camera.h"
 #include "fixel/lens.h"
 
+/* In the order of clipping. Near and far come first: a polygon that is nearly
+ * parallel to them is cut where its exact distances say, before the side planes
+ * have rounded any vertex. */
 enum {
+    FXL_PLANE_NEAR,
+    FXL_PLANE_FAR,
     FXL_PLANE_LEFT,
     FXL_PLANE_RIGHT,
     FXL_PLANE_BOTTOM,
     FXL_PLANE_TOP,
-    FXL_PLANE_NEAR,
-    FXL_PLANE_FAR,
     FXL_PLANE_COUNT
 };
 

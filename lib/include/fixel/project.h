@@ -12,8 +12,8 @@
  * the nearest 1/65536 pixel (halves upward, before the centre is added). X and
  * Y enter whole, Z with 31 bits.
  * Requires |x|, |y|, |z| < 2^61 units.
- * Error, given the view point: at most 0.5 + 2^-31 |x - width/2| units in x, in
- * units of 1/65536 pixel, likewise in y: 0.52 on a screen of 1024 pixels.
+ * Error, given the view point: at most 0.5 + 2^-30 + 2^-31 |x - width/2| units in
+ * x, in units of 1/65536 pixel, likewise in y: 0.52 on a screen of 1024 pixels.
  * FXL_E_RANGE where z < FXL_PROJECT_DEPTH_MIN or a coordinate would leave
  * FXL_SCREEN_COORDINATE_MAX: screen untouched. */
 fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,

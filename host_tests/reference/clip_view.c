@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/clip_view.h"
+
+#include <math.h>
+
+static ref_view_plane side_plane(bool upright, double across, double along, double inset)
+{
+    double length = sqrt(across * across + along * along);
+    return (ref_view_plane){upright, across / length, along / length, inset};
+}
+
+ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens)
+{
+    double half_width = lens->width / 2.0, half_height = lens->height / 2.0;
+    double focal = lens->focal, inset = lens->inset;
+    ref_view_frustum frustum;
+    frustum.planes[REF_PLANE_LEFT] = side_plane(false, focal, half_width, inset);
+    frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, half_width, inset);
+    frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, half_height, inset);
+    frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, half_height, inset);
+    frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near + inset};
+    frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far};
+    return frustum;
+}
+
+ref_wide ref_view_distance(const ref_view_plane *plane, const ref_view_point *point)
+{
+    ref_wide across = plane->upright ? point->y : point->x;
+    return plane->across * across + plane->along * (ref_wide)point->z - plane->distance;
+}
+
+static long double between(long double inside, long double outside, ref_wide t)
+{
+    return (long double)(inside + t * ((ref_wide)outside - inside));
+}
+
+/* From the inside end to the outside end, whichever way the edge is walked. */
+static ref_view_vertex crossing(const ref_view_vertex *inside, const ref_view_vertex *outside,
+                                ref_wide t)
+{
+    const ref_view_point *from = &inside->position, *to = &outside->position;
+    return (ref_view_vertex){
+        .position = {between(from->x, to->x, t), between(from->y, to->y, t),
+                     between(from->z, to->z, t)},
+        .u = (double)between(inside->u, outside->u, t),
+        .v = (double)between(inside->v, outside->v, t),
+    };
+}
+
+/* What the plane leaves, up to twice the capacity. */
+static int keep(const ref_view_polygon *in, const ref_wide *distances, ref_view_vertex *kept)
+{
+    int count = 0;
+    for (int i = 0; i < in->count; i++) {
+        int next = (i + 1) % in->count;
+        bool from_inside = distances[i] >= 0, to_inside = distances[next] >= 0;
+        if (from_inside) {
+            kept[count++] = in->vertices[i];
+        }
+        if (from_inside != to_inside) {
+            int inner = from_inside ? i : next, outer = from_inside ? next : i;
+            ref_wide d0 = distances[inner], d1 = distances[outer];
+            if (d0 > 0) { /* at 0 the crossing is the inside end itself */
+                kept[count++] =
+                    crossing(&in->vertices[inner], &in->vertices[outer], d0 / (d0 - d1));
+            }
+        }
+    }
+    return count;
+}
+
+ref_clip_result ref_clip_view_to_plane(const ref_view_polygon *in, const ref_view_plane *plane,
+                                       ref_view_polygon *out)
+{
+    ref_wide distances[REF_POLYGON_CAPACITY];
+    ref_view_vertex kept[2 * REF_POLYGON_CAPACITY];
+    int inside_count = 0;
+    for (int i = 0; i < in->count; i++) {
+        distances[i] = ref_view_distance(plane, &in->vertices[i].position);
+        inside_count += distances[i] >= 0;
+    }
+    if (inside_count == 0) {
+        return REF_CLIP_OUTSIDE;
+    }
+    if (inside_count == in->count) {
+        *out = *in;
+        return REF_CLIP_INSIDE;
+    }
+    int count = keep(in, distances, kept);
+    if (count < 3) {
+        return REF_CLIP_DEGENERATE;
+    }
+    if (count > REF_POLYGON_CAPACITY) {
+        return REF_CLIP_CAPACITY;
+    }
+    out->colour = in->colour;
+    out->count = count;
+    for (int i = 0; i < count; i++) {
+        out->vertices[i] = kept[i];
+    }
+    return REF_CLIP_CUT;
+}

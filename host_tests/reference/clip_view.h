@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* Clipping in the view (SPEC.md 4.5): the frustum of SPEC.md 4.2 before it is
+ * turned into the world. Each plane's normal has two components there. */
+#ifndef REF_CLIP_VIEW_H
+#define REF_CLIP_VIEW_H
+
+#include "reference/clip.h"
+
+/* 113 bits where the compiler has them: products of 31 by 62 bits and their sums
+ * are exact, so that a sign cannot err. */
+#ifdef __SIZEOF_FLOAT128__
+__extension__ typedef __float128 ref_wide;
+#else
+typedef long double ref_wide;
+#endif
+
+/* A point is inside where across * right-or-up + along * forward >= distance. */
+typedef struct {
+    bool upright; /* across counts along up, else along right */
+    double across, along;
+    long double distance;
+} ref_view_plane;
+
+typedef struct {
+    ref_view_plane planes[REF_PLANE_COUNT];
+} ref_view_frustum;
+
+ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens);
+
+/* How far a point lies inside; negative outside. */
+ref_wide ref_view_distance(const ref_view_plane *plane, const ref_view_point *point);
+
+ref_clip_result ref_clip_view_to_plane(const ref_view_polygon *in, const ref_view_plane *plane,
+                                       ref_view_polygon *out);
+
+#endif

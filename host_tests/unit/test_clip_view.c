@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: MIT */
+/* The rules of clipping in the view, worked out by hand; what a new vertex may
+ * err by stands in test_clip_view_bounds.c. */
+#include "unit.h"
+
+/* World units of the view, exactly. */
+#define V(units) ((fxl_q18_46)(units) * ((int64_t)1 << 46))
+
+static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+static fxl_clip_view_work work;
+
+/* Six planes through the eye: inside is x >= 0, x <= 0, y >= 0, y <= 0, z >= 0,
+ * z <= 0. */
+static const fxl_view_frustum walls = {FXL_Q2_30_ONE, 0, FXL_Q2_30_ONE, 0, 0, 0, 0};
+
+/* The point that lies so far inside a wall, and so far along it. */
+static fxl_view_point at_wall(int plane, int64_t inside, int64_t aside)
+{
+    switch (plane) {
+    case FXL_PLANE_LEFT:
+        return (fxl_view_point){inside, aside, 7};
+    case FXL_PLANE_RIGHT:
+        return (fxl_view_point){-inside, aside, 7};
+    case FXL_PLANE_BOTTOM:
+        return (fxl_view_point){aside, inside, 7};
+    case FXL_PLANE_TOP:
+        return (fxl_view_point){aside, -inside, 7};
+    case FXL_PLANE_NEAR:
+        return (fxl_view_point){7, aside, inside};
+    default:
+        return (fxl_view_point){7, aside, -inside};
+    }
+}
+
+/* A polygon from whole numbers: so far inside a wall, so far along it. u and v
+ * are the same numbers. */
+static fxl_view_polygon flat(int plane, const int *numbers, uint8_t count)
+{
+    fxl_view_polygon polygon;
+    memset(&polygon, 0, sizeof polygon);
+    polygon.colour = 5;
+    polygon.count = count;
+    for (int i = 0; i < count; i++) {
+        int inside = numbers[2 * i], aside = numbers[2 * i + 1];
+        polygon.vertices[i].position = at_wall(plane, V(inside), V(aside));
+        polygon.vertices[i].u = inside * 65536;
+        polygon.vertices[i].v = aside * 65536;
+    }
+    return polygon;
+}
+#define NUMBERS(...) \
+    ((const int[]){__VA_ARGS__}), (sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2)
+
+/* The same outcome at each of the six walls, and nothing written. */
+static void expect_untouched(fxl_clip_result result, const int *numbers, size_t count)
+{
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count), out, before;
+        memset(&out, 0x5A, sizeof out);
+        memcpy(&before, &out, sizeof before);
+        TEST_ASSERT_EQUAL(result, fxl_clip_view_to_plane(&polygon, &walls, plane, &out, distances));
+        TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
+    }
+}
+
+static bool same_vertex(const fxl_view_vertex *a, const fxl_view_vertex *b)
+{
+    return a->position.x == b->position.x && a->position.y == b->position.y &&
+           a->position.z == b->position.z && a->u == b->u && a->v == b->v;
+}
+
+/* Which vertex comes first is not laid down; their order is. */
+static void expect_same(const fxl_view_polygon *expected, const fxl_view_polygon *actual)
+{
+    int first = 0;
+    TEST_ASSERT_EQUAL(expected->colour, actual->colour);
+    TEST_ASSERT_EQUAL(expected->count, actual->count);
+    while (first + 1 < actual->count &&
+           !same_vertex(&actual->vertices[first], &expected->vertices[0])) {
+        first++;
+    }
+    for (int i = 0; i < expected->count; i++) {
+        TEST_ASSERT_TRUE_MESSAGE(
+            same_vertex(&expected->vertices[i], &actual->vertices[(first + i) % actual->count]),
+            "another vertex");
+    }
+}
+
+static void expect_cut(const int *wanted, size_t wanted_count, const int *numbers, size_t count)
+{
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count), out;
+        fxl_view_polygon expected = flat(plane, wanted, (uint8_t)wanted_count);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                          fxl_clip_view_to_plane(&polygon, &walls, plane, &out, distances));
+        expect_same(&expected, &out);
+    }
+}
+
+static void expect_degenerate(const int *numbers, size_t count)
+{
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count), out;
+        TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE,
+                          fxl_clip_view_to_plane(&polygon, &walls, plane, &out, distances));
+    }
+}
+
+void test_wholly_inside_is_left_alone(void)
+{
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(1, 0, 3, 0, 3, 2));
+}
+
+void test_wholly_outside_is_left_alone(void)
+{
+    expect_untouched(FXL_CLIP_OUTSIDE, NUMBERS(-1, 0, -3, 0, -3, 2));
+}
+
+void test_touching_from_inside_is_inside(void)
+{
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 3, 0, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 0, 2));
+}
+
+void test_touching_from_outside_is_degenerate(void)
+{
+    expect_degenerate(NUMBERS(0, 0, -3, 0, -3, 2));
+    expect_degenerate(NUMBERS(0, 0, 0, 2, -3, 2));
+}
+
+void test_a_square_is_halved(void)
+{
+    expect_cut(NUMBERS(0, 0, 4, 0, 4, 4, 0, 4), NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
+}
+
+void test_a_corner_is_cut_off(void)
+{
+    expect_cut(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), NUMBERS(-2, 2, 2, 4, 2, 0));
+}
+
+/* Through two vertices: each comes once. */
+void test_a_vertex_on_the_plane_is_not_repeated(void)
+{
+    expect_cut(NUMBERS(0, 4, 4, 0, 0, -4), NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
+    expect_cut(NUMBERS(0, 4, 4, 4, 0, 0), NUMBERS(0, 4, 4, 4, -4, -4));
+    expect_cut(NUMBERS(0, 0, 0, 4, 4, 4), NUMBERS(-4, 2, 0, 4, 4, 4, 0, 0));
+}
+
+/* 1/4 of the way from the inside end, whichever way the edge is walked; the
+ * texture has numbers of its own. */
+void test_texture_is_cut_by_the_same_fraction(void)
+{
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        fxl_view_polygon polygon = flat(plane, NUMBERS(-3, 0, 1, 8, 1, 16, -3, 16)), out;
+        polygon.vertices[0].u = Q16(10);
+        polygon.vertices[1].u = Q16(50);
+        polygon.vertices[0].v = Q16(16383);
+        polygon.vertices[1].v = Q16(-16383);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                          fxl_clip_view_to_plane(&polygon, &walls, plane, &out, distances));
+        fxl_view_vertex expected = {at_wall(plane, 0, V(6)), Q16(40), Q16(-8191.5)};
+        TEST_ASSERT_EQUAL(4, out.count);
+        TEST_ASSERT_TRUE(same_vertex(&expected, &out.vertices[0]));
+        expected = (fxl_view_vertex){at_wall(plane, 0, V(16)), 0, Q16(16)};
+        TEST_ASSERT_TRUE(same_vertex(&expected, &out.vertices[3]));
+    }
+}
+
+/* The smallest step out of a wall is a cut, and the edge's far end can be
+ * anywhere: the crossing is next to the near one. */
+void test_one_unit_outside_is_cut_off(void)
+{
+    const int64_t end = ((int64_t)1 << 61) - 1;
+    fxl_view_polygon polygon = {.count = 3}, out;
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        polygon.vertices[0].position = at_wall(plane, -1, 100);
+        polygon.vertices[1].position = at_wall(plane, end, 100);
+        polygon.vertices[2].position = at_wall(plane, end, 90);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                          fxl_clip_view_to_plane(&polygon, &walls, plane, &out, distances));
+        TEST_ASSERT_EQUAL(4, out.count);
+        TEST_ASSERT_TRUE(fxl_view_distance(&walls, plane, &out.vertices[0].position) <= 1);
+        polygon.vertices[0].position = at_wall(plane, 0, 100);
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
+                          fxl_clip_view_to_plane(&polygon, &walls, plane, &out, distances));
+    }
+}
+
+/* Teeth that stand out of the wall: each adds two vertices and takes one. */
+void test_more_than_the_capacity_is_refused(void)
+{
+    static struct {
+        fxl_view_polygon out;
+        uint8_t guard[64];
+    } room;
+    memset(room.guard, 0x5A, sizeof room.guard);
+    for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count = (uint8_t)(count + 2)) {
+        fxl_view_polygon polygon = {.colour = 1, .count = count};
+        for (int i = 0; i < count; i++) {
+            polygon.vertices[i].position = at_wall(FXL_PLANE_LEFT, i % 2 ? V(-9) : V(9), V(i));
+        }
+        int left = count / 2 + count;
+        fxl_clip_result result =
+            fxl_clip_view_to_plane(&polygon, &walls, FXL_PLANE_LEFT, &room.out, distances);
+        if (left > FXL_POLYGON_CAPACITY) {
+            TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, result);
+        } else {
+            TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+            TEST_ASSERT_EQUAL(left, room.out.count);
+        }
+    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room.guard, sizeof room.guard);
+}
+
+/* 90 degrees both ways, near 1/16, far 1000. */
+static fxl_clip_result clip(const fxl_view_polygon *polygon, const fxl_view_polygon **result)
+{
+    fxl_lens lens = unit_lens(64, 64);
+    fxl_view_frustum frustum;
+    fxl_view_frustum_from_lens(&lens, &frustum);
+    return fxl_clip_view_to_frustum(polygon, &frustum, &work, result);
+}
+
+static fxl_view_polygon polygon_of(const int *numbers, size_t count)
+{
+    fxl_view_polygon polygon = {.colour = 3, .count = (uint8_t)count};
+    for (size_t i = 0; i < count; i++) {
+        polygon.vertices[i].position =
+            (fxl_view_point){V(numbers[3 * i]), V(numbers[3 * i + 1]), V(numbers[3 * i + 2])};
+    }
+    return polygon;
+}
+
+/* A square across the view at some depth. */
+static fxl_view_polygon across(int left, int bottom, int right, int top, int depth)
+{
+    const int numbers[] = {left,  bottom, depth, left,  top,    depth,
+                           right, top,    depth, right, bottom, depth};
+    return polygon_of(numbers, 4);
+}
+
+void test_frustum_inside_returns_the_input(void)
+{
+    fxl_view_polygon polygon = across(-5, -5, 5, 5, 10);
+    const fxl_view_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));
+    TEST_ASSERT_EQUAL_PTR(&polygon, result);
+}
+
+void test_frustum_outside_returns_null(void)
+{
+    const fxl_view_polygon polygons[] = {across(-50, -5, -20, 5, 10), across(20, -5, 50, 5, 10),
+                                         across(-5, -50, 5, -20, 10), across(-5, 20, 5, 50, 10),
+                                         across(-5, -5, 5, 5, -10),   across(-5, -5, 5, 5, 1000)};
+    for (int i = 0; i < 6; i++) {
+        const fxl_view_polygon *result = &polygons[i];
+        TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygons[i], &result));
+        TEST_ASSERT_NULL(result);
+    }
+}
+
+/* Off one corner of the screen without being outside any one plane alone. */
+void test_frustum_outside_after_a_cut_returns_null(void)
+{
+    const int numbers[] = {-40, 0, 10, 0, 40, 10, -40, 40, 10};
+    fxl_view_polygon polygon = polygon_of(numbers, 3);
+    const fxl_view_polygon *result = &polygon;
+    fxl_clip_result outcome = clip(&polygon, &result);
+    TEST_ASSERT_TRUE(outcome == FXL_CLIP_OUTSIDE || outcome == FXL_CLIP_DEGENERATE);
+    TEST_ASSERT_NULL(result);
+}
+
+/* A vertex stays within 3 units of the plane that made it, and a later plane
+ * moves along the edge to within a unit a coordinate. */
+static void expect_within_frustum(const fxl_view_polygon *polygon, int count)
+{
+    fxl_lens lens = unit_lens(64, 64);
+    fxl_view_frustum frustum;
+    fxl_view_frustum_from_lens(&lens, &frustum);
+    TEST_ASSERT_EQUAL(count, polygon->count);
+    for (int i = 0; i < polygon->count; i++) {
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            const fxl_view_point *point = &polygon->vertices[i].position;
+            TEST_ASSERT_TRUE(fxl_view_distance(&frustum, plane, point) >= -6);
+        }
+    }
+}
+
+static void expect_clipped(fxl_view_polygon polygon, int count)
+{
+    const fxl_view_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_TRUE(result == &work.polygons[0] || result == &work.polygons[1]);
+    TEST_ASSERT_EQUAL(3, result->colour);
+    expect_within_frustum(result, count);
+}
+
+void test_corners_of_planes(void)
+{
+    expect_clipped(across(0, 0, 50, 50, 10), 4);     /* two */
+    expect_clipped(across(-50, -50, 50, 50, 10), 4); /* four */
+    const int tip[] = {0, 0, 900, 3000, 0, 1100, 0, 3000, 1100};
+    const fxl_view_polygon *result;
+    fxl_view_polygon polygon = polygon_of(tip, 3);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_TRUE(result->count >= 4); /* right, top and far */
+    expect_within_frustum(result, result->count);
+}
+
+/* A ground under the eye is cut by both sides, by near and by far. */
+void test_a_ground_is_cut_by_sides_near_and_far(void)
+{
+    const int ground[] = {-8191, -1, -8191, -8191, -1, 8191, 8191, -1, 8191, 8191, -1, -8191};
+    expect_clipped(polygon_of(ground, 4), 4);
+}
+
+void test_frustum_refuses_what_exceeds_the_capacity(void)
+{
+    fxl_view_polygon polygon = {.colour = 1, .count = FXL_POLYGON_CAPACITY};
+    for (int i = 0; i < polygon.count; i++) {
+        polygon.vertices[i].position = (fxl_view_point){i % 2 ? V(-50) : 0, V(i - 16) / 2, V(10)};
+    }
+    const fxl_view_polygon *result = &polygon;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, clip(&polygon, &result));
+    TEST_ASSERT_NULL(result);
+}
