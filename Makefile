@@ -74,7 +74,7 @@ FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report lib test size format clean
+.PHONY: FORCE help all run flash boot compare report pictures lib test size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -102,8 +102,14 @@ ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: $(HOST_WALK) $(HOST_TOOLS) ## the fixed-point error report, JSON and one HTML page [SCENE= FRAMES=]
-	@$(PY) tools/report.py --scene '$(SCENE)' --out $(BUILD)/report --build $(BUILD) $(FRAMES_OPTION)
+report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 and float beside: an HTML page, JSON [SAMPLES= SCENE= SEED=]
+	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
+	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
+	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
+
+pictures: ## the README's pictures anew, from make run and make report
+	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
+	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
 
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
 

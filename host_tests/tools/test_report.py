@@ -1,16 +1,34 @@
 # SPDX-License-Identifier: MIT
-"""make report: the page stands by itself and says what was measured."""
+"""make report: the same seed gives the same report, a claim that fails fails it, and the page opens."""
 
 import html.parser
 import json
+import math
+import os
+import pathlib
 import re
+import shlex
+import subprocess
+from fractions import Fraction
 
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-import report as report_tool
+from fixel import report_claims, report_frames, report_plots, report_shards
 
-SCENE = "scenes/tiny.toml"
+SAMPLES = 4000
+CHROMIUM = pathlib.Path("/usr/bin/chromium")
+STAGES = ("matrix", "vertex", "clip", "fill")
+PARAMETERS = ("near", "depth", "fov", "coordinates", "edge_length", "plane_angle")
+DESIGNS = ("naive", "fixel", "float32")
+# An oracle whose every claim but the one named in it holds exactly.
+ORACLE = """#!/usr/bin/env python3
+import json, sys
+words = dict(zip(sys.argv[2::2], sys.argv[3::2]))
+count, off = int(words["--samples"]), 9.0 if sys.argv[1] == "%s" else 0.0
+print(json.dumps({"id": sys.argv[1], "samples": count, "max": off, "mean": off, "rms": off, "unit": "u",
+                  "worst_input": words["--shard"], "histogram": [{"upto": 1, "count": count}]}))
+"""
 
 
 class Page(html.parser.HTMLParser):
@@ -38,70 +56,295 @@ class Page(html.parser.HTMLParser):
             assert self.open.pop() == tag
 
 
+def build_with_oracle(folder, wrong=""):
+    """A build folder with the real programs and an oracle that finds one claim wrong, or none."""
+    (folder / "host").mkdir(parents=True)
+    for name in ("designs", "judge", "raycast", "stage_errors"):
+        (folder / "host" / name).symlink_to(CHECKOUT / "build/host" / name)
+    (folder / "boards").symlink_to(CHECKOUT / "build/boards")
+    oracle = folder / "host" / "oracle"
+    oracle.write_text(ORACLE % wrong)
+    oracle.chmod(0o755)
+    return folder
+
+
+def run_report(build, out, *more, samples=SAMPLES):
+    return run_cli("report", "--build", build, "--out", out, "--samples", samples, *more)
+
+
 @pytest.fixture(scope="module")
-def result(build, tmp_path_factory):
-    out = tmp_path_factory.mktemp("report") / "out"
-    done = run_cli("report", "--scene", SCENE, "--frames", 6, "--samples", 2000, "--out", out)
+def built(build):
+    """The report's own programs are there, too."""
+    assert (build / "host/designs").exists(), "make all builds it"
+    return build
+
+
+@pytest.fixture(scope="module")
+def result(built, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("report")
+    build = build_with_oracle(folder / "build")
+    done = run_report(build, folder / "out", "--processes", 3)
     assert done.returncode == 0, done.stdout + done.stderr
-    return json.loads((out / "report.json").read_text()), (out / "report.html").read_text(), done
+    return folder, json.loads((folder / "out/report.json").read_text()), done
 
 
-def test_every_stage_on_both_inputs(result):
-    report, _, _ = result
-    assert {(row["stage"], row["input"]) for row in report["stages"]} == \
-        {(stage, kind) for stage in report_tool.STAGES for kind in ("scene", "random")}
+def test_every_claim_is_measured(result):
+    _, report, done = result
+    assert [claim["id"] for claim in report["claims"]] == [
+        "matrix_entry", "sine_cosine", "vertex_unclipped", "outline_clipped", "coverage", "watertight",
+        "frame", "scale"]
+    for claim in report["claims"]:
+        assert claim["holds"] is True and claim["samples"] > 0 and claim["unit"]
+        assert claim["measured"] <= claim["bound"]
+        assert claim["id"] in done.stdout
+
+
+def test_every_stage_by_three_designs(result):
+    _, report, _ = result
+    assert [(row["stage"], row["design"]) for row in report["stages"]] == \
+        [(stage, design) for stage in STAGES for design in DESIGNS]
     for row in report["stages"]:
-        assert row["samples"] > 0 and 0 <= row["mean"] <= row["max"] and row["unit"]
+        assert 0 <= row["mean"] <= row["rms"] <= row["max"]
+        assert sum(entry["count"] for entry in row["histogram"]) == row["samples"] > 0
 
 
-def test_frames_and_third_judge(result):
-    report, _, _ = result
-    assert [frame["frame"] for frame in report["frames"]] == list(range(6))
-    assert sum(frame["pixels_differing"] for frame in report["frames"]) == report["pixels_differing"]
-    assert report["third_judge"]["frames_judged"] > 0
+def test_fixel_is_the_most_precise(result):
+    _, report, _ = result
+    worst = {(row["stage"], row["design"]): row["max"] for row in report["stages"]}
+    for stage in STAGES:
+        assert worst[stage, "fixel"] <= min(worst[stage, "naive"], worst[stage, "float32"])
+    assert worst["vertex", "fixel"] < 0.55 and worst["fill", "fixel"] == 0
+    assert worst["vertex", "naive"] > 65536     # more than a pixel
+
+
+def test_sweeps(result):
+    _, report, _ = result
+    assert [(row["parameter"], row["design"]) for row in report["sweeps"]] == \
+        [(parameter, design) for parameter in PARAMETERS for design in DESIGNS]
+    for row in report["sweeps"]:
+        values = [point["value"] for point in row["points"]]
+        assert values == sorted(set(values)) and len(values) >= 8
+        assert all(0 <= point["mean"] <= point["max"] for point in row["points"])
+
+
+def test_frames(result):
+    _, report, _ = result
+    scenes = {frame["scene"] for frame in report["frames"]}
+    assert {"plaza", "w1", "w3", "tiny", "cube", "plaza, rolled"} <= scenes
+    for frame in report["frames"]:
+        assert set(frame) == {"scene", "frame", "pixels_differing", "pixels_unexplained", "pixels_tied",
+                              "max_edge_distance_px"}
+        assert frame["pixels_unexplained"] == 0
+
+
+def test_scales_change_nothing(result):
+    _, report, _ = result
+    assert [row["scale"] for row in report["scales"]] == [1, 4, 16, 64]
+    assert all(row["pixels_differing"] == 0 and row["instructions_percent"] <= 10
+               and row["instructions_per_frame"] > 1000 for row in report["scales"])
+
+
+def test_a_worst_input_runs_again(result):
+    """The command printed gives the error printed."""
+    _, report, _ = result
+    for row in report["stages"]:
+        done = subprocess.run(shlex.split(row["command"]), cwd=CHECKOUT, capture_output=True, text=True,
+                              check=True)
+        line = next(line for line in done.stdout.splitlines() if line.startswith(row["design"]))
+        found = float(re.search(r"off by ([0-9.e+]+)", line)[1])
+        assert found == pytest.approx(row["max"], rel=1e-5)
+
+
+def vertex_of(numbers, at):
+    """A vertex in the view in units of 2^-46, whole."""
+    eye, rows = numbers[6:9], [numbers[9 + 3 * row:12 + 3 * row] for row in range(3)]
+    return [sum(r * (c - e) for r, c, e in zip(row, numbers[at:at + 3], eye)) for row in rows]
+
+
+def positions_of(command):
+    """Where each design puts the vertex, in pixels."""
+    done = subprocess.run(shlex.split(command), cwd=CHECKOUT, capture_output=True, text=True, check=True)
+    return {line.split()[0]: [float(each) for each in re.findall(r"\b[xy] +(-?[0-9.]+)", line)]
+            for line in done.stdout.splitlines() if line.split()[0] in DESIGNS}
+
+
+def test_vertex_errors_by_fractions(result):
+    """The measure itself, computed here once more in another way."""
+    for row in (row for row in result[1]["stages"] if row["stage"] == "vertex"):
+        numbers = [int(word) for word in row["worst_input"].split()]
+        x, y, z = vertex_of(numbers, 18)
+        exact = (Fraction(numbers[0], 2) + Fraction(numbers[2] * x, 65536 * z),
+                 Fraction(numbers[1], 2) - Fraction(numbers[2] * y, 65536 * z))
+        found = positions_of(row["command"])[row["design"]]
+        error = max(abs(Fraction(one) - other) for one, other in zip(found, exact, strict=True)) * 65536
+        assert float(error) == pytest.approx(row["max"], rel=1e-4)
+
+
+def test_clip_errors_by_fractions(result):
+    for row in (row for row in result[1]["stages"] if row["stage"] == "clip"):
+        numbers = [int(word) for word in row["worst_input"].split()]
+        a, b = vertex_of(numbers, 19), vertex_of(numbers, 22)
+        normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        x, y = positions_of(row["command"])[row["design"]]
+        ray = (Fraction(x) - Fraction(numbers[0], 2), Fraction(numbers[1], 2) - Fraction(y),
+               Fraction(numbers[2], 65536))
+        distance = abs(sum(n * r for n, r in zip(normal, ray))) / Fraction(math.hypot(*normal[:2]))
+        assert float(distance) * 65536 == pytest.approx(row["max"], rel=1e-3)
+
+
+def test_same_seed_same_report(result, tmp_path):
+    folder, _, _ = result
+    done = run_report(folder / "build", tmp_path / "one", "--processes", 1)
+    assert done.returncode == 0, done.stderr
+    for name in ("report.json", "report.html"):
+        assert (tmp_path / "one" / name).read_bytes() == (folder / "out" / name).read_bytes()
+
+
+def test_another_seed_another_report(built):
+    command = [built / "host/designs", "vertex", "--samples", "100", "--seed"]
+    one, same, other = (subprocess.check_output([*command, seed]) for seed in ("1", "1", "2"))
+    assert one == same != other
+
+
+def test_shards_depend_on_samples_alone():
+    kind = report_shards.STAGES[1]
+    for total in (1, 1000, 999_999, report_shards.SAMPLES):
+        shards = report_shards.shards_of(kind, total)
+        assert [number for number, _ in shards] == list(range(len(shards)))
+        assert sum(samples for _, samples in shards) == kind.samples(total)
+        assert all(0 < samples <= kind.shard for _, samples in shards)
+        assert all(samples == kind.shard for _, samples in shards[:-1])
+
+
+def test_default_samples_suffice():
+    """What the project promises of a default report."""
+    drawn = {kind.what: kind.samples(report_shards.SAMPLES) for kind in report_shards.CLAIMS}
+    assert drawn["vertex_unclipped"] >= 10_000_000
+    assert drawn["outline_clipped"] >= 1_000_000 and drawn["coverage"] >= 1_000_000
+
+
+def test_default_frames_suffice(tmp_path, monkeypatch):
+    monkeypatch.chdir(CHECKOUT)
+    found = report_frames.walks(report_frames.SCENES, tmp_path)
+    assert sum(walk.scene.frames for walk in found) >= 500
+
+
+def test_merging():
+    parts = [{"samples": 1, "max": 3.0, "mean": 3.0, "rms": 3.0, "worst_input": "a",
+              "histogram": [{"upto": 4, "count": 1}]},
+             {"samples": 3, "max": 5.0, "mean": 1.0, "rms": 2.0, "worst_input": "b",
+              "histogram": [{"upto": 4, "count": 1}, {"upto": 8, "count": 2}]}]
+    merged = report_shards.merge(parts)
+    assert merged == {"max": 5.0, "mean": 1.5, "rms": (21 / 4) ** 0.5, "samples": 4, "worst_input": "b",
+                      "histogram": [{"upto": 4, "count": 2}, {"upto": 8, "count": 2}]}
+
+
+@pytest.mark.parametrize("claim", ["coverage", "vertex_unclipped"])
+def test_false_claim_fails(built, tmp_path, claim):
+    build = build_with_oracle(tmp_path / "build", claim)
+    done = run_report(build, tmp_path / "out", "--scene", "scenes/tiny.toml", samples=100)
+    assert done.returncode == 1, done.stderr
+    report = json.loads((tmp_path / "out/report.json").read_text())
+    assert [each["id"] for each in report["claims"] if not each["holds"]] == [claim]
+    assert f"FAIL: {claim}" in done.stdout and f"oracle {claim} --input" in done.stdout
+    assert "Not everything that Fixel claims holds" in (tmp_path / "out/report.html").read_text()
+
+
+def test_unexplained_pixel_fails():
+    claim = next(each for each in report_claims.CLAIMS if each.id == "frame")
+    frame = {"pixels_differing": 1, "pixels_unexplained": 0, "pixels_tied": None,
+             "max_edge_distance_px": 0.00001}
+    judge = report_claims._frame_claim
+    assert judge(claim, [frame], 100_000)["holds"]
+    assert not judge(claim, [frame], 99_999)["holds"]
+    assert not judge(claim, [{**frame, "pixels_unexplained": 1}], 100_000)["holds"]
+
+
+def test_instructions_may_change_by_a_tenth():
+    claim = next(each for each in report_claims.CLAIMS if each.id == "scale")
+    row = {"pixels_differing": 0, "pixels": 100, "frames": 1, "instructions_percent": 10.0}
+    assert report_claims._scale_claim(claim, [row])["holds"]
+    assert not report_claims._scale_claim(claim, [row, {**row, "instructions_percent": 10.1}])["holds"]
+    assert not report_claims._scale_claim(claim, [row, {**row, "pixels_differing": 1}])["holds"]
+
+
+def test_host_counts_no_instructions(built, tmp_path):
+    build = build_with_oracle(tmp_path / "build")
+    done = run_report(build, tmp_path / "out", "--scene", "scenes/tiny.toml", "--board", "host", samples=100)
+    assert_one_sentence(done, "host", "BOARD=")
+
+
+def test_oracle_that_fails_leaves_nothing(built, tmp_path):
+    build = build_with_oracle(tmp_path / "build")
+    (build / "host/oracle").write_text("#!/bin/sh\necho 'oracle: out of luck' >&2\nexit 2\n")
+    done = run_report(build, tmp_path / "out", samples=100)
+    assert_one_sentence(done, "out of luck")
+    assert not (tmp_path / "out").exists() and not list(build.glob(".report-*"))
+
+
+@pytest.mark.parametrize("option, value, word", [("--samples", "0", "SAMPLES"), ("--samples", "many", "SAMPLES"),
+                                                 ("--seed", "-1", "SEED")])
+def test_bad_numbers(option, value, word):
+    assert_one_sentence(run_cli("report", f"{option}={value}"), word, value)
+
+
+@pytest.mark.parametrize("words", [["vertex", "--input", "1 2 3"], ["vertex", "--input", "x"], ["nothing"],
+                                   ["sweep:nothing"], ["vertex", "--seed"], [],
+                                   ["fill", "--input", "32 24 3 0 0 1 1 2"]])
+def test_designs_refuses(built, words):
+    done = subprocess.run([built / "host/designs", *words], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stderr.startswith("error: designs: ") and not done.stdout
 
 
 def test_page_fetches_nothing(result):
-    page = Page(result[1])
+    text = (result[0] / "out/report.html").read_text()
+    page = Page(text)
     assert page.open == []
-    assert page.references
-    assert all(reference.startswith(("data:image/png;base64,", "#")) for reference in page.references)
+    assert all(reference.startswith(("data:image/png;base64,", "data:,", "#"))
+               for reference in page.references)
     # Names of XML namespaces are not fetched.
-    named = set(re.findall(r"https?://[^\"'<> )]+", result[1]))
+    named = set(re.findall(r"https?://[^\"'<> )]+", text))
     assert all("www.w3.org" in each or "purl.org" in each or "creativecommons" in each or
                "matplotlib.org" in each for each in named)
-    assert "@import" not in result[1] and "<script" not in result[1]
-
-
-def test_ids_of_the_plots_do_not_clash(result):
-    ids = Page(result[1]).ids
-    assert len(ids) == len(set(ids))
+    assert "@import" not in text and "<script" not in text
+    assert len(page.ids) == len(set(page.ids))
 
 
 def test_page_shows_the_figures(result):
-    report, page, _ = result
-    assert f"{report['pixels']:,}" in page
-    assert page.count("<svg") == len(report_tool.STAGES) + 1
-    assert page.count("data:image/png") >= 3
+    folder, report, _ = result
+    text = (folder / "out/report.html").read_text()
+    assert text.count("<svg") == len(STAGES) + len(PARAMETERS) + 1
+    assert text.count("data:image/png") >= 9
+    for claim in report["claims"]:
+        assert f"<code>{claim['id']}</code>" in text
+    for row in report["stages"]:
+        assert row["worst_input"] in text
 
 
-def test_table_names_the_stages(result):
-    assert all(stage in result[2].stdout for stage in report_tool.STAGES)
+def test_page_opens_in_a_browser(result, tmp_path):
+    if not CHROMIUM.exists():
+        pytest.skip(f"{CHROMIUM} is not installed (Debian package chromium)")
+    done = subprocess.run(
+        [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+         f"--user-data-dir={tmp_path / 'profile'}", "--virtual-time-budget=5000", "--dump-dom",
+         (result[0] / "out/report.html").as_uri()],
+        capture_output=True, text=True, timeout=120, check=False,
+        env={**os.environ, "HOME": str(tmp_path)})
+    assert done.returncode == 0, done.stderr
+    assert "How precise is Fixel?" in done.stdout and "Everything that Fixel claims holds" in done.stdout
+    assert "CONSOLE" not in done.stderr, done.stderr
 
 
-def test_what_is_wrong_makes_a_sentence():
-    stage = {"stage": "clip", "input": "random", "samples": 9, "max": 1.0, "mean": 0.5, "unit": "u"}
-    good = {"pixels_unexplained": 0, "third_judge": {"pixels_unexplained": 0}, "stages": [stage]}
-    assert report_tool.complaints(good) == []
-    assert report_tool.complaints({**good, "pixels_unexplained": 2})
-    assert report_tool.complaints({**good, "third_judge": {"pixels_unexplained": 1}})
-    assert report_tool.complaints({**good, "stages": [{**stage, "beyond_bound": 1}]})
-    assert report_tool.complaints({**good, "stages": [{**stage, "mismatched": 1}]})
+def test_picture(result, tmp_path):
+    file = tmp_path / "precision.png"
+    done = run_cli("report", "--picture", file, "--out", result[0] / "out")
+    assert done.returncode == 0, done.stderr
+    assert file.read_bytes().startswith(b"\x89PNG")
+    done = run_cli("report", "--picture", file, "--out", tmp_path / "nowhere")
+    assert_one_sentence(done, "nowhere")
 
 
-def test_bad_scene_leaves_nothing(build, tmp_path):
-    (tmp_path / "bad.fxls").write_bytes(b"FXLS")
-    done = run_cli("report", "--scene", tmp_path / "bad.fxls", "--out", tmp_path / "out")
-    assert_one_sentence(done, "bad.fxls", code=done.returncode)
-    assert done.returncode and not (tmp_path / "out").exists()
-    assert not list((CHECKOUT / "build").glob(".report-*/*"))
+@pytest.mark.parametrize("value, words", [(0.5043, "0.504"), (65536, "1 pixel"), (65536 * 31.62, "31.6 pixels"),
+                                          (65536 * 1234, "1,234 pixels"), (1500, "1,500")])
+def test_errors_in_words(value, words):
+    assert report_plots.in_words(value) == words

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+/* designs STAGE|sweep:NAME [--samples N] [--seed S] [--shard I]
+ * designs STAGE --input "NUMBERS"
+ * designs --list
+ *
+ * One shard of a comparison as JSON, or one input again in words, or what there
+ * is to compare. The samples depend on the stage or sweep, the seed and the
+ * shard's number, and on nothing else. Exit: 0, or 2 for a bad command line. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "designs/stage.h"
+#include "designs/tally.h"
+
+#define SWEEP_PREFIX "sweep:"
+
+typedef struct {
+    const char *what, *input;
+    uint64_t samples, seed, shard;
+    bool list;
+} options;
+
+static int fail(const char *text, const char *which)
+{
+    fprintf(stderr, "error: designs: %s%s\n", text, which);
+    return 2;
+}
+
+static void measure(enum designs_stage stage, const designs_plan *plan, designs_random random,
+                    uint64_t samples, designs_tally tallies[DESIGNS_COUNT])
+{
+    designs_input input;
+    double errors[DESIGNS_COUNT];
+    memset(tallies, 0, DESIGNS_COUNT * sizeof *tallies);
+    for (uint64_t n = 0; n < samples; n++) {
+        designs_sample(stage, plan, &random, &input);
+        designs_errors(stage, &input, errors);
+        for (int i = 0; i < DESIGNS_COUNT; i++) {
+            designs_count(&tallies[i], errors[i], &input);
+        }
+    }
+}
+
+static void write_tallies(enum designs_stage stage, const designs_tally tallies[DESIGNS_COUNT])
+{
+    printf("\"designs\": [");
+    for (int i = 0; i < DESIGNS_COUNT; i++) {
+        printf("%s\n  ", i ? "," : "");
+        designs_write_tally(stdout, designs_all[i]->name, stage, &tallies[i]);
+    }
+    printf("]");
+}
+
+static int run_stage(const options *wanted, enum designs_stage stage)
+{
+    static designs_tally tallies[DESIGNS_COUNT];
+    const char *name = designs_stage_names[stage];
+    designs_random random = designs_random_start(wanted->seed, name, 0, wanted->shard);
+    measure(stage, &designs_whole, random, wanted->samples, tallies);
+    printf("{\"stage\": \"%s\", ", name);
+    write_tallies(stage, tallies);
+    printf("}\n");
+    return 0;
+}
+
+static int run_sweep(const options *wanted, const designs_sweep *sweep)
+{
+    static designs_tally tallies[DESIGNS_COUNT];
+    printf("{\"parameter\": \"%s\", \"points\": [", sweep->name);
+    for (int point = 0; point < sweep->count; point++) {
+        designs_plan plan = designs_whole;
+        designs_random random =
+            designs_random_start(wanted->seed, sweep->name, (uint64_t)point + 1, wanted->shard);
+        sweep->set(&plan, sweep->values[point]);
+        measure(sweep->stage, &plan, random, wanted->samples, tallies);
+        printf("%s\n {\"value\": %.17g, ", point ? "," : "", sweep->values[point]);
+        write_tallies(sweep->stage, tallies);
+        printf("}");
+    }
+    printf("]}\n");
+    return 0;
+}
+
+static int list(void)
+{
+    printf("{\"stages\": [");
+    for (int i = 0; i < DESIGNS_STAGES; i++) {
+        printf("%s\n  {\"stage\": \"%s\", \"unit\": \"%s\", \"measure\": \"%s\"}", i ? "," : "",
+               designs_stage_names[i], designs_stage_units[i], designs_stage_measures[i]);
+    }
+    printf("],\n \"sweeps\": [");
+    for (int i = 0; i < DESIGNS_SWEEPS; i++) {
+        const designs_sweep *sweep = &designs_sweeps[i];
+        printf("%s\n  {\"parameter\": \"%s\", \"label\": \"%s\", \"stage\": \"%s\", "
+               "\"unit\": \"%s\"}",
+               i ? "," : "", sweep->name, sweep->label, designs_stage_names[sweep->stage],
+               designs_stage_units[sweep->stage]);
+    }
+    printf("]}\n");
+    return 0;
+}
+
+static bool parse_number(const char *text, uint64_t *number)
+{
+    char *end;
+    if (!text || text[0] < '0' || text[0] > '9') {
+        return false;
+    }
+    *number = strtoull(text, &end, 10);
+    return *end == '\0';
+}
+
+static bool parse_options(int count, char **arguments, options *wanted)
+{
+    *wanted = (options){.samples = 10000, .seed = 1};
+    for (int i = 1; i < count; i++) {
+        const char *name = arguments[i], *value = i + 1 < count ? arguments[i + 1] : NULL;
+        if (strcmp(name, "--list") == 0) {
+            wanted->list = true;
+            continue;
+        }
+        if (name[0] != '-') {
+            if (wanted->what) {
+                return false;
+            }
+            wanted->what = name;
+            continue;
+        }
+        i++;
+        if (strcmp(name, "--input") == 0 && value) {
+            wanted->input = value;
+            continue;
+        }
+        uint64_t *number = strcmp(name, "--samples") == 0 ? &wanted->samples
+                           : strcmp(name, "--seed") == 0  ? &wanted->seed
+                           : strcmp(name, "--shard") == 0 ? &wanted->shard
+                                                          : NULL;
+        if (!number || !parse_number(value, number)) {
+            return false;
+        }
+    }
+    return wanted->list || wanted->what;
+}
+
+static int run(const options *wanted)
+{
+    for (int i = 0; i < DESIGNS_STAGES; i++) {
+        if (strcmp(wanted->what, designs_stage_names[i]) != 0) {
+            continue;
+        }
+        designs_input input;
+        if (!wanted->input) {
+            return run_stage(wanted, (enum designs_stage)i);
+        }
+        if (!designs_read_input((enum designs_stage)i, wanted->input, &input)) {
+            return fail("this is no input of stage ", wanted->what);
+        }
+        designs_explain((enum designs_stage)i, &input);
+        return 0;
+    }
+    size_t prefix = strlen(SWEEP_PREFIX);
+    for (int i = 0; i < DESIGNS_SWEEPS && strncmp(wanted->what, SWEEP_PREFIX, prefix) == 0; i++) {
+        if (strcmp(wanted->what + prefix, designs_sweeps[i].name) == 0) {
+            return run_sweep(wanted, &designs_sweeps[i]);
+        }
+    }
+    return fail("there is no such stage or sweep: ", wanted->what);
+}
+
+int main(int count, char **arguments)
+{
+    options wanted;
+    if (!parse_options(count, arguments, &wanted)) {
+        return fail("usage: designs STAGE|sweep:NAME [--samples N] [--seed S] [--shard I], "
+                    "designs STAGE --input NUMBERS, designs --list",
+                    "");
+    }
+    return wanted.list ? list() : run(&wanted);
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/* A claim: how its samples are made and how one is judged. A sample is a list
+ * of whole numbers, so that any of them can be printed and run again. */
+#ifndef ORACLE_CLAIM_H
+#define ORACLE_CLAIM_H
+
+#include <stdio.h>
+
+#include "oracle/random.h"
+
+enum {
+    ORACLE_NUMBERS_MAX = 96,
+    ORACLE_KINDS_MAX = 16,
+    ORACLE_EXTRAS_MAX = 8
+};
+
+/* A library call that should have worked and did not, in any claim's unit. */
+#define ORACLE_REFUSED 1e9
+
+typedef struct {
+    int kind; /* which of the claim's kinds of sample; not part of the input */
+    int count;
+    int64_t numbers[ORACLE_NUMBERS_MAX];
+} oracle_input;
+
+typedef struct {
+    double value;                       /* in the claim's unit */
+    uint64_t extras[ORACLE_EXTRAS_MAX]; /* counted beside it */
+} oracle_verdict;
+
+typedef enum {
+    ORACLE_COUNTED,
+    ORACLE_SKIPPED, /* nothing to judge: out of sight, say */
+    ORACLE_UNUSABLE /* not an input of this claim; words says why */
+} oracle_outcome;
+
+typedef struct {
+    const char *id, *unit;
+    const char *numbers; /* what an input's numbers are */
+    const char *kinds[ORACLE_KINDS_MAX + 1];
+    const char *extras[ORACLE_EXTRAS_MAX + 1];
+    void (*generate)(oracle_random *random, uint64_t index, oracle_input *input);
+    /* words, where not null, gets the sample in words. */
+    oracle_outcome (*judge)(const oracle_input *input, FILE *words, oracle_verdict *verdict);
+} oracle_claim;
+
+extern const oracle_claim oracle_matrix_entry, oracle_sine_cosine, oracle_vertex_unclipped,
+    oracle_outline_clipped, oracle_outline_near_parallel, oracle_coverage, oracle_watertight;
+
+static inline void oracle_put(oracle_input *input, int64_t number)
+{
+    input->numbers[input->count++] = number;
+}
+
+#endif

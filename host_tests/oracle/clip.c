@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+#include "oracle/clip.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <gmp.h>
+
+/* The point (x, y, z) / w of the view in units of 2^-46, w > 0. */
+typedef struct {
+    mpz_t x, y, z, w;
+} exact_point;
+
+/* A vertex, and the line that its edge lies on: through two points, in the
+ * edge's direction, that do not lie within the edge. A line is kept through
+ * all cuts, so that numbers do not grow with each. */
+typedef struct {
+    const exact_point *point, *from, *to;
+    int origin;
+    int opens; /* its edge was made by this plane and runs to the next vertex */
+} exact_vertex;
+
+typedef struct {
+    int count;
+    exact_vertex vertices[ORACLE_OUTLINE_MAX];
+} exact_polygon;
+
+/* The library's numbers make no sense, or the oracle's do not. */
+static void give_up(const char *sentence)
+{
+    fprintf(stderr, "oracle: %s\n", sentence);
+    exit(3);
+}
+
+enum {
+    POOL = FXL_FACE_VERTICES_MAX + FXL_PLANE_COUNT * ORACLE_OUTLINE_MAX
+};
+
+static exact_point pool[POOL];
+static int pool_used, pool_ready;
+
+static exact_point *new_point(void)
+{
+    if (!pool_ready) {
+        for (int i = 0; i < POOL; i++) {
+            mpz_inits(pool[i].x, pool[i].y, pool[i].z, pool[i].w, NULL);
+        }
+        pool_ready = 1;
+    }
+    if (pool_used == POOL) {
+        give_up("more cuts than six planes can make");
+    }
+    return &pool[pool_used++];
+}
+
+/* w times the distance from a plane, in units of 2^-76 for the sides and 2^-46
+ * for near and far: of one plane only the ratios matter. */
+static void distance(const fxl_view_frustum *frustum, int plane, const exact_point *p, mpz_t d)
+{
+    if (plane == FXL_PLANE_NEAR || plane == FXL_PLANE_FAR) {
+        mpz_set_si(d, plane == FXL_PLANE_NEAR ? frustum->near : frustum->far);
+        mpz_mul(d, d, p->w);
+        mpz_sub(d, p->z, d);
+        if (plane == FXL_PLANE_FAR) {
+            mpz_neg(d, d);
+        }
+        return;
+    }
+    int across_x = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_RIGHT;
+    int positive = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM;
+    mpz_mul_si(d, p->w, frustum->inset);
+    mpz_mul_2exp(d, d, 30);
+    mpz_neg(d, d);
+    (positive ? mpz_addmul_ui : mpz_submul_ui)(
+        d, across_x ? p->x : p->y, (unsigned long)(across_x ? frustum->x_side : frustum->y_side));
+    mpz_addmul_ui(d, p->z, (unsigned long)(across_x ? frustum->x_depth : frustum->y_depth));
+}
+
+/* Where the line from a to b meets the plane: d(a) b - d(b) a, in homogeneous
+ * coordinates, with w > 0. */
+static const exact_point *cross(const fxl_view_frustum *frustum, int plane, const exact_point *a,
+                                const exact_point *b)
+{
+    static mpz_t da, db;
+    static int ready;
+    if (!ready) {
+        mpz_inits(da, db, NULL);
+        ready = 1;
+    }
+    exact_point *p = new_point();
+    distance(frustum, plane, a, da);
+    distance(frustum, plane, b, db);
+    if (mpz_sgn(da) < 0) {
+        mpz_neg(da, da);
+        mpz_neg(db, db);
+    }
+    const mpz_t *ends[4][2] = {{&a->x, &b->x}, {&a->y, &b->y}, {&a->z, &b->z}, {&a->w, &b->w}};
+    mpz_t *sums[4] = {&p->x, &p->y, &p->z, &p->w};
+    for (int i = 0; i < 4; i++) {
+        mpz_mul(*sums[i], da, *ends[i][1]);
+        mpz_submul(*sums[i], db, *ends[i][0]);
+    }
+    return p;
+}
+
+static void append(exact_polygon *polygon, exact_vertex vertex)
+{
+    if (polygon->count == ORACLE_OUTLINE_MAX) {
+        give_up("a clipped polygon has more vertices than there is room for");
+    }
+    polygon->vertices[polygon->count++] = vertex;
+}
+
+/* One plane. A vertex on it is inside, and is not repeated. */
+static void clip_to_plane(const fxl_view_frustum *frustum, int plane, const exact_polygon *in,
+                          exact_polygon *out)
+{
+    static mpz_t d;
+    static int ready;
+    if (!ready) {
+        mpz_init(d);
+        ready = 1;
+    }
+    int signs[ORACLE_OUTLINE_MAX];
+    for (int i = 0; i < in->count; i++) {
+        distance(frustum, plane, in->vertices[i].point, d);
+        signs[i] = mpz_sgn(d);
+    }
+    out->count = 0;
+    for (int i = 0; i < in->count; i++) {
+        int next = i + 1 == in->count ? 0 : i + 1;
+        exact_vertex vertex = in->vertices[i];
+        if (signs[i] >= 0) {
+            vertex.opens = signs[i] == 0 && signs[next] < 0;
+            append(out, vertex);
+        }
+        if ((signs[i] > 0 && signs[next] < 0) || (signs[i] < 0 && signs[next] > 0)) {
+            vertex.point = cross(frustum, plane, vertex.from, vertex.to);
+            vertex.opens = signs[i] > 0;
+            append(out, vertex);
+        }
+    }
+    for (int i = 0; i < out->count; i++) {
+        exact_vertex *vertex = &out->vertices[i];
+        if (vertex->opens) {
+            vertex->from = vertex->point;
+            vertex->to = out->vertices[(i + 1) % out->count].point;
+            vertex->origin = -1 - plane;
+        }
+    }
+}
+
+/* floor(focal * side 2^32 / depth) */
+static int64_t project(int64_t focal, const mpz_t side, const mpz_t depth)
+{
+    static mpz_t quotient;
+    static int ready;
+    if (!ready) {
+        mpz_init(quotient);
+        ready = 1;
+    }
+    mpz_mul_si(quotient, side, focal);
+    mpz_mul_2exp(quotient, quotient, ORACLE_SPOT_BITS);
+    mpz_fdiv_q(quotient, quotient, depth);
+    if (!mpz_fits_slong_p(quotient)) {
+        give_up("a vertex inside the frustum lies far off the screen");
+    }
+    return mpz_get_si(quotient);
+}
+
+static void start(const fxl_view *view, const fxl_polygon *polygon, exact_polygon *exact)
+{
+    pool_used = 0;
+    exact->count = polygon->count;
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_point *p = &polygon->vertices[i].position;
+        oracle_view_point v = oracle_transform(&view->camera, (int64_t[3]){p->x, p->y, p->z});
+        exact_point *point = new_point();
+        mpz_set_si(point->x, v.x);
+        mpz_set_si(point->y, v.y);
+        mpz_set_si(point->z, v.z);
+        mpz_set_si(point->w, 1);
+        exact->vertices[i].point = exact->vertices[i].from = point;
+        exact->vertices[i].origin = i;
+    }
+    for (int i = 0; i < exact->count; i++) {
+        exact->vertices[i].to = exact->vertices[(i + 1) % exact->count].point;
+    }
+}
+
+void oracle_clip(const fxl_view *view, const fxl_polygon *polygon, oracle_outline *outline)
+{
+    static exact_polygon polygons[2];
+    /* SPEC.md 4.2. Of a polygon that is not quite flat the order changes what is left. */
+    static const int order[] = {FXL_PLANE_NEAR,  FXL_PLANE_FAR,    FXL_PLANE_LEFT,
+                                FXL_PLANE_RIGHT, FXL_PLANE_BOTTOM, FXL_PLANE_TOP};
+    exact_polygon *current = &polygons[0], *other = &polygons[1];
+    start(view, polygon, current);
+    for (int i = 0; i < FXL_PLANE_COUNT && current->count >= 3; i++) {
+        clip_to_plane(&view->view_frustum, order[i], current, other);
+        exact_polygon *swap = current;
+        current = other;
+        other = swap;
+    }
+    outline->count = current->count < 3 ? 0 : current->count;
+    const fxl_lens *lens = &view->lens;
+    for (int i = 0; i < outline->count; i++) {
+        const exact_vertex *vertex = &current->vertices[i];
+        int64_t centre_x = (int64_t)lens->width << (15 + ORACLE_SPOT_BITS);
+        int64_t centre_y = (int64_t)lens->height << (15 + ORACLE_SPOT_BITS);
+        outline->spots[i].x = centre_x + project(lens->focal, vertex->point->x, vertex->point->z);
+        outline->spots[i].y = centre_y - project(lens->focal, vertex->point->y, vertex->point->z);
+        outline->origins[i] = vertex->origin;
+    }
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* Clipping and projection in exact rational arithmetic (SPEC.md 4.5 to 4.7):
+ * Sutherland-Hodgman in the view on homogeneous big integers, with the planes
+ * that the integers of the view's frustum state. Nothing is rounded until the
+ * result is written down at 2^-48 pixel. */
+#ifndef ORACLE_CLIP_H
+#define ORACLE_CLIP_H
+
+#include "oracle/cover.h"
+#include "oracle/setup.h"
+
+enum {
+    ORACLE_OUTLINE_MAX = 64,
+    ORACLE_SPOT_BITS = 32 /* below 1/65536 pixel */
+};
+
+typedef struct {
+    int count;                             /* 0 where fewer than three vertices are left */
+    oracle_spot spots[ORACLE_OUTLINE_MAX]; /* in units of 2^-48 pixel, rounded down */
+    int origins[ORACLE_OUTLINE_MAX];       /* of the edge from each spot: the polygon's edge, or
+                                            * -1 - plane for one that a plane made */
+} oracle_outline;
+
+void oracle_clip(const fxl_view *view, const fxl_polygon *polygon, oracle_outline *outline);
+
+#endif

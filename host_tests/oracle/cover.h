@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* Exact coverage by SPEC.md 4a, row by row: each edge's crossing is one exact
+ * quotient a row. */
+#ifndef ORACLE_COVER_H
+#define ORACLE_COVER_H
+
+#include <stdint.h>
+
+/* A point of the screen in units of 2^-(16 + bits) pixel, bits as given beside
+ * it. |x|, |y| <= 2^60. */
+typedef struct {
+    int64_t x, y;
+} oracle_spot;
+
+enum {
+    ORACLE_COVER_EDGES = 96
+};
+
+/* Adds 1 to row[x] of each pixel of row y, 0 <= x < width, about whose centre
+ * the closed outline's winding number is not 0. At most ORACLE_COVER_EDGES
+ * points; bits is 0 or 32. */
+void oracle_cover_row(const oracle_spot *points, int count, int bits, int y, int width,
+                      uint8_t *row);
+
+/* The winding number about one centre by the text of SPEC.md 4a, and nothing
+ * else: the check of the above. */
+int oracle_winding(const oracle_spot *points, int count, int bits, int x, int y);
+
+#endif

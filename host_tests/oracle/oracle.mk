@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# build/host/oracle: exact rational arithmetic that judges the library and its
+# twin. build/host/liboracle.a: its tie test, for others. Needs GMP.
+
+ORACLE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/oracle/*.c))
+ORACLE_LIBRARY := $(BUILD)/host/liboracle.a
+HOST_TOOLS += $(BUILD)/host/oracle
+
+$(BUILD)/host/objects/oracle/%.o: host_tests/oracle/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
+	    -MMD -MP -c $< -o $@
+
+$(ORACLE_LIBRARY): $(BUILD)/host/objects/oracle/tie.o
+	@rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOSTCC) $^ -lgmp -lm -o $@
+
+# --- the oracle's own tests ----------------------------------------------------
+
+ORACLE_UNIT := $(BUILD)/host/oracle_unit
+ORACLE_UNIT_UNITY := $(or $(CMOCK_DIR),/usr/share/cmock)/vendor/unity
+UNITY_TESTS += $(ORACLE_UNIT)/test_tie $(ORACLE_UNIT)/test_exact
+
+$(ORACLE_UNIT)/unity.o: $(ORACLE_UNIT_UNITY)/src/unity.c
+	@mkdir -p $(@D)
+	$(HOSTCC) -std=c11 -O1 -w -c $< -o $@
+
+$(ORACLE_UNIT)/test_%.o: host_tests/oracle/unit/test_%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -O1 -g -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests \
+	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
+
+$(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
+        $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
+
+-include $(ORACLE_OBJECTS:.o=.d) $(wildcard $(ORACLE_UNIT)/*.d)

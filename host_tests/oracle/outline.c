@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+/* outline_clipped, outline_near_parallel: a polygon through the precise clipper
+ * and projection, against the exact outline: the Hausdorff distance between the
+ * two. A polygon that is nearly parallel to a plane is a claim of its own: where
+ * it is cut moves by a vertex's rounding divided by the angle.
+ *
+ * Where one of the two is empty because something merely touches the view, the
+ * other is measured against a stroke, which draws as much as nothing: it must
+ * be that thin. Those samples are counted as "touching" and stay in the claim. */
+#include "oracle/clip.h"
+#include "oracle/hausdorff.h"
+#include "oracle/polygons.h"
+
+enum {
+    CUT,
+    TOUCHING,
+    REFUSED,
+    BEYOND
+};
+
+/* What is counted as beyond. */
+#define BOUND 1.25
+
+static void generate(oracle_random *random, uint64_t index, oracle_input *input)
+{
+    (void)index;
+    do {
+        oracle_polygon_generate(random, FXL_SCREEN_MAX, FXL_FACE_VERTICES_MAX, input);
+    } while (input->kind == ORACLE_NEAR_PARALLEL);
+}
+
+static void generate_near_parallel(oracle_random *random, uint64_t index, oracle_input *input)
+{
+    (void)index;
+    do {
+        oracle_polygon_generate(random, FXL_SCREEN_MAX, FXL_FACE_VERTICES_MAX, input);
+    } while (input->kind != ORACLE_NEAR_PARALLEL);
+}
+
+static void print_spots(FILE *words, const char *whose, const oracle_spot *spots, int count)
+{
+    fprintf(words, "%s: %d vertices\n", whose, count);
+    for (int i = 0; i < count; i++) {
+        fprintf(words, "  pixel (%.9Lf, %.9Lf) = units (%.6Lf, %.6Lf)\n",
+                (long double)spots[i].x * 0x1p-48L, (long double)spots[i].y * 0x1p-48L,
+                (long double)spots[i].x * 0x1p-32L, (long double)spots[i].y * 0x1p-32L);
+    }
+}
+
+static double distance(const oracle_outline *exact, const oracle_spot *spots, int count)
+{
+    if (exact->count == 0) {
+        return oracle_from_stroke(spots, count);
+    }
+    if (count == 0) {
+        return oracle_from_stroke(exact->spots, exact->count);
+    }
+    return oracle_hausdorff(exact->spots, exact->count, spots, count);
+}
+
+static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+{
+    static fxl_clipper_work work;
+    oracle_setup setup;
+    fxl_polygon polygon;
+    if (!oracle_polygon_read(input, 0, &setup, &polygon)) {
+        return ORACLE_UNUSABLE;
+    }
+    oracle_outline exact;
+    oracle_clip(&setup.view, &polygon, &exact);
+
+    const fxl_view_polygon *clipped;
+    fxl_screen_polygon screen = {0};
+    fxl_clip_result result = fxl_clip_by_view(&polygon, &setup.view, &work, &clipped);
+    if (result == FXL_CLIP_CAPACITY ||
+        (clipped != NULL && fxl_project_polygon(&setup.view.lens, clipped, &screen) != FXL_OK)) {
+        verdict->extras[REFUSED] = 1;
+        verdict->value = ORACLE_REFUSED;
+    }
+    oracle_spot spots[FXL_POLYGON_CAPACITY];
+    for (int i = 0; i < screen.count; i++) {
+        spots[i].x = (int64_t)screen.points[i].x * ((int64_t)1 << ORACLE_SPOT_BITS);
+        spots[i].y = (int64_t)screen.points[i].y * ((int64_t)1 << ORACLE_SPOT_BITS);
+    }
+    if (words) {
+        print_spots(words, "exact", exact.spots, exact.count);
+        print_spots(words, "library", spots, screen.count);
+    }
+    if (exact.count == 0 && screen.count == 0) {
+        return verdict->extras[REFUSED] ? ORACLE_COUNTED : ORACLE_SKIPPED;
+    }
+    verdict->extras[CUT] = result != FXL_CLIP_INSIDE;
+    if (verdict->extras[REFUSED]) {
+        return ORACLE_COUNTED;
+    }
+    verdict->extras[TOUCHING] = exact.count == 0 || screen.count == 0;
+    verdict->value = distance(&exact, spots, screen.count);
+    verdict->extras[BEYOND] = verdict->value > BOUND;
+    return ORACLE_COUNTED;
+}
+
+const oracle_claim oracle_outline_clipped = {
+    .id = "outline_clipped",
+    .unit = "1/65536 pixel",
+    .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each",
+    .kinds = {ORACLE_POLYGON_KINDS},
+    .extras = {"cut", "touching", "refused", "beyond_bound"},
+    .generate = generate,
+    .judge = judge,
+};
+
+const oracle_claim oracle_outline_near_parallel = {
+    .id = "outline_near_parallel",
+    .unit = "1/65536 pixel",
+    .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each",
+    .kinds = {ORACLE_POLYGON_KINDS},
+    .extras = {"cut", "touching", "refused", "beyond_bound"},
+    .generate = generate_near_parallel,
+    .judge = judge,
+};

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* Random numbers, the same on every machine for the same claim, seed and shard. */
+#ifndef ORACLE_RANDOM_H
+#define ORACLE_RANDOM_H
+
+#include <stdint.h>
+
+typedef struct {
+    uint64_t state;
+} oracle_random;
+
+oracle_random oracle_random_start(const char *claim, uint64_t seed, uint64_t shard);
+
+uint64_t oracle_random_next(oracle_random *random);
+
+/* 0 <= n < limit. */
+uint32_t oracle_below(oracle_random *random, uint32_t limit);
+
+/* low <= n <= high. */
+int64_t oracle_between(oracle_random *random, int64_t low, int64_t high);
+
+/* low <= x < high. */
+double oracle_uniform(oracle_random *random, double low, double high);
+
+/* Evenly by magnitude, 0 < low <= x < high. */
+double oracle_spread(oracle_random *random, double low, double high);
+
+/* The same, of either sign. */
+double oracle_signed_spread(oracle_random *random, double low, double high);
+
+#endif

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""What Fixel claims, and whether what was measured bears it out."""
+
+import dataclasses
+
+from fixel import report_shards
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    """A claim: its bound in its unit, and what it says in plain words."""
+    id: str
+    bound: float
+    unit: str
+    words: str
+
+
+CLAIMS = (
+    Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact sines and "
+          "cosines of the stated angles."),
+    Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
+    Claim("vertex_unclipped", 0.55, "1/65536 pixel", "Where an unclipped vertex lands on the screen, "
+          "against the exact place, given its coordinates, the camera's position and matrix."),
+    Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon cut by all six planes, "
+          "against the exact outline, and back; polygons nearly parallel to a plane apart."),
+    Claim("coverage", 0, "pixels", "Pixels that a polygon covers and should not, or should and does "
+          "not, given its vertices on the screen."),
+    Claim("watertight", 0, "pixels", "Gaps between two polygons that share an edge, and pixels that "
+          "both draw, also where both were clipped; but for a piece thinner than a unit that "
+          "rounding turned over."),
+    Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames whose colour is not what double "
+          "precision draws; each must lie within 1/8192 pixel of an edge."),
+    Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is made 4, 16 or 64 times as "
+          "large, camera and all; and it may cost at most 10 % more or fewer instructions."),
+)
+INSTRUCTIONS_PERCENT = 10
+PER = 100_000
+
+
+def _claim(claim, measured, samples, holds=True, **more):
+    return {"id": claim.id, "bound": claim.bound, "measured": measured, "unit": claim.unit,
+            "samples": samples, "holds": bool(measured <= claim.bound and holds), **more}
+
+
+def _oracle_claim(claim, tally, build):
+    return _claim(claim, tally["max"], tally["samples"], mean=tally["mean"], rms=tally["rms"],
+                  worst_input=tally["worst_input"], histogram=tally["histogram"],
+                  command=f"{build}/host/oracle {claim.id} --input \"{tally['worst_input']}\"")
+
+
+def _frame_claim(claim, frames, pixels):
+    differing = sum(frame["pixels_differing"] for frame in frames)
+    unexplained = sum(frame["pixels_unexplained"] for frame in frames)
+    tied = [frame["pixels_tied"] for frame in frames]   # null where the judge does not tell
+    distances = [frame["max_edge_distance_px"] for frame in frames
+                 if frame["max_edge_distance_px"] is not None]
+    return _claim(claim, PER * differing / pixels, len(frames), unexplained == 0, pixels=pixels,
+                  pixels_differing=differing, pixels_unexplained=unexplained,
+                  pixels_tied=None if None in tied else sum(tied),
+                  max_edge_distance_px=max(distances, default=None))
+
+
+def _scale_claim(claim, rows):
+    percent = max(row["instructions_percent"] for row in rows)
+    return _claim(claim, max(PER * row["pixels_differing"] / row["pixels"] for row in rows),
+                  sum(row["frames"] for row in rows), percent <= INSTRUCTIONS_PERCENT,
+                  instructions_percent=percent, instructions_bound_percent=INSTRUCTIONS_PERCENT)
+
+
+def judge(shards, frames, pixels, scales, build):
+    """claims[] of the report, in the order of the table."""
+    found = []
+    for claim in CLAIMS:
+        if claim.id == "frame":
+            found.append(_frame_claim(claim, frames, pixels))
+        elif claim.id == "scale":
+            found.append(_scale_claim(claim, scales))
+        else:
+            found.append(_oracle_claim(claim, report_shards.merge(shards[claim.id]), build))
+    return found
+
+
+def complaints(report):
+    """What is not as it should be, in sentences."""
+    found = [f"{claim['id']}: the bound is {claim['bound']:g}, measured was {claim['measured']:,.6g} "
+             f"({claim['unit']}){_why(claim)}"
+             for claim in report["claims"] if not claim["holds"]]
+    third = report["third_judge"]
+    if third["pixels_unexplained"]:
+        found.append(f"the third judge disagrees with the twin on {third['pixels_unexplained']:,} pixels "
+                     f"of {third['scene']}")
+    return found
+
+
+def _why(claim):
+    """What else a claim asks for."""
+    if claim.get("pixels_unexplained"):
+        return f"; {claim['pixels_unexplained']:,} pixels are unexplained"
+    if claim.get("instructions_percent", 0) > INSTRUCTIONS_PERCENT:
+        return f"; instructions change by {claim['instructions_percent']:.1f} %"
+    return ""

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Library and double twin on the same input at each stage's boundary: a scene's polygons, and random
+input from the whole of what the contract allows."""
+
+from fixel import image
+from fixel.programs import HostPrograms
+from fixel.progress import Progress
+
+STAGES = ("clip", "clip_world", "transform", "project", "fill")
+KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", "beyond_bound", "mismatched")
+# Random samples of a stage for so many vertices of the whole report.
+SAMPLES_PER = 50
+
+
+def measure(build, walk, samples, seed, folder):
+    """A row for each stage and input."""
+    file = folder / "twins.fxls"
+    image.save(file, image.pack(walk.scene))
+    count = max(1000, samples // SAMPLES_PER)
+    with Progress(f"stages against double: {walk.name} and {count:,} random samples each"):
+        rows = HostPrograms(build).stage_errors(file, count, seed)
+    order = {name: place for place, name in enumerate(STAGES)}
+    rows.sort(key=lambda row: (order.get(row["stage"], len(order)), row["input"] != "scene"))
+    return [{key: row[key] for key in KEYS} for row in rows]
+
+
+def complaints(rows):
+    """What left its bound, in sentences."""
+    return [f"{row['stage']} on {row['input']} input: {row['beyond_bound'] + row['mismatched']:,} of "
+            f"{row['samples']:,} samples left the bound ({row['bound']})"
+            for row in rows if row["beyond_bound"] or row["mismatched"]]
