@@ -40,7 +40,7 @@ endif
 # nothing is missing it takes a few hundredths of a second.
 NEEDS_run    := run flash boot size pictures
 NEEDS_report := report all
-NEEDS_test   := test
+NEEDS_test   := test seeded-bugs
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
@@ -74,10 +74,10 @@ FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report pictures lib test size format clean
+.PHONY: FORCE help all run flash boot compare report pictures lib test fuzz seeded-bugs size format clean
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
 	    while IFS=@ read -r name what; do printf '  %-14s %s\n' "$$name" "$$what"; done
 	@echo "Boards: $(BOARDS)"
 
@@ -125,6 +125,12 @@ size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float
 test: $(UNITY_TESTS) $(BOARD_UNIT_TESTS) $(WALK) $(BOARD_FAULTS) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
 	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNIT_TESTS) \
 	    $(if $(ONLY),--only '$(ONLY)')
+
+fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
+	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
+
+seeded-bugs: ## break the library on purpose, one place at a time: the tests must see each
+	@$(PY) tools/seeded_bugs.py --build $(BUILD)
 
 format: ## lay out the C sources with clang-format
 	@find lib boards firmware host_tests -name '*.[ch]' -exec clang-format -i {} +

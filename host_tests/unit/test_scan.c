@@ -347,6 +347,24 @@ void test_bands_are_cuts_of_the_whole(void)
     }
 }
 
+/* An edge 4 rows high that leans 6 units: on row 0 its remainder is 262138 of
+ * 262144 and it takes 6 a row, so with this start row 1 uses it up exactly. */
+void test_a_band_may_begin_where_the_remainder_is_used_up(void)
+{
+    const fxl_q16_16 x = Q16(3.5) + 65534;
+    fxl_screen_polygon polygon = {
+        .count = 4, .points = {{Q16(10), 0}, {Q16(10), Q16(4)}, {x + 6, Q16(4)}, {x, 0}}};
+    picture whole, banded;
+    picture_clear(&whole, 16, 4);
+    picture_clear(&banded, 16, 4);
+    picture_add(&whole, &polygon, '#');
+    for (uint16_t row = 0; row < 4; row++) {
+        picture_add_band(&banded, &polygon, row, 1, '#');
+    }
+    TEST_ASSERT_EQUAL_MEMORY(whole.pixels, banded.pixels, sizeof whole.pixels);
+    TEST_ASSERT_TRUE(picture_winding(&polygon, 4, 1) == 0 && whole.pixels[1][4] == '.');
+}
+
 static void expect_refused(fxl_status status, const fxl_screen_polygon *polygon,
                            const fxl_band *band)
 {

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+#include "draw.h"
+
+#include <string.h>
+
+#include "demand.h"
+#include "judge.h"
+
+enum { BACKGROUND = 0x11, GAP = 0x5A };
+
+/* The clippers as a renderer knows them, with their promises checked. */
+static fxl_clip_result checked_by_view(const fxl_polygon *polygon, const fxl_view *view,
+                                       fxl_clipper_work *work, const fxl_view_polygon **result)
+{
+    fxl_clip_result cut = fxl_clip_by_view(polygon, view, work, result);
+    judge_view_clip(cut, *result, view);
+    return cut;
+}
+
+static fxl_clip_result checked_by_world(const fxl_polygon *polygon, const fxl_view *view,
+                                        fxl_clipper_work *work, const fxl_view_polygon **result)
+{
+    fxl_clip_result cut = fxl_clip_by_world(polygon, view, work, result);
+    judge_world_clip(cut, *result);
+    return cut;
+}
+
+uint64_t draw_faces_placed(const fxl_scene *scene)
+{
+    uint64_t faces = 0;
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        faces += scene->models[scene->objects[i].model].face_count;
+    }
+    return faces;
+}
+
+/* A band of memory of its own, so that the sanitizer sees every byte beside it. */
+static fxl_band make_band(const fxl_lens *lens, uint32_t gap, uint32_t first_row, uint32_t rows)
+{
+    fxl_band band;
+    band.width = lens->width;
+    band.stride = (uint16_t)(lens->width + gap);
+    band.first_row = (uint16_t)first_row;
+    band.rows = (uint16_t)rows;
+    band.pixels = malloc((size_t)band.stride * rows);
+    DEMAND(band.pixels != NULL);
+    memset(band.pixels, GAP, (size_t)band.stride * rows);
+    fxl_fill_band(&band, BACKGROUND);
+    return band;
+}
+
+static void demand_gaps_intact(const fxl_band *band)
+{
+    for (uint32_t row = 0; row < band->rows; row++) {
+        for (uint32_t x = band->width; x < band->stride; x++) {
+            DEMAND(band->pixels[row * band->stride + x] == GAP);
+        }
+    }
+}
+
+static void demand_accounted(const fxl_counters *counters, uint64_t placed)
+{
+    DEMAND(counters->in == placed);
+    DEMAND(counters->in == (uint64_t)counters->backfacing + counters->outside +
+                               counters->degenerate + counters->refused + counters->drawn);
+    DEMAND(counters->clipped <= counters->drawn);
+    DEMAND(counters->refused_calls == 0);
+}
+
+/* Cuts the rows of `whole` into bands, draws each, compares. */
+static void draw_in_bands(fxl_renderer *renderer, const fxl_band *whole, fuzz_input *in)
+{
+    uint32_t end = (uint32_t)whole->first_row + whole->rows;
+    uint32_t gap = fuzz_below(in, 4);
+    /* A band costs a pass over the scene: at most eight. */
+    uint32_t rows_least = (whole->rows + 7u) / 8u;
+    for (uint32_t row = whole->first_row; row < end;) {
+        uint32_t rows = rows_least + fuzz_below(in, whole->rows);
+        rows = rows > end - row ? end - row : rows;
+        fxl_band band = make_band(&renderer->view.lens, gap, row, rows);
+        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+        demand_gaps_intact(&band);
+        for (uint32_t i = 0; i < rows; i++) {
+            const uint8_t *expected =
+                whole->pixels + (size_t)(row - whole->first_row + i) * whole->stride;
+            DEMAND(memcmp(band.pixels + (size_t)i * band.stride, expected, band.width) == 0);
+        }
+        free(band.pixels);
+        row += rows;
+    }
+}
+
+void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                const draw_choice *choice, fuzz_input *in)
+{
+    static const fxl_counters nothing;
+    fxl_renderer *renderer = malloc(sizeof *renderer);
+    fxl_order_entry *order = malloc(scene->order_needed * sizeof *order);
+    DEMAND(renderer != NULL && order != NULL);
+    memset(renderer, GAP, sizeof *renderer);
+    DEMAND(fxl_renderer_init(renderer, scene, lens, order, scene->order_needed) == FXL_OK);
+    renderer->clipper = choice->by_world ? checked_by_world : checked_by_view;
+
+    fxl_band whole = make_band(lens, fuzz_below(in, 4), choice->first_row, choice->rows);
+    DEMAND(fxl_frame_draw(renderer, &whole) == FXL_E_ORDER);
+    DEMAND(renderer->counters.refused_calls == 1);
+    renderer->counters.refused_calls = 0;
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    DEMAND(fxl_frame_draw(renderer, &whole) == FXL_OK);
+    demand_gaps_intact(&whole);
+    fxl_counters counters = renderer->counters;
+    if (choice->first_row == 0) {
+        demand_accounted(&counters, draw_faces_placed(scene));
+    } else {
+        DEMAND(memcmp(&counters, &nothing, sizeof counters) == 0);
+    }
+
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    draw_in_bands(renderer, &whole, in);
+    DEMAND(memcmp(&counters, &renderer->counters, sizeof counters) == 0);
+    free(whole.pixels);
+    free(order);
+    free(renderer);
+}

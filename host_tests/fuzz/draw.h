@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Draws a checked scene every way there is and compares. */
+#ifndef DRAW_H
+#define DRAW_H
+
+#include "input.h"
+
+/* Which clipper, and which rows of the screen are looked at. */
+typedef struct {
+    bool by_world;
+    uint16_t first_row, rows;
+} draw_choice;
+
+/* Draws the rows in one band and in several, with bytes between width and
+ * stride, and demands: equal pixels, nothing written outside, every face
+ * accounted for, outlines within the screen. Cuts and stride come from in. */
+void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                const draw_choice *choice, fuzz_input *in);
+
+/* Faces that a frame looks at. */
+uint64_t draw_faces_placed(const fxl_scene *scene);
+
+#endif

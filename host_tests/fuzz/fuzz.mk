@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+# Fuzz targets: with libFuzzer and the sanitizers (make fuzz), once more to
+# measure branches, and as plain programs that replay files (make test).
+
+FUZZ_TARGETS := scene pipeline
+FUZZ_OUT := $(BUILD)/host/fuzz
+
+# The newest clang there is. Looked for only when something needs it.
+FUZZ_CLANG = $(eval FUZZ_CLANG := $$(shell for name in clang-19 clang-18 clang-17 clang-16 clang-15 \
+    clang-14 clang; do command -v $$$$name && break; done))$(FUZZ_CLANG)
+
+FUZZ_SANITIZERS := -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all
+FUZZ_CFLAGS := -std=c11 -g -Ilib/include -MMD -MP
+# No silent wrap: in the library an unsigned one counts too, but where it is meant.
+FUZZ_WRAPS := -fsanitize=unsigned-integer-overflow -fsanitize-ignorelist=host_tests/fuzz/wraps.txt
+FUZZ_COVERAGE := -O1 -fprofile-instr-generate -fcoverage-mapping
+
+FUZZ_SHARED := $(filter-out fuzz_scene fuzz_pipeline mutate_scene replay,\
+    $(basename $(notdir $(wildcard host_tests/fuzz/*.c))))
+FUZZ_PARTS_scene := fuzz_scene mutate_scene $(FUZZ_SHARED)
+FUZZ_PARTS_pipeline := fuzz_pipeline $(FUZZ_SHARED)
+FUZZ_LIB := $(basename $(notdir $(wildcard lib/src/*.c)))
+
+# --- libFuzzer, sanitizers, the library's assertions ---------------------------
+
+$(FUZZ_OUT)/asan/lib/%.o: lib/src/%.c host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) $(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $< -o $@
+
+$(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) -c $< -o $@
+
+# --- branches: the library as it is shipped, without assertions ----------------
+
+$(FUZZ_OUT)/cover/lib/%.o: lib/src/%.c host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(FUZZ_CLANG) $(FUZZ_CFLAGS) $(FUZZ_COVERAGE) -c $< -o $@
+
+$(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 -fsanitize=fuzzer-no-link -c $< -o $@
+
+# --- replay --------------------------------------------------------------------
+
+FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
+    -Ilib/include -MMD -MP
+
+$(FUZZ_OUT)/replay/lib/%.o: lib/src/%.c host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $< -o $@
+
+$(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -c $< -o $@
+
+define FUZZ_PROGRAM
+$(FUZZ_OUT)/fuzz_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/asan/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/asan/lib/%.o)
+	$$(FUZZ_CLANG) -fsanitize=address,undefined,fuzzer $$^ -o $$@
+
+$(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/cover/lib/%.o)
+	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
+
+$(FUZZ_OUT)/replay_$(1): $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
+        $(FUZZ_LIB:%=$(FUZZ_OUT)/replay/lib/%.o)
+	$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
+endef
+$(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
+
+FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
+HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
+
+-include $(wildcard $(FUZZ_OUT)/*/*.d $(FUZZ_OUT)/*/lib/*.d)

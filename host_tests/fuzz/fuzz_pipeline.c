@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/* The whole pipeline on arbitrary scenes, lenses and poses, and each stage on
+ * arbitrary records of its contract. The first byte says which. */
+#include "demand.h"
+#include "draw.h"
+#include "make_scene.h"
+#include "stages.h"
+
+enum { PIXELS = 4096, POSES = 3 };
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* Status and fault of a scene are written when, and only when, they should. */
+static bool check_scene(fxl_scene *scene)
+{
+    fxl_scene_fault fault = {NULL, 0};
+    scene->order_needed = UINT32_MAX;
+    fxl_status status = fxl_scene_check(scene, &fault);
+    DEMAND((status == FXL_OK) == (fault.what == NULL));
+    DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
+    DEMAND(fxl_scene_check(scene, NULL) == status);
+    return status == FXL_OK;
+}
+
+static void fuzz_scenes(fuzz_input *in)
+{
+    made_scene *made = make_scene(in);
+    if (check_scene(&made->scene)) {
+        fxl_lens lens = fuzz_lens(in, PIXELS);
+        for (uint32_t i = 0; i < POSES && (i == 0 || in->left > 0); i++) {
+            fxl_pose pose = fuzz_pose(in);
+            draw_choice choice = {fuzz_below(in, 2) == 1, 0, lens.height};
+            draw_scene(&made->scene, &lens, &pose, &choice, in);
+        }
+    }
+    free_scene(made);
+}
+
+/* One model placed so often that it passes the limit on placed vertices, or
+ * not quite: the loader's time is bounded. */
+static void fuzz_placed_limit(fuzz_input *in)
+{
+    static const fxl_point vertices[FXL_MODEL_VERTICES_MAX];
+    static const uint16_t corners[3] = {0, 1, 2};
+    static const fxl_face face = {{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0};
+    static const fxl_object objects[FXL_SCENE_OBJECTS_MAX];
+    fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, {0}};
+    fxl_scene scene = {vertices, corners, &face, &model, objects, 0, 3, 1, 1, 0, 0};
+    scene.object_count = 1 + fuzz_below(in, fuzz_below(in, 2) ? 8 : FXL_SCENE_OBJECTS_MAX);
+    model.vertex_count = 3 + fuzz_below(in, FXL_MODEL_VERTICES_MAX - 2);
+    scene.vertex_count = model.vertex_count;
+    uint64_t placed = (uint64_t)scene.object_count * scene.vertex_count;
+    DEMAND(check_scene(&scene) == (placed <= FXL_SCENE_PLACED_MAX));
+    DEMAND(placed > FXL_SCENE_PLACED_MAX || scene.order_needed == scene.object_count + 1);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static void (*const parts[])(fuzz_input *) = {
+        fuzz_project, fuzz_scan,   fuzz_clip_world,   fuzz_clip_view,
+        fuzz_viewer,  fuzz_lenses, fuzz_placed_limit, fuzz_misuse,
+    };
+    fuzz_input in = {data, size};
+    uint32_t part = fuzz_below(&in, 16);
+    if (part < sizeof parts / sizeof parts[0]) {
+        parts[part](&in);
+    } else {
+        fuzz_scenes(&in);
+    }
+    return 0;
+}

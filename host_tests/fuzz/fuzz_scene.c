@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+/* The loader on arbitrary bytes; of a scene that it opens, everything is used. */
+#include <string.h>
+
+#include "demand.h"
+#include "draw.h"
+
+enum { WORK = 1 << 18, STEPS = 64 };
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static uint32_t sum_bytes(const void *table, size_t size)
+{
+    const uint8_t *bytes = table;
+    uint32_t sum = 0;
+    for (size_t i = 0; i < size; i++) {
+        sum += bytes[i];
+    }
+    return sum;
+}
+
+/* Reads every byte of every table: all of it must lie in the image. */
+static void read_tables(const fxl_scene_image *opened)
+{
+    const fxl_scene *scene = &opened->scene;
+    volatile uint32_t sum = sum_bytes(opened->palette, 3u * 256u);
+    sum += sum_bytes(scene->vertices, scene->vertex_count * sizeof *scene->vertices);
+    sum += sum_bytes(scene->corners, scene->corner_count * sizeof *scene->corners);
+    sum += sum_bytes(scene->faces, scene->face_count * sizeof *scene->faces);
+    sum += sum_bytes(scene->models, scene->model_count * sizeof *scene->models);
+    sum += sum_bytes(scene->objects, scene->object_count * sizeof *scene->objects);
+    DEMAND((opened->poses == NULL) != (opened->strides == NULL));
+    if (opened->poses != NULL) {
+        sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);
+    } else {
+        sum += sum_bytes(opened->strides, opened->path_count * sizeof *opened->strides);
+    }
+    (void)sum;
+}
+
+/* Draws some rows of a frame, as many as the work allows. */
+static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint32_t frame,
+                       fuzz_input *in)
+{
+    const fxl_lens *lens = &opened->lens;
+    uint64_t cost = (draw_faces_placed(&opened->scene) + 4) * lens->width;
+    uint32_t rows = (uint32_t)(WORK / cost);
+    if (rows == 0) {
+        return;
+    }
+    rows = rows > lens->height ? lens->height : rows;
+    uint32_t first = frame % 2 == 0 ? 0 : frame * 7 % (lens->height - rows + 1u);
+    draw_choice choice = {frame % 3 == 2, (uint16_t)first, (uint16_t)rows};
+    draw_scene(&opened->scene, lens, pose, &choice, in);
+}
+
+/* Walks the path as firmware does: poses as they stand, strides step by step. */
+static void walk(const fxl_scene_image *opened, fuzz_input *in)
+{
+    fxl_viewer viewer = opened->start;
+    uint32_t frames = 0;
+    for (uint32_t i = 0; i < opened->path_count && frames < STEPS; i++) {
+        if (opened->poses != NULL) {
+            viewer.pose = opened->poses[i];
+            if (frames < 3) {
+                draw_frame(opened, &viewer.pose, frames, in);
+            }
+            frames += 1;
+            continue;
+        }
+        for (uint32_t j = 0; j < opened->strides[i].frames && frames < STEPS; j++) {
+            DEMAND(fxl_viewer_step(&viewer, opened->strides[i].keys, &opened->gait, NULL) ==
+                   FXL_OK);
+            if (frames < 3) {
+                draw_frame(opened, &viewer.pose, frames, in);
+            }
+            frames += 1;
+        }
+    }
+    DEMAND(frames == STEPS || frames == opened->frame_count);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fxl_scene_image opened, untouched;
+    fxl_scene_fault fault = {NULL, 0};
+    memset(&untouched, 0x5A, sizeof untouched);
+    memcpy(&opened, &untouched, sizeof opened);
+    /* A block of its own size: what lies behind the image belongs to nobody. */
+    uint8_t *exact = malloc(size == 0 ? 1 : size);
+    DEMAND(exact != NULL);
+    if (size > 0) {
+        memcpy(exact, data, size);
+    }
+    fxl_status status = fxl_scene_open(exact, size, &opened, &fault);
+    DEMAND((status == FXL_OK) == (fault.what == NULL));
+    DEMAND(fxl_scene_open(exact, size, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_scene_open(exact + 1, size, &untouched, NULL) == FXL_E_ALIGNMENT);
+    if (status == FXL_OK) {
+        fuzz_input in = {data + size / 2, size / 2};
+        read_tables(&opened);
+        walk(&opened, &in);
+    } else {
+        DEMAND(memcmp(&opened, &untouched, sizeof opened) == 0);
+    }
+    free(exact);
+    return 0;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* Promises of single stages, checked in wider arithmetic. Each ends the
+ * program where one does not hold. */
+#ifndef JUDGE_H
+#define JUDGE_H
+
+#include "fixel.h"
+
+/* A polygon clipped in the view lies inside every plane but for the clipper's
+ * error, and projects onto the screen. */
+void judge_view_clip(fxl_clip_result cut, const fxl_view_polygon *result, const fxl_view *view);
+
+/* A polygon clipped in the world has a legal count and lies before the eye. */
+void judge_world_clip(fxl_clip_result cut, const fxl_view_polygon *result);
+
+/* A projected point, or a refusal, against the exact quotient. */
+void judge_projection(const fxl_lens *lens, const fxl_view_point *view, fxl_status status,
+                      const fxl_screen_point *screen);
+
+/* A transformed point against sums in 128 bits. */
+void judge_transform(const fxl_camera *camera, const fxl_point *point,
+                     const fxl_view_point *view);
+
+/* A plane's distance of a point against sums in 128 bits. */
+void judge_plane_distance(const fxl_plane *plane, const fxl_point *point, fxl_q18_46 distance);
+
+/* Every pixel of the band against the winding number of the outline about its
+ * centre; pixels hold 1 where a span was, 0 elsewhere. */
+void judge_coverage(const fxl_screen_polygon *polygon, const fxl_band *band);
+
+#endif

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT */
+#include "make_scene.h"
+
+#include <string.h>
+
+#include "demand.h"
+
+/* A plane to lay a face into: two axes and what stands on them. */
+typedef struct {
+    fxl_point origin;
+    fxl_camera axes;
+} face_plane;
+
+static face_plane any_plane(fuzz_input *in)
+{
+    face_plane plane;
+    fxl_pose pose = fuzz_pose(in);
+    DEMAND(fxl_camera_from_pose(&pose, &plane.axes) == FXL_OK);
+    plane.origin = pose.position;
+    return plane;
+}
+
+static fxl_q16_16 along(fxl_q16_16 origin, fxl_q2_30 right, int64_t a, fxl_q2_30 up, int64_t b)
+{
+    int64_t value = origin + ((right * a + up * b + (1 << 29)) >> 30);
+    const int64_t limit = 2 * (int64_t)FXL_COORDINATE_MAX;
+    return (fxl_q16_16)(value > limit ? limit : value < -limit ? -limit : value);
+}
+
+/* origin + a right + b up, to the nearest unit. */
+static fxl_point on_plane(const face_plane *plane, int64_t a, int64_t b)
+{
+    const fxl_camera *axes = &plane->axes;
+    fxl_point point;
+    point.x = along(plane->origin.x, axes->right.x, a, axes->up.x, b);
+    point.y = along(plane->origin.y, axes->right.y, a, axes->up.y, b);
+    point.z = along(plane->origin.z, axes->right.z, a, axes->up.z, b);
+    return point;
+}
+
+/* One face of new vertices, all of them in a plane or all but for a mistake. */
+static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
+{
+    fxl_scene *scene = &made->scene;
+    fxl_face *face = &made->faces[scene->face_count];
+    face_plane plane = any_plane(in);
+    uint32_t kind = fuzz_below(in, 64);
+    unsigned scale = kind % 16;
+    fxl_q2_30 turned = kind < 32 ? 1 : -1;
+    face->normal.x = plane.axes.forward.x * turned;
+    face->normal.y = plane.axes.forward.y * turned;
+    face->normal.z = plane.axes.forward.z * turned;
+    face->first_corner = scene->corner_count;
+    face->count = (uint8_t)(3 + fuzz_below(in, FXL_FACE_VERTICES_MAX - 2));
+    face->colour = (uint8_t)fuzz_bits(in, 1);
+    for (uint32_t i = 0; i < face->count; i++) {
+        int64_t a = (int64_t)(int16_t)fuzz_bits(in, 2) * (1 << scale);
+        int64_t b = (int64_t)(int16_t)fuzz_bits(in, 2) * (1 << scale);
+        if (kind % 32 >= 28) {
+            b = i % 2 == 0 ? -(int64_t)32768 * (1 << scale) : b; /* a comb */
+        }
+        made->vertices[scene->vertex_count + i] = on_plane(&plane, a, b);
+        made->corners[scene->corner_count + i] = (uint16_t)(model->vertex_count + i);
+    }
+    scene->face_count += 1;
+    scene->corner_count += face->count;
+    scene->vertex_count += face->count;
+    model->face_count += 1;
+    model->vertex_count += face->count;
+}
+
+static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
+{
+    fxl_model *model = &made->models[made->scene.model_count++];
+    model->first_vertex = made->scene.vertex_count;
+    model->first_face = made->scene.face_count;
+    model->kind = fuzz_below(in, 2) ? FXL_MODEL_SORTED : FXL_MODEL_CONVEX;
+    for (uint32_t i = 0; i < faces; i++) {
+        add_face(made, model, in);
+    }
+}
+
+static void add_object(made_scene *made, fuzz_input *in)
+{
+    fxl_object *object = &made->objects[made->scene.object_count++];
+    uint32_t kind = fuzz_below(in, 16);
+    if (kind > 8) {
+        object->centre = fuzz_point(in, FXL_COORDINATE_MAX);
+    }
+    object->model = (uint16_t)(kind % made->scene.model_count);
+    object->layer = (uint8_t)fuzz_below(in, 3);
+}
+
+/* A count that the tables do not have: lower, or above every limit. */
+static uint32_t spoilt_count(uint32_t count, fuzz_input *in)
+{
+    uint32_t value = fuzz_below(in, count + 1);
+    return value == count ? UINT32_MAX - (uint32_t)fuzz_bits(in, 3) : value;
+}
+
+/* Lets one number be what it should not. */
+static void spoil(made_scene *made, fuzz_input *in)
+{
+    fxl_scene *scene = &made->scene;
+    fxl_model *model = &made->models[fuzz_below(in, scene->model_count)];
+    fxl_object *object = &made->objects[fuzz_below(in, scene->object_count)];
+    fxl_face *face = &made->faces[fuzz_below(in, scene->face_count)];
+    fxl_point *vertex = &made->vertices[fuzz_below(in, scene->vertex_count)];
+    uint16_t *corner = &made->corners[fuzz_below(in, scene->corner_count)];
+    uint32_t *const counts[] = {&scene->vertex_count, &scene->corner_count, &scene->face_count,
+                                &scene->model_count, &scene->object_count};
+    uint32_t *const words[] = {&face->first_corner, &model->first_vertex, &model->vertex_count,
+                               &model->first_face, &model->face_count};
+    int32_t *const numbers[] = {&face->normal.x, &face->normal.y, &face->normal.z,
+                                &object->centre.x, &object->centre.y, &object->centre.z,
+                                &vertex->x, &vertex->y, &vertex->z};
+    uint8_t *const bytes[] = {&face->count, &model->kind, &model->reserved[0],
+                              &model->reserved[1], &model->reserved[2], &object->reserved};
+    uint16_t *const halves[] = {&face->reserved, &object->model, corner};
+    uint32_t which = fuzz_below(in, 28);
+    if (which < 5) {
+        *counts[which] = spoilt_count(*counts[which], in);
+    } else if (which < 10) {
+        *words[which - 5] = (uint32_t)fuzz_any(in);
+    } else if (which < 19) {
+        *numbers[which - 10] = fuzz_any(in);
+    } else if (which < 25) {
+        *bytes[which - 19] = (uint8_t)fuzz_bits(in, 1);
+    } else {
+        *halves[which - 25] = (uint16_t)fuzz_bits(in, 2);
+    }
+}
+
+/* Copies of exactly the tables' size: the sanitizer sees what lies behind. */
+static void *copy(const void *table, size_t size)
+{
+    void *copied = malloc(size);
+    DEMAND(copied != NULL);
+    memcpy(copied, table, size);
+    return copied;
+}
+
+/* What each table holds, before its stated count is spoilt. */
+static void copy_tables(made_scene *made, fxl_scene sizes)
+{
+    fxl_scene *scene = &made->scene;
+    scene->vertices = copy(made->vertices, sizes.vertex_count * sizeof *made->vertices);
+    scene->corners = copy(made->corners, sizes.corner_count * sizeof *made->corners);
+    scene->faces = copy(made->faces, sizes.face_count * sizeof *made->faces);
+    scene->models = copy(made->models, sizes.model_count * sizeof *made->models);
+    scene->objects = copy(made->objects, sizes.object_count * sizeof *made->objects);
+}
+
+made_scene *make_scene(fuzz_input *in)
+{
+    made_scene *made = calloc(1, sizeof *made);
+    DEMAND(made != NULL);
+    uint32_t models = 1 + fuzz_below(in, MADE_MODELS);
+    uint32_t objects = 1 + fuzz_below(in, MADE_OBJECTS);
+    uint32_t spoiling = fuzz_below(in, 8);
+    for (uint32_t i = 0; i < models; i++) {
+        add_model(made, 1 + fuzz_below(in, MADE_FACES / MADE_MODELS), in);
+    }
+    for (uint32_t i = 0; i < objects; i++) {
+        add_object(made, in);
+    }
+    fxl_scene sizes = made->scene;
+    if (spoiling == 7) {
+        spoil(made, in);
+    }
+    copy_tables(made, sizes);
+    return made;
+}
+
+void free_scene(made_scene *made)
+{
+    free((void *)(uintptr_t)made->scene.vertices);
+    free((void *)(uintptr_t)made->scene.corners);
+    free((void *)(uintptr_t)made->scene.faces);
+    free((void *)(uintptr_t)made->scene.models);
+    free((void *)(uintptr_t)made->scene.objects);
+    free(made);
+}

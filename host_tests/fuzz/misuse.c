@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* Calls that must be refused: null pointers, too little memory, bands of
+ * another screen, calls out of order. */
+#include <string.h>
+
+#include "demand.h"
+#include "stages.h"
+
+enum { PIXELS = 4096 };
+
+static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
+                        fxl_order_entry *order)
+{
+    static fxl_renderer untouched;
+    *renderer = untouched;
+    DEMAND(fxl_renderer_init(NULL, scene, lens, order, 2) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init(renderer, NULL, lens, order, 2) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init(renderer, scene, NULL, order, 2) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init(renderer, scene, lens, NULL, 2) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init(renderer, scene, lens, order, 1) == FXL_E_CAPACITY);
+    DEMAND(memcmp(renderer, &untouched, sizeof untouched) == 0);
+    DEMAND(fxl_renderer_init(renderer, scene, lens, order, 2) == FXL_OK);
+}
+
+/* A band of the lens's screen with one number spoilt, or none. */
+static fxl_band any_band(const fxl_lens *lens, uint8_t *pixels, fuzz_input *in)
+{
+    fxl_band band = {pixels, lens->width, lens->width, 0, lens->height};
+    uint16_t *const numbers[] = {&band.width, &band.stride, &band.first_row, &band.rows};
+    uint32_t which = fuzz_below(in, 8);
+    if (which < sizeof numbers / sizeof numbers[0]) {
+        *numbers[which] = (uint16_t)fuzz_any(in);
+    }
+    return band;
+}
+
+/* The renderer's scene has no objects, so that a legal band is not drawn into. */
+static void misuse_frame(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
+{
+    fxl_pose pose = fuzz_pose(in);
+    fxl_band nowhere = *band;
+    nowhere.pixels = NULL;
+    DEMAND(fxl_frame_begin(NULL, &pose) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_begin(renderer, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw(NULL, band) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw(renderer, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw(renderer, &nowhere) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw(renderer, band) == FXL_E_ORDER);
+    DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
+    const fxl_lens *lens = &renderer->view.lens;
+    bool legal = band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&
+                 band->first_row + band->rows <= lens->height;
+    DEMAND(fxl_frame_draw(renderer, band) == (legal ? FXL_OK : FXL_E_RANGE));
+    DEMAND(renderer->counters.refused_calls == (legal ? 4u : 5u));
+    pose.position.y = fuzz_any(in);
+    fxl_status status = fxl_frame_begin(renderer, &pose);
+    DEMAND(status == FXL_OK || status == FXL_E_RANGE);
+}
+
+static void misuse_scan(const fxl_band *band)
+{
+    fxl_scan scan;
+    fxl_span span;
+    const fxl_screen_polygon polygon = {0, 3, {{0, 0}}};
+    bool legal = band->width >= 1 && band->width <= FXL_SCREEN_MAX && band->rows >= 1 &&
+                 band->first_row + band->rows <= FXL_SCREEN_MAX;
+    DEMAND(fxl_scan_begin(&polygon, band, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_scan_begin(NULL, band, &scan) == FXL_E_ARGUMENT && !fxl_scan_next(&scan, &span));
+    DEMAND(fxl_scan_begin(&polygon, NULL, &scan) == FXL_E_ARGUMENT);
+    DEMAND(fxl_scan_begin(&polygon, band, &scan) == (legal ? FXL_OK : FXL_E_RANGE));
+    DEMAND(!fxl_scan_next(&scan, &span));
+}
+
+static void misuse_scene(void)
+{
+    static const fxl_point vertices[3];
+    static const uint16_t corners[3];
+    static const fxl_face face;
+    static const fxl_model model;
+    static const fxl_object object;
+    const fxl_scene whole = {vertices, corners, &face, &model, &object, 3, 3, 1, 1, 1, 0};
+    fxl_scene_fault fault = {NULL, 0};
+    for (int missing = 0; missing < 5; missing++) {
+        fxl_scene scene = whole;
+        scene.vertices = missing == 0 ? NULL : vertices;
+        scene.corners = missing == 1 ? NULL : corners;
+        scene.faces = missing == 2 ? NULL : &face;
+        scene.models = missing == 3 ? NULL : &model;
+        scene.objects = missing == 4 ? NULL : &object;
+        DEMAND(fxl_scene_check(&scene, &fault) == FXL_E_ARGUMENT && fault.what != NULL);
+    }
+    DEMAND(fxl_scene_check(NULL, &fault) == FXL_E_ARGUMENT);
+    DEMAND(fxl_scene_open(NULL, 0, NULL, NULL) == FXL_E_ARGUMENT);
+}
+
+void fuzz_misuse(fuzz_input *in)
+{
+    static fxl_renderer renderer;
+    uint8_t pixels[1] = {0x5A};
+    fxl_order_entry order[2];
+    fxl_scene empty = {0};
+    fxl_camera camera;
+    fxl_viewer viewer = {0};
+    fxl_gait gait = {0};
+    fxl_pose pose = {0};
+    fxl_lens lens = fuzz_lens(in, PIXELS);
+    fxl_band band = any_band(&lens, pixels, in);
+    empty.order_needed = 2;
+    misuse_init(&renderer, &empty, &lens, order);
+    misuse_frame(&renderer, &band, in);
+    misuse_scan(&band);
+    misuse_scene();
+    DEMAND(fxl_camera_from_pose(NULL, &camera) == FXL_E_ARGUMENT);
+    DEMAND(fxl_camera_from_pose(&pose, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_viewer_step(NULL, 0, &gait, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_viewer_step(&viewer, 0, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_lens_from_fov(1, 1, FXL_FOV_MIN, 256, 257, 0, NULL) == FXL_E_ARGUMENT);
+    DEMAND(pixels[0] == 0x5A);
+}

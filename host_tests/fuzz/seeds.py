@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""First inputs for the fuzz targets: small scene images, and bytes for the pipeline.
+
+    seeds.py OUT SCENE...       writes OUT/scene/* and OUT/pipeline/*
+"""
+
+import dataclasses
+import pathlib
+import random
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+from fixel import image, toml_scene
+from fixel.errors import ToolError, run_main
+
+LARGEST = 8000          # bytes of a scene that is worth mutating
+PARTS = 16              # what the pipeline's first byte chooses among
+LENGTHS = (200, 400, 800, 2000)
+
+
+def scene_seeds(file):
+    """An image of a scene file, once with a path of poses and once of strides."""
+    compiled, _ = toml_scene.compile_file(str(file), None, lambda text: None)
+    small = dataclasses.replace(compiled, width=64, height=48, palette=[(0, 0, 0)] * 256)
+    start = small.start
+    yield image.pack(dataclasses.replace(small, path_kind=image.POSES, path=[start, start]))
+    yield image.pack(dataclasses.replace(small, path_kind=image.STRIDES,
+                                         path=[(image.KEYS["forward"], 2), (0xFF, 1)]))
+    kinds = [dataclasses.replace(model, kind=image.SORTED) for model in small.models]
+    yield image.pack(dataclasses.replace(small, models=kinds, path_kind=image.POSES, path=[start]))
+
+
+def pipeline_seeds(generator):
+    """Noise behind each choice of part."""
+    for length in LENGTHS:
+        for part in range(PARTS):
+            yield bytes([part]) + generator.randbytes(length)
+
+
+def main(argv):
+    if len(argv) < 2:
+        raise ToolError("usage: seeds.py OUT SCENE...")
+    out = pathlib.Path(argv[0])
+    images = [blob for file in argv[1:] for blob in scene_seeds(file) if len(blob) <= LARGEST]
+    for target, blobs in (("scene", images), ("pipeline", pipeline_seeds(random.Random(1)))):
+        folder = out / target
+        folder.mkdir(parents=True, exist_ok=True)
+        for number, blob in enumerate(blobs):
+            (folder / f"seed-{number:03}").write_bytes(blob)
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

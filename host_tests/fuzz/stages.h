@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* Single stages, fed with any record that their contracts allow, and with
+ * some that they must refuse. */
+#ifndef STAGES_H
+#define STAGES_H
+
+#include "input.h"
+
+void fuzz_project(fuzz_input *in);
+void fuzz_scan(fuzz_input *in);
+void fuzz_clip_world(fuzz_input *in);
+void fuzz_clip_view(fuzz_input *in);
+void fuzz_viewer(fuzz_input *in);
+void fuzz_lenses(fuzz_input *in);
+void fuzz_misuse(fuzz_input *in);
+
+#endif

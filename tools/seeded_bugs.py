@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Tests the tests: puts one known bug after the other into a copy of the library.
+
+    seeded_bugs.py [--build DIR] [--only WORD]
+
+Each bug of host_tests/seeded_bugs/bugs.toml must make a test fail; without a
+bug none may. Works on copies under DIR/seeded_bugs and never in the checkout.
+Exit: 0 all caught, 1 a bug survived (or a test fails without one), 2 could not run.
+"""
+
+import argparse
+import concurrent.futures
+import dataclasses
+import os
+import pathlib
+import queue
+import shutil
+import subprocess
+import sys
+import threading
+import tomllib
+
+from fixel.errors import ToolError, run_main
+from fixel.progress import Progress
+from fixel.table import coloured, table
+
+CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
+BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
+# What make needs to build the library's tests.
+COPIED = ("Makefile", "lib", "boards", "firmware", "host_tests")
+TEST_TIMEOUT = 120      # seconds; a bug that never ends is caught too
+FIELDS = {"name": str, "kind": str, "file": str, "find": str, "replace": str, "why": str,
+          "tests": list}
+
+
+@dataclasses.dataclass
+class Bug:
+    """A line as it is, the same line with a mistake, and which tests are likeliest to see it."""
+    name: str
+    kind: str
+    file: str
+    find: str
+    replace: str
+    why: str
+    tests: list
+
+
+@dataclasses.dataclass
+class Verdict:
+    """Which test failed with a bug, and its first words; None where the bug survived."""
+    bug: Bug
+    caught_by: str | None
+    words: str = ""
+
+
+# --- the records -------------------------------------------------------------
+
+def read_bugs(root):
+    """The bugs, checked against the library as it is."""
+    path = pathlib.Path(root) / BUGS
+    try:
+        records = tomllib.loads(path.read_text(encoding="utf-8")).get("bug", [])
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise ToolError(f"{path}: cannot be read: {error}") from error
+    bugs = [_bug(record, number, path) for number, record in enumerate(records)]
+    if not bugs:
+        raise ToolError(f"{path}: holds no [[bug]]")
+    for bug in bugs:
+        seeded_text(root, bug)
+    return bugs
+
+
+def _bug(record, number, path):
+    for field, kind in FIELDS.items():
+        if not isinstance(record.get(field), kind):
+            raise ToolError(f"{path}: bug {number}: '{field}' is missing or no {kind.__name__}")
+    if set(record) != set(FIELDS):
+        raise ToolError(f"{path}: bug {number}: unknown {', '.join(set(record) - set(FIELDS))}")
+    return Bug(**record)
+
+
+def seeded_text(root, bug):
+    """The bug's file with the bug in it."""
+    path = pathlib.Path(root) / bug.file
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise ToolError(f"bug '{bug.name}': {bug.file} cannot be read: {error.strerror}") from error
+    count = text.count(bug.find)
+    if count != 1:
+        raise ToolError(f"bug '{bug.name}': its text is in {bug.file} {count} times, not once; "
+                        f"bring {BUGS} up to date with the library")
+    return text.replace(bug.find, bug.replace)
+
+
+# --- a copy, built and run -----------------------------------------------------
+
+def all_tests(root):
+    """Names of the library's Unity programs."""
+    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c"))
+
+
+def make_copy(root, folder):
+    """What make needs, alone in a folder."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for name in COPIED:
+        source = pathlib.Path(root) / name
+        if source.is_dir():
+            shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("corpus"))
+        else:
+            shutil.copy2(source, folder / name)
+
+
+def build_tests(folder, tests, jobs):
+    """Builds tests in a copy; what the compiler said, or None if all went well."""
+    environment = {name: value for name, value in os.environ.items()
+                   if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
+    done = subprocess.run(["make", "-s", f"-j{jobs}", *[f"build/host/unit/{test}" for test in tests]],
+                          cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
+                          env=environment)
+    return done.stdout if done.returncode else None
+
+
+def run_test(folder, test):
+    """None if the program passes, else its first words of failure."""
+    try:
+        done = subprocess.run([f"build/host/unit/{test}"], cwd=folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              errors="replace", timeout=TEST_TIMEOUT, check=False)
+    except subprocess.TimeoutExpired:
+        return f"still running after {TEST_TIMEOUT} s"
+    if done.returncode == 0:
+        return None
+    lines = done.stdout.splitlines()
+    return next((line for line in lines if ":FAIL" in line or "runtime error" in line),
+                f"ended with {done.returncode}")
+
+
+def try_bug(folder, bug, tests, jobs):
+    """Seeds a bug in a copy, runs tests until one fails, takes the bug out again."""
+    file = folder / bug.file
+    good = file.read_text(encoding="utf-8")
+    file.write_text(seeded_text(folder, bug), encoding="utf-8")
+    try:
+        likely = [test for test in bug.tests if test in tests]
+        for group in (likely, [test for test in tests if test not in likely]):
+            said = build_tests(folder, group, jobs) if group else None
+            if said:
+                raise ToolError(f"bug '{bug.name}' does not compile, so it shows nothing:\n{said}")
+            for test in group:
+                words = run_test(folder, test)
+                if words:
+                    return Verdict(bug, test, words)
+        return Verdict(bug, None)
+    finally:
+        file.write_text(good, encoding="utf-8")
+
+
+# --- all together ----------------------------------------------------------------
+
+def check_unharmed(folder, tests, jobs):
+    """Builds everything that the bugs need, and demands that it passes as it is."""
+    said = build_tests(folder, tests, jobs)
+    if said:
+        raise ToolError(f"the library's tests do not build:\n{said}")
+    for test in tests:
+        words = run_test(folder, test)
+        if words:
+            raise ToolError(f"{test} fails without a seeded bug: {words}", exit_code=1)
+
+
+def try_all(bugs, copies, tests):
+    """Verdicts in the order of the bugs; each copy is used by one thread at a time."""
+    free = queue.SimpleQueue()
+    for folder in copies:
+        free.put(folder)
+    done, lock = [], threading.Lock()
+
+    def one(bug):
+        folder = free.get()
+        try:
+            return try_bug(folder, bug, tests, 1)
+        finally:
+            free.put(folder)
+            with lock:
+                done.append(bug)
+                progress(len(done))
+
+    with Progress("seeded bugs", len(bugs)) as progress, \
+            concurrent.futures.ThreadPoolExecutor(len(copies)) as pool:
+        return list(pool.map(one, bugs))
+
+
+def print_verdicts(verdicts):
+    """For people."""
+    rows = [[verdict.bug.name, verdict.bug.kind, verdict.caught_by or coloured("SURVIVED", "red")]
+            for verdict in verdicts]
+    print(table(rows, ["bug", "kind", "caught by"]))
+    for verdict in verdicts:
+        if verdict.caught_by is None:
+            print(f"{verdict.bug.file}: no test sees: {verdict.bug.why}")
+    caught = sum(verdict.caught_by is not None for verdict in verdicts)
+    print(f"{caught} of {len(verdicts)} bugs caught")
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", default="build", help="the build folder")
+    parser.add_argument("--root", default=str(CHECKOUT), help="the checkout to copy from")
+    parser.add_argument("--only", default="", help="only bugs with this in their name or kind")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    options = parser.parse_args(argv)
+    bugs = [bug for bug in read_bugs(options.root) if options.only in f"{bug.name} {bug.kind}"]
+    if not bugs:
+        raise ToolError(f"no bug has '{options.only}' in its name or kind")
+    tests = all_tests(options.root)
+    unknown = {test for bug in bugs for test in bug.tests} - set(tests)
+    if unknown:
+        raise ToolError(f"{BUGS}: there is no {', '.join(sorted(unknown))}")
+    scratch = pathlib.Path(options.build).resolve() / "seeded_bugs"
+    copies = [scratch / str(number) for number in range(max(1, min(options.jobs, len(bugs))))]
+    print("seeded bugs: building the tests as they are", file=sys.stderr, flush=True)
+    make_copy(options.root, copies[0])
+    check_unharmed(copies[0], sorted({test for bug in bugs for test in bug.tests}), options.jobs)
+    for folder in copies[1:]:
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(copies[0], folder)
+    verdicts = try_all(bugs, copies, tests)
+    print_verdicts(verdicts)
+    return 1 if any(verdict.caught_by is None for verdict in verdicts) else 0
+
+
+if __name__ == "__main__":
+    run_main(main)
