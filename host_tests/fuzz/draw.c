@@ -6,7 +6,10 @@
 #include "demand.h"
 #include "judge.h"
 
-enum { BACKGROUND = 0x11, GAP = 0x5A };
+enum {
+    BACKGROUND = 0x11,
+    GAP = 0x5A
+};
 
 /* The clippers as a renderer knows them, with their promises checked. */
 static fxl_clip_result checked_by_view(const fxl_polygon *polygon, const fxl_view *view,

@@ -6,7 +6,10 @@
 #include "make_scene.h"
 #include "stages.h"
 
-enum { PIXELS = 4096, POSES = 3 };
+enum {
+    PIXELS = 4096,
+    POSES = 3
+};
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -5,7 +5,10 @@
 #include "demand.h"
 #include "draw.h"
 
-enum { WORK = 1 << 18, STEPS = 64 };
+enum {
+    WORK = 1 << 18,
+    STEPS = 64
+};
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

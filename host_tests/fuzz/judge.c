@@ -81,8 +81,7 @@ static void judge_quotient(fxl_q16_16 focal, fxl_q18_46 side, fxl_q18_46 z, int3
 
 /* Whether the exact coordinate centre + sign focal side / z is out of the
  * screen's range, or within a unit of its end. */
-static bool is_off_range(int64_t centre, int sign, fxl_q16_16 focal, fxl_q18_46 side,
-                         fxl_q18_46 z)
+static bool is_off_range(int64_t centre, int sign, fxl_q16_16 focal, fxl_q18_46 side, fxl_q18_46 z)
 {
     wide scaled = centre * (wide)z + sign * (wide)focal * side;
     wide limit = (wide)(FXL_SCREEN_COORDINATE_MAX - 1) * z;
@@ -112,8 +111,7 @@ static wide exact_dot(const fxl_direction *direction, wide x, wide y, wide z)
     return direction->x * x + direction->y * y + direction->z * z;
 }
 
-void judge_transform(const fxl_camera *camera, const fxl_point *point,
-                     const fxl_view_point *view)
+void judge_transform(const fxl_camera *camera, const fxl_point *point, const fxl_view_point *view)
 {
     wide x = (wide)point->x - camera->position.x;
     wide y = (wide)point->y - camera->position.y;

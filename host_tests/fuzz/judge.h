@@ -18,8 +18,7 @@ void judge_projection(const fxl_lens *lens, const fxl_view_point *view, fxl_stat
                       const fxl_screen_point *screen);
 
 /* A transformed point against sums in 128 bits. */
-void judge_transform(const fxl_camera *camera, const fxl_point *point,
-                     const fxl_view_point *view);
+void judge_transform(const fxl_camera *camera, const fxl_point *point, const fxl_view_point *view);
 
 /* A plane's distance of a point against sums in 128 bits. */
 void judge_plane_distance(const fxl_plane *plane, const fxl_point *point, fxl_q18_46 distance);

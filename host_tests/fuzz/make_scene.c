@@ -111,10 +111,10 @@ static void spoil(made_scene *made, fuzz_input *in)
                                 &scene->model_count, &scene->object_count};
     uint32_t *const words[] = {&face->first_corner, &model->first_vertex, &model->vertex_count,
                                &model->first_face, &model->face_count};
-    int32_t *const numbers[] = {&face->normal.x, &face->normal.y, &face->normal.z,
+    int32_t *const numbers[] = {&face->normal.x,   &face->normal.y,   &face->normal.z,
                                 &object->centre.x, &object->centre.y, &object->centre.z,
-                                &vertex->x, &vertex->y, &vertex->z};
-    uint8_t *const bytes[] = {&face->count, &model->kind, &model->reserved[0],
+                                &vertex->x,        &vertex->y,        &vertex->z};
+    uint8_t *const bytes[] = {&face->count,        &model->kind,        &model->reserved[0],
                               &model->reserved[1], &model->reserved[2], &object->reserved};
     uint16_t *const halves[] = {&face->reserved, &object->model, corner};
     uint32_t which = fuzz_below(in, 28);

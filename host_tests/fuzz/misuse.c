@@ -6,7 +6,9 @@
 #include "demand.h"
 #include "stages.h"
 
-enum { PIXELS = 4096 };
+enum {
+    PIXELS = 4096
+};
 
 static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
                         fxl_order_entry *order)

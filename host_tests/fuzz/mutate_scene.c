@@ -7,12 +7,18 @@
 
 #include "../../lib/src/crc.h"
 
-enum { HEADER_SIZE = 160, AT_SIZE = 8, AT_CRC = 12, AT_TABLES = 80, TABLES = 7 };
+enum {
+    HEADER_SIZE = 160,
+    AT_SIZE = 8,
+    AT_CRC = 12,
+    AT_TABLES = 80,
+    TABLES = 7
+};
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
-size_t LLVMFuzzerCustomCrossOver(const uint8_t *a, size_t a_size, const uint8_t *b,
-                                 size_t b_size, uint8_t *out, size_t max_size, unsigned seed);
+size_t LLVMFuzzerCustomCrossOver(const uint8_t *a, size_t a_size, const uint8_t *b, size_t b_size,
+                                 uint8_t *out, size_t max_size, unsigned seed);
 
 static uint32_t get32(const uint8_t *at)
 {
@@ -75,8 +81,8 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsi
 }
 
 /* The head of one, the rest of the other. */
-size_t LLVMFuzzerCustomCrossOver(const uint8_t *a, size_t a_size, const uint8_t *b,
-                                 size_t b_size, uint8_t *out, size_t max_size, unsigned seed)
+size_t LLVMFuzzerCustomCrossOver(const uint8_t *a, size_t a_size, const uint8_t *b, size_t b_size,
+                                 uint8_t *out, size_t max_size, unsigned seed)
 {
     size_t cut = seed % (a_size + 1);
     size_t size = b_size > cut ? b_size : cut;

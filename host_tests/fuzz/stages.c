@@ -6,7 +6,10 @@
 #include "demand.h"
 #include "judge.h"
 
-enum { TEXEL_MAX = 16383 * 65536, ROUNDS = 16 };
+enum {
+    TEXEL_MAX = 16383 * 65536,
+    ROUNDS = 16
+};
 
 /* Up to 61 bits, every length as likely, either sign. */
 static fxl_q18_46 any_sum(fuzz_input *in)
@@ -178,12 +181,9 @@ static bool any_viewer(fuzz_input *in, fxl_viewer *viewer, fxl_gait *gait)
     gait->friction = fuzz_between(in, 0, FXL_GAIT_MAX);
     gait->speed_max = fuzz_between(in, 0, FXL_GAIT_MAX);
     gait->turn = fuzz_below(in, FXL_ANGLE_QUARTER + 1);
-    int32_t *const numbers[] = {&viewer->pose.position.x,
-                                &viewer->pose.position.y,
-                                &viewer->pose.position.z,
-                                &viewer->speed,
-                                &gait->acceleration,
-                                &gait->friction,
+    int32_t *const numbers[] = {&viewer->pose.position.x, &viewer->pose.position.y,
+                                &viewer->pose.position.z, &viewer->speed,
+                                &gait->acceleration,      &gait->friction,
                                 &gait->speed_max};
     uint32_t which = fuzz_below(in, 32);
     if (which < sizeof numbers / sizeof numbers[0]) {
@@ -194,8 +194,8 @@ static bool any_viewer(fuzz_input *in, fxl_viewer *viewer, fxl_gait *gait)
     return which < 8;
 }
 
-static void demand_walked(const fxl_viewer *viewer, const fxl_viewer *before,
-                          const fxl_gait *gait, const bool *held)
+static void demand_walked(const fxl_viewer *viewer, const fxl_viewer *before, const fxl_gait *gait,
+                          const bool *held)
 {
     const fxl_point *place = &viewer->pose.position;
     DEMAND(place->x >= -FXL_COORDINATE_MAX && place->x <= FXL_COORDINATE_MAX);
@@ -255,8 +255,8 @@ void fuzz_lenses(fuzz_input *in)
                  depths[0] + 2 * (int64_t)depths[2] < depths[1];
     memset(&lens, 0x5A, sizeof lens);
     before = lens;
-    fxl_status status = fxl_lens_from_fov(size[0], size[1], (fxl_angle)fov, depths[0], depths[1],
-                                          depths[2], &lens);
+    fxl_status status =
+        fxl_lens_from_fov(size[0], size[1], (fxl_angle)fov, depths[0], depths[1], depths[2], &lens);
     DEMAND(status == (legal ? FXL_OK : FXL_E_RANGE));
     DEMAND(legal || memcmp(&before, &lens, sizeof lens) == 0);
     DEMAND(fxl_status_text((fxl_status)fuzz_any(in)) != NULL);

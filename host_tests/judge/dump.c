@@ -14,7 +14,8 @@ enum {
     TAIL_SIZE = 12
 };
 
-uint8_t *judge_read_file(const char *path, size_t *size) {
+uint8_t *judge_read_file(const char *path, size_t *size)
+{
     FILE *file = fopen(path, "rb");
     if (!file) {
         return NULL;
@@ -33,15 +34,18 @@ uint8_t *judge_read_file(const char *path, size_t *size) {
     return bytes;
 }
 
-static uint8_t *frame_at(const judge_dump *dump, uint32_t frame) {
+static uint8_t *frame_at(const judge_dump *dump, uint32_t frame)
+{
     return dump->bytes + HEAD_SIZE + frame * dump->frame_size;
 }
 
-static size_t frame_size(int width, int height) {
+static size_t frame_size(int width, int height)
+{
     return PIXELS_AT + (size_t)width * (size_t)height + COUNTERS_SIZE;
 }
 
-static const char *check_dump(judge_dump *dump) {
+static const char *check_dump(judge_dump *dump)
+{
     const uint8_t *bytes = dump->bytes;
     if (dump->size < HEAD_SIZE || memcmp(bytes, "FXLD", 4) != 0) {
         return "it is not a frame dump (no FXLD at its start)";
@@ -77,7 +81,8 @@ static const char *check_dump(judge_dump *dump) {
     return NULL;
 }
 
-const char *judge_dump_open(const char *path, judge_dump *dump) {
+const char *judge_dump_open(const char *path, judge_dump *dump)
+{
     memset(dump, 0, sizeof *dump);
     dump->bytes = judge_read_file(path, &dump->size);
     const char *wrong = dump->bytes ? check_dump(dump) : "it cannot be read";
@@ -87,30 +92,36 @@ const char *judge_dump_open(const char *path, judge_dump *dump) {
     return wrong;
 }
 
-void judge_dump_close(judge_dump *dump) {
+void judge_dump_close(judge_dump *dump)
+{
     free(dump->bytes);
     memset(dump, 0, sizeof *dump);
 }
 
-ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame) {
+ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame)
+{
     return ref_pose_read(frame_at(dump, frame) + POSE_AT);
 }
 
-const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame) {
+const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame)
+{
     return frame_at(dump, frame) + PIXELS_AT;
 }
 
-const uint8_t *judge_dump_palette(const judge_dump *dump) {
+const uint8_t *judge_dump_palette(const judge_dump *dump)
+{
     return dump->bytes + 16;
 }
 
-static void put_u32(uint8_t *bytes, uint32_t value) {
+static void put_u32(uint8_t *bytes, uint32_t value)
+{
     for (int i = 0; i < 4; i++) {
         bytes[i] = (uint8_t)(value >> 8 * i);
     }
 }
 
-bool judge_dump_like(const judge_dump *board, judge_dump *twin) {
+bool judge_dump_like(const judge_dump *board, judge_dump *twin)
+{
     *twin = *board;
     twin->bytes = malloc(board->size);
     if (!twin->bytes) {
@@ -122,7 +133,8 @@ bool judge_dump_like(const judge_dump *board, judge_dump *twin) {
 }
 
 void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
-                    const ref_counters *counters) {
+                    const ref_counters *counters)
+{
     size_t area = (size_t)dump->width * (size_t)dump->height;
     uint8_t *to = frame_at(dump, frame) + PIXELS_AT;
     memcpy(to, pixels, area);
@@ -135,13 +147,15 @@ void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
     }
 }
 
-bool judge_dump_save(judge_dump *dump, const char *path) {
+bool judge_dump_save(judge_dump *dump, const char *path)
+{
     uint8_t *sum = dump->bytes + dump->size - 4;
     put_u32(sum, ref_crc32(0, dump->bytes, dump->size - 4));
     return judge_save_file(path, dump->bytes, dump->size);
 }
 
-bool judge_save_file(const char *path, const void *bytes, size_t size) {
+bool judge_save_file(const char *path, const void *bytes, size_t size)
+{
     static const char suffix[] = ".part";
     char *temporary = malloc(strlen(path) + sizeof suffix);
     if (!temporary) {

@@ -5,7 +5,8 @@
 
 #include "reference/scan.h"
 
-judge_box judge_box_of(const ref_screen_polygon *polygon) {
+judge_box judge_box_of(const ref_screen_polygon *polygon)
+{
     judge_box box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int i = 0; i < polygon->count; i++) {
         box.left = fmin(box.left, polygon->points[i].x);
@@ -16,19 +17,22 @@ judge_box judge_box_of(const ref_screen_polygon *polygon) {
     return box;
 }
 
-static bool box_holds(const judge_box *box, double x, double y) {
+static bool box_holds(const judge_box *box, double x, double y)
+{
     return box->left <= x && x <= box->right && box->top <= y && y <= box->bottom;
 }
 
 /* Whether the box is at least so far away along x or y; the outline is then
  * that far away too. */
-static bool box_is_beyond(const judge_box *box, double x, double y, double distance) {
+static bool box_is_beyond(const judge_box *box, double x, double y, double distance)
+{
     return box->left - x >= distance || x - box->right >= distance || box->top - y >= distance ||
            y - box->bottom >= distance;
 }
 
 static double segment_distance(const ref_screen_point *a, const ref_screen_point *b, double x,
-                               double y) {
+                               double y)
+{
     double dx = b->x - a->x, dy = b->y - a->y;
     double length_squared = dx * dx + dy * dy;
     double t = length_squared > 0 ? ((x - a->x) * dx + (y - a->y) * dy) / length_squared : 0;
@@ -36,7 +40,8 @@ static double segment_distance(const ref_screen_point *a, const ref_screen_point
     return hypot(a->x + t * dx - x, a->y + t * dy - y);
 }
 
-double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y) {
+double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y)
+{
     double nearest = INFINITY;
     for (int i = 0; i < polygon->count; i++) {
         int next = i + 1 < polygon->count ? i + 1 : 0;
@@ -47,7 +52,8 @@ double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y
 }
 
 double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t count,
-                     uint8_t background, double cx, double cy, uint8_t colour) {
+                     uint8_t background, double cx, double cy, uint8_t colour)
+{
     double best = INFINITY;
     double uncovered = 0; /* what it costs to put every later polygon out */
     for (size_t i = count; i-- > 0 && uncovered < best;) {

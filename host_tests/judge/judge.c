@@ -33,7 +33,8 @@ typedef struct {
     bool failed;
 } report;
 
-__attribute__((format(printf, 1, 2))) static int fail(const char *format, ...) {
+__attribute__((format(printf, 1, 2))) static int fail(const char *format, ...)
+{
     va_list arguments;
     va_start(arguments, format);
     fputs("error: ", stderr);
@@ -43,7 +44,8 @@ __attribute__((format(printf, 1, 2))) static int fail(const char *format, ...) {
     return 2;
 }
 
-__attribute__((format(printf, 2, 3))) static void say(report *out, const char *format, ...) {
+__attribute__((format(printf, 2, 3))) static void say(report *out, const char *format, ...)
+{
     char piece[512];
     va_list arguments;
     va_start(arguments, format);
@@ -65,7 +67,8 @@ __attribute__((format(printf, 2, 3))) static void say(report *out, const char *f
 }
 
 /* null where there is no distance: nothing differs, or nothing explains. */
-static void say_distance(report *out, const char *name, double distance) {
+static void say_distance(report *out, const char *name, double distance)
+{
     if (distance >= 0 && isfinite(distance)) {
         say(out, "\"%s\": %.9g", name, distance);
     } else {
@@ -73,9 +76,13 @@ static void say_distance(report *out, const char *name, double distance) {
     }
 }
 
-static void say_frame(report *out, uint32_t number, const judge_frame *frame) {
-    say(out, "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_unexplained\": %u, ",
-        (unsigned)number, (unsigned)frame->differing, (unsigned)frame->unexplained);
+static void say_frame(report *out, uint32_t number, const judge_frame *frame)
+{
+    say(out,
+        "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_tied\": %u, "
+        "\"pixels_unexplained\": %u, ",
+        (unsigned)number, (unsigned)frame->differing, (unsigned)frame->tied,
+        (unsigned)frame->unexplained);
     say_distance(out, "max_edge_distance_px", frame->max_distance);
     if (frame->unexplained > 0) {
         say(out, ",\n     \"first_unexplained\": [");
@@ -93,19 +100,22 @@ static void say_frame(report *out, uint32_t number, const judge_frame *frame) {
     say(out, "}");
 }
 
-static void say_all(report *out, const options *wanted, const session *run) {
+static void say_all(report *out, const options *wanted, const session *run)
+{
     uint32_t count = run->dump.frame_count;
     uint64_t pixels = (uint64_t)run->dump.width * (uint64_t)run->dump.height * count;
-    uint64_t differing = 0, unexplained = 0, inexplicable = 0;
+    uint64_t differing = 0, tied = 0, unexplained = 0, inexplicable = 0;
     double farthest = -1;
     for (uint32_t i = 0; i < count; i++) {
         differing += run->frames[i].differing;
+        tied += run->frames[i].tied;
         unexplained += run->frames[i].unexplained;
         inexplicable += run->frames[i].inexplicable;
         farthest = fmax(farthest, run->frames[i].max_distance);
     }
     say(out, "{\n  \"distance\": %.9g,\n  \"pixels\": %llu,\n  \"pixels_differing\": %llu,\n",
         wanted->distance, (unsigned long long)pixels, (unsigned long long)differing);
+    say(out, "  \"pixels_tied\": %llu,\n", (unsigned long long)tied);
     say(out, "  \"pixels_unexplained\": %llu,\n  \"pixels_inexplicable\": %llu,\n  ",
         (unsigned long long)unexplained, (unsigned long long)inexplicable);
     say_distance(out, "max_edge_distance_px", farthest);
@@ -122,7 +132,8 @@ static void say_all(report *out, const options *wanted, const session *run) {
     say(out, "  ]\n}\n");
 }
 
-static bool parse_options(int count, char **arguments, options *wanted) {
+static bool parse_options(int count, char **arguments, options *wanted)
+{
     *wanted = (options){.distance = 1.0 / 8192};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
@@ -156,7 +167,8 @@ static bool parse_options(int count, char **arguments, options *wanted) {
 }
 
 /* 0, or 2 after saying why. */
-static int open_inputs(const options *wanted, session *run) {
+static int open_inputs(const options *wanted, session *run)
+{
     size_t size;
     uint8_t *bytes = judge_read_file(wanted->scene, &size);
     if (!bytes) {
@@ -185,7 +197,8 @@ static int open_inputs(const options *wanted, session *run) {
     return 0;
 }
 
-static int judge(const options *wanted, session *run) {
+static int judge(const options *wanted, session *run)
+{
     int code = open_inputs(wanted, run);
     if (code != 0) {
         return code;
@@ -206,7 +219,8 @@ static int judge(const options *wanted, session *run) {
     return saved ? 0 : fail("%s: it cannot be written", wanted->json);
 }
 
-int main(int count, char **arguments) {
+int main(int count, char **arguments)
+{
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
         return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "judge/explain.h"
+#include "oracle/tie.h"
 #include "reference/fill.h"
 
 enum {
@@ -29,7 +30,8 @@ typedef struct {
     bool failed;
 } job;
 
-static judge_box *boxes_of(const ref_renderer *renderer) {
+static judge_box *boxes_of(const ref_renderer *renderer)
+{
     judge_box *boxes = malloc((renderer->drawn_count + 1) * sizeof *boxes);
     for (size_t i = 0; boxes && i < renderer->drawn_count; i++) {
         boxes[i] = judge_box_of(&renderer->drawn[i].polygon);
@@ -37,7 +39,8 @@ static judge_box *boxes_of(const ref_renderer *renderer) {
     return boxes;
 }
 
-static void count_pixel(judge_frame *frame, const judge_sample *pixel, double limit) {
+static void count_pixel(judge_frame *frame, const judge_sample *pixel, double limit)
+{
     frame->differing++;
     if (isfinite(pixel->distance)) {
         frame->max_distance = fmax(frame->max_distance, pixel->distance);
@@ -52,13 +55,64 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
     }
 }
 
+static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
+{
+    const ref_lens *lens = &work->image->lens;
+    return (oracle_tie_view){
+        .eye = {pose->position.x, pose->position.y, pose->position.z},
+        .yaw = pose->yaw,
+        .pitch = pose->pitch,
+        .roll = pose->roll,
+        .width = lens->width,
+        .height = lens->height,
+        .focal = (int32_t)lround(lens->focal * REF_ONE),
+        .near = (int32_t)lround(lens->near * REF_ONE),
+        .far = (int32_t)lround(lens->far * REF_ONE),
+        .inset = (int32_t)lround(lens->inset * REF_ONE),
+    };
+}
+
+/* Whether the pixel's centre lies exactly on an edge of a polygon that was
+ * drawn about there: then double cannot tell its side, and only the exact
+ * judge is asked. */
+static bool is_tied(const job *work, const ref_renderer *renderer, const judge_box *boxes,
+                    const oracle_tie_view *view, int column, int row)
+{
+    const ref_scene *scene = renderer->scene;
+    double x = column + 0.5, y = row + 0.5;
+    for (size_t i = 0; i < renderer->drawn_count; i++) {
+        const judge_box *box = &boxes[i];
+        if (box->left - x > work->distance || x - box->right > work->distance ||
+            box->top - y > work->distance || y - box->bottom > work->distance) {
+            continue;
+        }
+        const ref_object *object = &scene->objects[renderer->drawn[i].object];
+        const ref_model *model = &scene->models[object->model];
+        const ref_face *face = &scene->faces[model->first_face + renderer->drawn[i].face];
+        int32_t vertices[3 * UINT8_MAX];
+        for (int corner = 0; corner < face->count; corner++) {
+            ref_lattice_point point = ref_face_corner(scene, object, face, corner);
+            vertices[3 * corner] = point.x;
+            vertices[3 * corner + 1] = point.y;
+            vertices[3 * corner + 2] = point.z;
+        }
+        if (oracle_tied(view, vertices, face->count, column, row)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* False where memory is short. */
 static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *twin,
-                           uint32_t number) {
+                           uint32_t number)
+{
     const uint8_t *board = judge_dump_pixels(work->dump, number);
     judge_frame *frame = &work->frames[number];
     *frame = (judge_frame){.max_distance = -1};
     judge_box *boxes = NULL; /* made at the first difference */
+    ref_pose pose = judge_dump_pose(work->dump, number);
+    oracle_tie_view view = tie_view(work, &pose);
     for (int y = 0; y < work->dump->height; y++) {
         for (int x = 0; x < work->dump->width; x++, board++, twin++) {
             if (*board == *twin) {
@@ -71,13 +125,15 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
             pixel.distance = judge_explain(renderer->drawn, boxes, renderer->drawn_count,
                                            work->image->background, x + 0.5, y + 0.5, *board);
             count_pixel(frame, &pixel, work->distance);
+            frame->tied += is_tied(work, renderer, boxes, &view, x, y);
         }
     }
     free(boxes);
     return true;
 }
 
-static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, uint32_t number) {
+static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, uint32_t number)
+{
     int width = work->dump->width, height = work->dump->height;
     ref_band band = {pixels, width, width, 0, height};
     ref_pose pose = judge_dump_pose(work->dump, number);
@@ -93,7 +149,8 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, 
 }
 
 /* Under the lock. Silent in the first second and between whole seconds. */
-static void report_progress(job *work) {
+static void report_progress(job *work)
+{
     time_t now = time(NULL);
     uint32_t total = work->dump->frame_count;
     if (now - work->reported < 2 && (work->done < total || !isatty(STDERR_FILENO))) {
@@ -104,7 +161,8 @@ static void report_progress(job *work) {
     fprintf(stderr, "judge: %u of %u frames%s", (unsigned)work->done, (unsigned)total, end);
 }
 
-static void *run_worker(void *argument) {
+static void *run_worker(void *argument)
+{
     job *work = argument;
     size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
     ref_renderer renderer;
@@ -130,7 +188,8 @@ static void *run_worker(void *argument) {
 }
 
 bool judge_frames(const ref_scene_image *image, const judge_dump *dump, double distance,
-                  judge_frame *frames, judge_dump *twin) {
+                  judge_frame *frames, judge_dump *twin)
+{
     job work = {.image = image,
                 .dump = dump,
                 .distance = distance,

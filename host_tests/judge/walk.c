@@ -3,12 +3,14 @@
 
 #include <math.h>
 
-static bool same_angles(const ref_pose *pose, ref_angle yaw, ref_angle pitch, ref_angle roll) {
+static bool same_angles(const ref_pose *pose, ref_angle yaw, ref_angle pitch, ref_angle roll)
+{
     return pose->yaw == yaw && pose->pitch == pitch && pose->roll == roll;
 }
 
 static const char *compare_poses(const ref_scene_image *image, const judge_dump *dump,
-                                 uint32_t *frame) {
+                                 uint32_t *frame)
+{
     for (*frame = 0; *frame < dump->frame_count; ++*frame) {
         ref_pose pose = judge_dump_pose(dump, *frame);
         const ref_pose *stated = &image->poses[*frame];
@@ -21,12 +23,14 @@ static const char *compare_poses(const ref_scene_image *image, const judge_dump 
     return NULL;
 }
 
-static double error_units(double exact, int32_t units) {
+static double error_units(double exact, int32_t units)
+{
     return fabs(exact * REF_ONE - units);
 }
 
 static const char *compare_strides(const ref_scene_image *image, const judge_dump *dump,
-                                   judge_walk *walk, uint32_t *frame) {
+                                   judge_walk *walk, uint32_t *frame)
+{
     ref_viewer viewer = ref_viewer_at(&image->start);
     const ref_stride *stride = image->strides;
     uint32_t done = 0; /* frames of this stride */
@@ -54,7 +58,8 @@ static const char *compare_strides(const ref_scene_image *image, const judge_dum
 }
 
 const char *judge_walk_compare(const ref_scene_image *image, const judge_dump *dump,
-                               judge_walk *walk, uint32_t *frame) {
+                               judge_walk *walk, uint32_t *frame)
+{
     *walk = (judge_walk){.frames = dump->frame_count};
     return image->poses ? compare_poses(image, dump, frame)
                         : compare_strides(image, dump, walk, frame);

@@ -6,7 +6,12 @@
 
 #include "file.h"
 
-enum { HEAD = 16 + 768, POSE = 24, AFTER_PIXELS = 32 + 4 + 8, TAIL = 12 };
+enum {
+    HEAD = 16 + 768,
+    POSE = 24,
+    AFTER_PIXELS = 32 + 4 + 8,
+    TAIL = 12
+};
 
 static double radians(const uint8_t *at)
 {

@@ -6,8 +6,8 @@
 
 /* An edge this near, in pixels, explains a different colour. */
 #define NEARNESS (1.0 / 64.0)
-#define RINGS 4
-#define SPOKES 32
+#define RINGS    4
+#define SPOKES   32
 
 /* Turns a vector in the plane of two of its parts: what pointed along `from`
  * now points an angle further towards `towards`. */

@@ -6,7 +6,14 @@
 
 #include "file.h"
 
-enum { HEADER = 160, VERTEX = 12, CORNER = 2, FACE = 20, MODEL = 20, OBJECT = 16 };
+enum {
+    HEADER = 160,
+    VERTEX = 12,
+    CORNER = 2,
+    FACE = 20,
+    MODEL = 20,
+    OBJECT = 16
+};
 
 typedef struct {
     const uint8_t *at;

@@ -7,8 +7,8 @@
 #include "file.h"
 
 #define LEAF_POLYGONS 4
-#define DEPTH_STACK 96
-#define TIE 1e-6
+#define DEPTH_STACK   96
+#define TIE           1e-6
 
 /* A face may be off its plane by 4/65536 unit: boxes take in a little more. */
 #define BOX_MARGIN (16.0 / 65536.0)

@@ -5,14 +5,16 @@
 
 static const double two_pi = 6.283185307179586476925286766559;
 
-double ref_radians(ref_angle angle) {
+double ref_radians(ref_angle angle)
+{
     return (double)angle / 4294967296.0 * two_pi;
 }
 
 /* The turn is reduced in whole numbers to an eighth of a turn either side of a
  * quarter turn's multiple, because libm's sine of a rounded pi is not 0: a
  * camera that looks along an axis must do so exactly. */
-double ref_sin(ref_angle angle) {
+double ref_sin(ref_angle angle)
+{
     uint32_t quarters = (angle + 0x20000000u) >> 30;
     int64_t rest = (int64_t)angle - ((int64_t)quarters << 30);
     if (rest > INT64_C(0x20000000)) { /* the last eighth belongs to the next turn */
@@ -31,6 +33,7 @@ double ref_sin(ref_angle angle) {
     }
 }
 
-double ref_cos(ref_angle angle) {
+double ref_cos(ref_angle angle)
+{
     return ref_sin(angle + 0x40000000u);
 }

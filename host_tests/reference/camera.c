@@ -9,7 +9,8 @@
  * table of products there is checked rather than copied. */
 
 /* Turns a towards b by an angle whose sine and cosine are given. */
-static void turn(ref_point *a, ref_point *b, double s, double c) {
+static void turn(ref_point *a, ref_point *b, double s, double c)
+{
     ref_point old_a = *a, old_b = *b;
     a->x = c * old_a.x + s * old_b.x;
     a->y = c * old_a.y + s * old_b.y;
@@ -19,11 +20,13 @@ static void turn(ref_point *a, ref_point *b, double s, double c) {
     b->z = c * old_b.z - s * old_a.z;
 }
 
-ref_point ref_point_from_lattice(const ref_lattice_point *point) {
+ref_point ref_point_from_lattice(const ref_lattice_point *point)
+{
     return (ref_point){point->x / REF_ONE, point->y / REF_ONE, point->z / REF_ONE};
 }
 
-ref_camera ref_camera_from_pose(const ref_pose *pose) {
+ref_camera ref_camera_from_pose(const ref_pose *pose)
+{
     ref_camera camera = {.position = ref_point_from_lattice(&pose->position),
                          .right = {1, 0, 0},
                          .up = {0, 1, 0},
@@ -37,7 +40,8 @@ ref_camera ref_camera_from_pose(const ref_pose *pose) {
     return camera;
 }
 
-ref_point ref_forward(ref_angle yaw, ref_angle pitch) {
+ref_point ref_forward(ref_angle yaw, ref_angle pitch)
+{
     ref_pose pose = {.yaw = yaw, .pitch = pitch};
     return ref_camera_from_pose(&pose).forward;
 }

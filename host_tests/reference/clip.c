@@ -3,13 +3,15 @@
 
 #include "reference/plane.h"
 
-static double between(double inside, double outside, double t) {
+static double between(double inside, double outside, double t)
+{
     return inside + t * (outside - inside);
 }
 
 /* From the inside end to the outside end, whichever way the polygon walks the
  * edge: neighbours get the same vertex. */
-static ref_vertex crossing(const ref_vertex *inside, const ref_vertex *outside, double t) {
+static ref_vertex crossing(const ref_vertex *inside, const ref_vertex *outside, double t)
+{
     return (ref_vertex){
         .position = {between(inside->position.x, outside->position.x, t),
                      between(inside->position.y, outside->position.y, t),
@@ -19,7 +21,8 @@ static ref_vertex crossing(const ref_vertex *inside, const ref_vertex *outside, 
     };
 }
 
-ref_clip_result ref_clip_to_plane(const ref_polygon *in, const ref_plane *plane, ref_polygon *out) {
+ref_clip_result ref_clip_to_plane(const ref_polygon *in, const ref_plane *plane, ref_polygon *out)
+{
     long double distances[REF_POLYGON_CAPACITY];
     int inside_count = 0;
     for (int i = 0; i < in->count; i++) {
@@ -65,7 +68,8 @@ ref_clip_result ref_clip_to_plane(const ref_polygon *in, const ref_plane *plane,
 }
 
 ref_clip_result ref_clip_to_frustum(const ref_polygon *in, const ref_frustum *frustum,
-                                    ref_polygon *out) {
+                                    ref_polygon *out)
+{
     ref_clip_result result = REF_CLIP_INSIDE;
     ref_polygon before = *in;
     for (int i = 0; i < REF_PLANE_COUNT; i++) {

@@ -6,7 +6,8 @@
 __extension__ typedef __int128 wide;
 
 bool ref_face_is_front(const ref_scene *scene, const ref_object *object, const ref_face *face,
-                       const ref_lattice_point *eye) {
+                       const ref_lattice_point *eye)
+{
     ref_lattice_point first = ref_face_corner(scene, object, face, 0);
     wide sum = (wide)face->normal[0] * ((int64_t)eye->x - first.x) +
                (wide)face->normal[1] * ((int64_t)eye->y - first.y) +
@@ -15,7 +16,8 @@ bool ref_face_is_front(const ref_scene *scene, const ref_object *object, const r
 }
 
 void ref_face_to_polygon(const ref_scene *scene, const ref_object *object, const ref_face *face,
-                         ref_polygon *polygon) {
+                         ref_polygon *polygon)
+{
     polygon->colour = face->colour;
     polygon->count = face->count;
     for (int i = 0; i < face->count; i++) {

@@ -8,7 +8,8 @@
 /* The plane whose normal has the view coordinates (x, y, z), before scaling to
  * unit length, and which passes through (0, 0, depth). */
 static ref_plane view_plane(const ref_camera *camera, double x, double y, double z, double depth,
-                            double inset) {
+                            double inset)
+{
     double length = sqrt(x * x + y * y + z * z);
     const ref_point *r = &camera->right, *u = &camera->up, *f = &camera->forward;
     ref_point normal = {(r->x * x + u->x * y + f->x * z) / length,
@@ -19,7 +20,8 @@ static ref_plane view_plane(const ref_camera *camera, double x, double y, double
     return ref_plane_from_point(&through, &normal, inset);
 }
 
-ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens) {
+ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens)
+{
     double half_width = lens->width / 2.0, half_height = lens->height / 2.0;
     double focal = lens->focal, inset = lens->inset;
     ref_frustum frustum;

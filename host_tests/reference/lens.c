@@ -6,7 +6,8 @@
 #include "reference/angle.h"
 
 ref_lens ref_lens_from_fov(int width, int height, ref_angle fov, double near, double far,
-                           double inset) {
+                           double inset)
+{
     double focal = width / 2.0 / tan(ref_radians(fov) / 2);
     return (ref_lens){.width = width,
                       .height = height,

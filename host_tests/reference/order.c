@@ -5,23 +5,27 @@
 
 #include "reference/cull.h"
 
-static ref_square square(int64_t value) {
+static ref_square square(int64_t value)
+{
     ref_square size = (ref_square)llabs(value);
     return size * size;
 }
 
-ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point) {
+ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point)
+{
     return square((int64_t)point->x - eye->x) + square((int64_t)point->y - eye->y) +
            square((int64_t)point->z - eye->z);
 }
 
-static void widen(int64_t *low, int64_t *high, int32_t value) {
+static void widen(int64_t *low, int64_t *high, int32_t value)
+{
     *low = value < *low ? value : *low;
     *high = value > *high ? value : *high;
 }
 
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                     const ref_object *object, const ref_face *face) {
+                                     const ref_object *object, const ref_face *face)
+{
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
     int64_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
@@ -35,7 +39,8 @@ ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_sce
            square(low[2] + high[2] - 2 * (int64_t)eye->z);
 }
 
-static int drawn_before(const void *a, const void *b) {
+static int drawn_before(const void *a, const void *b)
+{
     const ref_order_entry *first = a, *second = b;
     if (first->layer != second->layer) {
         return first->layer < second->layer ? -1 : 1;
@@ -46,12 +51,14 @@ static int drawn_before(const void *a, const void *b) {
     return (first->index > second->index) - (first->index < second->index);
 }
 
-void ref_order_sort(ref_order_entry *entries, uint32_t count) {
+void ref_order_sort(ref_order_entry *entries, uint32_t count)
+{
     qsort(entries, count, sizeof *entries, drawn_before);
 }
 
 void ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
-                       ref_order_entry *entries) {
+                       ref_order_entry *entries)
+{
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const ref_object *object = &scene->objects[i];
         entries[i] =
@@ -61,7 +68,8 @@ void ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
 }
 
 uint32_t ref_order_faces(const ref_scene *scene, const ref_object *object,
-                         const ref_lattice_point *eye, ref_order_entry *entries) {
+                         const ref_lattice_point *eye, ref_order_entry *entries)
+{
     const ref_model *model = &scene->models[object->model];
     uint32_t count = 0;
     for (uint32_t i = 0; i < model->face_count; i++) {

@@ -11,7 +11,8 @@
 #include "reference/scan.h"
 #include "reference/transform.h"
 
-bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens) {
+bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
+{
     uint32_t faces = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
         faces = scene->models[i].face_count > faces ? scene->models[i].face_count : faces;
@@ -28,14 +29,16 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
     return true;
 }
 
-void ref_renderer_close(ref_renderer *renderer) {
+void ref_renderer_close(ref_renderer *renderer)
+{
     free(renderer->objects);
     free(renderer->faces);
     free(renderer->drawn);
     memset(renderer, 0, sizeof *renderer);
 }
 
-static ref_drawn *drawn_next(ref_renderer *renderer) {
+static ref_drawn *drawn_next(ref_renderer *renderer)
+{
     if (renderer->drawn_count == renderer->drawn_capacity) {
         size_t capacity = renderer->drawn_capacity ? 2 * renderer->drawn_capacity : 256;
         ref_drawn *more = realloc(renderer->drawn, capacity * sizeof *more);
@@ -49,7 +52,8 @@ static ref_drawn *drawn_next(ref_renderer *renderer) {
 }
 
 /* A face that faces the eye, from the world to the list. */
-static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number) {
+static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+{
     const ref_object *object = &renderer->scene->objects[object_number];
     const ref_model *model = &renderer->scene->models[object->model];
     const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
@@ -85,7 +89,8 @@ static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t f
     return true;
 }
 
-static bool take_object(ref_renderer *renderer, uint32_t number) {
+static bool take_object(ref_renderer *renderer, uint32_t number)
+{
     const ref_scene *scene = renderer->scene;
     const ref_object *object = &scene->objects[number];
     const ref_model *model = &scene->models[object->model];
@@ -110,7 +115,8 @@ static bool take_object(ref_renderer *renderer, uint32_t number) {
     return true;
 }
 
-bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose) {
+bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
+{
     renderer->eye = pose->position;
     renderer->camera = ref_camera_from_pose(pose);
     renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
@@ -125,7 +131,8 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose) {
     return true;
 }
 
-void ref_frame_draw(const ref_renderer *renderer, const ref_band *band) {
+void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
+{
     for (size_t i = 0; i < renderer->drawn_count; i++) {
         const ref_screen_polygon *polygon = &renderer->drawn[i].polygon;
         ref_scan scan;

@@ -12,7 +12,8 @@
  * product errs by at most 2^-53 of itself; the cheap answer is taken where
  * the sum is well clear of that. */
 static bool edge_is_left(const ref_screen_point *upper, const ref_screen_point *lower, double cx,
-                         double cy) {
+                         double cy)
+{
     double down = (cx - upper->x) * (lower->y - upper->y);
     double across = (lower->x - upper->x) * (cy - upper->y);
     if (fabs(down - across) > (fabs(down) + fabs(across)) * 0x1p-50) {
@@ -23,7 +24,8 @@ static bool edge_is_left(const ref_screen_point *upper, const ref_screen_point *
     return exact_across <= exact_down;
 }
 
-bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy) {
+bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy)
+{
     int winding = 0;
     for (int i = 0; i < polygon->count; i++) {
         const ref_screen_point *a = &polygon->points[i];
@@ -37,11 +39,13 @@ bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy) {
     return winding != 0;
 }
 
-static int held(double value, int low, int high) {
+static int held(double value, int low, int high)
+{
     return (int)fmax(low, fmin(high, value));
 }
 
-void ref_scan_begin(const ref_screen_polygon *polygon, const ref_band *band, ref_scan *scan) {
+void ref_scan_begin(const ref_screen_polygon *polygon, const ref_band *band, ref_scan *scan)
+{
     double left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
     for (int i = 0; i < polygon->count; i++) {
         left = fmin(left, polygon->points[i].x);
@@ -58,7 +62,8 @@ void ref_scan_begin(const ref_screen_polygon *polygon, const ref_band *band, ref
     scan->x = scan->x0;
 }
 
-bool ref_scan_next(ref_scan *scan, ref_span *span) {
+bool ref_scan_next(ref_scan *scan, ref_span *span)
+{
     for (; scan->y < scan->y1; scan->y++, scan->x = scan->x0) {
         while (scan->x < scan->x1) {
             int start = scan->x;

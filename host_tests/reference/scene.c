@@ -4,20 +4,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-uint16_t ref_u16(const uint8_t *bytes) {
+uint16_t ref_u16(const uint8_t *bytes)
+{
     return (uint16_t)(bytes[0] | bytes[1] << 8);
 }
 
-uint32_t ref_u32(const uint8_t *bytes) {
+uint32_t ref_u32(const uint8_t *bytes)
+{
     return ref_u16(bytes) | (uint32_t)ref_u16(bytes + 2) << 16;
 }
 
-int32_t ref_i32(const uint8_t *bytes) {
+int32_t ref_i32(const uint8_t *bytes)
+{
     uint32_t value = ref_u32(bytes);
     return value < 0x80000000u ? (int32_t)value : (int32_t)((int64_t)value - INT64_C(0x100000000));
 }
 
-uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size) {
+uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size)
+{
     uint32_t table[256];
     for (uint32_t i = 0; i < 256; i++) {
         uint32_t entry = i;
@@ -33,17 +37,20 @@ uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size) {
     return ~crc;
 }
 
-static ref_lattice_point point_read(const uint8_t *bytes) {
+static ref_lattice_point point_read(const uint8_t *bytes)
+{
     return (ref_lattice_point){ref_i32(bytes), ref_i32(bytes + 4), ref_i32(bytes + 8)};
 }
 
-ref_pose ref_pose_read(const uint8_t *bytes) {
+ref_pose ref_pose_read(const uint8_t *bytes)
+{
     return (ref_pose){point_read(bytes), ref_u32(bytes + 12), ref_u32(bytes + 16),
                       ref_u32(bytes + 20)};
 }
 
 ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_object *object,
-                                  const ref_face *face, int corner) {
+                                  const ref_face *face, int corner)
+{
     const ref_model *model = &scene->models[object->model];
     uint32_t number = scene->corners[face->first_corner + (uint32_t)corner];
     ref_lattice_point vertex = scene->vertices[model->first_vertex + number];
@@ -53,7 +60,8 @@ ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_object *obje
 
 /* A table of the image: where its entries are, or null with *count 0. */
 static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
-                               uint32_t maximum, uint32_t *count) {
+                               uint32_t maximum, uint32_t *count)
+{
     uint64_t offset = ref_u32(bytes + field);
     *count = ref_u32(bytes + field + 4);
     bool usable = *count >= 1 && *count <= maximum && offset % 4 == 0 &&
@@ -65,15 +73,18 @@ static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, 
     return bytes + offset;
 }
 
-static bool coordinate_is_sound(int64_t c) {
+static bool coordinate_is_sound(int64_t c)
+{
     return llabs(c) <= (int64_t)REF_COORDINATE_MAX * 65536;
 }
 
-static bool inside_world(const ref_lattice_point *p) {
+static bool inside_world(const ref_lattice_point *p)
+{
     return coordinate_is_sound(p->x) && coordinate_is_sound(p->y) && coordinate_is_sound(p->z);
 }
 
-static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene) {
+static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
     const uint8_t *vertices = table_at(bytes, size, 88, 12, 1000000, &scene->vertex_count);
     const uint8_t *corners = table_at(bytes, size, 96, 2, 4000000, &scene->corner_count);
     const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
@@ -113,7 +124,8 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene) {
     return true;
 }
 
-static bool faces_are_sound(const ref_scene *scene, const ref_model *model) {
+static bool faces_are_sound(const ref_scene *scene, const ref_model *model)
+{
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
         if (face->count < 3 || face->count > REF_FACE_VERTICES_MAX ||
@@ -129,7 +141,8 @@ static bool faces_are_sound(const ref_scene *scene, const ref_model *model) {
     return true;
 }
 
-static bool geometry_is_sound(const ref_scene *scene) {
+static bool geometry_is_sound(const ref_scene *scene)
+{
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const ref_model *model = &scene->models[i];
         if ((uint64_t)model->first_vertex + model->vertex_count > scene->vertex_count ||
@@ -156,7 +169,8 @@ static bool geometry_is_sound(const ref_scene *scene) {
     return true;
 }
 
-static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image) {
+static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
+{
     bool strides = bytes[37] == 1;
     const uint8_t *path = table_at(bytes, size, 128, strides ? 4 : 24, 1000000, &image->path_count);
     if (!path || bytes[37] > 1) {
@@ -182,7 +196,8 @@ static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
     return frames >= 1 && frames == image->frame_count;
 }
 
-static bool read_lens(const uint8_t *bytes, ref_lens *lens) {
+static bool read_lens(const uint8_t *bytes, ref_lens *lens)
+{
     int width = ref_u16(bytes + 16), height = ref_u16(bytes + 18);
     ref_angle fov = ref_u32(bytes + 20);
     double near = ref_i32(bytes + 24) / REF_ONE, far = ref_i32(bytes + 28) / REF_ONE,
@@ -193,7 +208,8 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens) {
            inset >= 0 && inset <= 1 && near + 2 * inset < far;
 }
 
-static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image) {
+static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
+{
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
@@ -230,7 +246,8 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     return NULL;
 }
 
-const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *image) {
+const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *image)
+{
     memset(image, 0, sizeof *image);
     const char *wrong = read_image(bytes, size, image);
     if (wrong) {
@@ -239,7 +256,8 @@ const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *i
     return wrong;
 }
 
-void ref_scene_close(ref_scene_image *image) {
+void ref_scene_close(ref_scene_image *image)
+{
     free(image->scene.vertices);
     free(image->scene.corners);
     free(image->scene.faces);

@@ -5,26 +5,31 @@
 
 #include "reference/camera.h"
 
-ref_viewer ref_viewer_at(const ref_pose *pose) {
+ref_viewer ref_viewer_at(const ref_pose *pose)
+{
     return (ref_viewer){.position = ref_point_from_lattice(&pose->position),
                         .yaw = pose->yaw,
                         .pitch = pose->pitch,
                         .roll = pose->roll};
 }
 
-static int pressed(uint32_t keys, uint32_t plus, uint32_t minus) {
+static int pressed(uint32_t keys, uint32_t plus, uint32_t minus)
+{
     return ((keys & plus) != 0) - ((keys & minus) != 0);
 }
 
-static ref_angle turned(ref_angle angle, int direction, ref_angle by) {
+static ref_angle turned(ref_angle angle, int direction, ref_angle by)
+{
     return direction > 0 ? angle + by : direction < 0 ? angle - by : angle;
 }
 
-static double held(double value, double limit) {
+static double held(double value, double limit)
+{
     return fmax(-limit, fmin(limit, value));
 }
 
-void ref_viewer_step(ref_viewer *viewer, uint32_t keys, const ref_gait *gait) {
+void ref_viewer_step(ref_viewer *viewer, uint32_t keys, const ref_gait *gait)
+{
     viewer->yaw = turned(viewer->yaw, pressed(keys, REF_KEY_RIGHT, REF_KEY_LEFT), gait->turn);
     viewer->pitch =
         turned(viewer->pitch, pressed(keys, REF_KEY_PITCH_UP, REF_KEY_PITCH_DOWN), gait->turn);

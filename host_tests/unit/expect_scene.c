@@ -40,7 +40,7 @@ void expect_half(fxl_status status, uint32_t at, uint16_t value)
 }
 
 void expect_entry_word(fxl_status status, uint32_t table, uint32_t number, uint32_t size,
-                              uint32_t at, uint32_t value)
+                       uint32_t at, uint32_t value)
 {
     tiny_image *image = tiny_image_make(false);
     tiny_put32(tiny_entry(image, table, number, size) + at, value);
@@ -48,7 +48,7 @@ void expect_entry_word(fxl_status status, uint32_t table, uint32_t number, uint3
 }
 
 void expect_entry_byte(fxl_status status, uint32_t table, uint32_t number, uint32_t size,
-                              uint32_t at, uint8_t value)
+                       uint32_t at, uint8_t value)
 {
     tiny_image *image = tiny_image_make(false);
     tiny_entry(image, table, number, size)[at] = value;

@@ -7,7 +7,15 @@
 #include "tiny.h"
 
 /* Bytes of an entry of each table. */
-enum { VERTEX = 12, CORNER = 2, FACE = 20, MODEL = 20, OBJECT = 16, POSE = 24, STRIDE = 4 };
+enum {
+    VERTEX = 12,
+    CORNER = 2,
+    FACE = 20,
+    MODEL = 20,
+    OBJECT = 16,
+    POSE = 24,
+    STRIDE = 4
+};
 
 /* Opens the bytes as they are. */
 void expect_status(fxl_status status, const void *bytes, size_t size);

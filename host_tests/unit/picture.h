@@ -35,7 +35,7 @@ int32_t picture_winding(const fxl_screen_polygon *polygon, int32_t column, int32
 
 /* CHECK_PICTURE(POINTS(x, y, x, y ...), ROWS(row, row ...)): one polygon, one picture. */
 #define POINTS(...) ((const double[]){__VA_ARGS__})
-#define ROWS(...) ((const char *const[]){__VA_ARGS__, NULL})
+#define ROWS(...)   ((const char *const[]){__VA_ARGS__, NULL})
 
 /* Draws a polygon of these points and compares. */
 void picture_check(const double *points, uint8_t count, const char *const *rows);

@@ -82,8 +82,7 @@ void test_every_entry_is_within_two_units(void)
         double sp = sin(pose.pitch * turn), cp = cos(pose.pitch * turn);
         double sr = sin(pose.roll * turn), cr = cos(pose.roll * turn);
         fxl_camera camera = camera_at(pose.position, pose.yaw, pose.pitch, pose.roll);
-        expect_row("right", cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy,
-                   camera.right);
+        expect_row("right", cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy, camera.right);
         expect_row("up", -sr * cy - cr * sp * sy, cr * cp, sr * sy - cr * sp * cy, camera.up);
         expect_row("forward", cp * sy, sp, cp * cy, camera.forward);
         TEST_ASSERT_EQUAL_MEMORY(&pose.position, &camera.position, sizeof pose.position);

@@ -35,8 +35,7 @@ void test_edge_on_is_not_seen(void)
         TEST_ASSERT_FALSE(
             fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
         eye.x = Q16(1) + 1;
-        TEST_ASSERT_TRUE(
-            fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
+        TEST_ASSERT_TRUE(fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
     }
 }
 
@@ -49,8 +48,7 @@ void test_the_least_bit_decides(void)
     face->normal.y = 1;
     for (int32_t side = -1; side <= 1; side++) {
         fxl_point eye = {first->x, first->y + side, first->z};
-        TEST_ASSERT_EQUAL(side > 0,
-                          fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
+        TEST_ASSERT_EQUAL(side > 0, fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
     }
 }
 

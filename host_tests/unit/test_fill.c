@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "unit.h"
 
-enum { WIDTH = 8, STRIDE = 10, ROWS_OF_BAND = 4, FIRST = 5 };
+enum {
+    WIDTH = 8,
+    STRIDE = 10,
+    ROWS_OF_BAND = 4,
+    FIRST = 5
+};
 
 static uint8_t memory[STRIDE * (ROWS_OF_BAND + 2)];
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "tiny.h"
 
-enum { MANY = 600 };
+enum {
+    MANY = 600
+};
 
 static fxl_order_entry entries[MANY];
 
@@ -153,9 +155,9 @@ void test_face_distance_at_the_ends(void)
         tiny->vertices[v] = (fxl_point){0, 0, 0};
     }
     const uint64_t side = 4 * (uint64_t)FXL_COORDINATE_MAX;
-    TEST_ASSERT_EQUAL_UINT64(3 * side * side,
-                             fxl_face_distance_squared(&eye, &tiny->scene, &tiny->objects[0],
-                                                       &tiny->faces[0]));
+    TEST_ASSERT_EQUAL_UINT64(
+        3 * side * side,
+        fxl_face_distance_squared(&eye, &tiny->scene, &tiny->objects[0], &tiny->faces[0]));
 }
 
 void test_objects_by_layer_then_far_to_near(void)
@@ -169,8 +171,8 @@ void test_objects_by_layer_then_far_to_near(void)
     for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
         const fxl_order_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
-        TEST_ASSERT_EQUAL_UINT64(
-            fxl_distance_squared(&eye, &tiny->objects[entry->index].centre), entry->distance);
+        TEST_ASSERT_EQUAL_UINT64(fxl_distance_squared(&eye, &tiny->objects[entry->index].centre),
+                                 entry->distance);
     }
     tiny->objects[0].layer = 1;
     tiny->objects[1].layer = 255;

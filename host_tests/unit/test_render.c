@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "tiny.h"
 
-enum { WIDTH = 48, HEIGHT = 32, BACKGROUND = 200 };
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    BACKGROUND = 200
+};
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 static fxl_order_entry order[2][64];
@@ -267,10 +271,9 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     memset(&renderer, 0x5A, sizeof renderer);
     memcpy(&before, &renderer, sizeof before);
     TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, needed);
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_init(&renderer, &tiny->scene, &lens, order[0],
-                                                        needed - 1));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_init(&renderer, NULL, &lens, order[0], needed));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_renderer_init(&renderer, &tiny->scene, &lens, order[0], needed - 1));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, NULL, &lens, order[0], needed));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_init(&renderer, &tiny->scene, NULL, order[0], needed));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
@@ -278,8 +281,7 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_init(NULL, &tiny->scene, &lens, order[0], needed));
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init(&renderer, &tiny->scene, &lens, order[0], needed));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, order[0], needed));
 }
 
 /* Frozen: every core and every compiler draws these frames, bit for bit. If a

@@ -4,21 +4,15 @@
 
 void test_whole_pixels(void)
 {
-    CHECK_PICTURE(POINTS(1, 1, 5, 1, 5, 4, 1, 4), ROWS("......",
-                                                       ".####.",
-                                                       ".####.",
-                                                       ".####.",
-                                                       "......"));
+    CHECK_PICTURE(POINTS(1, 1, 5, 1, 5, 4, 1, 4),
+                  ROWS("......", ".####.", ".####.", ".####.", "......"));
 }
 
 /* Corners on pixel centres: the left and the top edge are in, the others out. */
 void test_ties_go_to_the_top_left(void)
 {
-    CHECK_PICTURE(POINTS(1.5, 1.5, 4.5, 1.5, 4.5, 3.5, 1.5, 3.5), ROWS("......",
-                                                                       ".###..",
-                                                                       ".###..",
-                                                                       "......",
-                                                                       "......"));
+    CHECK_PICTURE(POINTS(1.5, 1.5, 4.5, 1.5, 4.5, 3.5, 1.5, 3.5),
+                  ROWS("......", ".###..", ".###..", "......", "......"));
 }
 
 void test_a_hair_moves_a_tie(void)
@@ -26,50 +20,28 @@ void test_a_hair_moves_a_tie(void)
     const double hair = 1.0 / 65536;
     CHECK_PICTURE(POINTS(1.5 + hair, 1.5 + hair, 4.5 + hair, 1.5 + hair, 4.5 + hair, 3.5 + hair,
                          1.5 + hair, 3.5 + hair),
-                  ROWS("......",
-                       "......",
-                       "..###.",
-                       "..###.",
-                       "......"));
+                  ROWS("......", "......", "..###.", "..###.", "......"));
 }
 
 /* Every centre that the slanted edge passes through: in where it is a left
  * edge, out where it is a right edge. */
 void test_a_diagonal_through_centres(void)
 {
-    CHECK_PICTURE(POINTS(0, 0, 5, 5, 0, 5), ROWS(".....",
-                                                 "#....",
-                                                 "##...",
-                                                 "###..",
-                                                 "####."));
-    CHECK_PICTURE(POINTS(0, 0, 5, 0, 5, 5), ROWS("#####",
-                                                 ".####",
-                                                 "..###",
-                                                 "...##",
-                                                 "....#"));
+    CHECK_PICTURE(POINTS(0, 0, 5, 5, 0, 5), ROWS(".....", "#....", "##...", "###..", "####."));
+    CHECK_PICTURE(POINTS(0, 0, 5, 0, 5, 5), ROWS("#####", ".####", "..###", "...##", "....#"));
 }
 
 void test_both_ways_round(void)
 {
-    CHECK_PICTURE(POINTS(1, 4, 5, 4, 5, 1, 1, 1), ROWS("......",
-                                                       ".####.",
-                                                       ".####.",
-                                                       ".####.",
-                                                       "......"));
-    CHECK_PICTURE(POINTS(0, 5, 5, 5, 0, 0), ROWS(".....",
-                                                 "#....",
-                                                 "##...",
-                                                 "###..",
-                                                 "####."));
+    CHECK_PICTURE(POINTS(1, 4, 5, 4, 5, 1, 1, 1),
+                  ROWS("......", ".####.", ".####.", ".####.", "......"));
+    CHECK_PICTURE(POINTS(0, 5, 5, 5, 0, 0), ROWS(".....", "#....", "##...", "###..", "####."));
 }
 
 void test_a_triangle_down(void)
 {
-    CHECK_PICTURE(POINTS(0, 0.5, 7, 0.5, 3.5, 4), ROWS("#######",
-                                                       ".#####.",
-                                                       "..###..",
-                                                       "...#...",
-                                                       "......."));
+    CHECK_PICTURE(POINTS(0, 0.5, 7, 0.5, 3.5, 4),
+                  ROWS("#######", ".#####.", "..###..", "...#...", "......."));
 }
 
 /* Two triangles of a square: each pixel once, the diagonal to the lower right. */
@@ -81,12 +53,7 @@ void test_a_shared_diagonal(void)
     fxl_screen_polygon lower = picture_polygon(POINTS(1, 1, 5, 5, 1, 5), 3);
     picture_add(&canvas, &upper, 'u');
     picture_add(&canvas, &lower, 'l');
-    picture_expect(&canvas, ROWS("......",
-                                 ".uuuu.",
-                                 ".luuu.",
-                                 ".lluu.",
-                                 ".lllu.",
-                                 "......"));
+    picture_expect(&canvas, ROWS("......", ".uuuu.", ".luuu.", ".lluu.", ".lllu.", "......"));
 }
 
 /* Six triangles around a corner that lies on a pixel centre. */
@@ -110,101 +77,63 @@ void test_a_fan_around_a_centre(void)
 
 void test_a_sliver_between_centres_covers_nothing(void)
 {
-    CHECK_PICTURE(POINTS(1.6, 0, 2.4, 0, 2.4, 4, 1.6, 4), ROWS("....",
-                                                               "....",
-                                                               "....",
-                                                               "...."));
+    CHECK_PICTURE(POINTS(1.6, 0, 2.4, 0, 2.4, 4, 1.6, 4), ROWS("....", "....", "....", "...."));
 }
 
 void test_a_sliver_covers_the_centres_it_meets(void)
 {
-    CHECK_PICTURE(POINTS(0, 0.4, 8, 3.4, 8, 3.6, 0, 0.6), ROWS("........",
-                                                               "..#.....",
-                                                               ".....#..",
-                                                               "........"));
+    CHECK_PICTURE(POINTS(0, 0.4, 8, 3.4, 8, 3.6, 0, 0.6),
+                  ROWS("........", "..#.....", ".....#..", "........"));
 }
 
 /* What rounding does to a many-sided polygon: a vertex a little inside. */
 void test_a_dent_is_left_out(void)
 {
-    CHECK_PICTURE(POINTS(0, 0, 4, 2, 8, 0, 8, 5, 0, 5), ROWS("#......#",
-                                                             "###..###",
-                                                             "########",
-                                                             "########",
-                                                             "########"));
+    CHECK_PICTURE(POINTS(0, 0, 4, 2, 8, 0, 8, 5, 0, 5),
+                  ROWS("#......#", "###..###", "########", "########", "########"));
 }
 
 void test_two_prongs_are_two_spans(void)
 {
-    CHECK_PICTURE(POINTS(0, 0, 2, 0, 2, 3, 6, 3, 6, 0, 8, 0, 8, 5, 0, 5), ROWS("##....##",
-                                                                              "##....##",
-                                                                              "##....##",
-                                                                              "########",
-                                                                              "########"));
+    CHECK_PICTURE(POINTS(0, 0, 2, 0, 2, 3, 6, 3, 6, 0, 8, 0, 8, 5, 0, 5),
+                  ROWS("##....##", "##....##", "##....##", "########", "########"));
 }
 
 /* Both halves of a bow are in, though they go round opposite ways. */
 void test_a_bow(void)
 {
-    CHECK_PICTURE(POINTS(0, 0, 7, 7, 7, 0, 0, 7), ROWS("......#",
-                                                       "#....##",
-                                                       "##..###",
-                                                       "#######",
-                                                       "##..###",
-                                                       "#....##",
-                                                       "......#"));
+    CHECK_PICTURE(POINTS(0, 0, 7, 7, 7, 0, 0, 7), ROWS("......#", "#....##", "##..###", "#######",
+                                                       "##..###", "#....##", "......#"));
 }
 
 /* A square gone round twice winds twice about its inside, which is in as well. */
 void test_overlap_is_filled_once(void)
 {
-    CHECK_PICTURE(POINTS(1, 1, 6, 1, 6, 6, 1, 6, 1, 1, 6, 1, 6, 6, 1, 6), ROWS(".......",
-                                                                              ".#####.",
-                                                                              ".#####.",
-                                                                              ".#####.",
-                                                                              ".#####.",
-                                                                              ".#####.",
-                                                                              "......."));
+    CHECK_PICTURE(
+        POINTS(1, 1, 6, 1, 6, 6, 1, 6, 1, 1, 6, 1, 6, 6, 1, 6),
+        ROWS(".......", ".#####.", ".#####.", ".#####.", ".#####.", ".#####.", "......."));
 }
 
 void test_repeated_vertices_change_nothing(void)
 {
-    CHECK_PICTURE(POINTS(1, 1, 1, 1, 5, 1, 5, 4, 5, 4, 1, 4), ROWS("......",
-                                                                   ".####.",
-                                                                   ".####.",
-                                                                   ".####.",
-                                                                   "......"));
+    CHECK_PICTURE(POINTS(1, 1, 1, 1, 5, 1, 5, 4, 5, 4, 1, 4),
+                  ROWS("......", ".####.", ".####.", ".####.", "......"));
 }
 
 void test_no_area_covers_nothing(void)
 {
-    CHECK_PICTURE(POINTS(0.5, 0.5, 3.5, 3.5, 1.5, 1.5), ROWS("....",
-                                                             "....",
-                                                             "....",
-                                                             "...."));
-    CHECK_PICTURE(POINTS(1.5, 0, 1.5, 4, 1.5, 2), ROWS("....",
-                                                       "....",
-                                                       "....",
-                                                       "...."));
+    CHECK_PICTURE(POINTS(0.5, 0.5, 3.5, 3.5, 1.5, 1.5), ROWS("....", "....", "....", "...."));
+    CHECK_PICTURE(POINTS(1.5, 0, 1.5, 4, 1.5, 2), ROWS("....", "....", "....", "...."));
 }
 
 void test_off_the_screen_is_cut(void)
 {
-    CHECK_PICTURE(POINTS(-4095, -4095, 4095, -4095, 4095, 4095, -4095, 4095), ROWS("####",
-                                                                                  "####",
-                                                                                  "####"));
-    CHECK_PICTURE(POINTS(-9, 1, 2, 1, 2, 2, -9, 2), ROWS("....",
-                                                         "##..",
-                                                         "...."));
-    CHECK_PICTURE(POINTS(3, -9, 40, -9, 40, 2, 3, 2), ROWS("...#",
-                                                           "...#",
-                                                           "...."));
-    CHECK_PICTURE(POINTS(-9, -9, -1, -9, -1, 99, -9, 99), ROWS("....",
-                                                               "....",
-                                                               "...."));
-    CHECK_PICTURE(POINTS(0, 5, 4, 5, 4, 9, 0, 9), ROWS("....",
-                                                       "....",
-                                                       "...."));
+    CHECK_PICTURE(POINTS(-4095, -4095, 4095, -4095, 4095, 4095, -4095, 4095),
+                  ROWS("####", "####", "####"));
+    CHECK_PICTURE(POINTS(-9, 1, 2, 1, 2, 2, -9, 2), ROWS("....", "##..", "...."));
+    CHECK_PICTURE(POINTS(3, -9, 40, -9, 40, 2, 3, 2), ROWS("...#", "...#", "...."));
+    CHECK_PICTURE(POINTS(-9, -9, -1, -9, -1, 99, -9, 99), ROWS("....", "....", "...."));
+    CHECK_PICTURE(POINTS(0, 5, 4, 5, 4, 9, 0, 9), ROWS("....", "....", "...."));
 }
 
 static fxl_q16_16 random_coordinate(int32_t pixels)
@@ -224,8 +153,8 @@ static fxl_q16_16 random_coordinate(int32_t pixels)
 
 static void random_polygon(fxl_screen_polygon *polygon, int32_t pixels)
 {
-    polygon->count = (uint8_t)(unit_random() % 4 ? unit_between(3, 6)
-                                                 : unit_between(3, FXL_POLYGON_CAPACITY));
+    polygon->count =
+        (uint8_t)(unit_random() % 4 ? unit_between(3, 6) : unit_between(3, FXL_POLYGON_CAPACITY));
     polygon->colour = 1;
     for (int i = 0; i < polygon->count; i++) {
         polygon->points[i].x = random_coordinate(pixels);

@@ -206,8 +206,8 @@ void test_counts_of_every_table(void)
 {
     static const struct {
         uint32_t table, least, most;
-    } tables[] = {{AT_PALETTE, 256, 256},     {AT_VERTICES, 3, 1000000}, {AT_CORNERS, 3, 4000000},
-                  {AT_FACES, 1, 1000000},     {AT_MODELS, 1, 65535},     {AT_OBJECTS, 1, 65535},
+    } tables[] = {{AT_PALETTE, 256, 256}, {AT_VERTICES, 3, 1000000}, {AT_CORNERS, 3, 4000000},
+                  {AT_FACES, 1, 1000000}, {AT_MODELS, 1, 65535},     {AT_OBJECTS, 1, 65535},
                   {AT_PATH, 1, 1000000}};
     for (uint32_t i = 0; i < 7; i++) {
         expect_word(FXL_E_COUNT, tables[i].table + 4, tables[i].least - 1);

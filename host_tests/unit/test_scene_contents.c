@@ -184,8 +184,7 @@ void test_too_many_placed_vertices_are_refused(void)
         tiny->scene.vertex_count = extra + 8;
         tiny->scene.objects = many;
         tiny->scene.object_count = FXL_SCENE_OBJECTS_MAX;
-        TEST_ASSERT_EQUAL(extra == 61 ? FXL_OK : FXL_E_COUNT,
-                          fxl_scene_check(&tiny->scene, NULL));
+        TEST_ASSERT_EQUAL(extra == 61 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
     }
 }
 

@@ -6,7 +6,10 @@
 
 #include "picture.h"
 
-enum { WIDTH = 24, HEIGHT = 20 };
+enum {
+    WIDTH = 24,
+    HEIGHT = 20
+};
 
 /* The outline around both: all edges but those that one walks one way and the
  * other the other. Its winding number says what the two must cover. */
@@ -26,8 +29,8 @@ static void outline_add(outline *around, const fxl_screen_polygon *polygon)
         fxl_screen_point from = polygon->points[i];
         fxl_screen_point to = polygon->points[(i + 1) % polygon->count];
         int other = 0;
-        while (other < around->count && !(same_point(around->from[other], to) &&
-                                          same_point(around->to[other], from))) {
+        while (other < around->count &&
+               !(same_point(around->from[other], to) && same_point(around->to[other], from))) {
             other++;
         }
         if (other < around->count) {
@@ -227,8 +230,7 @@ static bool has_area(const fxl_screen_polygon *polygon)
     return area > (int64_t)1 << 26 || area < -((int64_t)1 << 26);
 }
 
-static bool edge_is_seen(const fxl_view *view, const fxl_vertex *a, const fxl_vertex *b,
-                         bool *cut)
+static bool edge_is_seen(const fxl_view *view, const fxl_vertex *a, const fxl_vertex *b, bool *cut)
 {
     double enter = 0, leave = 1;
     for (int i = 0; i < FXL_PLANE_COUNT; i++) {
@@ -263,8 +265,8 @@ static void expect_watertight_through(fxl_clipper clipper)
         bool cuts[2], edge_cut;
         if (!edge_is_seen(&view, &corners[0], &corners[2], &edge_cut) ||
             !to_screen(clipper, &first, &view, &screens[0], &cuts[0]) ||
-            !to_screen(clipper, &second, &view, &screens[1], &cuts[1]) ||
-            !has_area(&screens[0]) || !has_area(&screens[1])) {
+            !to_screen(clipper, &second, &view, &screens[1], &cuts[1]) || !has_area(&screens[0]) ||
+            !has_area(&screens[1])) {
             continue;
         }
         if ((area_of(&screens[0]) > 0) != (area_of(&screens[1]) > 0)) {

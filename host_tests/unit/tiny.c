@@ -5,15 +5,14 @@ static tiny_scene tiny;
 static tiny_image image;
 
 /* Corners of vertex number 4 x + 2 y + z, clockwise from outside. */
-static const uint16_t cube_corners[24] = {1, 3, 2, 0,  4, 6, 7, 5,  0, 4, 5, 1,
-                                          2, 3, 7, 6,  0, 2, 6, 4,  5, 7, 3, 1};
+static const uint16_t cube_corners[24] = {1, 3, 2, 0, 4, 6, 7, 5, 0, 4, 5, 1,
+                                          2, 3, 7, 6, 0, 2, 6, 4, 5, 7, 3, 1};
 
 static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
 {
     for (uint32_t v = 0; v < 8; v++) {
-        tiny.vertices[8 * model + v] =
-            (fxl_point){v & 4 ? Q16(1) : Q16(-1), v & 2 ? Q16(1) : Q16(-1),
-                        v & 1 ? Q16(1) : Q16(-1)};
+        tiny.vertices[8 * model + v] = (fxl_point){
+            v & 4 ? Q16(1) : Q16(-1), v & 2 ? Q16(1) : Q16(-1), v & 1 ? Q16(1) : Q16(-1)};
     }
     memcpy(tiny.corners + 24 * model, cube_corners, sizeof cube_corners);
     for (uint32_t f = 0; f < 6; f++) {
@@ -35,8 +34,17 @@ tiny_scene *tiny_make(void)
     tiny.objects[0] = (fxl_object){{0, 0, 0}, 0, 0, 0};
     tiny.objects[1] = (fxl_object){{0, 0, Q16(10)}, 1, 0, 0};
     tiny.objects[2] = (fxl_object){{Q16(5), Q16(1), Q16(12)}, 0, 0, 0};
-    tiny.scene = (fxl_scene){tiny.vertices, tiny.corners, tiny.faces, tiny.models, tiny.objects,
-                             16, 48, 12, 2, TINY_OBJECTS, 0};
+    tiny.scene = (fxl_scene){tiny.vertices,
+                             tiny.corners,
+                             tiny.faces,
+                             tiny.models,
+                             tiny.objects,
+                             16,
+                             48,
+                             12,
+                             2,
+                             TINY_OBJECTS,
+                             0};
     return &tiny;
 }
 

@@ -6,7 +6,11 @@
 
 #include "unit.h"
 
-enum { TINY_OBJECTS = 3, TINY_POSES = 2, TINY_STRIDES = 2 };
+enum {
+    TINY_OBJECTS = 3,
+    TINY_POSES = 2,
+    TINY_STRIDES = 2
+};
 
 /* Two models of the same cube, the first convex, the second sorted. Colours of
  * the first are 1..6, of the second 11..16: -x +x -y +y -z +z. */

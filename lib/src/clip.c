@@ -46,8 +46,7 @@ static fxl_vertex crossing_vertex(const fxl_vertex *inside, const fxl_vertex *ou
 }
 
 /* Fills in every vertex's distance; answers how many are inside. */
-static uint32_t measure(const fxl_polygon *polygon, const fxl_plane *plane,
-                        fxl_q18_46 *distances)
+static uint32_t measure(const fxl_polygon *polygon, const fxl_plane *plane, fxl_q18_46 *distances)
 {
     uint32_t inside_count = 0;
     for (uint32_t i = 0; i < polygon->count; i++) {
@@ -79,8 +78,7 @@ static bool append_crossing(const fxl_polygon *in, const fxl_q18_46 *distances, 
         return true;
     }
     fxl_q1_31 fraction = crossing_fraction(distances[inside], distances[outside]);
-    fxl_vertex vertex =
-        crossing_vertex(&in->vertices[inside], &in->vertices[outside], fraction);
+    fxl_vertex vertex = crossing_vertex(&in->vertices[inside], &in->vertices[outside], fraction);
     return append(out, count, &vertex);
 }
 
@@ -123,8 +121,7 @@ fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *fr
     uint32_t spare = 0;
     for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
         fxl_polygon *out = &work->polygons[spare];
-        fxl_clip_result cut =
-            fxl_clip_to_plane(current, &frustum->planes[i], out, work->distances);
+        fxl_clip_result cut = fxl_clip_to_plane(current, &frustum->planes[i], out, work->distances);
         if (cut == FXL_CLIP_CUT) {
             current = out;
             spare ^= 1u;

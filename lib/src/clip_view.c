@@ -8,8 +8,7 @@
  * 2^32 (side across_high + depth along_high) + (side across_low + depth
  * along_low): the first bracket is below 2^60, the second below
  * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
-static fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth,
-                               fxl_q18_46 along)
+static fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth, fxl_q18_46 along)
 {
     int64_t high = side * (across >> 32) + depth * (along >> 32);
     int64_t low = side * (int64_t)(uint32_t)across + depth * (int64_t)(uint32_t)along;
@@ -23,14 +22,12 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
 {
     switch (plane) {
     case FXL_PLANE_LEFT:
-        return project_onto(frustum->x_side, point->x, frustum->x_depth, point->z) -
-               frustum->inset;
+        return project_onto(frustum->x_side, point->x, frustum->x_depth, point->z) - frustum->inset;
     case FXL_PLANE_RIGHT:
         return project_onto(-frustum->x_side, point->x, frustum->x_depth, point->z) -
                frustum->inset;
     case FXL_PLANE_BOTTOM:
-        return project_onto(frustum->y_side, point->y, frustum->y_depth, point->z) -
-               frustum->inset;
+        return project_onto(frustum->y_side, point->y, frustum->y_depth, point->z) - frustum->inset;
     case FXL_PLANE_TOP:
         return project_onto(-frustum->y_side, point->y, frustum->y_depth, point->z) -
                frustum->inset;
@@ -105,8 +102,8 @@ static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *o
 }
 
 /* Fills in every vertex's distance; answers how many are inside. */
-static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum,
-                        int plane, fxl_q18_46 *distances)
+static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum, int plane,
+                        fxl_q18_46 *distances)
 {
     uint32_t inside_count = 0;
     for (uint32_t i = 0; i < polygon->count; i++) {
@@ -128,8 +125,8 @@ static fxl_view_vertex *append(fxl_view_polygon *polygon, uint32_t *count)
 /* Emits what an edge contributes: its first vertex if that is inside, then the
  * crossing if one end is inside and the other outside. An inside end that lies
  * on the plane is that crossing already. */
-static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
-                        uint32_t current, uint32_t next, fxl_view_polygon *out, uint32_t *count)
+static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances, uint32_t current,
+                        uint32_t next, fxl_view_polygon *out, uint32_t *count)
 {
     bool current_inside = distances[current] >= 0;
     if (current_inside) {
@@ -156,9 +153,8 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
     return true;
 }
 
-fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in,
-                                       const fxl_view_frustum *frustum, int plane,
-                                       fxl_view_polygon *out, fxl_q18_46 *distances)
+fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                       int plane, fxl_view_polygon *out, fxl_q18_46 *distances)
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
     uint32_t inside_count = measure(in, frustum, plane, distances);
@@ -184,16 +180,14 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in,
 }
 
 fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
-                                         const fxl_view_frustum *frustum,
-                                         fxl_clip_view_work *work,
+                                         const fxl_view_frustum *frustum, fxl_clip_view_work *work,
                                          const fxl_view_polygon **result)
 {
     const fxl_view_polygon *current = in;
     uint32_t spare = 0;
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon *out = &work->polygons[spare];
-        fxl_clip_result cut =
-            fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
+        fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
         if (cut == FXL_CLIP_CUT) {
             current = out;
             spare ^= 1u;

@@ -41,12 +41,12 @@ static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 
                           const fxl_direction *forward)
 {
     fxl_direction turned;
-    turned.x = (fxl_q2_30)fxl_round_shift(
-        (int64_t)along * side->x + (int64_t)depth * forward->x, 30);
-    turned.y = (fxl_q2_30)fxl_round_shift(
-        (int64_t)along * side->y + (int64_t)depth * forward->y, 30);
-    turned.z = (fxl_q2_30)fxl_round_shift(
-        (int64_t)along * side->z + (int64_t)depth * forward->z, 30);
+    turned.x =
+        (fxl_q2_30)fxl_round_shift((int64_t)along * side->x + (int64_t)depth * forward->x, 30);
+    turned.y =
+        (fxl_q2_30)fxl_round_shift((int64_t)along * side->y + (int64_t)depth * forward->y, 30);
+    turned.z =
+        (fxl_q2_30)fxl_round_shift((int64_t)along * side->z + (int64_t)depth * forward->z, 30);
     return turned;
 }
 
@@ -82,8 +82,7 @@ void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl
                     &planes[FXL_PLANE_TOP]);
 
     /* near and far add at most 2^31 * 2^30 = 2^61 to a distance below 2^61. */
-    planes[FXL_PLANE_NEAR] =
-        fxl_plane_from_point(&camera->position, &camera->forward, lens->inset);
+    planes[FXL_PLANE_NEAR] = fxl_plane_from_point(&camera->position, &camera->forward, lens->inset);
     planes[FXL_PLANE_NEAR].distance += (int64_t)lens->near * FXL_Q2_30_ONE;
 
     fxl_direction backward = {-camera->forward.x, -camera->forward.y, -camera->forward.z};

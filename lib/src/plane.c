@@ -10,8 +10,7 @@ fxl_plane fxl_plane_from_point(const fxl_point *point, const fxl_direction *norm
     fxl_plane plane;
     plane.normal = *normal;
     /* The sum is below 2^61 (fxl_dot), the inset below 2^47. */
-    plane.distance =
-        fxl_dot(normal, point->x, point->y, point->z) + (int64_t)inset * FXL_Q2_30_ONE;
+    plane.distance = fxl_dot(normal, point->x, point->y, point->z) + (int64_t)inset * FXL_Q2_30_ONE;
     return plane;
 }
 

@@ -41,8 +41,8 @@ static bool offset_from_centre(fxl_q16_16 focal, fxl_q18_46 side, const scaled_d
                                int32_t low, int32_t high, int32_t *offset)
 {
     int64_t product;
-    if (!scale_product(focal, side, scaled->shift, &product) ||
-        product < low * scaled->depth || product > high * scaled->depth) {
+    if (!scale_product(focal, side, scaled->shift, &product) || product < low * scaled->depth ||
+        product > high * scaled->depth) {
         return false;
     }
     *offset = (int32_t)fxl_divide_round(product, scaled->depth);

@@ -52,8 +52,8 @@ static void draw_face(fxl_renderer *renderer, const fxl_object *object, const fx
 }
 
 /* A convex object: its faces hide none of each other, so any order will do. */
-static void draw_convex(fxl_renderer *renderer, const fxl_object *object,
-                        const fxl_model *model, const fxl_band *band, fxl_counters *counters)
+static void draw_convex(fxl_renderer *renderer, const fxl_object *object, const fxl_model *model,
+                        const fxl_band *band, fxl_counters *counters)
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &renderer->scene->faces[model->first_face + i];
@@ -65,8 +65,8 @@ static void draw_convex(fxl_renderer *renderer, const fxl_object *object,
     }
 }
 
-static void draw_sorted(fxl_renderer *renderer, const fxl_object *object,
-                        const fxl_model *model, const fxl_band *band, fxl_counters *counters)
+static void draw_sorted(fxl_renderer *renderer, const fxl_object *object, const fxl_model *model,
+                        const fxl_band *band, fxl_counters *counters)
 {
     fxl_order_entry *order = renderer->order + renderer->scene->object_count;
     uint32_t count =

@@ -29,8 +29,7 @@ static void place_on_first_row(fxl_edge *edge, const fxl_screen_point *top, int3
     int32_t t = edge->row * 65536 + HALF_PIXEL - top->y;
     FXL_ASSERT(t >= 0 && t < 65536);
     int64_t sum = (int64_t)part * edge->height + (int64_t)dx * t;
-    int32_t quotient =
-        fxl_divide_floor((int32_t)((sum - 1) >> 16), edge->height, &edge->error);
+    int32_t quotient = fxl_divide_floor((int32_t)((sum - 1) >> 16), edge->height, &edge->error);
     edge->x = whole + quotient + 1;
 }
 
@@ -67,8 +66,8 @@ static void step_row(fxl_edge *edge)
 
 /* Sets up the edge from a to b; false where it crosses no row of the band. The
  * edge is always walked from its top, so its owner does not matter. */
-static bool set_up_edge(const fxl_screen_point *a, const fxl_screen_point *b,
-                        const fxl_band *band, fxl_edge *edge)
+static bool set_up_edge(const fxl_screen_point *a, const fxl_screen_point *b, const fxl_band *band,
+                        fxl_edge *edge)
 {
     const fxl_screen_point *top = a->y < b->y ? a : b;
     const fxl_screen_point *bottom = top == a ? b : a;
@@ -164,8 +163,7 @@ static void gather_crossings(fxl_scan *scan)
             scan->crossings[kept++] = scan->crossings[i];
         }
     }
-    while (scan->next_edge < scan->edge_count &&
-           scan->edges[scan->next_edge].row == scan->row) {
+    while (scan->next_edge < scan->edge_count && scan->edges[scan->next_edge].row == scan->row) {
         scan->crossings[kept++] = scan->next_edge++;
     }
     scan->crossing_count = (uint8_t)kept;

@@ -6,8 +6,7 @@
 
 #include "arith.h"
 
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
-                       fxl_status status)
+static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
 {
     if (fault != NULL) {
         fault->what = what;
@@ -80,8 +79,8 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
     uint32_t vertex = 0, face = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const fxl_model *model = &scene->models[i];
-        if (model->kind > FXL_MODEL_SORTED || model->reserved[0] != 0 ||
-            model->reserved[1] != 0 || model->reserved[2] != 0) {
+        if (model->kind > FXL_MODEL_SORTED || model->reserved[0] != 0 || model->reserved[1] != 0 ||
+            model->reserved[2] != 0) {
             return fail(fault, "model", i, FXL_E_RESERVED);
         }
         if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
@@ -175,8 +174,7 @@ static bool is_unit(const fxl_direction *normal)
     }
     int64_t square = (int64_t)normal->x * normal->x + (int64_t)normal->y * normal->y +
                      (int64_t)normal->z * normal->z;
-    return fxl_within(square - (int64_t)FXL_Q2_30_ONE * FXL_Q2_30_ONE,
-                      FXL_NORMAL_SQUARE_MAX_ERROR);
+    return fxl_within(square - (int64_t)FXL_Q2_30_ONE * FXL_Q2_30_ONE, FXL_NORMAL_SQUARE_MAX_ERROR);
 }
 
 /* The differences of two model vertices are below 2^31, so the sum is below
@@ -230,7 +228,7 @@ static uint32_t order_needed(const fxl_scene *scene)
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
 {
     static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
-        check_counts,  check_faces,    check_models,  check_objects,
+        check_counts,          check_faces,    check_models,  check_objects,
         check_placed_vertices, check_vertices, check_normals,
     };
     if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||

@@ -40,14 +40,16 @@ _Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_stride) == 4, "SPEC.md, chapter 8");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
-#define MAGIC 0x534C5846u /* "FXLS" */
-#define VERSION 1u
+#define MAGIC           0x534C5846u /* "FXLS" */
+#define VERSION         1u
 #define PALETTE_ENTRIES 256u
 
-enum { PATH_POSES = 0, PATH_STRIDES = 1 };
+enum {
+    PATH_POSES = 0,
+    PATH_STRIDES = 1
+};
 
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
-                       fxl_status status)
+static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
 {
     if (fault != NULL) {
         fault->what = what;

@@ -46,8 +46,7 @@ fxl_status fxl_viewer_step(fxl_viewer *viewer, uint32_t keys, const fxl_gait *ga
         return FXL_E_ARGUMENT;
     }
     if ((keys & ~(uint32_t)FXL_KEY_ALL) != 0 || !gait_in_range(gait) ||
-        !fxl_within(viewer->speed, FXL_GAIT_MAX) ||
-        !fxl_point_in_range(&viewer->pose.position)) {
+        !fxl_within(viewer->speed, FXL_GAIT_MAX) || !fxl_point_in_range(&viewer->pose.position)) {
         return FXL_E_RANGE;
     }
     fxl_pose *pose = &viewer->pose;

@@ -24,16 +24,14 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
  * Error of a new vertex: at most 1 unit of 2^-46 in each coordinate from a
  * point of the edge, 3 units from the plane; 2^-38 of its depth at the nearest
  * near plane, which no screen shows. u and v: 0.51 unit of 2^-16. */
-fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in,
-                                       const fxl_view_frustum *frustum, int plane,
-                                       fxl_view_polygon *out, fxl_q18_46 *distances);
+fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                       int plane, fxl_view_polygon *out, fxl_q18_46 *distances);
 
 /* Clips a polygon of the view to the six planes, in the order of their
  * numbers. *result points to the input itself where no plane cut it, else into
  * work; null where nothing is left. */
 fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
-                                         const fxl_view_frustum *frustum,
-                                         fxl_clip_view_work *work,
+                                         const fxl_view_frustum *frustum, fxl_clip_view_work *work,
                                          const fxl_view_polygon **result);
 
 #endif

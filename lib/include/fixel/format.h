@@ -13,15 +13,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef int32_t fxl_q16_16;   /* world units, pixels, texels; unit 1/65536 */
-typedef int32_t fxl_q2_30;    /* components of unit vectors, sines; unit 2^-30 */
-typedef uint32_t fxl_q1_31;   /* fractions 0..1 inclusive; unit 2^-31 */
-typedef int64_t fxl_q18_46;   /* exact products q16_16 x q2_30 and their sums */
-typedef uint32_t fxl_angle;   /* binary angle; a full turn is 2^32, wraps */
+typedef int32_t fxl_q16_16; /* world units, pixels, texels; unit 1/65536 */
+typedef int32_t fxl_q2_30;  /* components of unit vectors, sines; unit 2^-30 */
+typedef uint32_t fxl_q1_31; /* fractions 0..1 inclusive; unit 2^-31 */
+typedef int64_t fxl_q18_46; /* exact products q16_16 x q2_30 and their sums */
+typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 
 #define FXL_Q16_16_ONE ((fxl_q16_16)65536)
-#define FXL_Q2_30_ONE ((fxl_q2_30)1073741824)
-#define FXL_Q1_31_ONE ((fxl_q1_31)2147483648u)
+#define FXL_Q2_30_ONE  ((fxl_q2_30)1073741824)
+#define FXL_Q1_31_ONE  ((fxl_q1_31)2147483648u)
 
 /* 90 degrees. */
 #define FXL_ANGLE_QUARTER ((fxl_angle)0x40000000u)
@@ -39,8 +39,8 @@ typedef uint32_t fxl_angle;   /* binary angle; a full turn is 2^32, wraps */
 #define FXL_FOV_MAX ((fxl_angle)1789569706u)
 
 /* Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
-#define FXL_NEAR_MIN ((fxl_q16_16)256)
-#define FXL_FAR_MAX ((fxl_q16_16)(32767 * 65536))
+#define FXL_NEAR_MIN  ((fxl_q16_16)256)
+#define FXL_FAR_MAX   ((fxl_q16_16)(32767 * 65536))
 #define FXL_INSET_MAX FXL_Q16_16_ONE
 /* The chapter's epsilon is 0.0001; this is 4/65536 = 0.00006. */
 #define FXL_INSET_DEFAULT ((fxl_q16_16)4)
@@ -54,12 +54,12 @@ typedef uint32_t fxl_angle;   /* binary angle; a full turn is 2^32, wraps */
  * Each of six planes adds at most one vertex to a convex polygon: 24 + 6; the
  * two more are for polygons that rounding made slightly concave. */
 #define FXL_FACE_VERTICES_MAX 24
-#define FXL_POLYGON_CAPACITY 32
+#define FXL_POLYGON_CAPACITY  32
 
 /* How far a face's vertices may lie from the plane through its first vertex
  * with its stated normal, and how far the square of that normal's length may
  * lie from 1 (in units of 2^-60). */
-#define FXL_PLANARITY_MAX ((fxl_q16_16)4)
+#define FXL_PLANARITY_MAX           ((fxl_q16_16)4)
 #define FXL_NORMAL_SQUARE_MAX_ERROR ((int64_t)1 << 32)
 
 #endif

@@ -98,10 +98,10 @@ typedef struct {
  * pixels[0] and of the next row at pixels[stride]. The caller owns it. */
 typedef struct {
     uint8_t *pixels;
-    uint16_t width;     /* 1..FXL_SCREEN_MAX */
-    uint16_t stride;    /* >= width */
+    uint16_t width;  /* 1..FXL_SCREEN_MAX */
+    uint16_t stride; /* >= width */
     uint16_t first_row;
-    uint16_t rows;      /* >= 1; first_row + rows <= screen height */
+    uint16_t rows; /* >= 1; first_row + rows <= screen height */
 } fxl_band;
 
 /* What became of a frame's polygons. Each polygon that came in is counted

@@ -10,16 +10,16 @@
 
 /* How much a scene may hold. Placed vertices are those of all objects' models
  * added up: the limit bounds the loader's time. */
-#define FXL_SCENE_IMAGE_MAX (16u * 1024u * 1024u)
+#define FXL_SCENE_IMAGE_MAX    (16u * 1024u * 1024u)
 #define FXL_SCENE_VERTICES_MAX 1000000u
-#define FXL_SCENE_CORNERS_MAX 4000000u
-#define FXL_SCENE_FACES_MAX 1000000u
-#define FXL_SCENE_MODELS_MAX 65535u
-#define FXL_SCENE_OBJECTS_MAX 65535u
-#define FXL_SCENE_PATH_MAX 1000000u
-#define FXL_SCENE_PLACED_MAX 4000000u
+#define FXL_SCENE_CORNERS_MAX  4000000u
+#define FXL_SCENE_FACES_MAX    1000000u
+#define FXL_SCENE_MODELS_MAX   65535u
+#define FXL_SCENE_OBJECTS_MAX  65535u
+#define FXL_SCENE_PATH_MAX     1000000u
+#define FXL_SCENE_PLACED_MAX   4000000u
 #define FXL_MODEL_VERTICES_MAX 65535u
-#define FXL_MODEL_FACES_MAX 65535u
+#define FXL_MODEL_FACES_MAX    65535u
 
 /* A face: count corners from corners[first_corner] on, each the number of a
  * vertex of the model, clockwise as seen from the front. The normal points to
@@ -79,8 +79,8 @@ typedef struct {
     fxl_scene scene;
     fxl_lens lens;
     uint8_t background;
-    const uint8_t *palette;    /* 256 x red, green, blue */
-    fxl_viewer start;          /* where a walk begins */
+    const uint8_t *palette; /* 256 x red, green, blue */
+    fxl_viewer start;       /* where a walk begins */
     fxl_gait gait;
     const fxl_pose *poses;     /* one a frame; null where the path is strides */
     const fxl_stride *strides; /* null where the path is poses */

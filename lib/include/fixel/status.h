@@ -6,22 +6,22 @@
 
 typedef enum {
     FXL_OK = 0,
-    FXL_E_ARGUMENT,    /* a null pointer, or a count of zero where one is needed */
-    FXL_E_RANGE,       /* a number outside its stated range */
-    FXL_E_CAPACITY,    /* memory handed in, or a fixed capacity, does not suffice */
-    FXL_E_DEGENERATE,  /* fewer than three vertices */
-    FXL_E_ORDER,       /* a call out of order: draw before begin */
-    FXL_E_ALIGNMENT,   /* image or offset not a multiple of four bytes */
-    FXL_E_SIZE,        /* image shorter than it says, or longer than allowed */
-    FXL_E_MAGIC,       /* not a scene image */
-    FXL_E_VERSION,     /* a scene image of another version */
-    FXL_E_CRC,         /* the checksum does not match */
-    FXL_E_OFFSET,      /* a table that reaches outside the image */
-    FXL_E_COUNT,       /* a count outside its stated range */
-    FXL_E_INDEX,       /* an index past the end of the table it points into */
-    FXL_E_NORMAL,      /* a face normal that is not of unit length */
-    FXL_E_PLANARITY,   /* a face vertex off the plane of its face */
-    FXL_E_RESERVED,    /* a reserved field or an enumeration holds an unknown value */
+    FXL_E_ARGUMENT,   /* a null pointer, or a count of zero where one is needed */
+    FXL_E_RANGE,      /* a number outside its stated range */
+    FXL_E_CAPACITY,   /* memory handed in, or a fixed capacity, does not suffice */
+    FXL_E_DEGENERATE, /* fewer than three vertices */
+    FXL_E_ORDER,      /* a call out of order: draw before begin */
+    FXL_E_ALIGNMENT,  /* image or offset not a multiple of four bytes */
+    FXL_E_SIZE,       /* image shorter than it says, or longer than allowed */
+    FXL_E_MAGIC,      /* not a scene image */
+    FXL_E_VERSION,    /* a scene image of another version */
+    FXL_E_CRC,        /* the checksum does not match */
+    FXL_E_OFFSET,     /* a table that reaches outside the image */
+    FXL_E_COUNT,      /* a count outside its stated range */
+    FXL_E_INDEX,      /* an index past the end of the table it points into */
+    FXL_E_NORMAL,     /* a face normal that is not of unit length */
+    FXL_E_PLANARITY,  /* a face vertex off the plane of its face */
+    FXL_E_RESERVED,   /* a reserved field or an enumeration holds an unknown value */
     FXL_STATUS_COUNT
 } fxl_status;
 

@@ -11,11 +11,11 @@
 enum {
     FXL_KEY_FORWARD = 1u << 0,
     FXL_KEY_BACK = 1u << 1,
-    FXL_KEY_LEFT = 1u << 2,       /* yaw decreases */
-    FXL_KEY_RIGHT = 1u << 3,      /* yaw increases */
-    FXL_KEY_PITCH_UP = 1u << 4,   /* pitch increases */
+    FXL_KEY_LEFT = 1u << 2,     /* yaw decreases */
+    FXL_KEY_RIGHT = 1u << 3,    /* yaw increases */
+    FXL_KEY_PITCH_UP = 1u << 4, /* pitch increases */
     FXL_KEY_PITCH_DOWN = 1u << 5,
-    FXL_KEY_ROLL_LEFT = 1u << 6,  /* roll increases: the right side rises */
+    FXL_KEY_ROLL_LEFT = 1u << 6, /* roll increases: the right side rises */
     FXL_KEY_ROLL_RIGHT = 1u << 7,
     FXL_KEY_ALL = 0xFFu
 };
@@ -32,8 +32,8 @@ typedef struct {
 
 typedef struct {
     fxl_pose pose;
-    fxl_q16_16 speed;  /* along the view, negative is backward */
-    uint32_t clamped;  /* steps in which a coordinate was held at the range's end */
+    fxl_q16_16 speed; /* along the view, negative is backward */
+    uint32_t clamped; /* steps in which a coordinate was held at the range's end */
 } fxl_viewer;
 
 /* One step of a walk, in this order:

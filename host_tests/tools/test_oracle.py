@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+"""The exact judge: all small triangles, a sample of every claim, and that it sees what is wrong."""
+
+import json
+import subprocess
+
+import pytest
+
+from fixel import report_claims
+
+BOUNDS = {claim.id: claim.bound for claim in report_claims.CLAIMS if claim.id not in ("frame", "scale")}
+
+
+def oracle(build, *arguments):
+    done = subprocess.run([build / "host" / "oracle", *map(str, arguments)], text=True,
+                          capture_output=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_every_triangle_of_a_small_grid(build):
+    """4 x 4 pixels, vertices at quarter pixels, both directions, repeated corners too."""
+    found = json.loads(oracle(build, "coverage", "--grid"))
+    assert found["samples"] > 3_900_000
+    assert found["max"] == 0
+
+
+@pytest.mark.parametrize("claim", BOUNDS)
+def test_claim_holds_on_a_sample(build, claim):
+    found = json.loads(oracle(build, claim, "--samples", 20_000, "--seed", 5, "--shard", 3))
+    assert found["samples"] == 20_000
+    assert found["max"] <= BOUNDS[claim]
+
+
+def test_pieces_are_watertight_but_where_rounding_turned_one_over(build):
+    found = json.loads(oracle(build, "watertight", "--samples", 20_000, "--seed", 6, "--shard", 0))
+    assert found["gaps"] == 0
+    assert found["doubles"] == found["folded"]
+    assert found["cut_pieces"] > 20_000
