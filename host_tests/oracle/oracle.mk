@@ -15,7 +15,8 @@ $(ORACLE_LIBRARY): $(BUILD)/host/objects/oracle/tie.o
 	@rm -f $@
 	ar rcs $@ $^
 
-$(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+$(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(BUILD)/host/objects/stages/bridge.o \
+        $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOSTCC) $^ -lgmp -lm -o $@
 
 # --- the oracle's own tests ----------------------------------------------------

@@ -7,15 +7,24 @@
  * Where one of the two is empty because something merely touches the view, the
  * other is measured against a stroke, which draws as much as nothing: it must
  * be that thin. Those samples are counted as "touching" and stay in the claim. */
+#include <math.h>
+#include <stdlib.h>
+
 #include "oracle/clip.h"
 #include "oracle/hausdorff.h"
 #include "oracle/polygons.h"
+#include "reference/clip.h"
+#include "reference/frustum.h"
+#include "reference/project.h"
+#include "reference/transform.h"
+#include "stages/bridge.h"
 
 enum {
     CUT,
     TOUCHING,
     REFUSED,
-    BEYOND
+    BEYOND,
+    TWIN_BEYOND
 };
 
 /* What is counted as beyond. */
@@ -58,6 +67,29 @@ static double distance(const oracle_outline *exact, const oracle_spot *spots, in
     return oracle_hausdorff(exact->spots, exact->count, spots, count);
 }
 
+/* Whether the double twin's outline, from the same integers and planes of its
+ * own, is beyond the bound. */
+static int twin_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
+                          const oracle_outline *exact)
+{
+    ref_camera camera = bridge_camera(&setup->view.camera);
+    ref_lens lens = bridge_lens(&setup->view.lens);
+    ref_frustum frustum = ref_frustum_from_camera(&camera, &lens);
+    ref_polygon whole = bridge_polygon(polygon), clipped = {0};
+    ref_clip_result result = ref_clip_to_frustum(&whole, &frustum, &clipped);
+    if (exact->count == 0 || (result != REF_CLIP_INSIDE && result != REF_CLIP_CUT)) {
+        return 0; /* one that merely touches is not the twin's to decide */
+    }
+    oracle_spot spots[REF_POLYGON_CAPACITY];
+    for (int i = 0; i < clipped.count; i++) {
+        ref_view_point view = ref_transform_point(&camera, &clipped.vertices[i].position);
+        ref_screen_point screen = ref_project_point(&lens, &view);
+        spots[i].x = (int64_t)llround(ldexp(screen.x, 48));
+        spots[i].y = (int64_t)llround(ldexp(screen.y, 48));
+    }
+    return oracle_hausdorff(exact->spots, exact->count, spots, clipped.count) > BOUND;
+}
+
 static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     static fxl_clipper_work work;
@@ -95,6 +127,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     }
     verdict->extras[TOUCHING] = exact.count == 0 || screen.count == 0;
     verdict->value = distance(&exact, spots, screen.count);
+    verdict->extras[TWIN_BEYOND] = (uint64_t)twin_is_beyond(&setup, &polygon, &exact);
     verdict->extras[BEYOND] = verdict->value > BOUND;
     return ORACLE_COUNTED;
 }
@@ -104,7 +137,7 @@ const oracle_claim oracle_outline_clipped = {
     .unit = "1/65536 pixel",
     .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each",
     .kinds = {ORACLE_POLYGON_KINDS},
-    .extras = {"cut", "touching", "refused", "beyond_bound"},
+    .extras = {"cut", "touching", "refused", "beyond_bound", "twin_beyond"},
     .generate = generate,
     .judge = judge,
 };
@@ -114,7 +147,7 @@ const oracle_claim oracle_outline_near_parallel = {
     .unit = "1/65536 pixel",
     .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each",
     .kinds = {ORACLE_POLYGON_KINDS},
-    .extras = {"cut", "touching", "refused", "beyond_bound"},
+    .extras = {"cut", "touching", "refused", "beyond_bound", "twin_beyond"},
     .generate = generate_near_parallel,
     .judge = judge,
 };

@@ -37,3 +37,11 @@ def test_pieces_are_watertight_but_where_rounding_turned_one_over(build):
     assert found["gaps"] == 0
     assert found["doubles"] == found["folded"]
     assert found["cut_pieces"] > 20_000
+
+
+def test_the_twin_is_judged_too(build):
+    """Double loses bits of its own where it clips far from the origin close to the eye; rarely."""
+    vertex = json.loads(oracle(build, "vertex_unclipped", "--samples", 50_000, "--seed", 7, "--shard", 0))
+    assert vertex["twin_off"] == 0
+    outline = json.loads(oracle(build, "outline_clipped", "--samples", 20_000, "--seed", 7, "--shard", 0))
+    assert outline["twin_beyond"] <= 0.005 * outline["cut"]
