@@ -4,6 +4,8 @@
 
 ORACLE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/oracle/*.c))
 ORACLE_LIBRARY := $(BUILD)/host/liboracle.a
+# The library's records as the twin's.
+ORACLE_BRIDGE := $(BUILD)/host/objects/stages/bridge.o
 HOST_TOOLS += $(BUILD)/host/oracle
 
 $(BUILD)/host/objects/oracle/%.o: host_tests/oracle/%.c
@@ -15,7 +17,7 @@ $(ORACLE_LIBRARY): $(BUILD)/host/objects/oracle/tie.o
 	@rm -f $@
 	ar rcs $@ $^
 
-$(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(BUILD)/host/objects/stages/bridge.o \
+$(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(ORACLE_BRIDGE) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOSTCC) $^ -lgmp -lm -o $@
 
@@ -35,7 +37,8 @@ $(ORACLE_UNIT)/test_%.o: host_tests/oracle/unit/test_%.c
 	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
 
 $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
-        $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+        $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(ORACLE_BRIDGE) $(BUILD)/host/libfixel.a \
+        $(BUILD)/host/libreference.a
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
 
 -include $(ORACLE_OBJECTS:.o=.d) $(wildcard $(ORACLE_UNIT)/*.d)
