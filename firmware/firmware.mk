@@ -7,6 +7,7 @@
 #   BOARD_QEMU           what QEMU is told to be this board
 #   BOARD_BAND_BYTES     memory for a band of pixels
 #   BOARD_ORDER_ENTRIES  entries for the order of drawing
+#   BOARD_SETTINGS       NAME=VALUE for the parts that ask for it: macros for all of the program
 #   BOARD_SOURCES        board.c and the parts that the board is made of
 #   BOARD_HOSTED         "yes" where the host itself is the board
 #
@@ -29,7 +30,8 @@ UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
 
 BOARD_INCLUDES := -Ilib/include -Iboards -Ifirmware/walk
 BOARD_DEFINES := -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES) \
-    -DBOARD_NAME='"$(BOARD)"' -DBOARD_CPU='"$(BOARD_CPU)"' -DBOARD_QEMU='"$(BOARD_QEMU)"'
+    -DBOARD_NAME='"$(BOARD)"' -DBOARD_CPU='"$(BOARD_CPU)"' -DBOARD_QEMU='"$(BOARD_QEMU)"' \
+    $(BOARD_SETTINGS:%=-D%)
 BOARD_CFLAGS := $(WARNINGS) -O2 -g $(BOARD_CORE) $(BOARD_INCLUDES) $(BOARD_DEFINES) \
     -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
 
