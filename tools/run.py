@@ -2,7 +2,9 @@
 """Walks a scene on a board, fetches the frames, and compares them with the host's and with double.
 
 Exit: 0 if the board's frames equal the host's byte for byte and every pixel
-that differs from double is explained; 1 if not; 2 if the run could not be made.
+that differs from double is explained; 1 if not; 2 if the run could not be made;
+the program's own code where it failed (boards/contract/system.h), 124 where it
+hung, 134 where the core locked up.
 """
 
 import argparse
