@@ -12,4 +12,4 @@ BOARD_HOSTED := yes
 BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 131072
 
-BOARD_SOURCES := boards/host/board.c boards/parts/dump.c boards/parts/board_note.c
+BOARD_SOURCES := boards/host/board.c boards/parts/display.c boards/parts/dump.c boards/parts/board_note.c

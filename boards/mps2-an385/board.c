@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Arm MPS2 with image AN385, under QEMU with -icount shift=0, where one
  * instruction takes one nanosecond. */
+#include <stddef.h>
+
 #include "contract/clock.h"
 #include "contract/input.h"
+#include "contract/panel.h"
 #include "parts/armv7m.h"
+#include "parts/dump.h"
 #include "parts/systick.h"
 
 #define INSTRUCTIONS_PER_TICK 40u /* SysTick runs at 25 MHz */
@@ -23,4 +27,11 @@ uint64_t clock_instructions(void)
 uint32_t input_keys(void)
 {
     return 0; /* it has no keys */
+}
+
+const panel *const *board_panels(void)
+{
+    static const panel *const panels[] = {&dump_panel, NULL};
+
+    return panels;
 }

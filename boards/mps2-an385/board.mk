@@ -11,5 +11,5 @@ BOARD_ORDER_ENTRIES := 65536
 
 BOARD_SOURCES := boards/mps2-an385/board.c \
     $(addprefix boards/parts/,armv7m_start.c armv7m_fault.c armv7m_protect.c systick.c \
-        semihosting.c semihosting_system.c semihosting_sink.c dump.c partition_store.c \
+        semihosting.c semihosting_system.c semihosting_sink.c display.c dump.c partition_store.c \
         memory_functions.c board_note.c)
