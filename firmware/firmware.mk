@@ -10,7 +10,7 @@
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
-#   BOARD_SETTINGS          NAME=VALUE for the parts that ask for it: macros for all of the program
+#   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_HOSTED            "yes" where the host itself is the board
