@@ -30,7 +30,8 @@ MARKER = re.compile(r"^walk: done (\d+) frames$", re.MULTILINE)
 UNIT_MARKER = "unittest: done"
 LOCKUP = 134  # QEMU aborts
 HEAD = struct.Struct("<4sHHHHI768s")
-FRAME_EXTRA = 32 + 44  # bytes around a frame's pixels
+DUMP_VERSION = 2
+FRAME_EXTRA = 32 + 48  # bytes around a frame's pixels
 TAIL = struct.Struct("<4sII")
 OUTPUT_MAX = 1 << 20  # bytes of text from a board
 POLL = 0.02  # seconds
@@ -182,7 +183,7 @@ def dump_shape(path):
     if len(head) < HEAD.size:
         return None
     magic, version, width, height, _, frames, _ = HEAD.unpack(head)
-    if magic != b"FXLD" or version != 1:
+    if magic != b"FXLD" or version != DUMP_VERSION:
         return None
     return frames, HEAD.size + frames * (width * height + FRAME_EXTRA) + TAIL.size
 
