@@ -4,6 +4,7 @@
 BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M lm3s6965evb
+BOARD_OPENOCD := -f board/ek-lm3s6965.cfg
 
 # Of 64 KiB: the OLED's frame in one band, other screens in several.
 BOARD_BAND_BYTES := 8192
