@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* EK-LM3S6965: the OLED on SSI0, five keys; under QEMU with -icount shift=0,
- * where one instruction takes one nanosecond.
+/* EK-LM3S6965: the OLED on SSI0, five keys. The core runs at
+ * 12.5 MHz, as after reset.
  *
  *   SSI0  PA2 clock, PA3 the OLED's select, PA5 data
  *   PC7   the OLED's data/command; PC6 its 15 volts
@@ -8,25 +8,24 @@
  *         listens only then */
 #include <stddef.h>
 
-#include "contract/clock.h"
 #include "contract/input.h"
 #include "contract/panel.h"
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 #include "parts/dump.h"
 #include "parts/pl022.h"
 #include "parts/ssd0323.h"
 #include "parts/systick.h"
 
-#define INSTRUCTIONS_PER_TICK 80u /* the core runs at 12.5 MHz after reset */
+#define REGISTER(address) CORTEXM_REGISTER(address)
 
-#define REGISTER(address) (*(volatile uint32_t *)(address))
-
-#define RCGC1      REGISTER(0x400FE104u) /* clocks of ports */
-#define RCGC1_SSI0 (1u << 4)
-#define RCGC2      REGISTER(0x400FE108u)
-#define RCGC2_A    (1u << 0)
-#define RCGC2_C    (1u << 2)
-#define RCGC2_D    (1u << 3)
+#define RCGC0          REGISTER(0x400FE100u) /* clocks of ports */
+#define RCGC0_WATCHDOG (1u << 3)
+#define RCGC1          REGISTER(0x400FE104u)
+#define RCGC1_SSI0     (1u << 4)
+#define RCGC2          REGISTER(0x400FE108u)
+#define RCGC2_A        (1u << 0)
+#define RCGC2_C        (1u << 2)
+#define RCGC2_D        (1u << 3)
 
 /* Pins: a port's registers; of the data only the bits in the address change. */
 #define PORT_A             0x40004000u
@@ -46,13 +45,8 @@
 
 void board_start(void)
 {
+    RCGC0 |= RCGC0_WATCHDOG;
     systick_start(SYSTICK_RELOAD_MAX);
-}
-
-/* In steps of 80. */
-uint64_t clock_instructions(void)
-{
-    return systick_ticks() * INSTRUCTIONS_PER_TICK;
 }
 
 static void make_outputs(uint32_t port, uint32_t pins)

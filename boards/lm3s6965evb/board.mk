@@ -10,7 +10,11 @@ BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 1024
 BOARD_LIST_BYTES := 16384
 
+# The watchdog is interrupt 18.
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u \
+    CMSDK_WATCHDOG_INTERRUPT=18u
+
 BOARD_SOURCES := boards/lm3s6965evb/board.c \
-    $(addprefix boards/parts/,armv7m_start.c armv7m_fault.c armv7m_protect.c systick.c \
-        semihosting.c semihosting_system.c semihosting_sink.c display.c dump.c partition_store.c \
-        ssd0323.c grey.c pl022.c memory_functions.c board_note.c)
+    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
+        systick.c systick_clock.c cmsdk_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
+        display.c dump.c ssd0323.c grey.c pl022.c partition_store.c memory_functions.c board_note.c)
