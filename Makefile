@@ -45,7 +45,9 @@ NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
 NEEDS_tools  := compare
-SETUP := $(strip $(foreach what,run report test lib format fuzz tools,\
+NEEDS_gdb    := gdb
+NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
+SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
     $(if $(filter $(NEEDS_$(what)),$(MAKECMDGOALS)),$(what))))
 
 # Once: not again in a make that this one started.
@@ -74,7 +76,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report screen pictures lib test boards fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run flash boot gdb compare report screen pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -86,18 +88,23 @@ all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
 run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
 
-flash: $(WALK) ## write firmware and scene to the board's flash image [BOARD= SCENE= SCREEN=]
+flash: $(WALK) ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
 ifeq ($(filter %.fxls,$(SCENE)),)
 	@mkdir -p $(BUILD)/scenes
 	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION) $(SCREEN_OPTION)
 else ifneq ($(SCREEN),)
 	@echo "error: $(SCENE) is a scene image, which has its screen already: give the .toml or .obj" >&2; exit 2
 endif
-	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE)
+	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
+	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
 
 boot: $(WALK) ## power a board on from its flash image [BOARD=]
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
 	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
+
+gdb: $(WALK) ## a debugger on the walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
+	    $(if $(GDB_COMMANDS),--commands '$(GDB_COMMANDS)')
 
 compare: ## compare two PNGs, folders of PNGs or frame dumps [A= B= TOLERANCE=0 OUT=]
 ifneq ($(filter compare,$(MAKECMDGOALS)),)

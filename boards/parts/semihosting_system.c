@@ -155,8 +155,11 @@ void system_exit(int status)
 {
     check_stack();
     stack_print();
-    while (arguments.hold && status == SYSTEM_EXIT_DONE) {
-        system_alive();
+    if (arguments.hold && status == SYSTEM_EXIT_DONE) {
+        watchdog_stop();
+        for (;;) {
+            __asm__ volatile("wfi");
+        }
     }
     semihosting_exit(status);
 }
