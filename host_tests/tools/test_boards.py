@@ -18,7 +18,7 @@ DOCTOR = """
 import struct, zlib
 data = bytearray(open("frames.fxld", "rb").read())
 width, height = struct.unpack_from("<HH", data, 6)
-data[16 + 768 + 3 * (32 + width * height + 44) + 32 + 100] ^= 1
+data[16 + 768 + 3 * (32 + width * height + 48) + 32 + 100] ^= 1
 data[-4:] = struct.pack("<I", zlib.crc32(data[:-4]))
 open("frames.fxld", "wb").write(data)
 """

@@ -6,6 +6,10 @@ void test_face_contents(void)
 {
     expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 16, 2);
     expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 16, 25);
+#if FXL_FACE_VERTICES_MAX < 24
+    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 16, 24);
+    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 16, FXL_FACE_VERTICES_MAX + 1);
+#endif
     expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 45);
     expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 0xFFFFFFFFu);
     expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 0xFFFFFFFDu);

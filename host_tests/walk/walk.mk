@@ -10,7 +10,7 @@ WALK_TEST_MOCKS := $(WALK_TEST_CONTRACT:boards/contract/%.h=$(WALK_TEST)/mock_%.
 # Small, so that a small scene takes several bands and can want too much.
 WALK_TEST_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=undefined -fno-sanitize-recover \
     -Ilib/include -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests/walk -I$(WALK_TEST) \
-    -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4
+    -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4 -DWALK_LIST_BYTES=100
 WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o board_double.o scene_bytes.o \
     walk.o path.o)
 
@@ -34,7 +34,7 @@ $(WALK_TEST)/%.o: firmware/walk/%.c
 	@mkdir -p $(@D)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
-$(WALK_TEST)/dump.o: boards/parts/dump.c
+$(WALK_TEST)/%.o: boards/parts/%.c
 	@mkdir -p $(@D)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
@@ -61,7 +61,7 @@ $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o
         $(BUILD)/host/libfixel.a
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
-$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o dump.o unity.o)
+$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o display.o dump.o unity.o)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
 .PRECIOUS: $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h $(WALK_TEST)/%_runner.c
