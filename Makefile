@@ -38,7 +38,7 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run flash boot size pictures
+NEEDS_run    := run flash boot size screen pictures
 NEEDS_report := report all
 NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
@@ -76,7 +76,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot gdb compare report pictures lib test boards fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run flash boot gdb compare report screen pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -116,8 +116,16 @@ report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
+PICTURE ?= $(BUILD)/screen/$(BOARD).png
+
+screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= PICTURE=]
+	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
+	    $(FRAMES_OPTION) $(SCREEN_OPTION)
+
 pictures: ## the README's pictures anew, from make run and make report
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
+	@$(MAKE) --no-print-directory screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
+	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
 
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3]

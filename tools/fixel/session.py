@@ -7,6 +7,7 @@
 """
 
 import pathlib
+import subprocess
 import time
 
 import numpy
@@ -65,6 +66,14 @@ class Session:
         """Waits until the board has printed something."""
         self.wait_until(lambda: text in self.text(), timeout, f"'{text}'")
 
+    def wait_for_end(self, timeout=60.0):
+        """The exit code with which the board's program ends by itself."""
+        try:
+            return self._process.wait(timeout)
+        except subprocess.TimeoutExpired as error:
+            raise ToolError(f"board {self.program.board} did not end within {timeout:g} s"
+                            f"{last_lines(self.text())}", exit_code=1) from error
+
     def screen(self, device=None):
         """What a screen of the board shows, as an array of colours (height x width x 3). device: the
         identity of the display, for a board with several."""
@@ -86,3 +95,13 @@ class Session:
 
     def __exit__(self, *_):
         self.close()
+
+
+KEYS = ("up", "down", "left", "right", "ctrl")  # of a board with buttons, as QEMU calls them
+
+
+def touch_keys(machine):
+    """Presses and releases every key once: until then QEMU has buttons down."""
+    for code in KEYS:
+        machine.key(code, down=True)
+        machine.key(code, down=False)
