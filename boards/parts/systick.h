@@ -12,6 +12,9 @@
  * ticks, and without an alarm. Requires 1 <= reload <= SYSTICK_RELOAD_MAX. */
 void systick_start(uint32_t reload);
 
+/* Ticks from one wrap to the next. */
+uint32_t systick_period(void);
+
 /* Ticks since systick_start. Right at any moment, in handlers and across
  * wraps, provided that interrupts are not held off for a whole period. */
 uint64_t systick_ticks(void);
