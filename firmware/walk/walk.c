@@ -140,6 +140,7 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
         fxl_band band;
         fxl_status status;
 
+        system_alive();
         rows = rows_max < height - row ? rows_max : height - row;
         band.pixels = band_pixels;
         band.width = width;
@@ -194,10 +195,8 @@ static int draw_frames(const fxl_scene_image *image, uint32_t frames)
 
     walk_path_begin(&path, image, system_live());
     for (frame = 0; frame < frames; frame++) {
-        int code;
+        const int code = draw_frame(image, &path, frame);
 
-        system_alive();
-        code = draw_frame(image, &path, frame);
         if (code != SYSTEM_EXIT_DONE) {
             return code;
         }

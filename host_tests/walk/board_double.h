@@ -27,8 +27,7 @@ typedef struct {
     uint64_t clock_step, flush_cost;
     uint32_t clock_backward; /* the how-manieth reading, from 0, is of an earlier time */
     /* What the walk did. */
-    uint32_t announced, begun, flushes, ended, keys_read, clock_read;
-    uint32_t alive; /* signs of life */
+    uint32_t announced, begun, flushes, ended, keys_read, clock_read, alive;
     bool display_is_open, display_was_opened, in_frame;
     uint64_t clock;
     fxl_pose poses[FRAMES_MAX];
