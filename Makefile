@@ -61,12 +61,11 @@ endif
 # --- the parts ---------------------------------------------------------------
 
 include $(wildcard lib/lib.mk)
-include boards/$(BOARD)/board.mk
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
 
-HOST_WALK := $(BUILD)/boards/host/walk
-WALK      := $(BUILD)/boards/$(BOARD)/walk$(if $(filter host,$(BOARD)),,.elf)
+HOST_WALK := $(BOARD_WALK.host)
+WALK      := $(BOARD_WALK.$(BOARD))
 IMAGE     := $(BUILD)/flash/$(BOARD).bin
 # A scene image is its own.
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
@@ -119,11 +118,12 @@ SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(
 size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float and no heap
 	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
 	    $(MAKE) --no-print-directory lib CORE=$$core >/dev/null || exit; done
-	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK)) \
+	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
+	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
-test: $(UNITY_TESTS) $(BOARD_UNIT_TESTS) $(WALK) $(BOARD_FAULTS) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
-	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNIT_TESTS) \
+test: $(UNITY_TESTS) $(BOARD_UNITS.$(BOARD)) $(WALK) $(BOARD_FAULTS.$(BOARD)) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
+	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNITS.$(BOARD)) \
 	    $(if $(ONLY),--only '$(ONLY)')
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
