@@ -9,8 +9,10 @@
 #include "parts/armv7m.h"
 #include "parts/dump.h"
 #include "parts/systick.h"
+#include "parts/window.h"
 
 #define INSTRUCTIONS_PER_TICK 40u /* SysTick runs at 25 MHz */
+#define TICKS_PER_MILLISECOND 25000u
 
 void board_start(void)
 {
@@ -26,12 +28,18 @@ uint64_t clock_instructions(void)
 
 uint32_t input_keys(void)
 {
-    return 0; /* it has no keys */
+    return window_keys(); /* it has none of its own */
+}
+
+void window_nap(void)
+{
+    systick_nap(TICKS_PER_MILLISECOND);
 }
 
 const panel *const *board_panels(void)
 {
     static const panel *const panels[] = {&dump_panel, NULL};
+    static const panel *const watched[] = {&window_panel, NULL};
 
-    return panels;
+    return window_invited() ? watched : panels;
 }
