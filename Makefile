@@ -40,7 +40,7 @@ endif
 # nothing is missing it takes a few hundredths of a second.
 NEEDS_run    := run flash boot size pictures
 NEEDS_report := report all
-NEEDS_test   := test seeded-bugs
+NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
@@ -73,7 +73,7 @@ FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report pictures lib test fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run flash boot compare report pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -122,9 +122,23 @@ size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float
 	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
-test: $(UNITY_TESTS) $(BOARD_UNITS.$(BOARD)) $(WALK) $(BOARD_FAULTS.$(BOARD)) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
-	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNITS.$(BOARD)) \
-	    $(if $(ONLY),--only '$(ONLY)')
+# BOARD= on the command line: what runs on that board and nothing else.
+TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
+TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
+TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
+    $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
+# For tools: a board, its unit tests; a board, the unit tests that it has no room for.
+UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
+    $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
+
+test: $(TEST_PROGRAMS) ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
+	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
+
+boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board))) ## every board: memory, stack, speed, frames equal to the host's, unit tests
+	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
+	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* system.h over semihosting. The arguments are words: the program's name, then
- * frames=N and live in any order. */
+ * frames=N, live and hold in any order. */
 #include "contract/system.h"
 
 #include <stddef.h>
@@ -12,6 +12,7 @@
 static struct {
     uint32_t frames;
     bool live;
+    bool hold; /* stay on when done, so that the screen can be looked at */
 } arguments;
 
 static void refuse(const char *word)
@@ -33,6 +34,13 @@ static const char *after(const char *word, const char *prefix)
         prefix++;
     }
     return word;
+}
+
+static bool is(const char *word, const char *expected)
+{
+    const char *rest = after(word, expected);
+
+    return rest != NULL && *rest == '\0';
 }
 
 static bool read_frames(const char *digits, uint32_t *frames)
@@ -58,13 +66,15 @@ static bool read_frames(const char *digits, uint32_t *frames)
 static void take(const char *word)
 {
     const char *digits = after(word, "frames=");
-    const char *rest = after(word, "live");
-
     if (digits != NULL && read_frames(digits, &arguments.frames)) {
         return;
     }
-    if (rest != NULL && *rest == '\0') {
+    if (is(word, "live")) {
         arguments.live = true;
+        return;
+    }
+    if (is(word, "hold")) {
+        arguments.hold = true;
         return;
     }
     refuse(word);
@@ -117,5 +127,10 @@ void system_text(const char *text)
 
 void system_exit(int status)
 {
+    if (arguments.hold && status == SYSTEM_EXIT_DONE) {
+        for (;;) {
+            __asm__ volatile("wfi");
+        }
+    }
     semihosting_exit(status);
 }

@@ -13,7 +13,7 @@ import struct
 import tempfile
 import zlib
 
-from fixel import emulator, firmware
+from fixel import firmware, qemu
 from fixel.errors import ToolError
 
 ERASED = b"\xff"
@@ -115,7 +115,7 @@ def program_flash(program, scene, old):
 
 def verify(program, image, data):
     """Compares what the emulated core reads with what was to be written."""
-    seen = emulator.read_memory(program, image)
+    seen = qemu.read_memory(program, image)
     if seen == data:
         return len(data)
     at = next((i for i, (a, b) in enumerate(zip(seen, data)) if a != b), min(len(seen), len(data)))
