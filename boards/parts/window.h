@@ -43,7 +43,7 @@ typedef struct {
  * before it. */
 typedef struct {
     /* The board's. */
-    _Atomic uint32_t magic;    /* written last of all that open writes */
+    _Atomic uint32_t magic; /* written last of all that open writes */
     uint32_t version;
     uint16_t width, height;
     uint32_t slots[WINDOW_SLOTS]; /* where they begin: bytes from here */

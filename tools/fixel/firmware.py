@@ -34,6 +34,8 @@ class Program:
     flash_sector: int = 0
     scene_base: int = 0
     scene_size: int = 0
+    window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
+    keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
     @property
     def hosted(self):
@@ -49,6 +51,12 @@ def read_note(elf, path):
     if not note.get("board"):
         raise ToolError(f"{path} does not name its board: build it again")
     return note
+
+
+def read_keys(text):
+    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/viewer.h -> QEMU's names."""
+    pairs = (each.split(":", 1) for each in text.split(",") if each)
+    return {int(bit): tuple(names.split("+")) for bit, names in pairs}
 
 
 def read_map(elf, path):
@@ -72,7 +80,8 @@ def load(path, board=None):
             if board is not None and note["board"] != board:
                 raise ToolError(f"{path} is for board {note['board']}, not for {board}")
             common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
-                          qemu=tuple(shlex.split(note.get("qemu", ""))))
+                          qemu=tuple(shlex.split(note.get("qemu", ""))),
+                          window_size=int(note.get("window", "0")), keys=read_keys(note.get("keys", "")))
             if note["board"] == HOST:
                 return Program(segments=(), **common)
             segments = tuple((segment["p_paddr"], segment.data()) for segment in elf.iter_segments()

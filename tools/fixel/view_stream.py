@@ -1,68 +1,77 @@
 # SPDX-License-Identifier: MIT
 """Frames of a board that shares no memory: its ordinary frame dump, written into a FIFO as it goes,
-so that the board waits for whoever reads; and its keys in a file of one byte."""
+so that the board waits for whoever reads; and its keys in a file of one byte.
+
+check(waited): as in view_window.py.
+"""
 
 import fcntl
 import os
 import select
+import time
 
 from fixel import dump
 from fixel.errors import ToolError
 
-KEYS_NAME = "keys"          # as boards/parts/semihosting_keys.c opens it
-SMALL = 4096                # bytes that the FIFO may hold: what is in it is already old
-POLL = 0.05                 # seconds
-F_SETPIPE_SZ = 1031         # of Linux
+NAME = "the board's frames"     # what messages call them
+KEYS_NAME = "keys"              # as boards/parts/semihosting_keys.c opens it
+SMALL = 4096                    # bytes that the FIFO may hold: what is in it is already old
+POLL = 0.02                     # seconds
+F_SETPIPE_SZ = 1031             # of Linux
 
 
 class Stream:
     """The reading end of a FIFO into which a board writes a frame dump."""
 
     def __init__(self, path):
-        self.path = path
         self.width = self.height = 0
-        self.palette = b""
-        self._data = b""
+        self._data, self._number, self._promised = bytearray(), 0, 0
         try:
             os.mkfifo(path)
-            # Without waiting for a writer; what is read then waits by itself.
-            self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+            self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK)     # without waiting for a writer
             fcntl.fcntl(self._file, F_SETPIPE_SZ, SMALL)
         except OSError as error:
             raise ToolError(f"cannot make {path}: {error.strerror}") from error
 
-    def _fill(self, size, alive):
-        """Reads until size bytes are there; False where the board ended before."""
-        while len(self._data) < size:
-            select.select([self._file], [], [], POLL)
-            try:
-                block = os.read(self._file, size - len(self._data))
-            except BlockingIOError:
-                block = b""
-            self._data += block
-            if not block and not alive():
-                return False
-            if not block:
-                select.select([], [], [], 0.001)    # a FIFO that nobody has opened yet reads as ended
-        return True
+    def _read(self, missing):
+        """What is there by now; nothing also while nobody has opened the other end yet."""
+        if not select.select([self._file], [], [], POLL)[0]:
+            return b""
+        block = os.read(self._file, missing)
+        if not block:
+            time.sleep(POLL)
+        return block
 
-    def _take(self, size):
-        taken, self._data = self._data[:size], self._data[size:]
+    def _take(self, size, check):
+        """The next bytes, so many; None where nobody wants them any more."""
+        started = time.monotonic()
+        while len(self._data) < size:
+            block = self._read(size - len(self._data))
+            self._data += block
+            if not block and not check(time.monotonic() - started):
+                return None
+        taken = bytes(self._data[:size])
+        del self._data[:size]
         return taken
 
-    def open(self, alive):
-        """Reads the dump's head; False where the board ended before."""
-        if not self._fill(dump.HEAD.size + dump.PALETTE_BYTES, alive):
-            return False
-        self.width, self.height, self.palette = dump.parse_head(self._take(dump.HEAD.size + dump.PALETTE_BYTES))
-        return True
-
-    def frame(self, number, alive):
-        """The next frame, which must have that number; None where the board ended before."""
-        size = dump.frame_bytes(self.width, self.height)
-        if not self._fill(size, alive):
+    def open(self, check):
+        """Waits for the dump's head: (width, height, palette)."""
+        head = self._take(dump.HEAD.size + dump.PALETTE_BYTES, check)
+        if head is None:
             return None
-        return dump.parse_frame(self._take(size), self.width, self.height, number)
+        self.width, self.height, self._promised, palette = dump.parse_head(head, NAME)
+        return self.width, self.height, palette.tobytes()
+
+    def frame(self, check, waits=True):
+        """The next frame; None where nobody wants it any more. waits makes no difference: the board
+        always waits for its reader, and is at most one frame ahead."""
+        del waits
+        data = self._take(dump.frame_bytes(self.width, self.height), check)
+        if data is None:
+            return None
+        frame = dump.parse_frame(data, 0, self.width, self.height, self._number, self._promised, NAME)
+        self._number += 1
+        return frame
 
     def close(self):
         os.close(self._file)
