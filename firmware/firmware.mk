@@ -10,6 +10,7 @@
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
+#   BOARD_SETTINGS          NAME=VALUE for the parts that ask for it: macros for all of the program
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
@@ -40,7 +41,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY UNIT_OMIT HOSTED
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT HOSTED
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -88,7 +89,8 @@ $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
     -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
-    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"'
+    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \
+    $(BOARD_SETTINGS.$(1):%=-D%)
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
 

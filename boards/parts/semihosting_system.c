@@ -5,7 +5,10 @@
 
 #include <stddef.h>
 
+#include "parts/cortexm.h"
 #include "parts/semihosting.h"
+#include "parts/stack.h"
+#include "parts/watchdog.h"
 
 #define FRAMES_MAX UINT32_MAX /* a viewer's are without end */
 
@@ -125,8 +128,33 @@ void system_text(const char *text)
     semihosting_text(text);
 }
 
+/* On a core with memory protection an overflow would have been a fault. */
+static void check_stack(void)
+{
+    if (!cortexm_protected() && stack_is_spent()) {
+        semihosting_text(
+            "fault: stack overflow: its last bytes are used, and nothing guards them\n");
+        stack_print();
+        semihosting_exit(SYSTEM_EXIT_STACK);
+    }
+}
+
+void system_alive(void)
+{
+    static bool watched;
+
+    check_stack();
+    if (!watched) {
+        watched = true;
+        watchdog_start(BOARD_WATCHDOG_MILLISECONDS);
+    }
+    watchdog_feed();
+}
+
 void system_exit(int status)
 {
+    check_stack();
+    stack_print();
     if (arguments.hold && status == SYSTEM_EXIT_DONE) {
         for (;;) {
             __asm__ volatile("wfi");

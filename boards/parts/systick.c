@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "parts/systick.h"
 
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 
 #define CSR_ENABLE     1u
 #define CSR_INTERRUPT  2u
@@ -12,6 +12,8 @@
 static volatile uint64_t wraps; /* of this period; written by the interrupt only */
 static uint64_t before;         /* ticks of other periods */
 static uint32_t period;
+static volatile uint32_t alarm; /* wraps to go; 0: none */
+static volatile bool is_alarmed;
 
 static void count_from(uint64_t ticks, uint32_t reload)
 {
@@ -27,21 +29,59 @@ static void count_from(uint64_t ticks, uint32_t reload)
 
 void systick_start(uint32_t reload)
 {
+    alarm = 0;
     count_from(0, reload);
 }
 
 void systick_nap(uint32_t ticks)
 {
-    const uint32_t reload = period - 1u;
+    const uint32_t reload = period - 1u, left = alarm;
 
+    alarm = 0; /* it counts wraps of the long period */
     count_from(systick_ticks(), ticks - 1u);
     __asm__ volatile("wfi" ::: "memory");
     count_from(systick_ticks(), reload);
+    alarm = left;
 }
 
-void armv7m_systick(void)
+/* Counts a wrap; whether that sets off the alarm. */
+static __attribute__((used)) bool count_wrap(void)
 {
+    const uint32_t left = alarm;
+
     wraps++;
+    if (left == 0) {
+        return false;
+    }
+    alarm = left - 1u;
+    is_alarmed = left == 1;
+    return left == 1;
+}
+
+/* The fault report wants sp and lr as the core left them. */
+__attribute__((naked)) void cortexm_systick(void)
+{
+    __asm__ volatile("push {r4, lr}\n\t"
+                     "bl count_wrap\n\t"
+                     "pop {r2, r3}\n\t"
+                     "mov lr, r3\n\t"
+                     "mov r4, r2\n\t"
+                     "cmp r0, #0\n\t"
+                     "bne 1f\n\t"
+                     "bx lr\n\t"
+                     "1: ldr r3, =cortexm_fault\n\t"
+                     "bx r3\n\t"
+                     ".ltorg");
+}
+
+void systick_alarm(uint32_t count)
+{
+    alarm = count;
+}
+
+bool systick_alarmed(void)
+{
+    return is_alarmed;
 }
 
 uint64_t systick_ticks(void)

@@ -52,6 +52,7 @@ uint32_t window_keys(void)
 static void await_request(void)
 {
     while (LOAD(header()->requested) - window.finished - 1u >= 0x80000000u) {
+        system_alive();
         window_nap();
     }
 }
