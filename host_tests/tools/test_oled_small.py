@@ -4,7 +4,8 @@
 import numpy
 import pytest
 
-from fixel import grey, oled
+from fixel import dump, emulator, grey, oled
+from fixel.errors import ToolError
 from screens import flashed, screen_after
 
 BOARD = "mps2-an385"
@@ -38,29 +39,31 @@ def middle(frame):
 @pytest.mark.parametrize("name, frames", [("plaza", 31), ("plaza", 46), ("odd", 5), ("odd", 16), ("exact", 9)])
 def test_every_pixel_of_the_window(request, tmp_path, name, frames):
     scene = request.getfixturevalue(name)
-    picture, dump = screen_after(scene, frames, tmp_path, "small", DISPLAY)
+    picture, drawn = screen_after(scene, frames, tmp_path, "small", DISPLAY)
     levels = oled.levels(picture, 1)
     whole = grey.levels(scene.host.frames[frames - 1].pixels, scene.host.palette, 1)
     assert levels.shape == (HEIGHT, WIDTH)
     assert (levels == middle(whole)).all()
     assert 0 < levels.sum() < levels.size
-    assert (dump.frames[-1].pixels == scene.host.frames[frames - 1].pixels).all()
+    assert (drawn.frames[-1].pixels == scene.host.frames[frames - 1].pixels).all()
 
 
 def test_a_frame_that_is_smaller_is_not_for_it(tmp_path, tmp_path_factory):
     small = flashed(BOARD, "tiny", tmp_path_factory.mktemp("small"), (WIDTH, HEIGHT - 1))
-    picture, dump = screen_after(small, 2, tmp_path, "small", DISPLAY)
+    picture, drawn = screen_after(small, 2, tmp_path, "small", DISPLAY)
     assert not oled.levels(picture, 1).any()
-    assert (dump.frames[-1].pixels == small.host.frames[1].pixels).all()
+    assert (drawn.frames[-1].pixels == small.host.frames[1].pixels).all()
 
 
 def test_without_it_the_board_shows_the_rest(plaza, tmp_path):
-    """Nobody acknowledges: the run goes on. (What QEMU then calls the screen is a notice.)"""
-    _, dump = screen_after(plaza, 2, tmp_path)
-    assert (dump.frames[-1].pixels == plaza.host.frames[1].pixels).all()
+    """Nobody acknowledges: the run goes on. What QEMU then calls its screen is a notice, and refused."""
+    with pytest.raises(ToolError, match="board mps2-an385 has no screen"):
+        screen_after(plaza, 2, tmp_path)
+    drawn = dump.read_dump(tmp_path / emulator.DUMP_NAME)
+    assert (drawn.frames[-1].pixels == plaza.host.frames[1].pixels).all()
 
 
 def test_at_another_address_it_does_not_answer(exact, tmp_path):
-    picture, dump = screen_after(exact, 2, tmp_path, "small", ("-device", "ssd0303,address=0x3c,id=small"))
+    picture, drawn = screen_after(exact, 2, tmp_path, "small", ("-device", "ssd0303,address=0x3c,id=small"))
     assert not numpy.asarray(picture).any()
-    assert len(dump.frames) == 2
+    assert len(drawn.frames) == 2
