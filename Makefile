@@ -38,7 +38,7 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run flash boot size pictures
+NEEDS_run    := run view flash boot size pictures
 NEEDS_report := report all
 NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
@@ -73,7 +73,7 @@ FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report pictures lib test boards fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot compare report pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -84,6 +84,10 @@ all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
 
 run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= FRAMES= OUT=]
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION)
+
+view: $(WALK) $(BUILD)/host/live ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= PORT= OPEN=1]
+	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
+	    $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
 flash: $(WALK) ## write firmware and scene to the board's flash image [BOARD= SCENE=]
 ifeq ($(filter %.fxls,$(SCENE)),)
