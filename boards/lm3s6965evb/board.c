@@ -1,58 +1,72 @@
 /* SPDX-License-Identifier: MIT */
-/* EK-LM3S6965: the OLED on SSI0, five keys; under QEMU with -icount shift=0,
- * where one instruction takes one nanosecond.
+/* EK-LM3S6965: the OLED on SSI0, five keys. The core runs at
+ * 12.5 MHz, as after reset.
  *
  *   SSI0  PA2 clock, PA3 the OLED's select, PA5 data
  *   PC7   the OLED's data/command; PC6 its 15 volts
  *   PD0   the memory card's select, which the card must see high; QEMU's OLED
- *         listens only then */
+ *         listens only then
+ *   PE0-3 the keys up, down, left, right; PF1 select (Ctrl under QEMU): low
+ *         while they are down */
 #include <stddef.h>
 
-#include "contract/clock.h"
 #include "contract/input.h"
 #include "contract/panel.h"
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 #include "parts/dump.h"
+#include "parts/keys.h"
 #include "parts/pl022.h"
 #include "parts/ssd0323.h"
 #include "parts/systick.h"
 
-#define INSTRUCTIONS_PER_TICK 80u /* the core runs at 12.5 MHz after reset */
+#define REGISTER(address) CORTEXM_REGISTER(address)
 
-#define REGISTER(address) (*(volatile uint32_t *)(address))
-
-#define RCGC1      REGISTER(0x400FE104u) /* clocks of ports */
-#define RCGC1_SSI0 (1u << 4)
-#define RCGC2      REGISTER(0x400FE108u)
-#define RCGC2_A    (1u << 0)
-#define RCGC2_C    (1u << 2)
-#define RCGC2_D    (1u << 3)
+#define RCGC0          REGISTER(0x400FE100u) /* clocks of ports */
+#define RCGC0_WATCHDOG (1u << 3)
+#define RCGC1          REGISTER(0x400FE104u)
+#define RCGC1_SSI0     (1u << 4)
+#define RCGC2          REGISTER(0x400FE108u)
+#define RCGC2_PORTS    (1u << 0 | 1u << 2 | 1u << 3 | 1u << 4 | 1u << 5) /* A, C, D, E, F */
 
 /* Pins: a port's registers; of the data only the bits in the address change. */
 #define PORT_A             0x40004000u
 #define PORT_C             0x40006000u
 #define PORT_D             0x40007000u
+#define PORT_E             0x40024000u
+#define PORT_F             0x40025000u
 #define PINS(port, bits)   REGISTER((port) + ((bits) << 2))
 #define PIN_OUTPUT(port)   REGISTER((port) + 0x400u)
 #define PIN_FUNCTION(port) REGISTER((port) + 0x420u)
+#define PIN_PULL_UP(port)  REGISTER((port) + 0x510u)
 #define PIN_DIGITAL(port)  REGISTER((port) + 0x51Cu)
 #define PA_SSI             (1u << 2 | 1u << 3 | 1u << 5)
 #define PC_SUPPLY          (1u << 6)
 #define PC_DATA            (1u << 7)
 #define PD_CARD            (1u << 0)
+#define PE_ARROWS          (KEYS_UP | KEYS_DOWN | KEYS_LEFT | KEYS_RIGHT) /* bit for bit */
+#define PF_SELECT          (1u << 1)
+
+#define TICKS_PER_MILLISECOND 12500u
 
 #define SSI0         0x40008000u
 #define SSI0_DIVIDER 6u /* of 12.5 MHz: 2 Mbit/s, within what the controller takes */
 
-void board_start(void)
+static void make_inputs(uint32_t port, uint32_t pins)
 {
-    systick_start(SYSTICK_RELOAD_MAX);
+    PIN_PULL_UP(port) |= pins;
+    PIN_DIGITAL(port) |= pins;
 }
 
-/* In steps of 80. */
-uint64_t clock_instructions(void)
+void board_start(void)
 {
-    return systick_ticks() * INSTRUCTIONS_PER_TICK;
+    RCGC0 |= RCGC0_WATCHDOG;
+    RCGC1 |= RCGC1_SSI0;
+    RCGC2 |= RCGC2_PORTS;
+    (void)RCGC2; /* three cycles until they answer */
+    (void)RCGC2;
+    make_inputs(PORT_E, PE_ARROWS);
+    make_inputs(PORT_F, PF_SELECT);
+    systick_start(SYSTICK_RELOAD_MAX);
 }
 
 static void make_outputs(uint32_t port, uint32_t pins)
@@ -63,10 +77,6 @@ static void make_outputs(uint32_t port, uint32_t pins)
 
 bool ssd0323_wires_open(void)
 {
-    RCGC1 |= RCGC1_SSI0;
-    RCGC2 |= RCGC2_A | RCGC2_C | RCGC2_D;
-    (void)RCGC2; /* three cycles until the ports answer */
-    (void)RCGC2;
     PIN_FUNCTION(PORT_A) |= PA_SSI;
     PIN_DIGITAL(PORT_A) |= PA_SSI;
     make_outputs(PORT_D, PD_CARD);
@@ -90,7 +100,18 @@ const panel *const *board_panels(void)
     return panels;
 }
 
+static uint32_t pressed(void)
+{
+    const uint32_t arrows = ~PINS(PORT_E, PE_ARROWS) & PE_ARROWS;
+    const uint32_t select = ~PINS(PORT_F, PF_SELECT) & PF_SELECT;
+
+    return arrows | (select != 0 ? KEYS_SELECT : 0);
+}
+
 uint32_t input_keys(void)
 {
-    return 0;
+    static keys_debouncer keys;
+
+    return keys_meaning(
+        keys_debounce(&keys, pressed(), (uint32_t)(systick_ticks() / TICKS_PER_MILLISECOND)));
 }

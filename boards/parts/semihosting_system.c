@@ -156,6 +156,7 @@ void system_exit(int status)
     check_stack();
     stack_print();
     if (arguments.hold && status == SYSTEM_EXIT_DONE) {
+        watchdog_stop();
         for (;;) {
             __asm__ volatile("wfi");
         }

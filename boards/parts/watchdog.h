@@ -20,6 +20,9 @@ void watchdog_start(uint32_t milliseconds);
 /* Gives it the whole time again. Requires watchdog_start. */
 void watchdog_feed(void);
 
+/* Lets it sleep until watchdog_start. */
+void watchdog_stop(void);
+
 /* Whether the exception of this number is the watchdog's bark. */
 bool watchdog_barked(uint32_t exception);
 

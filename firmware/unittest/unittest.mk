@@ -11,7 +11,7 @@ CMOCK_DIR ?= /usr/share/cmock
 UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
 
 # Parts of boards that need no board: tested on all of them, and on the host.
-UNIT_PARTS := boards/parts/grey.c
+UNIT_PARTS := boards/parts/grey.c boards/parts/keys.c
 
 BOARD_TESTS := $(patsubst host_tests/unit/%.c,%,$(wildcard host_tests/unit/test_*.c))
 BOARD_UNITS_OF = $(patsubst %,$(FIRMWARE_OUT)/$(1)/unit/%.elf,$(filter-out $(BOARD_UNIT_OMIT.$(1)),$(BOARD_TESTS)))

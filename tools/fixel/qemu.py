@@ -69,7 +69,8 @@ def read_memory(program, image, timeout=30.0):
                 stdin=subprocess.DEVNULL, stdout=words, stderr=subprocess.STDOUT)
             try:
                 with channel.connect(timeout) as machine:
-                    machine.execute("pmemsave", timeout, val=program.flash_base, size=program.flash_size,
+                    # As the core sees it: not every bus behind it is the system's.
+                    machine.execute("memsave", timeout, val=program.flash_base, size=program.flash_size,
                                     filename=str(folder / "memory.bin"))
                     machine.quit()
                 return (folder / "memory.bin").read_bytes()

@@ -13,7 +13,8 @@ import time
 import numpy
 from PIL import Image
 
-from fixel import emulator, qmp
+from fixel import execute, qemu, qmp
+from fixel.ending import Ending, describe, last_lines
 from fixel.errors import ToolError
 
 OUTPUT = "output.txt"   # what the board prints, in the session's folder
@@ -27,21 +28,18 @@ class Session:
     def __init__(self, program, image, folder, words=(), options=()):
         self.program, self.folder = program, pathlib.Path(folder)
         self.machine = self._process = None
-        command = emulator.qemu_command(
-            program, "-icount", "shift=0", *emulator.semihosting(["walk", *words]),
-            *emulator.loader(program, image), *options)
+        told = ["-icount", "shift=0", *qemu.semihosting(["walk", *words]), *qemu.loader(program, image), *options]
         with qmp.Channel() as channel, (self.folder / OUTPUT).open("wb") as output:
-            try:
-                self._process = subprocess.Popen(
-                    [*command, *channel.options], cwd=self.folder, stdin=subprocess.DEVNULL,
-                    stdout=output, stderr=subprocess.STDOUT, pass_fds=channel.fds)
-            except OSError as error:
-                raise ToolError(f"cannot start {command[0]}: {error.strerror}") from error
+            self._process = execute.start(qemu.command(program, *told, *channel.options), self.folder,
+                                          output, channel.fds)
             try:
                 self.machine = channel.connect()
-            except BaseException as error:
+            except ToolError as error:
                 self.close()
-                raise ToolError(f"{error}{emulator.last_lines(self.text())}", exit_code=1) from error
+                raise ToolError(f"{error}{last_lines(self.text())}", exit_code=1) from error
+            except BaseException:
+                self.close()
+                raise
 
     def text(self):
         """What the board has printed so far."""
@@ -56,18 +54,25 @@ class Session:
             if answer:
                 return answer
             if code is not None:
-                ending = emulator.Ending(code, self.text(), "", 0)
+                ending = Ending(code, self.text(), "", 0)
                 raise ToolError(f"board {self.program.board} ended before {what}: "
-                                f"{emulator.describe(ending)}{emulator.last_lines(ending.output)}",
-                                exit_code=1)
+                                f"{describe(ending)}{last_lines(ending.output)}", exit_code=1)
             if time.monotonic() > until:
                 raise ToolError(f"board {self.program.board}: no {what} within {timeout:g} s"
-                                f"{emulator.last_lines(self.text())}", exit_code=1)
+                                f"{last_lines(self.text())}", exit_code=1)
             time.sleep(POLL)
 
     def wait_for_text(self, text, timeout=60.0):
         """Waits until the board has printed something."""
         self.wait_until(lambda: text in self.text(), timeout, f"'{text}'")
+
+    def wait_for_end(self, timeout=60.0):
+        """The exit code with which the board's program ends by itself."""
+        try:
+            return self._process.wait(timeout)
+        except subprocess.TimeoutExpired as error:
+            raise ToolError(f"board {self.program.board} did not end within {timeout:g} s"
+                            f"{last_lines(self.text())}", exit_code=1) from error
 
     def screen(self, device=None):
         """What a screen of the board shows, as an array of colours (height x width x 3). device: the
@@ -83,10 +88,20 @@ class Session:
         if self.machine is not None:
             self.machine.close()
         if self._process is not None:
-            emulator.kill(self._process)
+            execute.kill(self._process)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
         self.close()
+
+
+KEYS = ("up", "down", "left", "right", "ctrl")  # of a board with buttons, as QEMU calls them
+
+
+def touch_keys(machine):
+    """Presses and releases every key once: until then QEMU has buttons down."""
+    for code in KEYS:
+        machine.key(code, down=True)
+        machine.key(code, down=False)
