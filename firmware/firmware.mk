@@ -10,7 +10,7 @@
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
-#   BOARD_SETTINGS          NAME=VALUE for the parts that ask for it: macros for all of the program
+#   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
@@ -56,10 +56,10 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
 # --- cores ---------------------------------------------------------------------
 
 # Flags that every object of a core and capacity is compiled with, and a name of them.
-CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -ffreestanding) \
+CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -masm-syntax-unified -ffreestanding) \
     $(BOARD_POLYGON_CAPACITY.$(1):%=-DFXL_POLYGON_CAPACITY=%)
 CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
-    $(filter-out -ffreestanding -mthumb,$(CORE_CHOICE))))))),host)
+    $(filter-out -ffreestanding -masm-syntax-unified -mthumb,$(CORE_CHOICE))))))),host)
 # Where a board's objects of its core are.
 BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
 

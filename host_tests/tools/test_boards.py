@@ -18,7 +18,7 @@ DOCTOR = """
 import struct, zlib
 data = bytearray(open("frames.fxld", "rb").read())
 width, height = struct.unpack_from("<HH", data, 6)
-data[16 + 768 + 3 * (32 + width * height + 44) + 32 + 100] ^= 1
+data[16 + 768 + 3 * (32 + width * height + 48) + 32 + 100] ^= 1
 data[-4:] = struct.pack("<I", zlib.crc32(data[:-4]))
 open("frames.fxld", "wb").write(data)
 """
@@ -113,26 +113,18 @@ def test_a_board_that_fails_is_reported_and_the_others_go_on(tmp_path):
 
 
 def test_no_room_for_the_first_scene_is_no_success(tmp_path):
-    """A scene larger than the board's partition: said, and not equal."""
-    rooms = {board: room_of(board) for board in target_boards()}
-    smallest = min(rooms, key=rooms.get)
-    scene = tmp_path / "long.toml"
-    text = (ROOT / TINY).read_text()
-    path = "".join(f'    {{ keys = ["{("forward", "left")[i % 2]}"], frames = 1 }},\n'
-                   for i in range(rooms[smallest] // 4))
-    scene.write_text(re.sub(r"steps = \[.*?\n\]", f"steps = [\n{path}]", text, flags=re.DOTALL))
-    done, result = run_boards(tmp_path / "boards.json", "--boards", smallest, "--scene", scene)
-    assert done.returncode == 1
+    """A board whose scene partition is too small: said, and not equal."""
+    build = tmp_path / "build"
+    (build / "boards" / BOARD).mkdir(parents=True)
+    (build / "boards/host").symlink_to(built("host/walk").parent)
+    subprocess.run(["arm-none-eabi-objcopy", "--strip-symbol=fxl_scene_size",
+                    "--add-symbol=fxl_scene_size=1000,global", built(f"{BOARD}/walk.elf"),
+                    build / "boards" / BOARD / "walk.elf"], check=True)
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY, "--build", build)
+    assert done.returncode == 1, done.stderr
     row, = result["boards"]
     assert row["hash_equal"] is False and row["frames"] == 0
-    assert f"{smallest}: long does not fit: " in done.stdout
-
-
-def room_of(board):
-    """Bytes of a board's scene partition."""
-    text = subprocess.run(["arm-none-eabi-nm", built(f"{board}/walk.elf")], capture_output=True, text=True,
-                          check=True).stdout
-    return int(re.search(r"^([0-9a-f]+) A fxl_scene_size$", text, re.MULTILINE)[1], 16)
+    assert f"{BOARD}: tiny does not fit: the scene has 2,544 bytes, the board's scene partition 1,000" in done.stdout
 
 
 def test_the_command_line():

@@ -102,6 +102,11 @@ static uint32_t on_frames(void)
     return board.frames_asked;
 }
 
+static void on_alive(void)
+{
+    board.alive++;
+}
+
 static bool on_live(void)
 {
     return board.live;
@@ -129,5 +134,6 @@ void board_double_begin(const scene_bytes *scene)
     input_keys_Stub(on_keys);
     system_frames_Stub(on_frames);
     system_live_Stub(on_live);
+    system_alive_Stub(on_alive);
     system_text_Stub(on_text);
 }

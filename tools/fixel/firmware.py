@@ -77,9 +77,9 @@ def read_sectors(elf, path, flash_size, sector):
         runs = list(struct.iter_unpack("<II", section.data()))
     if any(size == 0 for _, size in runs) or sum(count for count, _ in runs) > SECTORS_MAX \
             or sum(count * size for count, size in runs) != flash_size:
-        said = " + ".join(f"{count} x {size}" for count, size in runs) or "nothing"
-        raise ToolError(f"{path}: its board's memory.ld says that the sectors of the flash are {said} bytes, "
-                        f"and that the flash has {flash_size}")
+        said = " and ".join(f"{count} of {size}" for count, size in runs)
+        raise ToolError(f"{path}: its board's memory.ld says that the sectors of the flash are "
+                        f"{f'{said} bytes' if said else 'none'}, and that the flash has {flash_size}")
     return tuple(size for count, size in runs for _ in range(count))
 
 

@@ -13,7 +13,7 @@ from fixel.errors import ToolError
 
 TIMEOUT = 60.0          # seconds without a new frame
 UNIT_TIMEOUT = 300.0    # seconds for one program of unit tests
-STACK = re.compile(r"^stack: (\d+) of (\d+) bytes$", re.MULTILINE)
+STACK = re.compile(r"^stack: (\d+) of (\d+) bytes\b", re.MULTILINE)
 RAM_SYMBOLS = ("fxl_stack_limit", "fxl_ram_free", "fxl_ram_end")    # RAM begins with the stack
 
 

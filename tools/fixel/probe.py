@@ -69,12 +69,12 @@ def run(program, words):
     return process.returncode, seen
 
 
-def program_board(board, elf, scene, dry_run, say=print):
+def program_board(board, elf, scene, dry_run):
     """Programs the real board; what flash.flash refuses, is refused here too.
-    say is given the command, before it runs; dry_run: it does not run."""
+    The command is printed before it runs; dry_run: it does not run."""
     program, _ = flash.prepare(board, elf, scene)
     words = command(program, pathlib.Path(scene))
-    say(show(words))
+    print(show(words), flush=True)
     if dry_run:
         return
     if shutil.which(OPENOCD) is None:
