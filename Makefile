@@ -122,9 +122,9 @@ report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 
 
 PICTURE ?= $(BUILD)/screen/$(BOARD).png
 
-screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= PICTURE=]
+screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION)
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
 
 pictures: ## the README's pictures anew, from make run and make report
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png

@@ -12,8 +12,8 @@
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
 #   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
-#   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
+#   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
 #
 # Makes, for each board:

@@ -61,12 +61,6 @@ def read_note(elf, path):
     return note
 
 
-def read_keys(text):
-    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/viewer.h -> QEMU's names."""
-    pairs = (each.split(":", 1) for each in text.split(",") if each)
-    return {int(bit): tuple(names.split("+")) for bit, names in pairs}
-
-
 def read_sectors(elf, path, flash_size, sector):
     """Sizes of the flash's sectors: count and size of each run of equal ones
     from .fxl_sectors, else all of one size."""
@@ -81,6 +75,12 @@ def read_sectors(elf, path, flash_size, sector):
         raise ToolError(f"{path}: its board's memory.ld says that the sectors of the flash are "
                         f"{f'{said} bytes' if said else 'none'}, and that the flash has {flash_size}")
     return tuple(size for count, size in runs for _ in range(count))
+
+
+def read_keys(text):
+    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/viewer.h -> QEMU's names."""
+    pairs = (each.split(":", 1) for each in text.split(",") if each)
+    return {int(bit): tuple(names.split("+")) for bit, names in pairs}
 
 
 def read_map(elf, path):
