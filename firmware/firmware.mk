@@ -75,7 +75,7 @@ endef
 
 # $(1): the first board with this core.
 define CORE_RULES
-CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
+CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
 
 $(BOARD_CORE_OUT)/lib/%.o: lib/src/%.c firmware/firmware.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Ilib/include)
@@ -94,6 +94,7 @@ BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=
     -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \
     $(BOARD_SETTINGS.$(1):%=-D%)
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
+BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
 
 # How a board's programs are linked, and what it takes beside the objects.
@@ -129,7 +130,7 @@ BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 $$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 
-$$(BOARD_FAULTS.$(1)): $(FIRMWARE_OUT)/$(1)/firmware/faults/main.o $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
+$$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 endef
 

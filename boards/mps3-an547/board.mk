@@ -15,7 +15,7 @@ BOARD_ORDER_ENTRIES := 16384
 BOARD_LIST_BYTES := 65536
 
 # The watchdog on the NMI counts the board's slow clock.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=32000000u CMSDK_WATCHDOG_BASE=0x5002E000u CMSDK_WATCHDOG_HZ=32768u
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=32000000u CMSDK_WATCHDOG_BASE=0x5802E000u CMSDK_WATCHDOG_HZ=32768u
 
 BOARD_SOURCES := boards/mps3-an547/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv8m_protect.c stack.c \

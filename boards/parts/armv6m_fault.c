@@ -15,12 +15,9 @@ void cortexm_trap(void)
 
 /* The core does not tell; but it pushes below the program's stack pointer, and
  * the stack is the lowest memory. */
-bool cortexm_push_failed(void)
+bool cortexm_push_failed(const uint32_t *pushed)
 {
-    uint32_t process_stack;
-
-    __asm__ volatile("mrs %0, psp" : "=r"(process_stack));
-    return process_stack < (uint32_t)(uintptr_t)fxl_stack_limit;
+    return pushed < fxl_stack_limit;
 }
 
 /* libgcc calls the one for 32 bits after pushing r0 and its caller's lr, and
@@ -74,7 +71,10 @@ cortexm_diagnosis cortexm_diagnose(const cortexm_fault_state *state)
               state->access.address);
 }
 
-void cortexm_print_causes(void)
+void cortexm_print_causes(const cortexm_fault_state *state)
 {
+    if (state->exception != EXCEPTION_HARD) {
+        return;
+    }
     semihosting_text("  this core does not tell the cause: it follows from the instruction\n");
 }

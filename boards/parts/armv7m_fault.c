@@ -10,16 +10,20 @@
 #define SHCSR_FAULTS_ENABLED (7u << 16) /* memory management, bus, usage */
 
 /* Bits of CFSR: memory management 0..7, bus 8..15, usage 16..31. */
+#define CFSR_IACCVIOL  (1u << 0)
 #define CFSR_DACCVIOL  (1u << 1)
 #define CFSR_MSTKERR   (1u << 4)
 #define CFSR_MMARVALID (1u << 7)
 #define CFSR_MEMORY    0x000000FFu
+#define CFSR_IBUSERR   (1u << 8)
 #define CFSR_STKERR    (1u << 12)
 #define CFSR_BFARVALID (1u << 15)
 #define CFSR_BUS       0x0000FF00u
 #define CFSR_STKOF     (1u << 20)
 #define CFSR_UNALIGNED (1u << 24)
 #define CFSR_DIVBYZERO (1u << 25)
+
+#define XPSR_THUMB (1u << 24)
 
 typedef struct {
     uint32_t bit;
@@ -52,9 +56,17 @@ void cortexm_trap(void)
     SCB_CCR |= CCR_DIV_0_TRP | CCR_UNALIGN_TRP;
 }
 
-bool cortexm_push_failed(void)
+/* Where a stack limit is in the way (Armv8-M), the core moves the stack pointer
+ * to it and pushes nothing, without a bit of its own for that: what lies there
+ * then is paint, or whatever was there before. */
+bool cortexm_push_failed(const uint32_t *pushed)
 {
-    return (SCB_CFSR & (CFSR_MSTKERR | CFSR_STKERR)) != 0;
+    const uint32_t cfsr = SCB_CFSR;
+
+    if ((cfsr & CFSR_STKOF) != 0 && pushed == fxl_stack_limit) {
+        return (pushed[7] & XPSR_THUMB) == 0;
+    }
+    return (cfsr & (CFSR_MSTKERR | CFSR_STKERR)) != 0;
 }
 
 /* Of these cores the run-time divides 64 bits only. It jumps here, with the
@@ -78,6 +90,8 @@ static void find_address(uint32_t cfsr, const cortexm_fault_state *state, cortex
         result->address = SCB_BFAR;
     } else if ((cfsr & CFSR_UNALIGNED) != 0 && state->is_decoded) {
         result->address = state->access.address;
+    } else if ((cfsr & (CFSR_IACCVIOL | CFSR_IBUSERR)) != 0 && state->is_pushed) {
+        result->address = state->registers[THUMB_PC];
     } else {
         result->is_address_known = false;
     }
@@ -115,11 +129,12 @@ cortexm_diagnosis cortexm_diagnose(const cortexm_fault_state *state)
     return result;
 }
 
-void cortexm_print_causes(void)
+void cortexm_print_causes(const cortexm_fault_state *state)
 {
     const uint32_t cfsr = SCB_CFSR;
     size_t i;
 
+    (void)state;
     for (i = 0; i < sizeof bit_names / sizeof bit_names[0]; i++) {
         if ((cfsr & bit_names[i].bit) != 0) {
             semihosting_text("  ");

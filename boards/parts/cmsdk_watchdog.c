@@ -47,12 +47,6 @@ void watchdog_feed(void)
     CLEAR = 1;
 }
 
-void watchdog_stop(void)
-{
-    LOCK = LOCK_OPEN;
-    CONTROL = 0;
-}
-
 bool watchdog_barked(uint32_t exception)
 {
     return exception == BARK && (MASKED_STATUS & 1u) != 0;

@@ -102,7 +102,7 @@ static void collect(cortexm_fault_state *state, const uint32_t *pushed, const ui
     for (i = 0; i < 8; i++) {
         state->registers[4 + i] = saved[i];
     }
-    state->is_pushed = !cortexm_push_failed();
+    state->is_pushed = !cortexm_push_failed(pushed);
     state->registers[THUMB_SP] = (uint32_t)(uintptr_t)pushed;
     state->is_decoded = false;
     if (!state->is_pushed) {
@@ -140,6 +140,11 @@ static cortexm_diagnosis diagnose(cortexm_fault_state *state)
         return result;
     }
     result = cortexm_diagnose(state);
+    if (state->is_pushed && state->registers[THUMB_PC] < CORTEXM_NULL_BYTES) {
+        result.code = SYSTEM_EXIT_NULL; /* called, for there is no code */
+        result.is_address_known = true;
+        result.address = state->registers[THUMB_PC];
+    }
     if (state->process_stack < (uint32_t)(uintptr_t)fxl_stack_limit) {
         result.code = SYSTEM_EXIT_STACK;
     }
@@ -205,7 +210,7 @@ __attribute__((used, noreturn)) static void report(const uint32_t *pushed, const
     semihosting_text(" (exception ");
     semihosting_decimal(state.exception);
     semihosting_text(")\n");
-    cortexm_print_causes();
+    cortexm_print_causes(&state);
     if (found.is_address_known) {
         print_register("  address ", found.address);
         semihosting_text("\n");

@@ -33,14 +33,15 @@ typedef struct {
     uint32_t address;
 } cortexm_diagnosis;
 
-/* Whether the core could not push its registers. */
-bool cortexm_push_failed(void);
+/* Whether the core could not push its registers to where its stack pointer is
+ * now, pushed. Of eight words, the last two would be pc and xpsr. */
+bool cortexm_push_failed(const uint32_t *pushed);
 
 /* Names the fault. Called for the core's own faults only. */
 cortexm_diagnosis cortexm_diagnose(const cortexm_fault_state *state);
 
 /* Prints what the core's fault registers say, a line each. */
-void cortexm_print_causes(void);
+void cortexm_print_causes(const cortexm_fault_state *state);
 
 /* Where the compiler's run-time ends when it shall divide by zero, instead of
  * in libgcc's own functions, which go on with a made-up quotient. lr is whoever

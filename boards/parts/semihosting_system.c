@@ -129,11 +129,15 @@ void system_text(const char *text)
 }
 
 /* On a core with memory protection an overflow would have been a fault. */
-static void check_stack(void)
+static void check_stack(const void *caller)
 {
     if (!cortexm_protected() && stack_is_spent()) {
-        semihosting_text(
-            "fault: stack overflow: its last bytes are used, and nothing guards them\n");
+        semihosting_text("fault: stack overflow: its last bytes are used, and nothing guards "
+                         "them\n  address ");
+        semihosting_hexadecimal((uint32_t)(uintptr_t)fxl_stack_limit);
+        semihosting_text("\n  lr  ");
+        semihosting_hexadecimal((uint32_t)(uintptr_t)caller);
+        semihosting_text("  saw it\n");
         stack_print();
         semihosting_exit(SYSTEM_EXIT_STACK);
     }
@@ -143,7 +147,7 @@ void system_alive(void)
 {
     static bool watched;
 
-    check_stack();
+    check_stack(__builtin_return_address(0));
     if (!watched) {
         watched = true;
         watchdog_start(BOARD_WATCHDOG_MILLISECONDS);
@@ -153,12 +157,12 @@ void system_alive(void)
 
 void system_exit(int status)
 {
-    check_stack();
+    check_stack(__builtin_return_address(0));
     stack_print();
     if (arguments.hold && status == SYSTEM_EXIT_DONE) {
-        watchdog_stop();
         for (;;) {
-            __asm__ volatile("wfi");
+            system_alive();
+            __asm__ volatile("wfi"); /* until SysTick wraps */
         }
     }
     semihosting_exit(status);

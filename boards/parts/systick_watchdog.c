@@ -22,11 +22,6 @@ void watchdog_feed(void)
     systick_alarm(wraps);
 }
 
-void watchdog_stop(void)
-{
-    systick_alarm(0);
-}
-
 bool watchdog_barked(uint32_t exception)
 {
     return exception == SYSTICK_EXCEPTION && systick_alarmed();

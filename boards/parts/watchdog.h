@@ -10,7 +10,7 @@
 /* How long the program may go without a sign of life. Time of the emulator:
  * under -icount shift=0 a thousand million instructions a second. */
 #ifndef BOARD_WATCHDOG_MILLISECONDS
-#define BOARD_WATCHDOG_MILLISECONDS 2000u
+#define BOARD_WATCHDOG_MILLISECONDS 5000u
 #endif
 
 /* Starts it, or starts it anew, to bark unless fed within the time, which is
@@ -19,9 +19,6 @@ void watchdog_start(uint32_t milliseconds);
 
 /* Gives it the whole time again. Requires watchdog_start. */
 void watchdog_feed(void);
-
-/* Lets it sleep until watchdog_start. */
-void watchdog_stop(void);
 
 /* Whether the exception of this number is the watchdog's bark. */
 bool watchdog_barked(uint32_t exception);
