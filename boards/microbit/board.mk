@@ -9,8 +9,7 @@ BOARD_QEMU := -M microbit
 # Of 16 KiB.
 BOARD_BAND_BYTES := 2560
 BOARD_ORDER_ENTRIES := 200
-BOARD_LIST_BYTES := 512
-BOARD_POLYGON_CAPACITY := 16
+BOARD_LIST_BYTES := 4096
 
 BOARD_UNIT_OMIT := test_clipper test_render test_scene_placed
 

@@ -8,9 +8,8 @@ BOARD_QEMU := -M stm32vldiscovery
 
 # How 8192 bytes are shared out: see memory.ld for the stacks.
 BOARD_BAND_BYTES := 1024
-BOARD_ORDER_ENTRIES := 16
+BOARD_ORDER_ENTRIES := 176
 BOARD_LIST_BYTES := 512
-BOARD_POLYGON_CAPACITY := 16
 
 BOARD_UNIT_OMIT := test_clipper test_order test_render test_scene test_scene_placed test_watertight
 
