@@ -13,6 +13,7 @@
 #   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
+#   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
 #
 # Makes, for each board:
@@ -41,7 +42,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
-BOARD_MAY := CORE QEMU POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -89,7 +90,9 @@ $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
     -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
-    -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' $(BOARD_SETTINGS.$(1):%=-D%)
+    -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
+    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \
+    $(BOARD_SETTINGS.$(1):%=-D%)
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))

@@ -16,6 +16,8 @@ from fixel.progress import Progress
 from fixel.session import Session
 from run import elf_of, frame_count, make_scene_image
 
+DEVICE = "screen"       # what an added display is called
+
 
 def photograph(options, folder):
     """The picture, and how many frames were drawn."""
@@ -26,10 +28,11 @@ def photograph(options, folder):
     scene = make_scene_image(options.scene, folder, options.frames, options.screen)
     frames = options.frames or load(scene).frames
     flash.flash(options.board, elf, scene, folder / "board.bin")
+    device = ["-device", f"{options.device},id={DEVICE}"] if options.device else []
     with Progress(f"drawing {frames} frames on {options.board}"), \
-            Session(program, folder / "board.bin", folder, [f"frames={frames}", "hold"]) as session:
+            Session(program, folder / "board.bin", folder, [f"frames={frames}", "hold"], device) as session:
         session.wait_for_text(f"walk: done {frames} frames\n", options.timeout)
-        return session.screen(), frames
+        return session.screen(DEVICE if device else None), frames
 
 
 def main(argv):
@@ -38,6 +41,7 @@ def main(argv):
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
     parser.add_argument("--frames", help="how many frames; the whole path without")
+    parser.add_argument("--device", help="a display to be added to the board, as QEMU's -device has it")
     parser.add_argument("--out", required=True, type=pathlib.Path, help="the picture (.png)")
     parser.add_argument("--build", default="build", help="where make builds")
     parser.add_argument("--timeout", type=float, default=120.0, help="seconds that drawing may take (120)")

@@ -5,6 +5,7 @@
 BOARD_CPU := cortex-m0
 BOARD_CORE := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
 BOARD_QEMU := -M microbit
+BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/nrf51.cfg
 
 # Of 16 KiB.
 BOARD_BAND_BYTES := 2560

@@ -6,6 +6,7 @@
 BOARD_CPU := cortex-m33
 BOARD_CORE := -mcpu=cortex-m33 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M mps2-an505
+BOARD_NOTE := window=16777216
 
 # Of 4 MiB: any screen in one band, and as many objects as an image can name.
 BOARD_BAND_BYTES := 1048576
@@ -18,4 +19,4 @@ BOARD_SETTINGS := BOARD_SYSTICK_HZ=20000000u CMSDK_WATCHDOG_BASE=0x5002E000u CMS
 BOARD_SOURCES := boards/mps2-an505/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv8m_protect.c stack.c \
         systick.c systick_clock.c cmsdk_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        display.c dump.c partition_store.c memory_functions.c board_note.c)
+        display.c dump.c window.c window_input.c window_panels.c partition_store.c memory_functions.c board_note.c)

@@ -5,6 +5,7 @@
 BOARD_CPU := cortex-m4
 BOARD_CORE := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M netduinoplus2
+BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f4x.cfg
 
 # Of 128 KiB, the stacks taking 10: half of a 320 x 240 frame, objects for any
 # scene that its flash can hold, and the polygons of a full frame.

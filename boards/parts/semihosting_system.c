@@ -10,7 +10,7 @@
 #include "parts/stack.h"
 #include "parts/watchdog.h"
 
-#define FRAMES_MAX 1000000u /* as a scene image's path */
+#define FRAMES_MAX UINT32_MAX /* a viewer's are without end */
 
 static struct {
     uint32_t frames;
@@ -48,7 +48,7 @@ static bool is(const char *word, const char *expected)
 
 static bool read_frames(const char *digits, uint32_t *frames)
 {
-    uint32_t value = 0;
+    uint64_t value = 0;
 
     if (*digits == '\0') {
         return false;
@@ -57,12 +57,12 @@ static bool read_frames(const char *digits, uint32_t *frames)
         if (*digits < '0' || *digits > '9') {
             return false;
         }
-        value = value * 10u + (uint32_t)(*digits - '0'); /* <= 10 FRAMES_MAX + 9 */
+        value = value * 10u + (uint64_t)(*digits - '0'); /* <= 10 FRAMES_MAX + 9 */
         if (value > FRAMES_MAX) {
             return false;
         }
     }
-    *frames = value;
+    *frames = (uint32_t)value;
     return true;
 }
 

@@ -7,21 +7,41 @@
 #define CSR_INTERRUPT  2u
 #define CSR_CORE_CLOCK 4u
 #define ICSR_PENDSTSET (1u << 26)
+#define ICSR_PENDSTCLR (1u << 25)
 
-static volatile uint64_t wraps; /* written by the interrupt only */
+static volatile uint64_t wraps; /* of this period; written by the interrupt only */
+static uint64_t before;         /* ticks of other periods */
 static uint32_t period;
 static volatile uint32_t alarm; /* wraps to go; 0: none */
 static volatile bool is_alarmed;
 
-void systick_start(uint32_t reload)
+static void count_from(uint64_t ticks, uint32_t reload)
 {
     SYST_CSR = 0;
+    SCB_ICSR = ICSR_PENDSTCLR; /* a wrap that nobody counted yet is in ticks */
+    before = ticks;
     wraps = 0;
-    alarm = 0;
     period = reload + 1u;
     SYST_RVR = reload;
     SYST_CVR = 0; /* any write clears; the first tick then loads reload */
     SYST_CSR = CSR_ENABLE | CSR_INTERRUPT | CSR_CORE_CLOCK;
+}
+
+void systick_start(uint32_t reload)
+{
+    alarm = 0;
+    count_from(0, reload);
+}
+
+void systick_nap(uint32_t ticks)
+{
+    const uint32_t reload = period - 1u, left = alarm;
+
+    alarm = 0; /* it counts wraps of the long period */
+    count_from(systick_ticks(), ticks - 1u);
+    __asm__ volatile("wfi" ::: "memory");
+    count_from(systick_ticks(), reload);
+    alarm = left;
 }
 
 /* Counts a wrap; whether that sets off the alarm. */
@@ -81,5 +101,5 @@ uint64_t systick_ticks(void)
     __asm__ volatile("msr primask, %0" ::"r"(masked) : "memory");
     /* The interrupt comes as the counter reaches 0, one tick before it
      * reloads: at 0 the new period has begun. */
-    return whole * period + (value == 0 ? 0 : period - value);
+    return before + whole * period + (value == 0 ? 0 : period - value);
 }

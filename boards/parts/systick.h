@@ -12,6 +12,10 @@
  * ticks, and without an alarm. Requires 1 <= reload <= SYSTICK_RELOAD_MAX. */
 void systick_start(uint32_t reload);
 
+/* Sleeps until that many ticks have passed, or any interrupt has come. They
+ * count. Requires systick_start called, 1000 <= ticks <= SYSTICK_RELOAD_MAX. */
+void systick_nap(uint32_t ticks);
+
 /* Ticks since systick_start. Right at any moment, in handlers and across
  * wraps, provided that interrupts are not held off for a whole period. */
 uint64_t systick_ticks(void);

@@ -5,6 +5,7 @@
 BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M stm32vldiscovery
+BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 
 # How 8192 bytes are shared out: see memory.ld for the stacks.
 BOARD_BAND_BYTES := 1024

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The greys that displays show, against chapter 9a of SPEC.md. */
+/* The greys that displays show, against chapter 9b of SPEC.md. */
 #include "parts/grey.h"
 #include "unit.h"
 #include "unity.h"

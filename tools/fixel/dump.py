@@ -63,18 +63,19 @@ def read_dump(path):
 
 def parse_dump(data, name):
     """The dump in a block of bytes; name is what messages call it."""
-    width, height, promised, palette = _parse_head(data, name)
+    width, height, promised, palette = parse_head(data, name)
     frames, offset = [], HEAD.size + PALETTE_BYTES
     for number in range(promised):
         if data[offset:offset + 4] == b"FEND":
             break
-        frames.append(_parse_frame(data, offset, width, height, number, promised, name))
+        frames.append(parse_frame(data, offset, width, height, number, promised, name))
         offset += frame_bytes(width, height)
     _check_tail(data, offset, len(frames), promised, name)
     return Dump(width, height, palette, frames)
 
 
-def _parse_head(data, name):
+def parse_head(data, name):
+    """Width, height, frames promised and palette of a dump that begins a block of bytes."""
     if data[:4] != b"FXLD":
         raise ToolError(f"{name}: not a frame dump: it does not begin with FXLD")
     if len(data) < HEAD.size + PALETTE_BYTES:
@@ -91,7 +92,8 @@ def _parse_head(data, name):
     return width, height, promised, palette
 
 
-def _parse_frame(data, offset, width, height, number, promised, name):
+def parse_frame(data, offset, width, height, number, promised, name):
+    """The frame at an offset, which must have that number."""
     where = f"{name}: frame {number} of {promised}, at byte {offset}"
     if offset + frame_bytes(width, height) > len(data):
         raise ToolError(f"{where}: incomplete: the file ends at byte {len(data)}")

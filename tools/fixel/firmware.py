@@ -42,6 +42,8 @@ class Program:
     scene_base: int = 0
     scene_size: int = 0
     sectors: tuple[int, ...] = ()  # the size of each of the flash, from the lowest on
+    window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
+    keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
     @property
     def hosted(self):
@@ -73,6 +75,12 @@ def read_sectors(elf, path, flash_size, sector):
         raise ToolError(f"{path}: its board's memory.ld says that the sectors of the flash are "
                         f"{f'{said} bytes' if said else 'none'}, and that the flash has {flash_size}")
     return tuple(size for count, size in runs for _ in range(count))
+
+
+def read_keys(text):
+    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/viewer.h -> QEMU's names."""
+    pairs = (each.split(":", 1) for each in text.split(",") if each)
+    return {int(bit): tuple(names.split("+")) for bit, names in pairs}
 
 
 def read_map(elf, path):
@@ -110,7 +118,8 @@ def load(path, board=None):
                 raise ToolError(f"{path} is for board {note['board']}, not for {board}")
             common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
                           qemu=tuple(shlex.split(note.get("qemu", ""))),
-                          openocd=tuple(shlex.split(note.get("openocd", ""))))
+                          openocd=tuple(shlex.split(note.get("openocd", ""))),
+                          window_size=int(note.get("window", "0")), keys=read_keys(note.get("keys", "")))
             if note["board"] == HOST:
                 return Program(segments=(), **common)
             return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))

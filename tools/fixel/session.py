@@ -77,11 +77,19 @@ class Session:
     def screen(self, device=None):
         """What a screen of the board shows, as an array of colours (height x width x 3). device: the
         identity of the display, for a board with several."""
+        if not self._has_screen():
+            raise ToolError(f"board {self.program.board} has no screen in QEMU: there is nothing to see", exit_code=1)
         file = (self.folder / "screen.png").resolve()
         which = {"device": device} if device else {}
         self.machine.execute("screendump", filename=str(file), format="png", **which)
         with Image.open(file) as picture:
             return numpy.asarray(picture.convert("RGB"))
+
+    def _has_screen(self):
+        """Whether a device shows something: without one QEMU gives a picture that says so."""
+        consoles = [entry["name"] for entry in self.machine.execute("qom-list", path="/backend")
+                    if entry["name"].startswith("console[")]
+        return any(self.machine.execute("qom-get", path=f"/backend/{name}", property="device") for name in consoles)
 
     def close(self):
         """Ends the board."""
