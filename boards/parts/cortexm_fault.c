@@ -104,6 +104,7 @@ static void collect(cortexm_fault_state *state, const uint32_t *pushed, const ui
     }
     state->is_pushed = !cortexm_push_failed(pushed);
     state->registers[THUMB_SP] = (uint32_t)(uintptr_t)pushed;
+    state->is_run_time = false;
     state->is_decoded = false;
     if (!state->is_pushed) {
         state->registers[LR] = find_return_address();
@@ -114,6 +115,8 @@ static void collect(cortexm_fault_state *state, const uint32_t *pushed, const ui
     }
     state->xpsr = pushed[FRAME_WORDS - 1u];
     state->registers[THUMB_SP] += FRAME_WORDS * 4u + ((state->xpsr & XPSR_REALIGNED) != 0 ? 4u : 0);
+    state->is_run_time =
+        state->registers[THUMB_PC] == ((uint32_t)(uintptr_t)cortexm_division_by_zero & ~1u);
     if (is_code(state->registers[THUMB_PC])) {
         const uint16_t *code = (const uint16_t *)(uintptr_t)state->registers[THUMB_PC];
 
@@ -132,8 +135,7 @@ static cortexm_diagnosis diagnose(cortexm_fault_state *state)
     if (state->exception < EXCEPTION_HARD || state->exception > EXCEPTION_LAST_FAULT) {
         return result;
     }
-    if (state->is_pushed &&
-        state->registers[THUMB_PC] == ((uint32_t)(uintptr_t)cortexm_division_by_zero & ~1u)) {
+    if (state->is_run_time) {
         /* The culprit is who called the division. */
         state->registers[THUMB_PC] = (state->registers[LR] & ~1u) - BRANCH_BYTES;
         result.code = SYSTEM_EXIT_DIVIDE;
@@ -166,8 +168,8 @@ static void print_pushed(const cortexm_fault_state *state)
     if (!state->is_pushed) {
         semihosting_text("\n  pc and r0 to r3 are lost: there was no stack to save them on");
         if (state->registers[LR] != 0) {
-            print_register("\n  lr  ", state->registers[LR]);
-            semihosting_text("  found on the stack");
+            semihosting_text("; the last call seen on it came");
+            print_register("\n  from ", state->registers[LR]);
         }
         return;
     }
@@ -210,7 +212,11 @@ __attribute__((used, noreturn)) static void report(const uint32_t *pushed, const
     semihosting_text(" (exception ");
     semihosting_decimal(state.exception);
     semihosting_text(")\n");
-    cortexm_print_causes(&state);
+    if (state.is_run_time) {
+        semihosting_text("  in the compiler's run-time, called from pc\n");
+    } else {
+        cortexm_print_causes(&state);
+    }
     if (found.is_address_known) {
         print_register("  address ", found.address);
         semihosting_text("\n");

@@ -22,7 +22,8 @@ typedef struct {
     uint32_t exception;
     uint32_t exc_return;
     bool is_pushed;
-    bool is_decoded; /* the instruction at pc is a load or store: access */
+    bool is_run_time; /* the compiler's run-time was to divide by zero */
+    bool is_decoded;  /* the instruction at pc is a load or store: access */
     thumb_access access;
 } cortexm_fault_state;
 

@@ -135,9 +135,9 @@ static void check_stack(const void *caller)
         semihosting_text("fault: stack overflow: its last bytes are used, and nothing guards "
                          "them\n  address ");
         semihosting_hexadecimal((uint32_t)(uintptr_t)fxl_stack_limit);
-        semihosting_text("\n  lr  ");
+        semihosting_text("\n  from ");
         semihosting_hexadecimal((uint32_t)(uintptr_t)caller);
-        semihosting_text("  saw it\n");
+        semihosting_text("\n");
         stack_print();
         semihosting_exit(SYSTEM_EXIT_STACK);
     }

@@ -84,6 +84,11 @@ bool systick_alarmed(void)
     return is_alarmed;
 }
 
+uint32_t systick_period(void)
+{
+    return period;
+}
+
 uint64_t systick_ticks(void)
 {
     uint32_t masked, value;

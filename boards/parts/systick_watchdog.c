@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* watchdog.h for a board whose own watchdog is not emulated: SysTick's wraps
- * count the time. It sees no hang with interrupts masked. */
+ * count the time; systick_start comes first. It sees no hang with interrupts masked. */
 #include "parts/systick.h"
 #include "parts/watchdog.h"
 
@@ -13,7 +13,7 @@ void watchdog_start(uint32_t milliseconds)
     const uint64_t ticks = (uint64_t)milliseconds * (BOARD_SYSTICK_HZ / 1000u); /* < 2^44 */
 
     /* The wrap under way may end at once. */
-    wraps = (uint32_t)(ticks / (SYSTICK_RELOAD_MAX + 1u)) + 2u;
+    wraps = (uint32_t)(ticks / systick_period()) + 2u;
     systick_alarm(wraps);
 }
 

@@ -10,7 +10,7 @@
 /* How long the program may go without a sign of life. Time of the emulator:
  * under -icount shift=0 a thousand million instructions a second. */
 #ifndef BOARD_WATCHDOG_MILLISECONDS
-#define BOARD_WATCHDOG_MILLISECONDS 5000u
+#define BOARD_WATCHDOG_MILLISECONDS 2000u
 #endif
 
 /* Starts it, or starts it anew, to bark unless fed within the time, which is

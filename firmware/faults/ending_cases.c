@@ -7,19 +7,42 @@
 #include "contract/system.h"
 #include "parts/cortexm.h"
 #include "parts/semihosting.h"
+#include "parts/systick.h"
 #include "parts/watchdog.h"
 
 #define AIRCR_RESET 0x05FA0004u
 
-static void hang(void)
+static __attribute__((noinline)) void hang(void)
 {
     for (;;) {
+    }
+}
+
+/* The same with more work in a turn, which the emulator runs tens of times
+ * faster: enough of it for the watchdog's own patience. */
+static __attribute__((noinline)) void hang_at_work(void)
+{
+    for (;;) {
+        __asm__ volatile(".rept 200\n\tnop\n\t.endr");
     }
 }
 
 static void hang_watched(void)
 {
     system_alive();
+    hang_at_work();
+}
+
+/* A watchdog that bites soon, also where SysTick's wraps are its clock. */
+static void watch(uint32_t milliseconds)
+{
+    systick_start(9999);
+    watchdog_start(milliseconds);
+}
+
+static void hang_shortly(void)
+{
+    watch(20);
     hang();
 }
 
@@ -27,7 +50,7 @@ static void hang_watched(void)
 static void hang_masked(void)
 {
     __asm__ volatile("cpsid i");
-    watchdog_start(20);
+    watch(20);
     hang();
 }
 
@@ -36,8 +59,8 @@ static void alive(void)
 {
     uint32_t round;
 
-    watchdog_start(1);
-    for (round = 0; round < 4000; round++) {
+    watch(1);
+    for (round = 0; round < 400; round++) {
         volatile uint32_t turn;
 
         for (turn = 0; turn < 10000; turn++) {
@@ -82,6 +105,7 @@ static void no_dump(void)
 const fault_case ending_cases[] = {
     {"hang", hang},
     {"hang-watched", hang_watched},
+    {"hang-shortly", hang_shortly},
     {"hang-masked", hang_masked},
     {"alive", alive},
     {"chatter", chatter},
