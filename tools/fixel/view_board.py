@@ -21,6 +21,7 @@ from fixel.view_window import Window
 
 ENDLESS = 0xFFFFFFFF    # frames
 HANG = 20.0             # seconds for a frame
+SETTLING = 20           # frames until a board has seen that its buttons are up, and that it is no bounce
 OUTPUT = "output.txt"
 
 
@@ -33,14 +34,16 @@ class Buttons:
         self._down = set()
         self._worker = concurrent.futures.ThreadPoolExecutor(1, "buttons")
         self.error = None
-        self._submit(self._wake)
+        self.awake = self._submit(self._wake)
 
     def _submit(self, job, *arguments):
         def remember(future):
             if not future.cancelled() and future.exception() is not None:
                 self.error = future.exception()
 
-        self._worker.submit(job, *arguments).add_done_callback(remember)
+        future = self._worker.submit(job, *arguments)
+        future.add_done_callback(remember)
+        return future
 
     def _wake(self):
         """The emulated buttons read as pressed until each was pressed and let go."""
@@ -92,6 +95,15 @@ class Board:
         if self._keys is None:
             self._keys = Buttons(self._machine, self.program.keys)
         self.width, self.height, self.palette = self._link.open(self._check)
+        if isinstance(self._keys, Buttons):
+            self._settle()
+
+    def _settle(self):
+        """Lets the board draw until it believes its buttons."""
+        while not self._keys.awake.done():
+            self.frame()
+        for _ in range(SETTLING):
+            self.frame()
 
     def _launch(self, options):
         """In a session of its own, so that Ctrl-C reaches this tool alone; and ended with it, whatever
