@@ -10,6 +10,7 @@ import concurrent.futures
 import pathlib
 import shutil
 import subprocess
+import time
 
 from fixel import emulator, qemu, qmp
 from fixel.ending import Ending, describe, exit_status, last_lines
@@ -21,6 +22,7 @@ from fixel.view_window import Window
 
 ENDLESS = 0xFFFFFFFF    # frames
 HANG = 20.0             # seconds for a frame
+PRESSED_MIN = 0.35      # seconds: a tap that a board at 30 frames a second does not take for a bounce
 SETTLING = 20           # frames until a board has seen that its buttons are up, and that it is no bounce
 OUTPUT = "output.txt"
 
@@ -31,7 +33,7 @@ class Buttons:
 
     def __init__(self, machine, names):
         self._machine, self._names = machine, names     # names: bit -> QEMU's names of the keys
-        self._down = set()
+        self._down = {}     # name -> when it was pressed
         self._worker = concurrent.futures.ThreadPoolExecutor(1, "buttons")
         self.error = None
         self.awake = self._submit(self._wake)
@@ -53,11 +55,12 @@ class Buttons:
                 self._machine.key(name, down)
 
     def _press(self, wanted):
-        for name in sorted(self._down - wanted):
+        for name in sorted(self._down.keys() - wanted):
+            time.sleep(max(0.0, self._down.pop(name) + PRESSED_MIN - time.monotonic()))
             self._machine.key(name, False)
-        for name in sorted(wanted - self._down):
+        for name in sorted(wanted - self._down.keys()):
             self._machine.key(name, True)
-        self._down = wanted
+            self._down[name] = time.monotonic()
 
     def hold(self, keys):
         wanted = {name for bit, names in self._names.items() if keys & bit for name in names}
