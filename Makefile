@@ -38,14 +38,16 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run flash boot size pictures
+NEEDS_run    := run view flash boot size screen pictures
 NEEDS_report := report all
-NEEDS_test   := test seeded-bugs
+NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
 NEEDS_tools  := compare
-SETUP := $(strip $(foreach what,run report test lib format fuzz tools,\
+NEEDS_gdb    := gdb
+NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
+SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
     $(if $(filter $(NEEDS_$(what)),$(MAKECMDGOALS)),$(what))))
 
 # Once: not again in a make that this one started.
@@ -70,10 +72,11 @@ IMAGE     := $(BUILD)/flash/$(BOARD).bin
 # A scene image is its own.
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
 FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
+SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report pictures lib test fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -82,19 +85,30 @@ help: ## this list
 
 all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
 
-run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= FRAMES= OUT=]
-	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION)
+run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
 
-flash: $(WALK) ## write firmware and scene to the board's flash image [BOARD= SCENE=]
+view: $(WALK) $(BUILD)/host/live ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= PORT= OPEN=1]
+	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
+	    $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
+
+flash: $(WALK) ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
 ifeq ($(filter %.fxls,$(SCENE)),)
 	@mkdir -p $(BUILD)/scenes
-	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION)
+	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION) $(SCREEN_OPTION)
+else ifneq ($(SCREEN),)
+	@echo "error: $(SCENE) is a scene image, which has its screen already: give the .toml or .obj" >&2; exit 2
 endif
-	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE)
+	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
+	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
 
 boot: $(WALK) ## power a board on from its flash image [BOARD=]
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
 	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
+
+gdb: $(WALK) ## a debugger on the walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
+	    $(if $(GDB_COMMANDS),--commands '$(GDB_COMMANDS)')
 
 compare: ## compare two PNGs, folders of PNGs or frame dumps [A= B= TOLERANCE=0 OUT=]
 ifneq ($(filter compare,$(MAKECMDGOALS)),)
@@ -106,8 +120,16 @@ report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
+PICTURE ?= $(BUILD)/screen/$(BOARD).png
+
+screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
+	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
+
 pictures: ## the README's pictures anew, from make run and make report
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
+	@$(MAKE) --no-print-directory screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
+	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
 
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
@@ -122,9 +144,23 @@ size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float
 	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
-test: $(UNITY_TESTS) $(BOARD_UNITS.$(BOARD)) $(WALK) $(BOARD_FAULTS.$(BOARD)) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
-	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNITS.$(BOARD)) \
-	    $(if $(ONLY),--only '$(ONLY)')
+# BOARD= on the command line: what runs on that board and nothing else.
+TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
+TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
+TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
+    $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
+# For tools: a board, its unit tests; a board, the unit tests that it has no room for.
+UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
+    $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
+
+test: $(TEST_PROGRAMS) ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
+	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
+
+boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board))) ## every board: memory, stack, speed, frames equal to the host's, unit tests
+	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
+	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

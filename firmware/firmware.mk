@@ -10,7 +10,10 @@
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
+#   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
+#   BOARD_OPENOCD           OpenOCD's configuration for the real board
+#   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
 #
 # Makes, for each board:
@@ -39,7 +42,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
-BOARD_MAY := CORE QEMU POLYGON_CAPACITY UNIT_OMIT HOSTED
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -53,10 +56,10 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
 # --- cores ---------------------------------------------------------------------
 
 # Flags that every object of a core and capacity is compiled with, and a name of them.
-CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -ffreestanding) \
+CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -masm-syntax-unified -ffreestanding) \
     $(BOARD_POLYGON_CAPACITY.$(1):%=-DFXL_POLYGON_CAPACITY=%)
 CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
-    $(filter-out -ffreestanding -mthumb,$(CORE_CHOICE))))))),host)
+    $(filter-out -ffreestanding -masm-syntax-unified -mthumb,$(CORE_CHOICE))))))),host)
 # Where a board's objects of its core are.
 BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
 
@@ -72,7 +75,7 @@ endef
 
 # $(1): the first board with this core.
 define CORE_RULES
-CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
+CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
 
 $(BOARD_CORE_OUT)/lib/%.o: lib/src/%.c firmware/firmware.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Ilib/include)
@@ -86,8 +89,12 @@ $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)
 
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
     -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
-    -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"'
+    -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
+    -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
+    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \
+    $(BOARD_SETTINGS.$(1):%=-D%)
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
+BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
 
 # How a board's programs are linked, and what it takes beside the objects.
@@ -123,7 +130,7 @@ BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 $$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 
-$$(BOARD_FAULTS.$(1)): $(FIRMWARE_OUT)/$(1)/firmware/faults/main.o $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
+$$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 endef
 

@@ -65,6 +65,10 @@ bool system_live(void)
     return false;
 }
 
+void system_alive(void)
+{
+}
+
 void system_text(const char *text)
 {
     fputs(text, stderr);

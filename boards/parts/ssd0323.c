@@ -21,26 +21,25 @@ static uint16_t greys[256]; /* of the palette's entries: grey_table */
 static bool configure(void)
 {
     static const uint8_t commands[] = {
-        0xAE,                       /* display off */
-        SET_COLUMNS, 0, 63,         /* all of the module's columns, */
-        SET_ROWS,    0, 63,         /* and rows */
-        0x81,        50,            /* contrast, of 127 */
-        0x85,                       /* half of the full current */
-        0xA0,        0x52,          /* COM split and reversed; high half of a byte is left; by rows */
-        0xA1,        0,             /* first row of memory on top */
-        0xA2,        0x4C,          /* which row of the controller the module's first is */
-        0xA4,                       /* memory is shown as it is */
-        0xA8,        63,            /* 64 rows */
-        0xB1,        0x22,          /* lengths of discharge and precharge */
-        0xB2,        70,            /* length of a row */
-        0xB3,        0xF1,          /* clock: highest, divided by 2 */
-        0xBF,        0x0D,          /* voltage of a dark segment */
-        0xBE,        0x02,          /* voltage of a row at rest */
-        0xBC,        0x10,          /* precharge voltage */
-        0xB8,        0x01,          /* widths of the greys' pulses: even steps */
-        0x11,        0x22,   0x32,
-        0x43,        0x54,   0x65,
-        0x76,        0xAD,   0x03,  /* its own voltage converter on */
+        0xAE,                  /* display off */
+        SET_COLUMNS, 0,    63, /* all of the module's columns, */
+        SET_ROWS,    0,    63, /* and rows */
+        0x81,        50,       /* contrast, of 127 */
+        0x85,                  /* half of the full current */
+        0xA0,        0x52,     /* COM split and reversed; high half of a byte is left; by rows */
+        0xA1,        0,        /* first row of memory on top */
+        0xA2,        0x4C,     /* which row of the controller the module's first is */
+        0xA4,                  /* memory is shown as it is */
+        0xA8,        63,       /* 64 rows */
+        0xB1,        0x22,     /* lengths of discharge and precharge */
+        0xB2,        70,       /* length of a row */
+        0xB3,        0xF1,     /* clock: highest, divided by 2 */
+        0xBF,        0x0D,     /* voltage of a dark segment */
+        0xBE,        0x02,     /* voltage of a row at rest */
+        0xBC,        0x10,     /* precharge voltage */
+        0xB8,        0x01,     /* widths of the greys' pulses: even steps */
+        0x11,        0x22, 0x32, 0x43, 0x54,
+        0x65,        0x76, 0xAD, 0x03, /* its own voltage converter on */
     };
 
     return ssd0323_send(SSD0323_COMMAND, commands, sizeof commands);
@@ -48,7 +47,8 @@ static bool configure(void)
 
 static bool set_rows(uint32_t first, uint32_t last)
 {
-    const uint8_t commands[] = {SET_COLUMNS, 0, ROW_BYTES - 1u, SET_ROWS, (uint8_t)first, (uint8_t)last};
+    const uint8_t commands[] = {SET_COLUMNS,  0, ROW_BYTES - 1u, SET_ROWS, (uint8_t)first,
+                                (uint8_t)last};
 
     return ssd0323_send(SSD0323_COMMAND, commands, sizeof commands);
 }

@@ -114,6 +114,7 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, uint64_t *sp
         fxl_status status;
         uint64_t before;
 
+        system_alive();
         rows = rows_max < height - row ? rows_max : height - row;
         band.pixels = band_pixels;
         band.width = width;

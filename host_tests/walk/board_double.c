@@ -97,6 +97,12 @@ static uint32_t on_keys(void)
     return board.keys;
 }
 
+static void on_alive(void)
+{
+    TEST_ASSERT_EQUAL(board.flushes, board.alive); /* once between any two */
+    board.alive++;
+}
+
 static uint32_t on_frames(void)
 {
     return board.frames_asked;
@@ -127,6 +133,7 @@ void board_double_begin(const scene_bytes *scene)
     display_close_Stub(on_display_close);
     clock_instructions_Stub(on_clock);
     input_keys_Stub(on_keys);
+    system_alive_Stub(on_alive);
     system_frames_Stub(on_frames);
     system_live_Stub(on_live);
     system_text_Stub(on_text);

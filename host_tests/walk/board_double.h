@@ -23,7 +23,7 @@ typedef struct {
     uint32_t refuse_begin, refuse_flush, refuse_end; /* the how-manieth call, from 0 */
     uint64_t clock_step, flush_cost;
     /* What the walk did. */
-    uint32_t announced, begun, flushes, ended, keys_read;
+    uint32_t announced, begun, flushes, ended, keys_read, alive;
     bool display_is_open, display_was_opened, in_frame;
     uint64_t clock;
     fxl_pose poses[FRAMES_MAX];

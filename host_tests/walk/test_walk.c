@@ -71,6 +71,7 @@ void test_every_row_of_every_frame_is_flushed_once_and_downward(void)
     TEST_ASSERT_EQUAL(3, board.begun);
     TEST_ASSERT_EQUAL(3, board.ended);
     TEST_ASSERT_EQUAL(3 * BANDS, board.flushes);
+    TEST_ASSERT_EQUAL(3 * BANDS, board.alive);
     for (frame = 0; frame < 3; frame++) {
         for (row = 0; row < SCENE_HEIGHT; row++) {
             TEST_ASSERT_EQUAL(1, board.times_covered[frame][row]);

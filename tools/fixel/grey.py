@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a display of few greys must show of a frame: written from SPEC.md, chapter 9a, alone.
+"""What a display of few greys must show of a frame: written from SPEC.md, chapter 9b, alone.
 
 The boards' own is boards/parts/grey.c; neither was made from the other.
 """

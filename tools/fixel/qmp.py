@@ -78,8 +78,8 @@ class Machine:
         try:
             self._client = self._wait("greeting", self._connect(connection), timeout)
         except BaseException:
-            connection.close()
             self.close()
+            connection.close()
             raise
 
     @staticmethod
@@ -138,9 +138,18 @@ class Machine:
                 self._wait("disconnect", self._client.disconnect(), self.timeout)
             except ToolError:
                 pass  # it ended badly because QEMU was gone
+        asyncio.run_coroutine_threadsafe(self._cancel_all(), self._loop).result()
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join()
         self._loop.close()
+
+    @staticmethod
+    async def _cancel_all():
+        """Ends what is still waiting, as after an interrupt."""
+        tasks = asyncio.all_tasks() - {asyncio.current_task()}
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
 
     def __enter__(self):
         return self
