@@ -19,4 +19,4 @@ BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u
 BOARD_SOURCES := boards/stm32vldiscovery/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
         systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        display.c dump.c partition_store.c memory_functions.c board_note.c)
+        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)

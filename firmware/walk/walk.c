@@ -168,7 +168,6 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
     stopwatch watch = {0, 0, false};
     int code;
 
-    system_alive();
     if (status != FXL_OK) {
         return fail_status("step", status, SYSTEM_EXIT_INPUT);
     }

@@ -112,11 +112,6 @@ static uint32_t on_frames(void)
     return board.frames_asked;
 }
 
-static void on_alive(void)
-{
-    board.alive++;
-}
-
 static bool on_live(void)
 {
     return board.live;
@@ -147,6 +142,5 @@ void board_double_begin(const scene_bytes *scene)
     system_alive_Stub(on_alive);
     system_frames_Stub(on_frames);
     system_live_Stub(on_live);
-    system_alive_Stub(on_alive);
     system_text_Stub(on_text);
 }
