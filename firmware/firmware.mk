@@ -56,10 +56,10 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
 # --- cores ---------------------------------------------------------------------
 
 # Flags that every object of a core and capacity is compiled with, and a name of them.
-CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -masm-syntax-unified -ffreestanding) \
+CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -ffreestanding) \
     $(BOARD_POLYGON_CAPACITY.$(1):%=-DFXL_POLYGON_CAPACITY=%)
 CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
-    $(filter-out -ffreestanding -masm-syntax-unified -mthumb,$(CORE_CHOICE))))))),host)
+    $(filter-out -ffreestanding -mthumb,$(CORE_CHOICE))))))),host)
 # Where a board's objects of its core are.
 BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
 

@@ -5,6 +5,7 @@
 BOARD_CPU := cortex-m4
 BOARD_CORE := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M netduinoplus2
+BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f4x.cfg
 
 # Of 128 KiB, the stacks taking 10: half of a 320 x 240 frame, objects for any
 # scene that its flash can hold, and the polygons of a full frame.
@@ -20,4 +21,4 @@ BOARD_SETTINGS := BOARD_SYSTICK_HZ=168000000u
 BOARD_SOURCES := boards/netduinoplus2/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
         systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        display.c dump.c partition_store.c memory_functions.c board_note.c)
+        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)

@@ -12,6 +12,10 @@
  * ticks, and without an alarm. Requires 1 <= reload <= SYSTICK_RELOAD_MAX. */
 void systick_start(uint32_t reload);
 
+/* Sleeps until that many ticks have passed, or any interrupt has come. They
+ * count. Requires systick_start called, 1000 <= ticks <= SYSTICK_RELOAD_MAX. */
+void systick_nap(uint32_t ticks);
+
 /* Ticks from one wrap to the next. */
 uint32_t systick_period(void);
 

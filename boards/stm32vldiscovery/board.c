@@ -2,7 +2,6 @@
 /* STM32VLDISCOVERY (STM32F100), under QEMU. */
 #include <stddef.h>
 
-#include "contract/input.h"
 #include "contract/panel.h"
 #include "parts/cortexm.h"
 #include "parts/dump.h"
@@ -11,11 +10,6 @@
 void board_start(void)
 {
     systick_start(SYSTICK_RELOAD_MAX);
-}
-
-uint32_t input_keys(void)
-{
-    return 0; /* it has no keys */
 }
 
 const panel *const *board_panels(void)

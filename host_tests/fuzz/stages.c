@@ -199,6 +199,17 @@ void fuzz_clip_view(fuzz_input *in)
     fxl_clip_result cut = fxl_clip_view_to_frustum(&polygon, &view.view_frustum, &work, &result);
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     judge_view_clip(cut, result, &view);
+    fxl_clip_view_work again;
+    for (int which = 0; which < 2; which++) { /* the input within the work */
+        const fxl_view_polygon *same;
+        again.polygons[which] = polygon;
+        DEMAND(fxl_clip_view_to_frustum(&again.polygons[which], &view.view_frustum, &again,
+                                        &same) == cut);
+        DEMAND((same == NULL) == (result == NULL));
+        DEMAND(same == NULL || (same->count == result->count &&
+                                memcmp(same->vertices, result->vertices,
+                                       same->count * sizeof same->vertices[0]) == 0));
+    }
 }
 
 /* A viewer and a gait in range; most choices leave them so, the

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The list of a frame's polygons (SPEC.md 4.8), in double and without end. */
+/* The list of a frame's polygons (SPEC.md 4b), in double and without end. */
 #ifndef REF_LIST_H
 #define REF_LIST_H
 

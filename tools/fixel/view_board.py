@@ -10,6 +10,7 @@ import concurrent.futures
 import pathlib
 import shutil
 import subprocess
+import time
 
 from fixel import emulator, qemu, qmp
 from fixel.ending import Ending, describe, exit_status, last_lines
@@ -21,6 +22,8 @@ from fixel.view_window import Window
 
 ENDLESS = 0xFFFFFFFF    # frames
 HANG = 20.0             # seconds for a frame
+PRESSED_MIN = 0.35      # seconds: a tap that a board at 30 frames a second does not take for a bounce
+SETTLING = 20           # frames until a board has seen that its buttons are up, and that it is no bounce
 OUTPUT = "output.txt"
 
 
@@ -30,17 +33,19 @@ class Buttons:
 
     def __init__(self, machine, names):
         self._machine, self._names = machine, names     # names: bit -> QEMU's names of the keys
-        self._down = set()
+        self._down = {}     # name -> when it was pressed
         self._worker = concurrent.futures.ThreadPoolExecutor(1, "buttons")
         self.error = None
-        self._submit(self._wake)
+        self.awake = self._submit(self._wake)
 
     def _submit(self, job, *arguments):
         def remember(future):
             if not future.cancelled() and future.exception() is not None:
                 self.error = future.exception()
 
-        self._worker.submit(job, *arguments).add_done_callback(remember)
+        future = self._worker.submit(job, *arguments)
+        future.add_done_callback(remember)
+        return future
 
     def _wake(self):
         """The emulated buttons read as pressed until each was pressed and let go."""
@@ -50,11 +55,12 @@ class Buttons:
                 self._machine.key(name, down)
 
     def _press(self, wanted):
-        for name in sorted(self._down - wanted):
+        for name in sorted(self._down.keys() - wanted):
+            time.sleep(max(0.0, self._down.pop(name) + PRESSED_MIN - time.monotonic()))
             self._machine.key(name, False)
-        for name in sorted(wanted - self._down):
+        for name in sorted(wanted - self._down.keys()):
             self._machine.key(name, True)
-        self._down = wanted
+            self._down[name] = time.monotonic()
 
     def hold(self, keys):
         wanted = {name for bit, names in self._names.items() if keys & bit for name in names}
@@ -92,6 +98,15 @@ class Board:
         if self._keys is None:
             self._keys = Buttons(self._machine, self.program.keys)
         self.width, self.height, self.palette = self._link.open(self._check)
+        if isinstance(self._keys, Buttons):
+            self._settle()
+
+    def _settle(self):
+        """Lets the board draw until it believes its buttons."""
+        while not self._keys.awake.done():
+            self.frame()
+        for _ in range(SETTLING):
+            self.frame()
 
     def _launch(self, options):
         """In a session of its own, so that Ctrl-C reaches this tool alone; and ended with it, whatever

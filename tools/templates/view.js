@@ -108,6 +108,7 @@ function redraw() {
 
 function draw(frame) {
   fixed.put(frame.pixels, palette);
+  at("number").textContent = number(frame.number);
   if (beside && frame.given & WANTS[beside]) {
     drawBeside(frame);
   }
@@ -142,8 +143,7 @@ function drawBeside(frame) {
 }
 
 function tell(frame) {
-  at("number").textContent = number(frame.number);
-  const [first, last] = [shown[0], shown[shown.length - 1]], seconds = (last.time - first.time) / 1000;
+  const first = shown[0], last = shown[shown.length - 1], seconds = (last.time - first.time) / 1000;
   if (seconds > 0.2) {
     at("board-rate").textContent = number((last.number - first.number) / seconds, 1);
     at("page-rate").textContent = number((shown.length - 1) / seconds, 1);
@@ -178,28 +178,33 @@ function tellPolygons(counters) {
 
 // --- the layout: whole screen pixels for each pixel of a frame -------------------
 
+/** How many screen pixels a frame's may take, with so many frames in a row, the figures aside or below. */
+function scaleOf(columns, rows, room, height, ratio) {
+  const tall = Math.floor((height / rows - CAPTION_HEIGHT) * ratio / hello.height);
+  const aside = Math.floor((room - FIGURES_WIDTH) * ratio / (columns * hello.width));
+  const below = Math.floor(room * ratio / (columns * hello.width));
+  return Math.min(tall, Math.max(aside, Math.min(below, 2 * ratio)));
+}
+
 function layOut() {
   if (!hello) {
     return;
   }
-  const ratio = window.devicePixelRatio || 1, frames = beside ? 2 : 1, room = document.documentElement.clientWidth;
-  const height = window.innerHeight - at("stage").getBoundingClientRect().top - window.scrollY - CAPTION_HEIGHT;
-  const tall = Math.floor(height * ratio / hello.height);
-  const alone = Math.floor(room * ratio / hello.width);
-  // Beside each other, if that does not make them much smaller than below each other.
-  const wide = Math.floor(room * ratio / (frames * hello.width));
-  const withFigures = Math.floor((room - FIGURES_WIDTH) * ratio / (frames * hello.width));
-  scale = Math.min(Math.max(withFigures, Math.min(wide, 2)), tall);
-  if (wide < 1 || room < 2 * FIGURES_WIDTH) {
-    scale = alone;  // narrow: one below the other
-  }
-  scale = Math.max(1, scale);
+  const ratio = window.devicePixelRatio || 1, room = document.documentElement.clientWidth;
+  const height = window.innerHeight - at("stage").getBoundingClientRect().top - window.scrollY;
+  const frames = beside ? 2 : 1;
+  const abreast = scaleOf(frames, 1, room, height, ratio), stacked = scaleOf(1, frames, room, height, ratio);
+  const isStacked = stacked > abreast || room < frames * hello.width;
+  // A narrow window scrolls: there a frame may be as wide as it is.
+  const narrow = room < 2 * FIGURES_WIDTH ? Math.floor(room * ratio / hello.width) : 1;
+  scale = Math.max(1, narrow, isStacked ? stacked : abreast);
   for (const canvas of [at("fixed"), at("other")]) {
     canvas.style.width = `${scale * hello.width / ratio}px`;
     canvas.style.height = `${scale * hello.height / ratio}px`;
   }
   const left = room - frames * scale * hello.width / ratio;
-  at("stage").style.setProperty("--gap", `${Math.max(0, Math.min(12, left))}px`);
+  at("stage").style.setProperty("--gap", `${isStacked ? 0 : Math.max(0, Math.min(12, left))}px`);
+  at("stage").style.flexDirection = isStacked ? "column" : "row";
 }
 
 function press(selector, isPressed) {
