@@ -38,7 +38,7 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run flash boot size screen pictures
+NEEDS_run    := run view flash boot size screen pictures
 NEEDS_report := report all
 NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
@@ -76,7 +76,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot gdb compare report screen pictures lib test boards fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -87,6 +87,10 @@ all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
 
 run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
+
+view: $(WALK) $(BUILD)/host/live ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= PORT= OPEN=1]
+	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
+	    $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
 flash: $(WALK) ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
 ifeq ($(filter %.fxls,$(SCENE)),)

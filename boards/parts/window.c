@@ -10,9 +10,9 @@
 _Static_assert(offsetof(window_header, finished) == 20, "SPEC.md 9a");
 _Static_assert(offsetof(window_header, invitation) == 32, "SPEC.md 9a");
 _Static_assert(offsetof(window_header, palette) == 48, "SPEC.md 9a");
-_Static_assert(offsetof(window_frame, counters) == 28, "SPEC.md 9a");
-_Static_assert(offsetof(window_frame, instructions) == 64, "SPEC.md 9a");
-_Static_assert(sizeof(window_frame) == 72, "SPEC.md 9a");
+_Static_assert(offsetof(window_frame, pose) == 16, "SPEC.md 9a");
+_Static_assert(offsetof(window_frame, counters) == 40, "SPEC.md 9a");
+_Static_assert(sizeof(window_frame) == 80, "SPEC.md 9a");
 _Static_assert(sizeof(window_header) <= WINDOW_FIRST_SLOT, "the header reaches into a slot");
 
 /* What was written before a word is stored, whoever loads it sees too: on the

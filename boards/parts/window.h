@@ -31,11 +31,11 @@
 /* What is told about a frame, at the beginning of its slot; its pixels follow,
  * rows downward without a gap. */
 typedef struct {
+    uint64_t instructions;
     uint32_t number; /* from 0 */
+    uint32_t clamped;
     fxl_pose pose;
     fxl_counters counters;
-    uint32_t clamped;
-    uint64_t instructions;
 } window_frame;
 
 /* At the beginning of the shared memory. Words that both sides use at the same

@@ -142,6 +142,7 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
     uint64_t before, spent;
     int code;
 
+    system_alive();
     if (status != FXL_OK) {
         return fail_status("step", status, SYSTEM_EXIT_INPUT);
     }

@@ -108,6 +108,11 @@ static uint32_t on_frames(void)
     return board.frames_asked;
 }
 
+static void on_alive(void)
+{
+    board.alive++;
+}
+
 static bool on_live(void)
 {
     return board.live;
@@ -136,5 +141,6 @@ void board_double_begin(const scene_bytes *scene)
     system_alive_Stub(on_alive);
     system_frames_Stub(on_frames);
     system_live_Stub(on_live);
+    system_alive_Stub(on_alive);
     system_text_Stub(on_text);
 }

@@ -128,6 +128,12 @@ void test_a_live_walk_reads_the_keys_for_every_frame(void)
     TEST_ASSERT_EQUAL_HEX32(0u - FXL_ANGLE_QUARTER / 16, board.poses[0].yaw);
 }
 
+void test_a_sign_of_life_for_every_frame(void)
+{
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(3, board.alive);
+}
+
 void test_only_the_renderer_is_counted(void)
 {
     board.clock_step = 100;

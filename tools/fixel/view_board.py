@@ -32,7 +32,15 @@ class Buttons:
         self._machine, self._names = machine, names     # names: bit -> QEMU's names of the keys
         self._down = set()
         self._worker = concurrent.futures.ThreadPoolExecutor(1, "buttons")
-        self._worker.submit(self._wake)
+        self.error = None
+        self._submit(self._wake)
+
+    def _submit(self, job, *arguments):
+        def remember(future):
+            if not future.cancelled() and future.exception() is not None:
+                self.error = future.exception()
+
+        self._worker.submit(job, *arguments).add_done_callback(remember)
 
     def _wake(self):
         """The emulated buttons read as pressed until each was pressed and let go."""
@@ -50,7 +58,7 @@ class Buttons:
 
     def hold(self, keys):
         wanted = {name for bit, names in self._names.items() if keys & bit for name in names}
-        self._worker.submit(self._press, wanted)
+        self._submit(self._press, wanted)
 
     def close(self):
         self._worker.shutdown(wait=True, cancel_futures=True)
@@ -114,6 +122,8 @@ class Board:
             ending = Ending(code, self.text(), "", 0)
             raise ToolError(f"board {self.program.board} ended: {describe(ending)}{last_lines(ending.output)}",
                             exit_status(ending))
+        if getattr(self._keys, "error", None):
+            raise self._keys.error
         if waited > HANG:
             raise ToolError(f"board {self.program.board} hangs: no frame came within {HANG:g} s"
                             f"{last_lines(self.text())}", exit_code=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The viewer's side of the live window (SPEC.md 9b): memory that an emulated board shares.
+"""The viewer's side of the live window (SPEC.md 9a): memory that an emulated board shares.
 
 check(waited) is asked while nothing comes, with the seconds waited so far: it
 raises where the board has ended or hangs, and answers False where nobody wants
@@ -21,7 +21,8 @@ MAGIC_AT, FORMAT_AT, FINISHED_AT, FRONT_AT = 0, 4, 20, 24
 INVITATION_AT, REQUESTED_AT, KEYS_AT, PALETTE_AT = 32, 36, 40, 48
 FORMAT = struct.Struct("<IHH2I")    # version, width, height, places of the slots
 WORD = struct.Struct("<I")
-FRAME = struct.Struct(f"<I3i3I{len(dump.COUNTERS)}IIQ")
+FRAME = struct.Struct(f"<QII3i3I{len(dump.COUNTERS)}I")
+PIXELS_AT = -(-FRAME.size // 8) * 8 # in a slot
 MAPPED_MAX = 4 << 20                # bytes: two frames of the largest screen, and their heads
 AHEAD = 1 << 16                     # frames that a board is asked for that need not wait
 POLL = 0.0005                       # seconds
@@ -78,7 +79,7 @@ class Window:
             raise ToolError(f"the board's window is of version {version}; this viewer reads version {VERSION}")
         if not (1 <= width <= dump.SCREEN_MAX and 1 <= height <= dump.SCREEN_MAX):
             raise ToolError(f"the board's window claims a screen of {width}x{height}")
-        room = FRAME.size + width * height
+        room = PIXELS_AT + width * height
         if min(slots) < PALETTE_AT + dump.PALETTE_BYTES or max(slots) + room > len(self._memory) \
                 or abs(slots[0] - slots[1]) < room:
             raise ToolError(f"the board's window has its frames at {slots[0]} and {slots[1]}, where they cannot be")
@@ -92,12 +93,12 @@ class Window:
         if front >= len(self._slots):
             raise ToolError(f"the board's window says that its frame is in slot {front}; there are two")
         start = self._slots[front]
-        copied = self._memory[start:start + FRAME.size + self.width * self.height]
+        copied = self._memory[start:start + PIXELS_AT + self.width * self.height]
         if self._word(FINISHED_AT) != finished:
             return None
         self._shown = finished
-        number, *rest, clamped, instructions = FRAME.unpack_from(copied)
-        pixels = numpy.frombuffer(copied, numpy.uint8, offset=FRAME.size).reshape(self.height, self.width)
+        instructions, number, clamped, *rest = FRAME.unpack_from(copied)
+        pixels = numpy.frombuffer(copied, numpy.uint8, offset=PIXELS_AT).reshape(self.height, self.width)
         return dump.Frame(number, tuple(rest[:3]), tuple(rest[3:6]), pixels,
                           dict(zip(dump.COUNTERS, rest[6:])), clamped, instructions)
 
