@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import struct
+import types
 import zlib
 
 import numpy
@@ -117,7 +118,19 @@ def test_host_is_a_board(build, tmp_path, result):
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert done.returncode == 0, done.stdout + done.stderr
     assert summary["cpu"] == "host" and summary["instructions_per_frame"]["min"] is None
+    assert "instructions a frame" in done.stdout and "not counted on this board" in done.stdout
     assert summary["frame_sha256"] == result[0]["frame_sha256"]
+
+
+@pytest.mark.parametrize("counts, figures", [
+    ([], (None, None, None, None)),
+    ([0, 0], (None, None, None, None)),
+    ([5, 0, 7], (None, None, None, None)),  # a frame whose clock stood still or ran backward
+    ([5, 6, 10], (5, 6, 7, 10)),
+])
+def test_frames_that_were_not_counted(counts, figures):
+    found = run_tool.instruction_figures([types.SimpleNamespace(instructions=count) for count in counts])
+    assert tuple(found.values()) == figures
 
 
 def test_again_into_the_same_folder(build, tmp_path):
