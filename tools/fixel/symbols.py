@@ -9,6 +9,7 @@ from elftools.elf.elffile import ELFFile
 
 WORD = re.compile(r"(\S+) +0x([0-9a-f]{8})")
 WORDS = re.compile(r"  (?:\S+ +0x[0-9a-f]{8} *)+")
+REMARK = re.compile(r"(  (pc|lr|from) +0x([0-9a-f]{8})  )(\D.*)")
 # What a board says about a fault, and what QEMU prints when a core locks up.
 FAULT = re.compile(r"^fault: ", re.MULTILINE)
 LOCKUP = re.compile(r"^qemu: fatal: Lockup.*?R14=([0-9a-f]{8}) R15=([0-9a-f]{8})", re.MULTILINE | re.DOTALL)
@@ -68,8 +69,14 @@ class Symbols:
         return f"in {found[2]}+{address - found[0]:#x}" + (f" ({line})" if line else "")
 
     def _rows(self, line):
-        """A line of words with addresses, with a line of its own for each that
-        has a name."""
+        """A line of a fault: where it is words with addresses, with a line of its
+        own for each that has a name."""
+        remark = REMARK.fullmatch(line)
+        if remark:
+            place = self.place(remark[2], int(remark[3], 16))
+            return f"{remark[1]}{place}, {remark[4]}" if place else line
+        if not WORDS.fullmatch(line):
+            return line
         rows, rest = [], []
         for word, digits in WORD.findall(line):
             place = self.place(word, int(digits, 16)) if word in (*CODE, "address") else ""
@@ -84,8 +91,7 @@ class Symbols:
         fault = FAULT.search(text)
         if fault:
             head, tail = text[:fault.start()], text[fault.start():]
-            text = head + "\n".join(self._rows(line) if WORDS.fullmatch(line) else line
-                                    for line in tail.split("\n"))
+            text = head + "\n".join(self._rows(line) for line in tail.split("\n"))
         lockup = LOCKUP.search(text)
         if lockup:
             text = f"{text.rstrip()}\n{self.registers(*(int(value, 16) for value in lockup.groups()))}\n"
