@@ -119,7 +119,7 @@ static void assert_middle_shown(uint32_t width, uint32_t height)
     for (y = 0; y < HEIGHT; y++) {
         for (x = 0; x < WIDTH; x++) {
             const uint8_t colour = frame[(top + y) * width + left + x];
-            const uint32_t bit = oled.memory[y / 8u][LEFT + x] >> (y % 8u) & 1u;
+            const uint32_t bit = (uint32_t)oled.memory[y / 8u][LEFT + x] >> (y % 8u) & 1u;
 
             TEST_ASSERT_EQUAL(grey_level(table[colour], left + x, top + y), bit);
         }
