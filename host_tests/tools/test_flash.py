@@ -47,10 +47,13 @@ def refuse(image, *arguments):
 
 
 def moved(elf, target, address):
-    """A copy of a program whose first segment is for another address."""
+    """A copy of a program whose first segment with content is for another address."""
     data = bytearray(elf.read_bytes())
     (table,) = struct.unpack_from("<I", data, 28)
-    struct.pack_into("<I", data, table + 12, address)  # p_paddr
+    size, count = struct.unpack_from("<HH", data, 42)
+    first = next(at for at in range(table, table + size * count, size)
+                 if struct.unpack_from("<I", data, at + 16)[0])  # p_filesz
+    struct.pack_into("<I", data, first + 12, address)  # p_paddr
     target.write_bytes(data)
     return target
 

@@ -71,12 +71,10 @@ class Symbols:
     def _rows(self, line):
         """A line of a fault: where it is words with addresses, with a line of its
         own for each that has a name."""
-        remark = REMARK.fullmatch(line)
-        if remark:
-            place = self.place(remark[2], int(remark[3], 16))
-            return f"{remark[1]}{place}, {remark[4]}" if place else line
         if not WORDS.fullmatch(line):
-            return line
+            remark = REMARK.fullmatch(line)
+            place = self.place(remark[2], int(remark[3], 16)) if remark else ""
+            return f"{remark[1]}{place}, {remark[4]}" if place else line
         rows, rest = [], []
         for word, digits in WORD.findall(line):
             place = self.place(word, int(digits, 16)) if word in (*CODE, "address") else ""
