@@ -47,12 +47,12 @@ def refuse(image, *arguments):
 
 
 def moved(elf, target, address):
-    """A copy of a program whose first segment with content is for another address."""
+    """A copy of a program whose first loaded segment is for another address."""
     data = bytearray(elf.read_bytes())
     (table,) = struct.unpack_from("<I", data, 28)
     size, count = struct.unpack_from("<HH", data, 42)
     first = next(at for at in range(table, table + size * count, size)
-                 if struct.unpack_from("<I", data, at + 16)[0])  # p_filesz
+                 if struct.unpack_from("<I", data, at)[0] == 1)  # p_type: PT_LOAD
     struct.pack_into("<I", data, first + 12, address)  # p_paddr
     target.write_bytes(data)
     return target
