@@ -61,12 +61,11 @@ endif
 # --- the parts ---------------------------------------------------------------
 
 include $(wildcard lib/lib.mk)
-include boards/$(BOARD)/board.mk
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
 
-HOST_WALK := $(BUILD)/boards/host/walk
-WALK      := $(BUILD)/boards/$(BOARD)/walk$(if $(filter host,$(BOARD)),,.elf)
+HOST_WALK := $(BOARD_WALK.host)
+WALK      := $(BOARD_WALK.$(BOARD))
 IMAGE     := $(BUILD)/flash/$(BOARD).bin
 # A scene image is its own.
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
@@ -119,12 +118,23 @@ SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(
 size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float and no heap
 	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
 	    $(MAKE) --no-print-directory lib CORE=$$core >/dev/null || exit; done
-	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK)) \
+	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
+	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
-test: $(UNITY_TESTS) $(BOARD_UNIT_TESTS) $(WALK) $(BOARD_FAULTS) $(HOST_WALK) $(HOST_TOOLS) ## every test: units on host and board, mocks, tools [ONLY=]
-	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) --board '$(BOARD)' --board-unit $(BOARD_UNIT_TESTS) \
-	    $(if $(ONLY),--only '$(ONLY)')
+# BOARD= on the command line: what runs on that board and nothing else.
+TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
+TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
+TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
+    $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
+# For tools: a board, its unit tests; a board, the unit tests that it has no room for.
+UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
+    $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
+
+test: $(TEST_PROGRAMS) ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
+	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

@@ -11,5 +11,6 @@ BOARD_HOSTED := yes
 # show that a frame does not depend on how it is cut.
 BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 131072
+BOARD_LIST_BYTES := 65536
 
 BOARD_SOURCES := boards/host/board.c boards/parts/dump.c boards/parts/board_note.c

@@ -8,6 +8,7 @@ BOARD_QEMU := -M mps2-an385
 # Of 4 MiB: any screen in one band, and as many objects as an image can name.
 BOARD_BAND_BYTES := 1048576
 BOARD_ORDER_ENTRIES := 65536
+BOARD_LIST_BYTES := 262144
 
 BOARD_SOURCES := boards/mps2-an385/board.c \
     $(addprefix boards/parts/,armv7m_start.c armv7m_fault.c armv7m_protect.c systick.c \
