@@ -63,6 +63,7 @@ endif
 include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
+include bench/bench.mk
 
 HOST_WALK := $(BOARD_WALK.host)
 WALK      := $(BOARD_WALK.$(BOARD))

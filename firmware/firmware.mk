@@ -12,6 +12,7 @@
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_HOSTED            "yes" where the host itself is the board
+#   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
 # Makes, for each board:
 #   $(BOARD_WALK.<board>)    the walk
@@ -39,7 +40,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
-BOARD_MAY := CORE QEMU POLYGON_CAPACITY UNIT_OMIT HOSTED
+BOARD_MAY := CORE QEMU POLYGON_CAPACITY UNIT_OMIT HOSTED BENCH
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ

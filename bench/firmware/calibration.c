@@ -8,7 +8,7 @@
 #include "region.h"
 #include "text.h"
 
-#define REGION(body) "push {r4, lr}\n\tbl bench_begin\n\t" body "\n\tbl bench_end\n\tpop {r4, pc}\n\t"
+#define REGION(body) ".syntax unified\n\tpush {r4, lr}\n\tbl bench_begin\n\t" body "\n\tbl bench_end\n\tpop {r4, pc}\n\t"
 #define NAKED        __attribute__((naked, noinline)) static
 
 /* Nothing at all. */
