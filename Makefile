@@ -40,12 +40,14 @@ endif
 # nothing is missing it takes a few hundredths of a second.
 NEEDS_run    := run flash boot size pictures
 NEEDS_report := report all
-NEEDS_test   := test seeded-bugs
+NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
 NEEDS_tools  := compare
-SETUP := $(strip $(foreach what,run report test lib format fuzz tools,\
+NEEDS_gdb    := gdb
+NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
+SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
     $(if $(filter $(NEEDS_$(what)),$(MAKECMDGOALS)),$(what))))
 
 # Once: not again in a make that this one started.
@@ -71,10 +73,11 @@ IMAGE     := $(BUILD)/flash/$(BOARD).bin
 # A scene image is its own.
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
 FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
+SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run flash boot compare report pictures lib test fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run flash boot gdb compare report pictures lib test boards fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -83,19 +86,26 @@ help: ## this list
 
 all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
 
-run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= FRAMES= OUT=]
-	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION)
+run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
 
-flash: $(WALK) ## write firmware and scene to the board's flash image [BOARD= SCENE=]
+flash: $(WALK) ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
 ifeq ($(filter %.fxls,$(SCENE)),)
 	@mkdir -p $(BUILD)/scenes
-	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION)
+	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION) $(SCREEN_OPTION)
+else ifneq ($(SCREEN),)
+	@echo "error: $(SCENE) is a scene image, which has its screen already: give the .toml or .obj" >&2; exit 2
 endif
-	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE)
+	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
+	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
 
 boot: $(WALK) ## power a board on from its flash image [BOARD=]
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
 	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
+
+gdb: $(WALK) ## a debugger on the walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
+	    $(if $(GDB_COMMANDS),--commands '$(GDB_COMMANDS)')
 
 compare: ## compare two PNGs, folders of PNGs or frame dumps [A= B= TOLERANCE=0 OUT=]
 ifneq ($(filter compare,$(MAKECMDGOALS)),)
@@ -136,6 +146,10 @@ UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)
 test: $(TEST_PROGRAMS) ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
 	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
+
+boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board))) ## every board: memory, stack, speed, frames equal to the host's, unit tests
+	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
+	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

@@ -10,7 +10,9 @@
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
+#   BOARD_SETTINGS          NAME=VALUE for the parts that ask for it: macros for all of the program
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
+#   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_HOSTED            "yes" where the host itself is the board
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
@@ -40,7 +42,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
-BOARD_MAY := CORE QEMU POLYGON_CAPACITY UNIT_OMIT HOSTED BENCH
+BOARD_MAY := CORE QEMU POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -87,7 +89,8 @@ $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)
 
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
     -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
-    -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"'
+    -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
+    -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' $(BOARD_SETTINGS.$(1):%=-D%)
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
 

@@ -13,4 +13,4 @@ BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 131072
 BOARD_LIST_BYTES := 65536
 
-BOARD_SOURCES := boards/host/board.c boards/parts/dump.c boards/parts/board_note.c
+BOARD_SOURCES := boards/host/board.c boards/parts/display.c boards/parts/dump.c boards/parts/board_note.c

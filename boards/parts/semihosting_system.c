@@ -1,17 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /* system.h over semihosting. The arguments are words: the program's name, then
- * frames=N and live in any order. */
+ * frames=N, live and hold in any order. */
 #include "contract/system.h"
 
 #include <stddef.h>
 
+#include "parts/cortexm.h"
 #include "parts/semihosting.h"
+#include "parts/stack.h"
+#include "parts/watchdog.h"
 
 #define FRAMES_MAX 1000000u /* as a scene image's path */
 
 static struct {
     uint32_t frames;
     bool live;
+    bool hold; /* stay on when done, so that the screen can be looked at */
 } arguments;
 
 static void refuse(const char *word)
@@ -33,6 +37,13 @@ static const char *after(const char *word, const char *prefix)
         prefix++;
     }
     return word;
+}
+
+static bool is(const char *word, const char *expected)
+{
+    const char *rest = after(word, expected);
+
+    return rest != NULL && *rest == '\0';
 }
 
 static bool read_frames(const char *digits, uint32_t *frames)
@@ -58,13 +69,15 @@ static bool read_frames(const char *digits, uint32_t *frames)
 static void take(const char *word)
 {
     const char *digits = after(word, "frames=");
-    const char *rest = after(word, "live");
-
     if (digits != NULL && read_frames(digits, &arguments.frames)) {
         return;
     }
-    if (rest != NULL && *rest == '\0') {
+    if (is(word, "live")) {
         arguments.live = true;
+        return;
+    }
+    if (is(word, "hold")) {
+        arguments.hold = true;
         return;
     }
     refuse(word);
@@ -115,7 +128,38 @@ void system_text(const char *text)
     semihosting_text(text);
 }
 
+/* On a core with memory protection an overflow would have been a fault. */
+static void check_stack(void)
+{
+    if (!cortexm_protected() && stack_is_spent()) {
+        semihosting_text(
+            "fault: stack overflow: its last bytes are used, and nothing guards them\n");
+        stack_print();
+        semihosting_exit(SYSTEM_EXIT_STACK);
+    }
+}
+
+void system_alive(void)
+{
+    static bool watched;
+
+    check_stack();
+    if (!watched) {
+        watched = true;
+        watchdog_start(BOARD_WATCHDOG_MILLISECONDS);
+    }
+    watchdog_feed();
+}
+
 void system_exit(int status)
 {
+    check_stack();
+    stack_print();
+    if (arguments.hold && status == SYSTEM_EXIT_DONE) {
+        watchdog_stop();
+        for (;;) {
+            __asm__ volatile("wfi");
+        }
+    }
     semihosting_exit(status);
 }

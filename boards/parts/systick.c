@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "parts/systick.h"
 
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 
 #define CSR_ENABLE     1u
 #define CSR_INTERRUPT  2u
@@ -10,20 +10,58 @@
 
 static volatile uint64_t wraps; /* written by the interrupt only */
 static uint32_t period;
+static volatile uint32_t alarm; /* wraps to go; 0: none */
+static volatile bool is_alarmed;
 
 void systick_start(uint32_t reload)
 {
     SYST_CSR = 0;
     wraps = 0;
+    alarm = 0;
     period = reload + 1u;
     SYST_RVR = reload;
     SYST_CVR = 0; /* any write clears; the first tick then loads reload */
     SYST_CSR = CSR_ENABLE | CSR_INTERRUPT | CSR_CORE_CLOCK;
 }
 
-void armv7m_systick(void)
+/* Counts a wrap; whether that sets off the alarm. */
+static __attribute__((used)) bool count_wrap(void)
 {
+    const uint32_t left = alarm;
+
     wraps++;
+    if (left == 0) {
+        return false;
+    }
+    alarm = left - 1u;
+    is_alarmed = left == 1;
+    return left == 1;
+}
+
+/* The fault report wants sp and lr as the core left them. */
+__attribute__((naked)) void cortexm_systick(void)
+{
+    __asm__ volatile("push {r4, lr}\n\t"
+                     "bl count_wrap\n\t"
+                     "pop {r2, r3}\n\t"
+                     "mov lr, r3\n\t"
+                     "mov r4, r2\n\t"
+                     "cmp r0, #0\n\t"
+                     "bne 1f\n\t"
+                     "bx lr\n\t"
+                     "1: ldr r3, =cortexm_fault\n\t"
+                     "bx r3\n\t"
+                     ".ltorg");
+}
+
+void systick_alarm(uint32_t count)
+{
+    alarm = count;
+}
+
+bool systick_alarmed(void)
+{
+    return is_alarmed;
 }
 
 uint64_t systick_ticks(void)

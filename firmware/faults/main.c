@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "contract/system.h"
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 #include "parts/semihosting.h"
 #include "parts/systick.h"
 

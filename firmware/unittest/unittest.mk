@@ -10,6 +10,9 @@
 CMOCK_DIR ?= /usr/share/cmock
 UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
 
+# Parts of boards that need no board: tested on all of them, and on the host.
+UNIT_PARTS := boards/parts/grey.c
+
 BOARD_TESTS := $(patsubst host_tests/unit/%.c,%,$(wildcard host_tests/unit/test_*.c))
 BOARD_UNITS_OF = $(patsubst %,$(FIRMWARE_OUT)/$(1)/unit/%.elf,$(filter-out $(BOARD_UNIT_OMIT.$(1)),$(BOARD_TESTS)))
 
@@ -46,11 +49,14 @@ $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unitte
 endef
 $(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core))))
 
+# Of those, what the board is not made of anyway.
+BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_SOURCES.$(1)),$(UNIT_PARTS)))
+
 define BOARD_TEST_RULES
 BOARD_UNITS.$(1) := $(BOARD_UNITS_OF)
 
 $(BOARD_TESTS:%=$(FIRMWARE_OUT)/$(1)/unit/%.elf): $(FIRMWARE_OUT)/$(1)/unit/%.elf: $(BOARD_CORE_OUT)/unit/host_tests/unit/%.o \
-        $(BOARD_CORE_OUT)/unit/%_runner.o $(BOARD_TEST_SHARED) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
+        $(BOARD_CORE_OUT)/unit/%_runner.o $(BOARD_TEST_SHARED) $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) --specs=nano.specs $$(filter %.o,$$^) -lm -lc -lgcc)
 endef
 $(foreach board,$(TARGET_BOARDS),$(eval $(call BOARD_TEST_RULES,$(board))))

@@ -13,7 +13,7 @@ import time
 import pytest
 
 from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
-from fixel import emulator, firmware, flash
+from fixel import firmware, flash, qemu
 from fixel.errors import ToolError
 
 
@@ -151,14 +151,14 @@ def test_an_image_that_cannot_be_written(elf, scene, tmp_path):
 def test_a_failed_verification_leaves_the_old_image(elf, scene, image, monkeypatch):
     flash.flash(BOARD, elf, scene, image)
     scene.write_bytes(scene_bytes(800))
-    real = emulator.read_memory
+    real = qemu.read_memory
 
     def stuck_bit(program, path):
         data = bytearray(real(program, path))
         data[0x80100] ^= 1
         return bytes(data)
 
-    monkeypatch.setattr(emulator, "read_memory", stuck_bit)
+    monkeypatch.setattr(qemu, "read_memory", stuck_bit)
     assert "verification failed at 0x80100" in refuse(image, BOARD, elf, scene)
 
 

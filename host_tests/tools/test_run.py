@@ -15,7 +15,7 @@ from PIL import Image
 
 import run as run_tool
 import scene as scene_tool
-from fixel import dump
+from fixel import dump, emulator
 
 SCENE = "scenes/tiny.toml"
 FRAMES = 4
@@ -245,7 +245,7 @@ def test_bad_scene_image(build, tmp_path, image_bytes, board, kind):
     bad = tmp_path / "bad.fxls"
     bad.write_bytes(BAD_IMAGES[kind](image_bytes))
     done = walk(tmp_path / "out", board=board, scene=bad, frames=None)
-    assert done.returncode in (1, 2), done.stdout + done.stderr
+    assert done.returncode in (2, emulator.exit_code("SCENE")), done.stdout + done.stderr
     assert_one_sentence(done, code=done.returncode)
     assert_nothing_left(tmp_path, tmp_path / "out")
 

@@ -5,6 +5,8 @@
 
 #include "contract/display.h"
 #include "contract/journal.h"
+#include "contract/panel.h"
+#include "parts/dump.h"
 #include "parts/sink.h"
 #include "unity.h"
 
@@ -22,6 +24,13 @@ static uint8_t palette[768];
 static uint8_t written[4096];
 static size_t size, room;
 static bool was_opened, is_open, was_whole, refuse_open, refuse_close;
+
+const panel *const *board_panels(void)
+{
+    static const panel *const panels[] = {&dump_panel, NULL};
+
+    return panels;
+}
 
 bool sink_open(void)
 {

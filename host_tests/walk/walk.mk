@@ -34,7 +34,7 @@ $(WALK_TEST)/%.o: firmware/walk/%.c
 	@mkdir -p $(@D)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
-$(WALK_TEST)/dump.o: boards/parts/dump.c
+$(WALK_TEST)/%.o: boards/parts/%.c
 	@mkdir -p $(@D)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
@@ -61,7 +61,7 @@ $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o
         $(BUILD)/host/libfixel.a
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
-$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o dump.o unity.o)
+$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o display.o dump.o unity.o)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
 .PRECIOUS: $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h $(WALK_TEST)/%_runner.c

@@ -2,6 +2,7 @@
 """Reads a frame dump (SPEC.md, chapter 9): everything is checked before anything is handed out."""
 
 import dataclasses
+import hashlib
 import struct
 import zlib
 
@@ -30,6 +31,11 @@ class Frame:
     counters: dict
     clamped: int        # steps in which a coordinate was held at the range's end
     instructions: int   # 0 where the board cannot tell
+
+    @property
+    def sha256(self):
+        """What a frame's pixels are known by."""
+        return hashlib.sha256(self.pixels.tobytes()).hexdigest()
 
 
 @dataclasses.dataclass(frozen=True)
