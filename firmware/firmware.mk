@@ -10,7 +10,7 @@
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
-#   BOARD_SETTINGS          NAME=VALUE for the parts that ask for it: macros for all of the program
+#   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_HOSTED            "yes" where the host itself is the board
@@ -90,7 +90,12 @@ $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
     -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
+<<<<<<< HEAD
     -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' $(BOARD_SETTINGS.$(1):%=-D%)
+=======
+    -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
+    $(BOARD_SETTINGS.$(1):%=-D%)
+>>>>>>> flash
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
 

@@ -73,7 +73,8 @@ def polygon_totals(frames):
     total = {name: sum(frame.counters[name] for frame in frames) for name in dump.COUNTERS}
     return {"in": total["in"],
             "culled": total["backfacing"] + total["outside"] + total["degenerate"],
-            "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"]}
+            "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"],
+            "spilled": total["spilled"]}
 
 
 def instruction_figures(frames):

@@ -7,7 +7,7 @@
 #include "parts/dump.h"
 #include "parts/sink.h"
 
-#define DUMP_VERSION   1u
+#define DUMP_VERSION   2u
 #define PALETTE_BYTES  768u
 #define CRC_POLYNOMIAL 0xEDB88320u /* IEEE 802.3, reflected */
 
@@ -103,7 +103,7 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
 
 static bool end(const fxl_counters *counters, uint32_t clamped, uint64_t instructions)
 {
-    uint8_t last[44];
+    uint8_t last[48];
     uint8_t *to;
 
     frames++;
@@ -111,7 +111,7 @@ static bool end(const fxl_counters *counters, uint32_t clamped, uint64_t instruc
     to = put_u32(put_u32(to, counters->outside), counters->degenerate);
     to = put_u32(put_u32(to, counters->refused), counters->drawn);
     to = put_u32(put_u32(to, counters->clipped), counters->refused_calls);
-    to = put_u32(to, clamped);
+    to = put_u32(put_u32(to, counters->spilled), clamped);
     to = put_u32(to, (uint32_t)instructions);
     (void)put_u32(to, (uint32_t)(instructions >> 32));
     return put(last, sizeof last);

@@ -15,6 +15,11 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 
 static uint8_t band_pixels[WALK_BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
+#if WALK_LIST_BYTES >= 4
+static uint32_t list[WALK_LIST_BYTES / 4];
+#else
+static uint32_t *const list = NULL; /* every band walks the scene */
+#endif
 static fxl_renderer renderer;
 
 static void print_number(uint32_t number)
@@ -82,8 +87,8 @@ static int open_scene(fxl_scene_image *image)
 
 static int open_renderer(const fxl_scene_image *image)
 {
-    const fxl_status status =
-        fxl_renderer_init(&renderer, &image->scene, &image->lens, order, WALK_ORDER_ENTRIES);
+    const fxl_memory memory = {order, WALK_ORDER_ENTRIES, list, WALK_LIST_BYTES / 4};
+    const fxl_status status = fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory);
 
     if (status == FXL_E_CAPACITY) {
         print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");

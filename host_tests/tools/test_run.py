@@ -56,7 +56,7 @@ def result(build, tmp_path_factory):
 def test_summary_has_exactly_its_keys(result):
     summary, _, _ = result
     assert set(summary) == KEYS
-    assert set(summary["polygons"]) == {"in", "culled", "clipped", "refused", "drawn"}
+    assert set(summary["polygons"]) == {"in", "culled", "clipped", "refused", "drawn", "spilled"}
     assert set(summary["instructions_per_frame"]) == {"min", "median", "mean", "max"}
 
 
@@ -144,7 +144,7 @@ def test_scene_image_instead_of_toml(build, tmp_path, result):
 def spoil(data):
     """A dump with one pixel of its last frame changed, whole otherwise."""
     data = bytearray(data)
-    data[-12 - 44 - 1] ^= 1
+    data[-12 - 48 - 1] ^= 1
     data[-4:] = struct.pack("<I", zlib.crc32(data[:-4]))
     return bytes(data)
 

@@ -6,7 +6,8 @@ enum {
     WIDTH = 48,
     HEIGHT = 32,
     PIXELS = WIDTH * HEIGHT,
-    BACKGROUND = 200
+    BACKGROUND = 200,
+    LIST_WORDS = 18 * FXL_LIST_WORDS(8) /* all faces of the scene, whole or cut */
 };
 
 static const fxl_clipper clippers[] = {fxl_clip_by_view, fxl_clip_by_world};
@@ -101,6 +102,7 @@ void test_a_polygon_inside_is_transformed_by_both(void)
 
 static uint8_t frames[4][PIXELS];
 static fxl_order_entry order[2][64];
+static uint32_t list[2][LIST_WORDS];
 static fxl_renderer renderers[2];
 
 static void start(int which)
@@ -108,9 +110,9 @@ static void start(int which)
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init(&renderers[which], &tiny->scene, &lens, order[which], 64));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
 }
 
 static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)

@@ -51,11 +51,12 @@ static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
 {
     static fxl_renderer renderer;
     fxl_order_entry order[4];
+    const fxl_memory memory = {order, 4, NULL, 0};
     fxl_scene_image image;
     const fxl_band band = {pixels, SCENE_WIDTH, SCENE_WIDTH, 0, SCENE_HEIGHT};
 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(scene.words, scene.size, &image, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &image.scene, &image.lens, order, 4));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &image.scene, &image.lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, image.background);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));

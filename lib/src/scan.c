@@ -123,32 +123,63 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
+/* No edges: no spans. */
+static void clear(fxl_scan *scan)
+{
+    scan->edge_count = 0;
+    scan->next_edge = 0;
+    scan->crossing_count = 0;
+    scan->next_crossing = 0;
+}
+
+void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                      fxl_scan *scan)
+{
+    FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
+    clear(scan);
+    scan->width = (int16_t)band->width;
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t next = i + 1 == count ? 0 : i + 1;
+        fxl_edge edge;
+        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
+                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
+        if (set_up_edge(&points[i], &points[next], band, &edge)) {
+            insert_edge(scan, &edge);
+        }
+    }
+    scan->row = scan->edge_count > 0 ? (int16_t)(scan->edges[0].row - 1) : 0;
+}
+
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan)
 {
     if (scan == NULL) {
         return FXL_E_ARGUMENT;
     }
-    scan->edge_count = 0;
-    scan->next_edge = 0;
-    scan->crossing_count = 0;
-    scan->next_crossing = 0;
-    if (polygon == NULL || band == NULL) {
-        return FXL_E_ARGUMENT;
+    fxl_status status = polygon == NULL || band == NULL ? FXL_E_ARGUMENT : check(polygon, band);
+    if (status == FXL_OK) {
+        fxl_scan_outline(polygon->points, polygon->count, band, scan);
+    } else {
+        clear(scan);
     }
-    fxl_status status = check(polygon, band);
-    if (status != FXL_OK) {
-        return status;
+    return status;
+}
+
+static uint16_t row_held(int32_t row, uint16_t height)
+{
+    return row < 0 ? 0 : row > height ? height : (uint16_t)row;
+}
+
+fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
+{
+    fxl_q16_16 top = polygon->points[0].y, bottom = top;
+    for (uint32_t i = 1; i < polygon->count; i++) {
+        fxl_q16_16 y = polygon->points[i].y;
+        top = y < top ? y : top;
+        bottom = y > bottom ? y : bottom;
     }
-    scan->width = (int16_t)band->width;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        uint32_t next = i + 1 == polygon->count ? 0 : i + 1;
-        fxl_edge edge;
-        if (set_up_edge(&polygon->points[i], &polygon->points[next], band, &edge)) {
-            insert_edge(scan, &edge);
-        }
-    }
-    scan->row = scan->edge_count > 0 ? (int16_t)(scan->edges[0].row - 1) : 0;
-    return FXL_OK;
+    fxl_rows rows = {row_held(first_centre_from(top), height),
+                     row_held(first_centre_from(bottom), height)};
+    return rows;
 }
 
 /* Walks the crossing edges down to the row, leaves out those that have ended,

@@ -13,12 +13,12 @@ from fixel.errors import ToolError
 HEAD = struct.Struct("<4sHHHHI")
 PALETTE_BYTES = 768
 FRAME_HEAD = struct.Struct("<4sI3i3I")
-FRAME_TAIL = struct.Struct("<8IIQ")
+FRAME_TAIL = struct.Struct("<9IIQ")
 TAIL = struct.Struct("<4sII")
-VERSION = 1
+VERSION = 2
 SCREEN_MAX = 1024
 COUNTERS = ("in", "backfacing", "outside", "degenerate", "refused", "drawn", "clipped",
-            "refused_calls")
+            "refused_calls", "spilled")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -8,7 +8,8 @@ import zlib
 from fixel.errors import ToolError
 
 HEAD = struct.Struct("<4sHHHHI768s")
-FRAME_EXTRA = 32 + 44  # bytes around a frame's pixels
+VERSION = 2
+FRAME_EXTRA = 32 + 48  # bytes around a frame's pixels
 TAIL = struct.Struct("<4sII")
 
 
@@ -22,7 +23,7 @@ def shape(path):
     if len(head) < HEAD.size:
         return None
     magic, version, width, height, _, frames, _ = HEAD.unpack(head)
-    if magic != b"FXLD" or version != 1:
+    if magic != b"FXLD" or version != VERSION:
         return None
     return frames, HEAD.size + frames * (width * height + FRAME_EXTRA) + TAIL.size
 

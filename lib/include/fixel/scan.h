@@ -43,6 +43,17 @@ typedef struct {
  * no spans. Source: the edge walk of Bresenham with an exact start. */
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan);
 
+/* The same for an outline of count points that is known to meet what
+ * fxl_scan_begin requires, for a band that meets it too: nothing is checked. */
+void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                      fxl_scan *scan);
+
+/* The rows, of a screen of height rows, that hold every centre which the
+ * polygon may cover: those from its highest to its lowest vertex. Exact: scan
+ * finds an edge on each of them, and none on others.
+ * Requires what fxl_scan_begin requires of a polygon. */
+fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
+
 /* The next span, rows downward, left to right within a row; spans of a row
  * neither overlap nor touch out of order. False when there are no more; span
  * is then untouched. */
