@@ -11,11 +11,12 @@ BENCH_CORES := m0 m3 m4f m55
 $(foreach board,$(BOARDS),$(foreach core,$(BOARD_BENCH.$(board)),$(eval BENCH_BOARD.$(core) := $(board))))
 BENCH_CORES_HERE := $(foreach core,$(BENCH_CORES),$(if $(BENCH_BOARD.$(core)),$(core)))
 
-# A core's code is its board's, but for the M0: no emulated board with that core
-# has the memory, and any core of the bench runs Armv6-M's instructions.
+# What is measured is compiled for a core as its users would: with all that it
+# has. No emulated board with an M0 has the memory, but any other runs Armv6-M.
 BENCH_FLAGS.m0 := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
-$(foreach core,$(filter-out m0,$(BENCH_CORES_HERE)),\
-    $(eval BENCH_FLAGS.$(core) := $(BOARD_CORE.$(BENCH_BOARD.$(core)))))
+BENCH_FLAGS.m3 := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft
+BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
+BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard
 
 BENCH_OPTIMISE := -O2
 BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sections -fstack-usage \
@@ -31,7 +32,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 
 # --- programs --------------------------------------------------------------------
 
-# The program's own objects, beside region and text, which all have. A program
+# The program's own objects, beside region, start and text, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
 BENCH_PROGRAMS := calibration fixel listing-double listing-float memset kernels
@@ -46,9 +47,13 @@ BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list limit_list $(BENCH_LI
 BENCH_C_LIBRARY := listing-double listing-float memset
 
 # $(1): the core, $(2): the program.
-BENCH_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region text $(BENCH_OBJECTS.$(2)) \
+BENCH_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
-BENCH_PARTS_OF = $(filter-out %/memory_functions.o,$(call BOARD_PARTS_OF,$(BENCH_BOARD.$(1))))
+# The board's parts, which only start and end the program, are compiled for the
+# board; for hard float anew, since the linker mixes no calling conventions.
+BENCH_PARTS_OF = $(filter-out %/memory_functions.o,$(if $(findstring =hard,$(BENCH_FLAGS.$(1))),\
+    $(BOARD_SOURCES.$(BENCH_BOARD.$(1)):%.c=$(BENCH_OUT)/$(1)/parts/%.o),\
+    $(call BOARD_PARTS_OF,$(BENCH_BOARD.$(1)))))
 BENCH_LIBRARIES_OF = $(if $(filter $(2),$(BENCH_C_LIBRARY)),-lm -lc) -lgcc
 BENCH_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib -Llinker \
     -T boards/$(BENCH_BOARD.$(1))/memory.ld \
@@ -66,6 +71,8 @@ BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
 
 $(BENCH_OUT)/$(1)/lib/%.o: lib/src/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
+$(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
 $(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk

@@ -6,6 +6,7 @@
  * core may lack. */
 #include "contract/system.h"
 #include "region.h"
+#include "start.h"
 #include "text.h"
 
 #define REGION(body) ".syntax unified\n\tpush {r4, lr}\n\tbl bench_begin\n\t" body "\n\tbl bench_end\n\tpop {r4, pc}\n\t"
@@ -66,8 +67,7 @@ static void report(const char *name, uint32_t instructions)
 
 int main(int argc, char **argv)
 {
-    system_start(argc, argv);
-    __asm__ volatile("cpsid i");
+    bench_start(argc, argv);
     empty();
     report("empty", 0);
     loop();

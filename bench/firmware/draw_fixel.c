@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Fixel, the frame in one band. */
+/* Fixel, the frame in one band, for which it needs no list. */
 #include "contract/system.h"
 #include "draw.h"
 #include "text.h"
@@ -12,12 +12,14 @@ static uint32_t order_needed;
 
 int draw_open(const fxl_scene_image *image)
 {
+    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0};
+
     order_needed = image->scene.order_needed;
     if (order_needed > ORDER_ENTRIES) {
         text_with_number("bench: order entries needed", "", ": ", order_needed);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init(&renderer, &image->scene, &image->lens, order, ORDER_ENTRIES) == FXL_OK
+    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
                ? SYSTEM_EXIT_DONE
                : SYSTEM_EXIT_RENDER;
 }

@@ -12,6 +12,7 @@
 #include "fixel/fill.h"
 #include "path.h"
 #include "region.h"
+#include "start.h"
 #include "text.h"
 
 #define STACK_WORDS   2048u /* looked at below the caller of draw_frame */
@@ -133,9 +134,7 @@ static int run(void)
 
 int main(int argc, char **argv)
 {
-    system_start(argc, argv);
-    /* No interrupt may run within a region. */
-    __asm__ volatile("cpsid i");
+    bench_start(argc, argv);
     system_exit(run());
     return SYSTEM_EXIT_DONE; /* not reached */
 }

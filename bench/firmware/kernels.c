@@ -8,6 +8,7 @@
 #include "contract/system.h"
 #include "kernels.h"
 #include "region.h"
+#include "start.h"
 #include "text.h"
 
 static kernel_inputs inputs;
@@ -22,8 +23,7 @@ static void run(const bench_kernel *kernel)
 
 int main(int argc, char **argv)
 {
-    system_start(argc, argv);
-    __asm__ volatile("cpsid i");
+    bench_start(argc, argv);
     kernel_inputs_make(&inputs);
     for (const bench_kernel *each = kernel_list; each->name != NULL; each++) {
         run(each);

@@ -5,7 +5,8 @@ import collections
 import dataclasses
 import pathlib
 
-from fixel import emulator, firmware, thumb
+from fixel import emulator, firmware, qemu, thumb
+from fixel.ending import describe, exit_code, exit_status, last_lines
 from fixel.errors import ToolError
 
 BEGIN, END = "bench_begin", "bench_end"     # the marker functions
@@ -71,23 +72,21 @@ def run(elf, code, plugin, directory, scene=None, frames=None, detail=False, tim
         raise ToolError(f"{plugin} is not built: make bench builds it")
     (directory / MAP).write_text(map_text(code), encoding="ascii")
     words = ["bench"] + ([f"frames={frames}"] if frames else [])
-    options = ["-icount", "shift=0", *emulator.semihosting(words),
-               "-plugin", f"{emulator.escape(pathlib.Path(plugin).resolve())},map={MAP},out={COUNTS}"
+    options = ["-icount", "shift=0", *qemu.semihosting(words),
+               "-plugin", f"{qemu.escape(pathlib.Path(plugin).resolve())},map={MAP},out={COUNTS}"
                + (",detail=on" if detail else ""),
                "-kernel", str(pathlib.Path(elf).resolve())]
     if scene is not None:
-        options += ["-device", f"loader,file={emulator.escape(pathlib.Path(scene).resolve())},"
+        options += ["-device", f"loader,file={qemu.escape(pathlib.Path(scene).resolve())},"
                                f"addr={program.scene_base:#x},force-raw=on"]
-    ending = emulator.execute(emulator.qemu_command(program, *options), directory, timeout,
-                              _alive(directory))
-    if ending.code != emulator.exit_code("DONE"):
-        raise ToolError(f"{elf}: {emulator.describe(ending)}{emulator.last_lines(ending.output)}",
-                        exit_code=1)
+    ending = emulator.emulate(program, options, directory, timeout, _alive(directory))
+    if ending.code != exit_code("DONE"):
+        raise ToolError(f"{elf}: {describe(ending)}{last_lines(ending.output)}", exit_status(ending))
     try:
         counts = parse((directory / COUNTS).read_text(encoding="ascii"))
     except OSError as error:
         raise ToolError(f"{elf}: the counting plugin left no counts"
-                        f"{emulator.last_lines(ending.output)}", exit_code=1) from error
+                        f"{last_lines(ending.output)}", exit_code=1) from error
     counts.regions = [instructions - MARKER_CALL for instructions in counts.regions]
     return ending.output, counts
 
