@@ -12,11 +12,12 @@ $(foreach board,$(BOARDS),$(foreach core,$(BOARD_BENCH.$(board)),$(eval BENCH_BO
 BENCH_CORES_HERE := $(foreach core,$(BENCH_CORES),$(if $(BENCH_BOARD.$(core)),$(core)))
 
 # What is measured is compiled for a core as its users would: with all that it
-# has. No emulated board with an M0 has the memory, but any other runs Armv6-M.
+# has, but for misaligned access, which the boards trap. No emulated board with
+# an M0 has the memory, but any other runs Armv6-M.
 BENCH_FLAGS.m0 := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
-BENCH_FLAGS.m3 := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft
-BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
-BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard
+BENCH_FLAGS.m3 := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -mno-unaligned-access
+BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard -mno-unaligned-access
 
 BENCH_OPTIMISE := -O2
 BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sections -fstack-usage \
@@ -67,18 +68,22 @@ endef
 
 define BENCH_CORE_RULES
 BENCH_CC.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAGS)
+# Until bench_start has turned it on, nothing may touch the floating-point unit.
+$(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
+    $(patsubst %,$(BENCH_OUT)/$(1)/%.o,start text frames kernels calibration): \
+    FLAGS_OF_FILE := -mgeneral-regs-only)
 BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
 
 $(BENCH_OUT)/$(1)/lib/%.o: lib/src/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
 $(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
