@@ -92,7 +92,48 @@ $(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$
 endef
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core))))
 
-BENCH_BUILT := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_PROGRAMS.$(core)))
+# --- sizes -----------------------------------------------------------------------
+
+# A renderer linked with what it calls and nothing else, once as measured and
+# once for size; what counts is the linker's map.
+BENCH_SIZED := fixel listing-double listing-float memset
+BENCH_ROOTS.fixel := fxl_renderer_init_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
+BENCH_ROOTS.listing-double := listing_draw
+BENCH_ROOTS.listing-float := listing_draw
+BENCH_ROOTS.memset := memset
+BENCH_SIZED_OF.fixel := $(BENCH_LIB) memory_functions
+BENCH_SIZED_OF.listing-double := double/listing
+BENCH_SIZED_OF.listing-float := float/listing
+BENCH_SIZED_OF.memset :=
+
+BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
+    -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,$(firstword $(BENCH_ROOTS.$(2))) \
+    $(BENCH_ROOTS.$(2):%=-Wl,-u,%)
+
+# $(1): the core, $(2): the renderer, $(3): O2 or Os.
+define BENCH_SIZE_RULES
+$(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: \
+        $(patsubst %,$(BENCH_OUT)/$(1)/$(if $(filter Os,$(3)),os/)%.o,$(BENCH_SIZED_OF.$(2))) bench/bench.mk
+	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
+endef
+
+define BENCH_CORE_SIZE_RULES
+BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
+BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf))
+
+$(BENCH_OUT)/$(1)/os/lib/%.o: lib/src/%.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding)
+$(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
+$(foreach real,double float,
+$(BENCH_OUT)/$(1)/os/$(real)/%.o: bench/listing/%.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -DLISTING_$(real)=1)
+)
+$(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
+endef
+$(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core))))
+
+BENCH_BUILT := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))
 BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))
 
 .PHONY: bench-programs
