@@ -43,7 +43,7 @@ static uint32_t painted_over(volatile const uint32_t *here)
 }
 
 /* One frame, as a region. *stack: the deepest so far. */
-static __attribute__((noinline)) bool measure(const fxl_pose *pose, const fxl_band *band,
+static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const fxl_band *band,
                                               uint32_t *stack)
 {
     volatile uint32_t *here = paint_stack();
@@ -68,7 +68,7 @@ static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t num
         return SYSTEM_EXIT_JOURNAL;
     }
     fxl_fill_band(&band, image->background);
-    if (!measure(&path->viewer.pose, &band, stack)) {
+    if (!measured_frame(&path->viewer.pose, &band, stack)) {
         return SYSTEM_EXIT_RENDER;
     }
     if (!display_flush(0, 0, band.width, band.rows, pixels)) {

@@ -8,7 +8,7 @@
  * second. In the order in which they ended:
  *   region INSTRUCTIONS
  * With detail, over all regions together:
- *   node ID PARENT FUNCTION           the tree of calls; 0 is the root
+ *   node ID PARENT FUNCTION RETURN    the tree of calls; 0 is the root
  *   block ID ADDRESS SIZES            code, and each instruction's bytes (2 or 4)
  *   visit NODE BLOCK TIMES LEFT       how often it ran there, and how often it
  *                                     was not followed by what lies behind it
@@ -88,18 +88,15 @@ static void follow(const block *now)
     const block *before = counter.before;
     tree_node *node = counter.node, *back = NULL;
     if (before == NULL) {
-        node = tree_child(&counter.root, now->function);
+        node = tree_child(&counter.root, now->function, 0);
     } else if (now->address != before->end && before->calls) {
-        node = tree_child(node, now->function);
-        node->return_address = before->end;
+        node = tree_child(node, now->function, before->end);
     } else if (now->address != before->end && before->returns &&
                (back = tree_returning(node, now->address)) != NULL) {
         node = back->parent;
     }
     if (node->function != now->function) {
-        uint32_t return_address = node->return_address;
-        node = tree_child(node->parent, now->function);
-        node->return_address = return_address;
+        node = tree_child(node->parent, now->function, node->return_address);
     }
     counter.node = node;
 }

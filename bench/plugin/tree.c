@@ -14,16 +14,18 @@ static void *make(size_t size)
     return memory;
 }
 
-tree_node *tree_child(tree_node *node, uint32_t function)
+tree_node *tree_child(tree_node *node, uint32_t function, uint32_t return_address)
 {
     tree_node *child = node->children;
-    while (child != NULL && child->function != function) {
+    while (child != NULL &&
+           (child->function != function || child->return_address != return_address)) {
         child = child->next;
     }
     if (child == NULL) {
         child = make(sizeof *child);
         child->parent = node;
         child->function = function;
+        child->return_address = return_address;
         child->next = node->children;
         node->children = child;
     }
@@ -63,8 +65,8 @@ static uint32_t write_children(FILE *file, tree_node *node, uint32_t next_id)
 {
     for (tree_node *child = node->children; child != NULL; child = child->next) {
         child->id = next_id++;
-        fprintf(file, "node %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", child->id, node->id,
-                child->function);
+        fprintf(file, "node %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIx32 "\n", child->id, node->id,
+                child->function, child->return_address);
         next_id = write_children(file, child, next_id);
     }
     return next_id;

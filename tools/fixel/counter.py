@@ -18,7 +18,7 @@ MARKER_CALL = 1     # instructions: the call of the end marker, the last one in 
 class Counts:
     """Instructions of every region in the order in which they ended; with detail also where.
 
-    nodes: {id: (parent, function number)}, 0 being the root; blocks: {id: (address, sizes)};
+    nodes: {id: (parent, function number, where the call comes back to)}, 0 being the root; blocks: {id: (address, sizes)};
     visits: [(node, block, times, times left)].
     """
     regions: list = dataclasses.field(default_factory=list)
@@ -48,7 +48,7 @@ def parse(text):
         if word == "region":
             counts.regions.append(int(fields[0]))
         elif word == "node":
-            counts.nodes[int(fields[0])] = (int(fields[1]), int(fields[2]))
+            counts.nodes[int(fields[0])] = (int(fields[1]), int(fields[2]), int(fields[3], 16))
         elif word == "block":
             counts.blocks[int(fields[0])] = (int(fields[1], 16), [int(digit) for digit in fields[2]])
         elif word == "visit":
