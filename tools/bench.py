@@ -57,20 +57,23 @@ def check_pictures(pictures):
 
 
 def draw_all(plan, cores, folder):
-    """{(core, workload, renderer): Drawn}, and {workload: units of a frame}."""
+    """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and the stages' shares."""
     images, units = {}, {}
     for name, workload in plan.workloads.items():
         images[name], scene = bench_plan.compile_scene(workload, folder)
         units[name] = bench_plan.units_of(workload, scene)
     jobs = {key: (bench_run.draw, plan, key[0], key[2], images[key[1]]) for key in plan.runs(cores)}
-    return in_parallel("drawing the workloads", jobs), units
+    profiles = {(core, name): (bench_run.profile, plan, core, "fixel", images[name])
+                for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
+    return in_parallel("drawing the workloads", jobs), units, \
+        bench_rows.stages(in_parallel("looking where it goes", profiles))
 
 
 def measure(plan, cores, left_out):
     """bench.json."""
     rows, limits, growth = [], [], []
     with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
-        drawn, units = draw_all(plan, cores, folder)
+        drawn, units, stages = draw_all(plan, cores, folder)
         pictures = bench_rows.pictures(drawn)
         check_pictures(pictures)
         for (core, workload, renderer), each in drawn.items():
@@ -91,7 +94,8 @@ def measure(plan, cores, left_out):
     bench_rows.add_sizes(rows, sizes)
     return {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
             "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
-            "rows": rows, "limits": limits, "sizes": sizes, "growth": growth, "pictures": pictures}
+            "rows": rows, "limits": limits, "sizes": sizes, "stages": stages, "growth": growth,
+            "pictures": pictures}
 
 
 def main(argv):

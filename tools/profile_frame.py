@@ -9,10 +9,8 @@ import pathlib
 import sys
 import tempfile
 
-from fixel import bench_plan, counter, cycles, flame, output, places, qemu
-from fixel.debug_lines import DebugLines
+from fixel import bench_plan, bench_run, flame, output, places, qemu
 from fixel.errors import ToolError, run_main
-from fixel.machine_code import MachineCode
 from fixel.progress import Progress
 from fixel.table import table
 
@@ -22,19 +20,10 @@ ROWS = 24       # of a table on the terminal; all are in profile.json
 
 def take(plan, workload, core, renderer, frames):
     """(Profile, frames): a workload drawn with every place counted."""
-    elf = plan.program(core, renderer)
-    code = MachineCode(elf)
     with tempfile.TemporaryDirectory(prefix="fixel-profile-") as folder, \
             Progress(f"profiling {workload['name']} on {core}"):
         image, _ = bench_plan.compile_scene(workload, folder)
-        _, counts = counter.run(elf, code, plan.counter, folder, image, frames, detail=True)
-        taken = places.Profile(code, counts, DebugLines(elf), cycles.models(core))
-    # The call of the end marker is the region's last instruction, and nobody's work.
-    expected = sum(counts.regions) + counter.MARKER_CALL * len(counts.regions)
-    if taken.total.instructions != expected:
-        raise ToolError(f"{elf}: the places add up to {taken.total.instructions:,} instructions, "
-                        f"the regions to {expected:,}; the plugin has a bug", exit_code=1)
-    return taken, len(counts.regions)
+        return bench_run.profile(plan, core, renderer, image, frames)
 
 
 def estimate(value, frames):
@@ -54,6 +43,10 @@ def print_profile(data, models):
           f"{round(branches['not_taken'] / frames):,} not taken")
     for name, model in models.items():
         print(f"ESTIMATE of cycles a frame, {model.title}: {estimate(data['cycles_estimate'][name], frames)}")
+    print()
+    print(table([[row["stage"], round(row["instructions"] / frames),
+                  f"{100 * row['instructions'] / total:.1f} %"] for row in data["stages"]],
+                ["stage", "a frame", "share"]))
     first = next(iter(models), None)
     header = ["function", "itself", "share", "with calls", "of itself inlined"] + \
         ([f"ESTIMATE of cycles, {first}"] if first else [])

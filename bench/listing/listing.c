@@ -221,7 +221,8 @@ static bool next_edge(const screen_polygon *polygon, listing_edge *edge, uint32_
 {
     for (uint32_t tried = 0; tried < polygon->count; tried++) {
         const screen_point *top = &polygon->points[edge->point];
-        edge->point = (edge->point + direction) % polygon->count;
+        edge->point += direction;
+        edge->point -= edge->point >= polygon->count ? polygon->count : 0u;
         const screen_point *bottom = &polygon->points[edge->point];
         if (bottom->y < top->y) {
             return false;

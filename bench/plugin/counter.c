@@ -80,23 +80,23 @@ static void end_region(void)
     counter.regions[counter.region_count++] = counter.instructions;
 }
 
-/* Moves to the node that a block runs at, from the one of the block before.
- * A call goes inward, a return outward; any other way into another function is
- * a jump that ends this one (a tail call). */
+/* Moves to the node that a block runs at, from the one of the block before. A
+ * call goes inward, a return outward; any other way into another function is a
+ * jump. */
 static void follow(const block *now)
 {
     const block *before = counter.before;
     tree_node *node = counter.node, *back = NULL;
     if (before == NULL) {
-        node = tree_child(&counter.root, now->function, 0);
+        node = tree_call(&counter.root, now->function, 0);
     } else if (now->address != before->end && before->calls) {
-        node = tree_child(node, now->function, before->end);
+        node = tree_call(node, now->function, before->end);
     } else if (now->address != before->end && before->returns &&
-               (back = tree_returning(node, now->address)) != NULL) {
-        node = back->parent;
+               (back = tree_return(node, now->address)) != NULL) {
+        node = back;
     }
     if (node->function != now->function) {
-        node = tree_child(node->parent, now->function, node->return_address);
+        node = tree_jump(node, now->function);
     }
     counter.node = node;
 }

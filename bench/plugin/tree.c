@@ -14,11 +14,12 @@ static void *make(size_t size)
     return memory;
 }
 
-tree_node *tree_child(tree_node *node, uint32_t function, uint32_t return_address)
+static tree_node *child_of(tree_node *node, uint32_t function, uint32_t return_address, bool jumped)
 {
     tree_node *child = node->children;
     while (child != NULL &&
-           (child->function != function || child->return_address != return_address)) {
+           (child->function != function || child->return_address != return_address ||
+            child->jumped != jumped)) {
         child = child->next;
     }
     if (child == NULL) {
@@ -26,17 +27,37 @@ tree_node *tree_child(tree_node *node, uint32_t function, uint32_t return_addres
         child->parent = node;
         child->function = function;
         child->return_address = return_address;
+        child->jumped = jumped;
         child->next = node->children;
         node->children = child;
     }
     return child;
 }
 
-tree_node *tree_returning(tree_node *node, uint32_t address)
+tree_node *tree_call(tree_node *node, uint32_t function, uint32_t return_address)
 {
-    for (; node != NULL && node->parent != NULL; node = node->parent) {
-        if (node->return_address == address) {
-            return node;
+    return child_of(node, function, return_address, false);
+}
+
+tree_node *tree_jump(tree_node *node, uint32_t function)
+{
+    tree_node *before = node;
+    for (;;) {
+        if (before->function == function) {
+            return before;
+        }
+        if (!before->jumped) {
+            return child_of(node, function, node->return_address, true);
+        }
+        before = before->parent;
+    }
+}
+
+tree_node *tree_return(tree_node *node, uint32_t address)
+{
+    for (; node->parent != NULL; node = node->parent) {
+        if (node->return_address == address && !node->jumped) {
+            return node->parent;
         }
     }
     return NULL;
@@ -66,7 +87,7 @@ static uint32_t write_children(FILE *file, tree_node *node, uint32_t next_id)
     for (tree_node *child = node->children; child != NULL; child = child->next) {
         child->id = next_id++;
         fprintf(file, "node %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIx32 "\n", child->id, node->id,
-                child->function, child->return_address);
+                child->function, child->jumped ? 0 : child->return_address);
         next_id = write_children(file, child, next_id);
     }
     return next_id;

@@ -40,15 +40,21 @@ def terminal(plan, result):
     header = ["workload", "renderer", "core", "a frame", "least", "most", "per unit", "unit", "of double",
               "of limit", "flash", "RAM", "stack"]
     frames = [[row["workload"], row["renderer"], row["core"], row["frame"]["mean"], row["frame"]["min"],
-               row["frame"]["max"], row["per_unit"], row["unit"], row["ratio_to_listing_double"],
+               row["frame"]["max"], _short(row["per_unit"]), row["unit"], row["ratio_to_listing_double"],
                row["ratio_to_limit"], row["text_bytes"], row["ram_bytes"], row["stack_bytes"]]
               for row in result["rows"] if row["frame"]]
     cores = result["cores"]
     return "\n\n".join([table(frames, header),
-                        table(_kernel_cells(plan, result), ["kernel", "unit", *cores]),
+                        table([[name, unit, *map(_short, figures)] for name, unit, *figures in _kernel_cells(plan, result)],
+                              ["kernel", "unit", *cores]),
                         table(_growth_cells(result), ["growth of W1", "times", "objects", "pixels", "a frame",
                                                       "times"])
                         if result["growth"] else ""]).rstrip()
+
+
+def _short(value):
+    """A figure for the terminal: whole where it is large."""
+    return round(value) if value >= 1000 else round(value, 3 if value < 10 else 1)
 
 
 def _kernel_cells(plan, result):
@@ -131,6 +137,24 @@ def sizes_markdown(plan, result):
     return _markdown_table(header, rows)
 
 
+def stages_markdown(_, result):
+    """Where the instructions of a mean frame go."""
+    columns = list(dict.fromkeys((row["core"], row["workload"]) for row in result["stages"]))
+    shares = {(row["core"], row["workload"], row["stage"]): row["instructions"] / row["frames"]
+              for row in result["stages"]}
+    whole = {column: sum(number for (core, workload, _), number in shares.items() if (core, workload) == column)
+             for column in columns}
+    names = sorted({row["stage"] for row in result["stages"]},
+                   key=lambda name: (-sum(shares.get((*column, name), 0) / whole[column] for column in columns), name))
+    rows = [[name, *[_share(shares.get((*column, name), 0), whole[column]) for column in columns]] for name in names]
+    rows.append(["a frame", *[f"{round(whole[column]):,}" for column in columns]])
+    return _markdown_table(["stage", *[f"{workload}, {NAMES[core]}" for core, workload in columns]], rows)
+
+
+def _share(part, whole):
+    return f"{round(part):,} ({100 * part / whole:.1f} %)"
+
+
 def growth_markdown(_, result):
     """How a frame of W1 grows."""
     if not result["growth"]:
@@ -161,7 +185,7 @@ def tools_markdown(_, result):
 
 
 SECTIONS = {"tools": tools_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
-            "kernels": kernels_markdown, "sizes": sizes_markdown, "growth": growth_markdown,
+            "stages": stages_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown}
 
 

@@ -24,7 +24,7 @@ class Plan:
         self.workloads = {each["name"]: each for each in data["workloads"]}
         self.renderers = {each["name"]: each for each in data["renderers"]}
         self.kernels = {each["name"]: each for each in data["kernels"]}
-        self.growth = data["growth"]
+        self.growth, self.stages = data["growth"], data["stages"]
 
     @property
     def counter(self):

@@ -70,6 +70,13 @@ def pictures(drawn):
     return rows
 
 
+def stages(profiles):
+    """[{core, workload, frames, stage, instructions}], instructions of all frames together."""
+    return [{"core": core, "workload": workload, "frames": frames, "stage": stage, "instructions": number}
+            for (core, workload), (taken, frames) in profiles.items()
+            for stage, number in sorted(taken.stages.items(), key=lambda item: (-item[1], item[0]))]
+
+
 def split_kernels(plan, core, counted):
     """Rows of the kernels, and the limits [{core, name, unit, instructions, per_unit}]."""
     rows, limits = [], []

@@ -8,7 +8,8 @@ import tempfile
 
 import numpy
 
-from fixel import bench_plan, counter, dump, emulator, image
+from fixel import bench_plan, counter, cycles, dump, emulator, places
+from fixel.debug_lines import DebugLines
 from fixel.errors import ToolError
 from fixel.machine_code import MachineCode
 
@@ -44,6 +45,21 @@ def draw(plan, core, renderer, scene, frames=None):
         raise ToolError(f"{elf}: {len(counts.regions)} regions, {len(drawn.frames)} frames", exit_code=1)
     return Drawn(counts.regions, numpy.stack([frame.pixels for frame in drawn.frames]),
                  _said(r"^bench: memory (\d+)$", output, elf), _said(r"^bench: stack (\d+)$", output, elf))
+
+
+def profile(plan, core, renderer, scene, frames=None):
+    """(Profile, frames): a scene drawn with every place counted."""
+    elf = plan.program(core, renderer)
+    code = MachineCode(elf)
+    with tempfile.TemporaryDirectory(prefix="fixel-profile-") as folder:
+        _, counts = counter.run(elf, code, plan.counter, folder, scene, frames, detail=True, timeout=TIMEOUT)
+    taken = places.Profile(code, counts, DebugLines(elf), cycles.models(core))
+    # The call of the end marker is the region's last instruction, and nobody's work.
+    expected = sum(counts.regions) + counter.MARKER_CALL * len(counts.regions)
+    if taken.total.instructions != expected:
+        raise ToolError(f"{elf}: the places add up to {taken.total.instructions:,} instructions, "
+                        f"the regions to {expected:,}; the plugin has a bug", exit_code=1)
+    return taken, len(counts.regions)
 
 
 def kernels(plan, core):
@@ -100,7 +116,3 @@ def grow(plan, entry):
     return {"axis": axis, "factor": factor, "core": plan.growth["core"], "objects": objects,
             "pixels": pixels, "frames": len(counts), "instructions": round(sum(counts) / len(counts))}
 
-
-def is_sorted(scene):
-    """Whether a scene has a model whose faces the library sorts."""
-    return any(model.kind == image.SORTED for model in scene.models)

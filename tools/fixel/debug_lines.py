@@ -16,12 +16,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class DebugLines:
-    """line(address) -> "file:line" or None; inlined(address) -> names, outermost first."""
+    """line(address) -> "file:line" or None; inlined(address) -> names, outermost first;
+    files: {function: the file that it stands in}."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
             elf = ELFFile(file)
-            self.rows, self.scopes = [], []
+            self.rows, self.scopes, self.files = [], [], {}
             if elf.has_dwarf_info():
                 self._read(elf.get_dwarf_info())
         self.rows.sort(key=lambda row: row[0])
@@ -34,6 +35,8 @@ class DebugLines:
             if program is not None:
                 self._read_lines(program)
             for die in unit.iter_DIEs():
+                if die.tag == "DW_TAG_subprogram" and program is not None:
+                    self._read_place(die, program.header)
                 if die.tag == "DW_TAG_inlined_subroutine":
                     name = _origin_name(die)
                     self.scopes += [(low, high, _depth(die), name) for low, high in _ranges(dwarf, unit, die)]
@@ -48,6 +51,13 @@ class DebugLines:
                 self.rows.append((before[0], state.address, before[1]))
             before = None if state.end_sequence else \
                 (state.address, f"{_relative(symbols.file_name(program.header, state.file))}:{state.line}")
+
+    def _read_place(self, die, header):
+        """Where a function stands; of functions of one name in several files, the first counts."""
+        if "DW_AT_name" in die.attributes and "DW_AT_decl_file" in die.attributes \
+                and "DW_AT_declaration" not in die.attributes:
+            file = _relative(symbols.file_name(header, die.attributes["DW_AT_decl_file"].value))
+            self.files.setdefault(die.attributes["DW_AT_name"].value.decode("utf-8", "replace"), file)
 
     def line(self, address):
         """file:line of an instruction; None where the program does not say (code of a library)."""

@@ -6,7 +6,7 @@ import html
 import zlib
 
 WIDTH, ROW, MARGIN, HEAD = 1280, 18, 10, 44
-LETTER = 6.3            # pixels a letter of the font takes
+LETTER = 6.7            # pixels a letter of the font takes
 NARROWEST = 0.4         # pixels; a narrower bar is left out, but not its width
 HUES = ((28, 82, 66), (205, 62, 68), (152, 42, 62), (345, 60, 72), (262, 45, 73), (48, 78, 62), (186, 45, 60))
 STYLE = ("text{font:11px 'DejaVu Sans Mono',Menlo,Consolas,monospace;fill:#1c2430}"

@@ -3,6 +3,7 @@
 
 import collections
 import dataclasses
+import pathlib
 
 from fixel import thumb
 
@@ -16,6 +17,8 @@ GROUPS = {"multiply": ("multiply", "multiply add"),
           "float": ("float", "float multiply add", "float divide", "float root"), "vector": ("vector",)}
 GROUP_OF = {kind: group for group, kinds in GROUPS.items() for kind in kinds}
 INLINED = "(inlined)"
+LIBRARY = pathlib.PurePath("lib/src")
+OTHERS = "beside the library"
 BEFORE_RETURN = 2   # bytes: an address within the call
 
 
@@ -36,8 +39,9 @@ class Sum:
 class Profile:
     """What each function, line and stack took, over all frames together.
 
-    functions[name]: itself (self), with all that it calls (inclusive), how much of itself was
-    inlined into others, how often it was called where it was not. stacks[(names...)]: Sum.
+    own[name], inclusive[name]: itself, and with all that it calls; inlined[name]: how much of own was
+    inlined into others. stacks[(names...)]: Sum. stages[name]: instructions of a stage of the
+    library, with what the stage has others do for it (the innermost file of lib/src counts).
     """
 
     def __init__(self, code, counts, lines, models):
@@ -46,7 +50,7 @@ class Profile:
         self.taken = collections.Counter()
         self.own, self.inclusive = collections.defaultdict(Sum), collections.defaultdict(Sum)
         self.inlined, self.lines = collections.Counter(), collections.defaultdict(Sum)
-        self.stacks = collections.defaultdict(Sum)
+        self.stacks, self.stages = collections.defaultdict(Sum), collections.Counter()
         self.code, self.debug, self.models = code, lines, models
         self.scopes = {}
         paths = self._paths(counts)
@@ -61,6 +65,14 @@ class Profile:
             known = function < len(self.code.functions)
             paths[node] = (*paths[parent], *about, self.code.functions[function].name if known else "?")
         return paths
+
+    def _stage(self, names):
+        """The stage that a stack is in."""
+        for name in reversed(names):
+            file = pathlib.PurePath(self.debug.files.get(name, ""))
+            if file.suffix == ".c" and file.parent == LIBRARY:
+                return file.stem
+        return OTHERS
 
     def _add_block(self, path, block, times, left):
         address, sizes = block
@@ -87,6 +99,7 @@ class Profile:
         self.own[names[-1]].add(times, cycles)
         if stack[-1].endswith(INLINED):
             self.inlined[names[-1]] += times
+        self.stages[self._stage(names)] += times
         for name in set(names):
             self.inclusive[name].add(times, cycles)
         line = self.debug.line(address)
@@ -109,6 +122,8 @@ def as_json(profile, frames):
     return {"frames": frames, "instructions": profile.total.instructions,
             "cycles_estimate": profile.total.cycles,
             "kinds": {group: profile.groups[group] for group in [*GROUPS, "other"]},
+            "stages": [{"stage": name, "instructions": number}
+                       for name, number in profile.stages.most_common()],
             "branches_conditional": {"taken": profile.taken["taken"],
                                      "not_taken": profile.taken["not taken"]},
             "functions": functions, "lines": rows(profile.lines, "line")}
