@@ -38,13 +38,13 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run view flash boot size screen pictures
+NEEDS_run    := run view flash boot size screen pictures bench profile
 NEEDS_report := report all
 NEEDS_test   := test boards seeded-bugs
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
-NEEDS_tools  := compare
+NEEDS_tools  := compare bench-diff bench-baseline
 NEEDS_gdb    := gdb
 NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
 SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
@@ -65,6 +65,7 @@ endif
 include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
+include bench/bench.mk
 
 HOST_WALK := $(BOARD_WALK.host)
 WALK      := $(BOARD_WALK.$(BOARD))
@@ -76,7 +77,8 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench bench-diff \
+    bench-baseline profile fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -147,9 +149,12 @@ size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
 TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
+# What the tests of the bench run.
+BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3)
 TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
     $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
-    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) \
+    $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
 # For tools: a board, its unit tests; a board, the unit tests that it has no room for.
 UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
     $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
@@ -162,6 +167,23 @@ boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board))
 	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
+bench: $(BENCH_BUILT) ## executed instructions of the workloads and kernels on four cores, the chapter's listing beside
+	@$(PY) tools/bench.py --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
+	    --out $(BENCH_OUT) --build $(BUILD)
+
+bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
+	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')
+
+bench-baseline: ## the last make bench as the new baseline, and the tables of docs/performance.md anew
+	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json --accept
+
+# CORE here is one of the bench's; the default of the other commands is none.
+PROFILE_CORE := $(if $(filter file,$(origin CORE)),m3,$(CORE))
+PROFILE_RENDERER := $(or $(RENDERER),fixel)
+profile: $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE))) ## where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
+	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
+	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
+
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
@@ -169,7 +191,7 @@ seeded-bugs: ## break the library on purpose, one place at a time: the tests mus
 	@$(PY) tools/seeded_bugs.py --build $(BUILD)
 
 format: ## lay out the C sources with clang-format
-	@find lib boards firmware host_tests -name '*.[ch]' -exec clang-format -i {} +
+	@find lib boards firmware host_tests bench -name '*.[ch]' -exec clang-format -i {} +
 
 clean: ## remove what was built (keeps .venv)
 	@rm -rf $(BUILD)

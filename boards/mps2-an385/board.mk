@@ -5,6 +5,7 @@ BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M mps2-an385
 BOARD_NOTE := window=16777216
+BOARD_BENCH := m0 m3
 
 # Of 4 MiB: any screen in one band, and as many objects as an image can name.
 BOARD_BAND_BYTES := 1048576

@@ -7,6 +7,7 @@ BOARD_CPU := cortex-m4
 BOARD_CORE := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M mps2-an386
 BOARD_NOTE := window=16777216
+BOARD_BENCH := m4f
 
 # Of 4 MiB: any screen in one band, and as many objects as an image can name.
 BOARD_BAND_BYTES := 1048576

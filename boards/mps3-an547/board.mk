@@ -8,6 +8,7 @@ BOARD_CPU := cortex-m55
 BOARD_CORE := -mcpu=cortex-m55 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M mps3-an547
 BOARD_NOTE := window=2147483648
+BOARD_BENCH := m55
 
 # Of 512 KiB: 320x240 in one band, larger screens in a few.
 BOARD_BAND_BYTES := 131072
