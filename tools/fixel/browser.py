@@ -18,13 +18,13 @@ ENDING = 20     # seconds
 
 
 @contextlib.contextmanager
-def viewing(board, scene, build="build", **how):
+def viewing(board, scene, build="build", options=(), **how):
     """Runs view.py as a user would: yields its process and the page's address; ends it by Ctrl-C where
-    it still runs. how: for subprocess.Popen."""
+    it still runs. options: more words for it; how: for subprocess.Popen."""
     how.setdefault("stdin", subprocess.DEVNULL)
     how.setdefault("stderr", subprocess.PIPE)
     process = subprocess.Popen([sys.executable, str(VIEW), "--board", board, "--scene", str(scene),
-                                "--build", str(build)], stdout=subprocess.PIPE, text=True, **how)
+                                "--build", str(build), *options], stdout=subprocess.PIPE, text=True, **how)
     try:
         address = ADDRESS.search(process.stdout.readline())
         if address is None:
