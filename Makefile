@@ -38,9 +38,9 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run view flash boot size screen pictures bench profile
+NEEDS_run    := run view flash boot size screen bench profile
 NEEDS_report := report all
-NEEDS_test   := test boards seeded-bugs
+NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
@@ -128,11 +128,12 @@ screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCEN
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
 
-pictures: ## the README's pictures anew, from make run and make report
+pictures: $(WALK) $(BUILD)/host/live ## the README's pictures anew, from make run, make report and make view
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
 	@$(MAKE) --no-print-directory screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
+	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
 
