@@ -68,7 +68,7 @@ def animation(taken, lasting):
 def record(options):
     """The recording's bytes."""
     with browser.viewing(options.board, options.scene, options.build) as (_, address), \
-            browser.page(address, WIDTH, HEIGHT) as page:
+            browser.chromium() as chromium, browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.wait_for_timeout(1000)     # until the rates are measured
         taken, lasting = pictures(page, SCRIPT)
         if page.complaints:

@@ -59,7 +59,14 @@ async def serve(board, twin_program, scene_image, options):
         return hub.error
 
 
+def interrupted(*_):
+    """An ending before there is a loop that would take it."""
+    raise KeyboardInterrupt
+
+
 def view(options):
+    for each in ENDINGS:
+        signal.signal(each, interrupted)
     elf = elf_of(options.board, options.build)
     program = firmware.load(elf, options.board)
     if program.hosted:
@@ -70,7 +77,11 @@ def view(options):
         scene_image = make_scene_image(options.scene, folder, None, options.screen)
         flash.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:
-            error = asyncio.run(serve(board, pathlib.Path(options.build) / "host" / "live", scene_image, options))
+            try:
+                error = asyncio.run(serve(board, pathlib.Path(options.build) / "host" / "live", scene_image, options))
+            finally:
+                for each in ENDINGS:    # whoever is impatient now would leave something behind
+                    signal.signal(each, signal.SIG_IGN)
     if error:
         raise error
     return 0

@@ -45,9 +45,8 @@ def viewing(board, scene, build="build", options=(), **how):
 
 
 @contextlib.contextmanager
-def page(address, width, height, **how):
-    """The window in a browser of its own; what its console says is in the list page.complaints. how:
-    for Browser.new_page."""
+def chromium():
+    """A browser, for as many pages as are wanted."""
     # Here, so that whoever does not want a browser need not wait for it.
     from playwright.sync_api import Error, sync_playwright
     if not CHROMIUM.exists():
@@ -58,10 +57,17 @@ def page(address, width, height, **how):
         except Error as error:
             raise ToolError(f"{CHROMIUM} does not start: {error}", exit_code=1) from error
         with contextlib.closing(browser):
-            opened = browser.new_page(viewport={"width": width, "height": height}, **how)
-            opened.complaints = []
-            opened.on("console", lambda message: opened.complaints.append(message.text))
-            opened.on("pageerror", lambda error: opened.complaints.append(str(error)))
-            opened.goto(address)
-            opened.wait_for_selector("#state.live")
-            yield opened
+            yield browser
+
+
+@contextlib.contextmanager
+def page(browser, address, width, height):
+    """The window in a tab that shares nothing with another; what its console says is in the list
+    page.complaints."""
+    with contextlib.closing(browser.new_page(viewport={"width": width, "height": height})) as opened:
+        opened.complaints = []
+        opened.on("console", lambda message: opened.complaints.append(message.text))
+        opened.on("pageerror", lambda error: opened.complaints.append(str(error)))
+        opened.goto(address)
+        opened.wait_for_selector("#state.live")
+        yield opened
