@@ -131,7 +131,7 @@ static bool walk_sorted(const walk *on, const fxl_object *object, const fxl_mode
 static void walk_scene(const walk *on)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->objects < scene->object_count; on->place->objects += 1) {
+    for (; on->place->objects < on->renderer->in_sight; on->place->objects += 1) {
         const fxl_object *object = &scene->objects[on->renderer->order[on->place->objects].index];
         const fxl_model *model = &scene->models[object->model];
         bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, object, model)
@@ -193,10 +193,15 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     }
     fxl_frustum_from_camera(&renderer->view.camera, &renderer->view.lens, &renderer->view.frustum);
     fxl_view_frustum_from_lens(&renderer->view.lens, &renderer->view.view_frustum);
-    fxl_order_objects(renderer->scene, &renderer->view.camera.position, renderer->order);
+    uint32_t left_out;
+    renderer->in_sight =
+        (uint16_t)fxl_order_objects(renderer->scene, &renderer->view.camera,
+                                    &renderer->view.view_frustum, renderer->order, &left_out);
     uint32_t refused_calls = renderer->counters.refused_calls;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     renderer->counters.refused_calls = refused_calls;
+    renderer->counters.in = left_out;
+    renderer->counters.outside = left_out;
     renderer->list.used = 0;
     renderer->rest.objects = 0;
     renderer->rest.faces = 0;
