@@ -13,7 +13,7 @@ BOARD_BAND_BYTES := 38400
 BOARD_ORDER_ENTRIES := 2048
 BOARD_LIST_BYTES := 32768
 
-# Its tables of the largest scene alone take a megabyte.
+# Its table of the most objects there may be takes a megabyte.
 BOARD_UNIT_OMIT := test_scene_placed
 
 # QEMU's 120 MHz; the real chip runs at 16 MHz until it is told otherwise.
