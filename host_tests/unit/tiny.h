@@ -57,11 +57,12 @@ enum {
     AT_PATH = 128,
     AT_FRAMES = 136,
     AT_RESERVED = 140,
-    HEADER_SIZE = 160
+    HEADER_SIZE = 160,
+    TINY_WORDS = 512
 };
 
 typedef struct {
-    uint32_t words[1024]; /* aligned to four bytes */
+    uint32_t words[TINY_WORDS]; /* aligned to four bytes */
     uint32_t size;
 } tiny_image;
 
