@@ -161,13 +161,24 @@ def sizes_markdown(plan, result):
         for flags in ("-O2", "-Os"):
             sizes = [size for size in result["sizes"]
                      if size["renderer"] == renderer and size["flags"] == flags]
-            rows.append([renderer, flags, *[f"{size['code'] + size['constants']:,} + {size['run_time']:,}" for size in sizes]])
+            rows.append([renderer, flags, *[f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in sizes]])
     for renderer in plan.renderers:
         drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)
                  for core in result["cores"]]
         rows.append([f"{renderer}: stack", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
         rows.append([f"{renderer}: RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
     return _markdown_table(header, rows)
+
+
+def files_markdown(_, result):
+    """Bytes of the library's files as the linker took them, for size."""
+    sizes = {size["core"]: size["files"] for size in result["sizes"]
+             if (size["renderer"], size["flags"]) == ("fixel", "-Os")}
+    names = sorted({name for files in sizes.values() for name in files},
+                   key=lambda name: (-max(files.get(name, 0) for files in sizes.values()), name))
+    rows = [[name, *[_number(files.get(name, 0)) for files in sizes.values()]] for name in names]
+    rows.append(["all", *[_number(sum(files.values())) for files in sizes.values()]])
+    return _markdown_table(["bytes, -Os", *[NAMES[core] for core in sizes]], rows)
 
 
 def stages_markdown(_, result):
@@ -241,7 +252,7 @@ def tools_markdown(_, result):
 
 
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
-            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "growth": growth_markdown,
+            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "files": files_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown}
 
 

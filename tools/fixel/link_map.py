@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How many bytes a program takes, by who brought them: the linker's map."""
 
+import collections
 import pathlib
 import re
 
@@ -18,19 +19,24 @@ HELPER = re.compile(r"/libgcc\.a\((\w+)\.o\)$")
 
 
 def measure(path):
-    """{"code", "constants", "run_time", "ram", "helpers"}: bytes of code and of constants by the
-    program's own files, of both by the run-time libraries, of variables by all; and the names of the
-    compiler's arithmetic that was linked."""
+    """{"code", "constants", "run_time", "ram", "helpers", "files"}: bytes of code and of constants by
+    the program's own files, of both by the run-time libraries, of variables by all; the names of the
+    compiler's arithmetic that was linked; and {file: bytes} of the program's own, the largest first."""
     total = {"code": 0, "constants": 0, "run_time": 0, "ram": 0}
-    helpers = set()
+    helpers, files = set(), collections.Counter()
     for name, size, file in sections(path):
         kind = "code" if _is(name, CODE) else "constants" if _is(name, CONSTANTS) else None
         if kind:
-            total["run_time" if RUN_TIME.search(file) else kind] += size
             helpers.update(HELPER.findall(file))
+            if RUN_TIME.search(file):
+                kind = "run_time"
+            else:
+                files[pathlib.PurePath(file).stem] += size
+            total[kind] += size
         if _is(name, RAM):
             total["ram"] += size
-    return {**total, "helpers": sorted(helpers)}
+    return {**total, "helpers": sorted(helpers),
+            "files": dict(sorted(files.items(), key=lambda item: (-item[1], item[0])))}
 
 
 def sections(path):
