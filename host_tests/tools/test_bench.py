@@ -254,7 +254,7 @@ def test_nothing_changed(tmp_path, baseline):
     (1.004, "instructions", "fixel", 0, "slower, hardly"),
     (1.5, "instructions", "listing-double", 0, "slower"),
     (1.25, "stack_bytes", "fixel", 1, "WORSE: w1 fixel m3: deeper by 25.00 %"),
-    (1.25, "text_bytes", "fixel", 1, "larger by 25.0"),
+    (1.25, "text_bytes", "fixel", 1, "WORSE: all fixel m3: larger by 25.0"),
 ])
 def test_what_became_worse_and_by_how_much(tmp_path, baseline, factor, measure, renderer, code, words):
     done = compare(tmp_path, baseline, changed(baseline, factor, renderer, measure))
