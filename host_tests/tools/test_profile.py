@@ -124,7 +124,8 @@ def test_a_kind_without_a_cost_is_refused():
 
 class Code:
     """Functions outer at 0x100 and helper at 0x200; every instruction is a plain one."""
-    functions = [types.SimpleNamespace(name="outer"), types.SimpleNamespace(name="helper")]
+    functions = [types.SimpleNamespace(name="outer", start=0x100),
+                 types.SimpleNamespace(name="helper", start=0x200)]
 
     @staticmethod
     def instruction(address):
@@ -158,6 +159,7 @@ def test_every_instruction_has_one_function_one_line_one_stack_and_one_stage():
     assert {name: each.instructions for name, each in taken.own.items()} == {"outer": 20, "small": 10, "helper": 20}
     assert {name: each.instructions for name, each in taken.inclusive.items()} == \
         {"outer": 50, "small": 10, "helper": 20}
+    assert taken.entered == {"outer": 10, "helper": 10}
     assert taken.inlined == {"small": 10} and taken.taken == {"taken": 4, "not taken": 6}
     assert {names: each.instructions for names, each in taken.stacks.items()} == \
         {("outer",): 20, ("outer", "small (inlined)"): 10, ("outer", "helper"): 20}

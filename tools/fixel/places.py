@@ -67,7 +67,7 @@ class Profile:
     """What each function, line and stack took, over all frames together.
 
     own[name], inclusive[name]: itself, and with all that it calls; inlined[name]: how much of own was
-    inlined into others. stacks[(names...)]: Sum. stages[name], staged[stage, name]: instructions of a
+    inlined into others; entered[name]: how often its first instruction ran. stacks[(names...)]: Sum. stages[name], staged[stage, name]: instructions of a
     stage of the pipeline, and of a function there.
     """
 
@@ -82,6 +82,8 @@ class Profile:
         self.pipeline = stages or Stages()
         self.code, self.debug, self.models = code, lines, models
         self.scopes = {}
+        self.starts = {function.start for function in code.functions}
+        self.entered = collections.Counter()
         paths = self._paths(counts)
         for node, block, times, left in counts.visits:
             self._add_block(paths[node], counts.blocks[block], times, left)
@@ -118,6 +120,8 @@ class Profile:
         self.stacks[stack].add(times, cycles)
         names = [name.removesuffix(f" {INLINED}") for name in stack]
         self.own[names[-1]].add(times, cycles)
+        if address in self.starts:
+            self.entered[path[-1]] += times
         if stack[-1].endswith(INLINED):
             self.inlined[names[-1]] += times
         stage = self.pipeline.of(names, self.debug.files)
@@ -145,9 +149,11 @@ def as_json(profile, frames):
     for row in functions:
         row["inclusive"] = profile.inclusive[row["function"]].instructions
         row["inlined"] = profile.inlined[row["function"]]
+        row["entered"] = profile.entered[row["function"]]
     for name in profile.inclusive.keys() - profile.own.keys():
         functions.append({"function": name, "instructions": 0, "cycles_estimate": {},
-                          "inclusive": profile.inclusive[name].instructions, "inlined": 0})
+                          "inclusive": profile.inclusive[name].instructions, "inlined": 0,
+                          "entered": profile.entered[name]})
     return {"frames": frames, "instructions": profile.total.instructions,
             "cycles_estimate": profile.total.cycles,
             "kinds": {group: profile.groups[group] for group in [*GROUPS, "other"]},
