@@ -43,7 +43,9 @@ class Stages:
 
     def __init__(self, path=STAGES):
         with open(path, "rb") as file:
-            entries = tomllib.load(file)["stages"]
+            data = tomllib.load(file)
+        entries = data["stages"]
+        self.shared = set(data["shared"])
         self.what = {entry["name"]: entry["what"] for entry in entries}
         self.of_function = {name: entry["name"] for entry in entries for name in entry["functions"]}
         self.of_file = {stem: entry["name"] for entry in entries for stem in entry["files"]}
@@ -53,7 +55,8 @@ class Stages:
         innermost = None
         for name in reversed(names):
             file = pathlib.PurePath(files.get(name, ""))
-            if file.suffix == ".h" or not any(folder in file.parents for folder in LIBRARY):
+            if file.suffix == ".h" or file.stem in self.shared or \
+                    not any(folder in file.parents for folder in LIBRARY):
                 continue
             if innermost not in (None, file.stem):
                 break
