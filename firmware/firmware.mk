@@ -33,7 +33,8 @@ BOARD_DEFINES := -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES) -DWALK_ORDER_ENTRIES=$(BO
 BOARD_CFLAGS := $(WARNINGS) -O2 -g $(BOARD_CORE) $(BOARD_INCLUDES) $(BOARD_DEFINES) \
     -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
 
-BOARD_LIB_OBJECTS := $(patsubst lib/src/%.c,$(BOARD_OUT)/lib/src/%.o,$(wildcard lib/src/*.c))
+BOARD_KERNELS := $(call LIB_FAMILY,$(BOARD_CORE))
+BOARD_LIB_OBJECTS := $(LIB_NAMES:%=$(BOARD_OUT)/lib/%.o)
 BOARD_PART_OBJECTS := $(BOARD_SOURCES:%.c=$(BOARD_OUT)/%.o)
 BOARD_WALK_OBJECTS := $(patsubst %.c,$(BOARD_OUT)/%.o,$(wildcard firmware/walk/*.c))
 
@@ -70,9 +71,9 @@ $(BOARD_FAULTS): $(BOARD_OUT)/firmware/faults/main.o $(BOARD_PART_OBJECTS) $(BOA
 
 # Unity asks for setjmp, and tests may print: these programs have a C library.
 BOARD_UNIT_CFLAGS = $(filter-out -ffreestanding,$(BOARD_CFLAGS)) -I$(UNITY_DIR)/src -Ihost_tests/unit \
-    -Ilib/src -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
+    $(call LIB_FAMILY_CFLAGS,$(BOARD_KERNELS)) -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # The library with its assertions on.
-BOARD_UNIT_LIB := $(patsubst lib/src/%.c,$(BOARD_UNIT)/lib/%.o,$(wildcard lib/src/*.c))
+BOARD_UNIT_LIB := $(LIB_NAMES:%=$(BOARD_UNIT)/lib/%.o)
 BOARD_UNIT_HELPERS := $(patsubst %.c,$(BOARD_OUT)/%.o,\
     $(filter-out host_tests/unit/test_%,$(wildcard host_tests/unit/*.c)) $(wildcard firmware/unittest/*.c))
 BOARD_UNIT_TESTS := $(patsubst host_tests/unit/%.c,$(BOARD_UNIT)/%.elf,$(wildcard host_tests/unit/test_*.c))
@@ -87,10 +88,13 @@ $(BOARD_OUT)/firmware/unittest/%.o: firmware/unittest/%.c
 	$(BOARD_SAY) CC $@
 	$(BOARD_QUIET)$(BOARD_CC) $(BOARD_UNIT_CFLAGS) -c $< -o $@
 
-$(BOARD_UNIT)/lib/%.o: lib/src/%.c
-	@mkdir -p $(@D)
-	$(BOARD_SAY) CC $@
-	$(BOARD_QUIET)$(BOARD_CC) $(BOARD_CFLAGS) -DFXL_ASSERT_HOOK -c $< -o $@
+define BOARD_UNIT_LIB_RULE
+$(BOARD_UNIT)/lib/%.o: $(1)/%.c
+	@mkdir -p $$(@D)
+	$$(BOARD_SAY) CC $$@
+	$$(BOARD_QUIET)$$(BOARD_CC) $$(BOARD_CFLAGS) $$(call LIB_FAMILY_CFLAGS,$$(BOARD_KERNELS)) -DFXL_ASSERT_HOOK -c $$< -o $$@
+endef
+$(foreach folder,$(call LIB_FOLDERS,$(BOARD_KERNELS)),$(eval $(call BOARD_UNIT_LIB_RULE,$(folder))))
 
 $(BOARD_UNIT)/%_runner.c: host_tests/unit/%.c
 	@mkdir -p $(@D)
@@ -118,6 +122,14 @@ board-unit-tests: $(BOARD_UNIT_TESTS)
 board-faults: $(BOARD_FAULTS)
 
 endif
+
+define BOARD_LIB_RULE
+$(BOARD_OUT)/lib/%.o: $(1)/%.c
+	@mkdir -p $$(@D)
+	$$(BOARD_SAY) CC $$@
+	$$(BOARD_QUIET)$$(BOARD_CC) $$(BOARD_CFLAGS) $$(call LIB_FAMILY_CFLAGS,$$(BOARD_KERNELS)) -c $$< -o $$@
+endef
+$(foreach folder,$(call LIB_FOLDERS,$(BOARD_KERNELS)),$(eval $(call BOARD_LIB_RULE,$(folder))))
 
 $(BOARD_OUT)/%.o: %.c
 	@mkdir -p $(@D)

@@ -10,12 +10,12 @@
 /* scan -> fill. False where scan refused the polygon. */
 static bool paint(fxl_renderer *renderer, const fxl_band *band)
 {
-    fxl_span span;
+    const fxl_trapezoid *trapezoid;
     if (fxl_scan_begin(&renderer->screen, band, &renderer->scan) != FXL_OK) {
         return false;
     }
-    while (fxl_scan_next(&renderer->scan, &span)) {
-        fxl_fill_span(band, &span, renderer->screen.colour);
+    while ((trapezoid = fxl_scan_next_trapezoid(&renderer->scan)) != NULL) {
+        fxl_fill_trapezoid(band, trapezoid, renderer->screen.colour);
     }
     return true;
 }
