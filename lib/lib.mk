@@ -14,7 +14,8 @@ LIB_FAMILY = $(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcp
 comma := ,
 
 # Every object of the library, whatever the family; its source is the first of
-# LIB_FOLDERS that has one of the name. A makefile has a rule for each folder.
+# LIB_FOLDERS that has one of the name.
+# A makefile has LIB_RULES for its own folder of objects.
 LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/portable/*.c))))
 LIB_FOLDERS = $(if $(filter portable,$(1)),,lib/kernels/$(1)) lib/kernels/portable lib/src
 # The kernels' own loops must not become calls of memset.
