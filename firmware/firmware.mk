@@ -1,150 +1,154 @@
 # SPDX-License-Identifier: MIT
-# Programs for one board: $(BOARD). Wants BUILD, WARNINGS (with -std=c11), CROSS
-# and HOSTCC, and
-# boards/$(BOARD)/board.mk included first, which sets
-#   BOARD_CPU            the core, for people and for the report
-#   BOARD_CORE           compiler flags that choose the core
-#   BOARD_QEMU           what QEMU is told to be this board
-#   BOARD_BAND_BYTES     memory for a band of pixels
-#   BOARD_ORDER_ENTRIES  entries for the order of drawing
-#   BOARD_SOURCES        board.c and the parts that the board is made of
-#   BOARD_HOSTED         "yes" where the host itself is the board
+# Programs for every board of BOARDS. Wants BUILD, WARNINGS (with -std=c11),
+# CROSS and HOSTCC. boards/<board>/board.mk sets
+#   BOARD_CPU               the core, for people and for the report
+#   BOARD_CORE              compiler flags that choose the core
+#   BOARD_QEMU              what QEMU is told to be this board
+#   BOARD_BAND_BYTES        memory for a band of pixels
+#   BOARD_ORDER_ENTRIES     entries for the order of drawing
+#   BOARD_LIST_BYTES        memory for a frame's list of polygons
+#   BOARD_SOURCES           board.c and the parts that the board is made of
+# and where it is wanted
+#   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
+#   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
+#   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
+#   BOARD_OPENOCD           OpenOCD's configuration for the real board
+#   BOARD_NOTE              more of key=value for the tools, separated by blanks
+#   BOARD_HOSTED            "yes" where the host itself is the board
+#   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
-# Makes
-#   $(BOARD_WALK)    the walk
-#   $(BOARD_FAULTS)  a program that fails in a way that it is told (boards with faults only)
-#   $(BOARD_UNIT)/test_X.elf  host_tests/unit/test_X.c with Unity. The test
-#     driver runs each by fixel.emulator.run_unit(elf) -> (passed, failed, output);
-#     "make BOARD=... board-unit-tests" builds them all. On a board a failing
-#     TEST_ASSERT ends one test; a fault, or a failed assertion of the library,
-#     ends the program and counts as one test failed.
+# Makes, for each board:
+#   $(BOARD_WALK.<board>)    the walk
+#   $(BOARD_FAULTS.<board>)  a program that fails in a way that it is told (not on the host)
+#   $(BOARD_UNITS.<board>)   its unit tests: firmware/unittest/unittest.mk
+#
+# What depends on the core alone is built once for all boards with that core,
+# under build/core/<flags>/; what knows the board, under build/boards/<board>/.
+# One make knows every file, so none is made twice at a time.
 
 # V=1 shows the commands.
-BOARD_QUIET := $(if $(V),,@)
-BOARD_SAY = @printf '  %-4s %s\n'
-BOARD_OUT := $(BUILD)/boards/$(BOARD)
-BOARD_UNIT := $(BOARD_OUT)/unit
-CMOCK_DIR ?= /usr/share/cmock
-UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
+FIRMWARE_QUIET := $(if $(V),,@)
+FIRMWARE_SAY = @printf '  %-4s %s\n'
+FIRMWARE_OUT := $(BUILD)/boards
+CORE_OUT := $(BUILD)/core
 
-BOARD_INCLUDES := -Ilib/include -Iboards -Ifirmware/walk
-BOARD_DEFINES := -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES) \
-    -DBOARD_NAME='"$(BOARD)"' -DBOARD_CPU='"$(BOARD_CPU)"' -DBOARD_QEMU='"$(BOARD_QEMU)"'
-BOARD_CFLAGS := $(WARNINGS) -O2 -g $(BOARD_CORE) $(BOARD_INCLUDES) $(BOARD_DEFINES) \
-    -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
+empty :=
+space := $(empty) $(empty)
+define newline
 
-BOARD_KERNELS := $(call LIB_FAMILY,$(BOARD_CORE))
-BOARD_LIB_OBJECTS := $(LIB_NAMES:%=$(BOARD_OUT)/lib/%.o)
-BOARD_PART_OBJECTS := $(BOARD_SOURCES:%.c=$(BOARD_OUT)/%.o)
-BOARD_WALK_OBJECTS := $(patsubst %.c,$(BOARD_OUT)/%.o,$(wildcard firmware/walk/*.c))
 
-ifeq ($(BOARD_HOSTED),yes)
+endef
 
-BOARD_CC := $(HOSTCC)
-BOARD_WALK := $(BOARD_OUT)/walk
-BOARD_FAULTS :=
+# --- settings ------------------------------------------------------------------
 
-$(BOARD_WALK): $(BOARD_WALK_OBJECTS) $(BOARD_PART_OBJECTS) $(BOARD_LIB_OBJECTS)
-	$(BOARD_SAY) LD $@
-	$(BOARD_QUIET)$(BOARD_CC) $(filter %.o,$^) -o $@
+# What a board.mk must set; what it may set; what it may leave empty.
+BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH
 
-else
+# Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
+define BOARD_READ
+$(foreach setting,$(BOARD_MUST) $(BOARD_MAY),undefine BOARD_$(setting)$(newline))
+include boards/$(1)/board.mk
+$(foreach setting,$(BOARD_MUST),$$(if $$(BOARD_$(setting)),,$$(error boards/$(1)/board.mk does not set BOARD_$(setting)))$(newline))
+$(foreach setting,$(BOARD_MUST) $(BOARD_MAY),BOARD_$(setting).$(1) := $$(BOARD_$(setting))$(newline))
+endef
+$(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
 
-BOARD_CC := $(CROSS)gcc
-BOARD_WALK := $(BOARD_OUT)/walk.elf
-BOARD_FAULTS := $(BOARD_OUT)/faults.elf
-BOARD_CFLAGS += -ffreestanding
-BOARD_LINK = $(BOARD_CC) $(BOARD_CORE) -nostartfiles -Llinker -T boards/$(BOARD)/memory.ld \
+# --- cores ---------------------------------------------------------------------
+
+# Flags that every object of a core and capacity is compiled with, and a name of them.
+CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -ffreestanding) \
+    $(BOARD_POLYGON_CAPACITY.$(1):%=-DFXL_POLYGON_CAPACITY=%)
+CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
+    $(filter-out -ffreestanding -mthumb,$(CORE_CHOICE))))))),host)
+# Where a board's objects of its core are.
+BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
+
+FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
+LIB_OBJECTS_OF = $(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o)
+
+# $(1): how to call the compiler, without the files.
+define FIRMWARE_COMPILE
+@mkdir -p $(@D)
+$(FIRMWARE_SAY) CC $@
+$(FIRMWARE_QUIET)$(1) -c $< -o $@
+endef
+
+# $(1): a core's name, $(2): a pattern of the library's sources.
+define CORE_LIB_RULE
+$(CORE_OUT)/$(1)/lib/%.o: $(2) firmware/firmware.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))))
+
+endef
+
+# $(1): the first board with this core.
+define CORE_RULES
+CORE_FAMILY.$(call CORE_NAME,$(1)) := $(call LIB_FAMILY,$(BOARD_CORE.$(1)))
+CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
+endef
+
+CORES_READ :=
+$(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)),,\
+    $(eval CORES_READ += $(call CORE_NAME,$(board)))$(eval $(call CORE_RULES,$(board)))))
+$(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core))),\
+    $(eval $(call CORE_LIB_RULE,$(core),$(pattern)))))
+
+# --- boards --------------------------------------------------------------------
+
+BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
+    -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
+    -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
+    -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
+    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \
+    $(BOARD_SETTINGS.$(1):%=-D%)
+BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
+BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
+BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
+
+# How a board's programs are linked, and what it takes beside the objects.
+BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map)
-BOARD_LINK_SCRIPTS := boards/$(BOARD)/memory.ld linker/sections.ld
+BOARD_LINK_SCRIPTS = boards/$(1)/memory.ld $(wildcard linker/*.ld)
+
+define FIRMWARE_LINK
+@mkdir -p $(@D)
+$(FIRMWARE_SAY) LD $@
+$(FIRMWARE_QUIET)$(1) -o $@
+endef
+
+define BOARD_RULES
+$(FIRMWARE_OUT)/$(1)/%.o: %.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $$(FLAGS_OF_FILE) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 
 # Its loops must not become calls of themselves.
-$(BOARD_OUT)/boards/parts/memory_functions.o: BOARD_CFLAGS += -fno-tree-loop-distribute-patterns
-
-$(BOARD_WALK): $(BOARD_WALK_OBJECTS) $(BOARD_PART_OBJECTS) $(BOARD_LIB_OBJECTS) $(BOARD_LINK_SCRIPTS)
-	$(BOARD_SAY) LD $@
-	$(BOARD_QUIET)$(BOARD_LINK) -nostdlib $(filter %.o,$^) -lgcc -o $@
-
-$(BOARD_FAULTS): $(BOARD_OUT)/firmware/faults/main.o $(BOARD_PART_OBJECTS) $(BOARD_LINK_SCRIPTS)
-	$(BOARD_SAY) LD $@
-	$(BOARD_QUIET)$(BOARD_LINK) -nostdlib $(filter %.o,$^) -lgcc -o $@
-
-# Unity asks for setjmp, and tests may print: these programs have a C library.
-BOARD_UNIT_CFLAGS = $(filter-out -ffreestanding,$(BOARD_CFLAGS)) -I$(UNITY_DIR)/src -Ihost_tests/unit \
-    $(call LIB_FAMILY_CFLAGS,$(BOARD_KERNELS)) -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
-# The library with its assertions on.
-BOARD_UNIT_LIB := $(LIB_NAMES:%=$(BOARD_UNIT)/lib/%.o)
-BOARD_UNIT_HELPERS := $(patsubst %.c,$(BOARD_OUT)/%.o,\
-    $(filter-out host_tests/unit/test_%,$(wildcard host_tests/unit/*.c)) $(wildcard firmware/unittest/*.c))
-BOARD_UNIT_TESTS := $(patsubst host_tests/unit/%.c,$(BOARD_UNIT)/%.elf,$(wildcard host_tests/unit/test_*.c))
-
-$(BOARD_OUT)/host_tests/unit/%.o: host_tests/unit/%.c
-	@mkdir -p $(@D)
-	$(BOARD_SAY) CC $@
-	$(BOARD_QUIET)$(BOARD_CC) $(BOARD_UNIT_CFLAGS) -c $< -o $@
-
-$(BOARD_OUT)/firmware/unittest/%.o: firmware/unittest/%.c
-	@mkdir -p $(@D)
-	$(BOARD_SAY) CC $@
-	$(BOARD_QUIET)$(BOARD_CC) $(BOARD_UNIT_CFLAGS) -c $< -o $@
-
-define BOARD_UNIT_LIB_RULE
-$(BOARD_UNIT)/lib/%.o: $(1)/%.c
-	@mkdir -p $$(@D)
-	$$(BOARD_SAY) CC $$@
-	$$(BOARD_QUIET)$$(BOARD_CC) $$(BOARD_CFLAGS) $$(call LIB_FAMILY_CFLAGS,$$(BOARD_KERNELS)) -DFXL_ASSERT_HOOK -c $$< -o $$@
+$(FIRMWARE_OUT)/$(1)/boards/parts/memory_functions.o: FLAGS_OF_FILE := -fno-tree-loop-distribute-patterns
 endef
-$(foreach folder,$(call LIB_FOLDERS,$(BOARD_KERNELS)),$(eval $(call BOARD_UNIT_LIB_RULE,$(folder))))
 
-$(BOARD_UNIT)/%_runner.c: host_tests/unit/%.c
-	@mkdir -p $(@D)
-	$(BOARD_SAY) RUBY $@
-	$(BOARD_QUIET)ruby -W0 $(UNITY_DIR)/auto/generate_test_runner.rb --main_name=unittest_run $< $@
+define HOSTED_RULES
+BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
-# Others' code, and code generated by it: not by our warnings.
-$(BOARD_UNIT)/%_runner.o: $(BOARD_UNIT)/%_runner.c
-	$(BOARD_SAY) CC $@
-	$(BOARD_QUIET)$(BOARD_CC) $(filter-out -W%,$(BOARD_UNIT_CFLAGS)) -w -c $< -o $@
-
-$(BOARD_UNIT)/unity.o: $(UNITY_DIR)/src/unity.c
-	@mkdir -p $(@D)
-	$(BOARD_SAY) CC $@
-	$(BOARD_QUIET)$(BOARD_CC) $(filter-out -W%,$(BOARD_UNIT_CFLAGS)) -w -c $< -o $@
-
-$(BOARD_UNIT)/%.elf: $(BOARD_OUT)/host_tests/unit/%.o $(BOARD_UNIT)/%_runner.o $(BOARD_UNIT)/unity.o \
-        $(BOARD_UNIT_HELPERS) $(BOARD_PART_OBJECTS) $(BOARD_UNIT_LIB) $(BOARD_LINK_SCRIPTS)
-	$(BOARD_SAY) LD $@
-	$(BOARD_QUIET)$(BOARD_LINK) --specs=nano.specs $(filter %.o,$^) -lm -lc -lgcc -o $@
-
-.PRECIOUS: $(BOARD_UNIT)/%_runner.c $(BOARD_UNIT)/%_runner.o $(BOARD_OUT)/host_tests/unit/%.o
-.PHONY: board-unit-tests board-faults
-board-unit-tests: $(BOARD_UNIT_TESTS)
-board-faults: $(BOARD_FAULTS)
-
-endif
-
-define BOARD_LIB_RULE
-$(BOARD_OUT)/lib/%.o: $(1)/%.c
-	@mkdir -p $$(@D)
-	$$(BOARD_SAY) CC $$@
-	$$(BOARD_QUIET)$$(BOARD_CC) $$(BOARD_CFLAGS) $$(call LIB_FAMILY_CFLAGS,$$(BOARD_KERNELS)) -c $$< -o $$@
+$$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
+	$$(call FIRMWARE_LINK,$(HOSTCC) $$(filter %.o,$$^))
 endef
-$(foreach folder,$(call LIB_FOLDERS,$(BOARD_KERNELS)),$(eval $(call BOARD_LIB_RULE,$(folder))))
 
-$(BOARD_OUT)/%.o: %.c
-	@mkdir -p $(@D)
-	$(BOARD_SAY) CC $@
-	$(BOARD_QUIET)$(BOARD_CC) $(BOARD_CFLAGS) -c $< -o $@
+define TARGET_RULES
+BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
+BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
-# The host's frames are what every other board's are compared with.
-ifneq ($(BOARD),host)
-.PHONY: host-walk
-host-walk:
-	@$(MAKE) --no-print-directory BOARD=host $(BUILD)/boards/host/walk
-$(BUILD)/boards/host/walk: host-walk ;
-endif
+$$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 
-# A change of flags in a makefile makes everything anew.
-$(BOARD_LIB_OBJECTS) $(BOARD_UNIT_LIB) $(BOARD_PART_OBJECTS) $(BOARD_WALK_OBJECTS): firmware/firmware.mk boards/$(BOARD)/board.mk
+$$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
+endef
 
--include $(shell find $(BOARD_OUT) -name '*.d' 2>/dev/null)
+TARGET_BOARDS := $(foreach board,$(BOARDS),$(if $(BOARD_HOSTED.$(board)),,$(board)))
+$(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
+    $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
+
+include firmware/unittest/unittest.mk
+
+.PHONY: all-boards
+all-boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board)))
+
+-include $(shell find $(FIRMWARE_OUT) $(CORE_OUT) -name '*.d' 2>/dev/null)

@@ -1,12 +1,29 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes a board's persistent flash image: a program and a scene."""
+"""Writes a program and a scene to a board: to its persistent flash image, or by a debug probe to the real one."""
 
 import argparse
+import itertools
 
-from fixel.errors import run_main
+from fixel import probe
+from fixel.errors import ToolError, run_main
 from fixel.flash import flash
 from fixel.table import table
+
+
+def sectors(sizes):
+    """Sectors in words, as "4 of 16384 and 1 of 65536 bytes"."""
+    runs = [(len(list(run)), size) for size, run in itertools.groupby(sizes)]
+    return " and ".join(f"{count} of {size}" for count, size in runs) + " bytes"
+
+
+def write_image(options):
+    result = flash(options.board, options.elf, options.scene, options.image)
+    rows = [(part.name, f"{part.address:#010x}", part.size, part.room) for part in result.parts]
+    print(table(rows, ("part", "address", "bytes", "of")))
+    if result.sectors_erased:
+        print(f"{len(result.sectors_erased)} sectors erased and programmed: {sectors(result.sectors_erased)}")
+    print(f"{result.verified} bytes verified: {result.image}")
 
 
 def main(argv):
@@ -15,13 +32,19 @@ def main(argv):
     parser.add_argument("--elf", required=True, help="the program")
     parser.add_argument("--scene", required=True, help="the scene image (.fxls)")
     parser.add_argument("--image", required=True, help="the flash image to write")
+    parser.add_argument("--probe", default="", help="openocd: program the real board instead")
+    parser.add_argument("--dry-run", action="store_true", help="with --probe: only say what would be run")
     options = parser.parse_args(argv)
-    result = flash(options.board, options.elf, options.scene, options.image)
-    rows = [(part.name, f"{part.address:#010x}", part.size, part.room) for part in result.parts]
-    print(table(rows, ("part", "address", "bytes", "of")))
-    if result.sector_size:
-        print(f"{result.sectors_erased} sectors of {result.sector_size} bytes erased and programmed")
-    print(f"{result.verified} bytes verified: {result.image}")
+    if options.probe and options.probe not in probe.PROBES:
+        raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
+    if options.dry_run and not options.probe:
+        raise ToolError("DRY_RUN needs a PROBE")
+    if options.probe:
+        probe.program_board(options.board, options.elf, options.scene, options.dry_run)
+        if not options.dry_run:
+            print(f"{options.board}: program and scene programmed and verified")
+    else:
+        write_image(options)
     return 0
 
 

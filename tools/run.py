@@ -2,11 +2,12 @@
 """Walks a scene on a board, fetches the frames, and compares them with the host's and with double.
 
 Exit: 0 if the board's frames equal the host's byte for byte and every pixel
-that differs from double is explained; 1 if not; 2 if the run could not be made.
+that differs from double is explained; 1 if not; 2 if the run could not be made;
+the program's own code where it failed (boards/contract/system.h), 124 where it
+hung, 134 where the core locked up.
 """
 
 import argparse
-import hashlib
 import pathlib
 import shutil
 import statistics
@@ -32,12 +33,14 @@ def elf_of(board, build):
     return pathlib.Path(build) / "boards" / board / ("walk" if board == firmware.HOST else "walk.elf")
 
 
-def make_scene_image(scene, folder, frames):
+def make_scene_image(scene, folder, frames, screen=None):
     """The scene image of a .toml or .obj, compiled into folder; an .fxls is one already."""
     if pathlib.Path(scene).suffix == ".fxls":
+        if screen:
+            raise ToolError(f"{scene} is a scene image, which has its screen already: give the .toml or .obj")
         return pathlib.Path(scene)
     image = folder / "scene.fxls"
-    _, notes = scene_tool.build(scene, image, frames)
+    _, notes = scene_tool.build(scene, image, frames, screen)
     for note in notes:
         print(f"  {note}", file=sys.stderr)
     return image
@@ -70,7 +73,8 @@ def polygon_totals(frames):
     total = {name: sum(frame.counters[name] for frame in frames) for name in dump.COUNTERS}
     return {"in": total["in"],
             "culled": total["backfacing"] + total["outside"] + total["degenerate"],
-            "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"]}
+            "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"],
+            "spilled": total["spilled"]}
 
 
 def instruction_figures(frames):
@@ -102,8 +106,7 @@ def summarise(options, cpu, drawn, verdict, equal):
             "max_edge_distance_px": verdict["max_edge_distance_px"],
             "polygons": polygon_totals(drawn.frames),
             "instructions_per_frame": instruction_figures(drawn.frames),
-            "frame_sha256": [hashlib.sha256(frame.pixels.tobytes()).hexdigest()
-                             for frame in drawn.frames],
+            "frame_sha256": [frame.sha256 for frame in drawn.frames],
             "host_frames_equal": equal}
 
 
@@ -157,7 +160,7 @@ def run(options, folder):
         # QEMU may be missing: say so before the scene takes its time.
         if options.board != firmware.HOST:
             emulator.find_qemu()
-        image = make_scene_image(options.scene, work, options.frames)
+        image = make_scene_image(options.scene, work, options.frames, options.screen)
         file, cpu = walk(options.board, options.build, image, work, options.frames)
         drawn = dump.read_dump(file)
         if not drawn.frames:
@@ -188,10 +191,12 @@ def main(argv):
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
     parser.add_argument("--frames", help="how many frames; the whole path without")
+    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
     parser.add_argument("--out", default="build/run", help="folder for the results")
     parser.add_argument("--build", default="build", help="where make builds")
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
+    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Scene files into scene images, and scene images explained.
 
-    scene.py build SCENE -o OUT.fxls [--frames N]    SCENE is a .toml or an .obj
+    scene.py build SCENE -o OUT.fxls [--frames N] [--screen WxH]    SCENE is a .toml or an .obj
     scene.py info OUT.fxls [--json]"""
 
 import argparse
 import json
 import os
+import re
 import sys
 import time
 
@@ -29,16 +30,25 @@ class Progress:
             self.next = time.monotonic() + QUIET_SECONDS
 
 
-def build(scene, out, frames=None):
+def parse_screen(text):
+    """Width and height from "128x64"."""
+    match = re.fullmatch(r"([0-9]{1,4})x([0-9]{1,4})", text)
+    screen = tuple(map(int, match.groups())) if match else ()
+    if not screen or not all(1 <= side <= image.SCREEN_MAX for side in screen):
+        raise ToolError(f"SCREEN is '{text}'; it must be like 128x64, both from 1 to {image.SCREEN_MAX}")
+    return screen
+
+
+def build(scene, out, frames=None, screen=None):
     """Compiles a scene file into an image file; answers the SceneImage and
-    what there is to say about it."""
+    what there is to say about it. screen: width and height instead of the scene's."""
     suffix = os.path.splitext(scene)[1].lower()
     if suffix not in (".toml", ".obj"):
         raise ToolError(f"{scene}: a scene is a .toml or an .obj file")
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
     compiler = framing.compile_obj if suffix == ".obj" else toml_scene.compile_file
-    compiled, notes = compiler(scene, frames, Progress())
+    compiled, notes = compiler(scene, frames, Progress(), screen)
     try:
         blob = image.pack(compiled)
     except ToolError as error:
@@ -94,6 +104,7 @@ def main(argv):
     making.add_argument("scene")
     making.add_argument("-o", "--out", required=True)
     making.add_argument("--frames", type=int)
+    making.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
     telling = commands.add_parser("info", help="say what is in a scene image")
     telling.add_argument("image")
     telling.add_argument("--json", action="store_true")
@@ -101,7 +112,8 @@ def main(argv):
     if arguments.command == "info":
         info(arguments.image, arguments.json)
         return 0
-    compiled, notes = build(arguments.scene, arguments.out, arguments.frames)
+    compiled, notes = build(arguments.scene, arguments.out, arguments.frames,
+                            parse_screen(arguments.screen) if arguments.screen else None)
     for note in notes:
         print(note if note.startswith("warning:") else f"note: {note}", file=sys.stderr)
     print(f"{arguments.out}: {compiled.size:,} bytes, {len(compiled.objects)} objects, "

@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools...
+# usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools|gdb|probe...
 #
 #   run     cross compiler, QEMU, Python packages
 #   report  the same, and GMP
-#   test    the same, and Ruby with CMock, and Chromium, which opens the report
+#   test    the same, Ruby with CMock, Chromium, which opens the report, GDB and OpenOCD
 #   lib     cross compiler
 #   format  clang-format
 #   fuzz    clang with its sanitizers and coverage tools, Python packages
 #   tools   Python packages
+#   gdb     the same as run, and a GDB that knows Arm
+#   probe   the same as run, and OpenOCD
 #
 # Debian packages come from this machine's own apt sources; Python packages go
 # into .venv, and nowhere else. Where nothing is missing it says nothing and
@@ -47,6 +49,8 @@ need_cmock() {
 }
 need_gmp() { compiles gcc gmp.h || need libgmp-dev; }
 need_browser() { has chromium || need chromium; }
+need_debugger() { has gdb-multiarch || need gdb-multiarch; }
+need_openocd() { has openocd || need openocd; }
 # A run-time library has no command of its own: ask the compiler to link one.
 need_fuzzer() {
     clang=$(find_clang) || { need clang; need llvm; need libclang-rt-dev; return; }
@@ -80,12 +84,14 @@ find_missing() {
         report) need_host_compiler; need_cross_compiler; need_emulator; need_gmp; need_venv ;;
         test)
             need_host_compiler; need_cross_compiler; need_emulator; need_gmp
-            need_cmock; need_browser; need_venv ;;
+            need_cmock; need_browser; need_debugger; need_openocd; need_venv ;;
         lib) need_cross_compiler ;;
         fuzz) need_host_compiler; need_fuzzer; need_venv ;;
         format) has clang-format || need clang-format ;;
         tools) need_host_compiler; need_venv ;;
-        *) die "unknown set-up '$what': run, report, test, lib, format, fuzz or tools" ;;
+        gdb) need_host_compiler; need_cross_compiler; need_emulator; need_debugger; need_venv ;;
+        probe) need_host_compiler; need_cross_compiler; need_emulator; need_openocd; need_venv ;;
+        *) die "unknown set-up '$what': run, report, test, lib, format, fuzz, tools, gdb or probe" ;;
         esac
     done
     has python3 || need python3
@@ -210,7 +216,7 @@ make_venv() {
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools|gdb|probe..."
 
 is_ready() {
     find_missing "$@"

@@ -77,12 +77,12 @@ def entry_name(elf):
     raise ToolError("the program's entry is not a function with a name")
 
 
-def measure_firmware(file, cross, usage_folder):
+def measure_firmware(file, cross, usage_folders):
     """Flash, RAM, worst stack of a program."""
     with open(file, "rb") as handle:
         elf = ELFFile(handle)
         size, symbols, entry = sections_size(elf), symbols_of(elf), entry_name(elf)
-    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder),
+    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(*usage_folders),
                         lambda name: name == entry)
     deepest = graph.depth(entry)
     handlers = [graph.depth(name).size for name in graph.roots() if name != entry]
@@ -177,6 +177,7 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
     parser.add_argument("--elf", help="the firmware; without, only the library")
+    parser.add_argument("--usage", nargs="*", default=[], help="folders with its objects' .su files")
     parser.add_argument("--library", action="append", default=[], metavar="CORE=FILE",
                         help="libfixel.a for a core")
     parser.add_argument("--cross", default="arm-none-eabi-")
@@ -186,8 +187,8 @@ def main(argv):
     if PROOF_CORE not in libraries:
         raise ToolError(f"--library {PROOF_CORE}=FILE is missing: the proof needs it")
     result = {"board": options.board,
-              "firmware": [measure_firmware(options.elf, options.cross,
-                                            pathlib.Path(options.elf).parent)] if options.elf else [],
+              "firmware": [measure_firmware(options.elf, options.cross, options.usage)]
+              if options.elf else [],
               "library": [measure_library(core, file, options.cross, pathlib.Path(file).parent)
                           for core, file in libraries.items()],
               "proof": prove_pure(libraries[PROOF_CORE], options.cross)}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Runs every test: units on the host, the same units on the emulated board, the tools.
+"""Runs every test: units on the host, the same units on each emulated board, the tools.
 
-Prints a line for each suite as it ends and failures whole. The last line is
-"N passed, N failed" (", N skipped" where some were); exit 1 if any failed or
-nothing ran.
+Prints a line for each suite as it ends and failures whole, and which tests were
+left out because a board has no room for them. The last line is "N passed, N
+failed" (", N skipped" where some were); exit 1 if any failed or nothing ran.
 """
 
 import argparse
@@ -116,10 +116,17 @@ def all_suites(options):
     suites = [(f"tools/{file.stem}", run_pytest, file) for file in sorted(TESTS.glob("test_*.py"))]
     suites += [(f"host/{pathlib.Path(program).stem}", run_host, program)
                for program in options.host_unit]
-    suites += [(f"{options.board}/{pathlib.Path(elf).stem}", run_board, elf)
-               for elf in options.board_unit]
-    chosen = [suite for suite in suites if options.only in suite[0]]
-    return chosen
+    suites += [(f"{board}/{pathlib.Path(elf).stem}", run_board, elf)
+               for board, *elves in options.board_unit for elf in elves]
+    return [suite for suite in suites
+            if options.only in suite[0] and (not options.board or suite[0].startswith(f"{options.board}/"))]
+
+
+def print_left_out(options):
+    """What a board has no room for; its board.mk says why."""
+    for board, *names in options.left_out:
+        if options.board in ("", board):
+            print(f"left out: {board}: {', '.join(names)} (no room: boards/{board}/board.mk)")
 
 
 class Printer:
@@ -181,12 +188,16 @@ def run_all(suites, workers):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--host-unit", nargs="*", default=[], help="Unity programs for the host")
-    parser.add_argument("--board", default="", help="the board of --board-unit")
-    parser.add_argument("--board-unit", nargs="*", default=[], help="Unity programs for that board")
+    parser.add_argument("--board-unit", nargs="+", action="append", default=[], metavar=("BOARD", "ELF"),
+                        help="a board and its Unity programs")
+    parser.add_argument("--left-out", nargs="+", action="append", default=[], metavar=("BOARD", "TEST"),
+                        help="a board and the tests that it has no room for")
+    parser.add_argument("--board", default="", help="only suites of this board")
     parser.add_argument("--only", default="", help="only suites with this in their name")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(argv)
     outcomes = run_all(all_suites(options), max(1, options.workers))
+    print_left_out(options)
     passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes)
                                for name in ("passed", "failed", "skipped"))
     if passed + failed == 0:

@@ -3,7 +3,8 @@
  *
  * Who owns the pixels: the caller lends the buffer to display_flush for the
  * length of the call and has it back when the call returns, to be drawn over
- * at once. A board that sends in the background copies first, or waits.
+ * at once. A driver that sends in the background copies first, or waits: see
+ * panel.h, which is what a display driver implements.
  */
 #ifndef BOARD_DISPLAY_H
 #define BOARD_DISPLAY_H

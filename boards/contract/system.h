@@ -22,7 +22,7 @@ enum {
     SYSTEM_EXIT_INPUT = 17,      /* the keys that are held make no sense */
     SYSTEM_EXIT_ASSERTION = 20,  /* an assertion failed: a bug of the program */
     SYSTEM_EXIT_TEST = 21,       /* a unit test failed */
-    SYSTEM_EXIT_BOARD = 22,      /* the core lacks what the start-up code needs */
+    SYSTEM_EXIT_BOARD = 22,      /* the core or the board lacks what the program needs */
     SYSTEM_EXIT_STACK = 40,      /* fault: the stack overflowed */
     SYSTEM_EXIT_DIVIDE = 41,     /* fault: division by zero */
     SYSTEM_EXIT_UNALIGNED = 42,  /* fault: access to a misaligned address */
@@ -32,7 +32,8 @@ enum {
     SYSTEM_EXIT_BUS = 46,        /* fault: access to an address where nothing answers */
     SYSTEM_EXIT_USAGE = 47,      /* fault: an instruction that the core cannot execute */
     SYSTEM_EXIT_HARD = 48,       /* fault: a hard fault of unknown cause */
-    SYSTEM_EXIT_INTERRUPT = 49   /* fault: an interrupt that nobody asked for */
+    SYSTEM_EXIT_INTERRUPT = 49,  /* fault: an interrupt that nobody asked for */
+    SYSTEM_EXIT_HANG = 50        /* fault: the program hung: the watchdog was not fed */
 };
 
 /* Takes the arguments; first call of every program. argc and argv are those of
@@ -45,6 +46,12 @@ uint32_t system_frames(void);
 
 /* Whether the player's keys replace the scene's path from the first frame on. */
 bool system_live(void);
+
+/* A sign of life, once a frame at least. The first one starts the board's
+ * watchdog, where it has one: when they then fail to come, it ends the program
+ * with SYSTEM_EXIT_HANG. Ends the program with SYSTEM_EXIT_STACK where the board
+ * sees that the stack has overflowed. */
+void system_alive(void);
 
 /* Prints text, as it is, for people. Requires a string. */
 void system_text(const char *text);

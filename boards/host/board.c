@@ -10,8 +10,10 @@
 
 #include "contract/clock.h"
 #include "contract/input.h"
+#include "contract/panel.h"
 #include "contract/store.h"
 #include "contract/system.h"
+#include "parts/dump.h"
 #include "parts/sink.h"
 
 #define FRAMES_MAX      1000000ul
@@ -61,6 +63,10 @@ uint32_t system_frames(void)
 bool system_live(void)
 {
     return false;
+}
+
+void system_alive(void)
+{
 }
 
 void system_text(const char *text)
@@ -146,6 +152,13 @@ bool sink_close(bool whole)
     free(part_name);
     part_name = NULL;
     return true;
+}
+
+const panel *const *board_panels(void)
+{
+    static const panel *const panels[] = {&dump_panel, NULL};
+
+    return panels;
 }
 
 uint64_t clock_instructions(void)

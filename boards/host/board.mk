@@ -7,9 +7,11 @@ BOARD_CORE :=
 BOARD_QEMU :=
 BOARD_HOSTED := yes
 
-# Narrow bands, unlike the emulated boards': frames that come out equal also
-# show that a frame does not depend on how it is cut.
+# Narrow bands and a list that is soon full, unlike the emulated boards': frames
+# that come out equal also show that a frame does not depend on how it is cut,
+# or on what the list holds.
 BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 131072
+BOARD_LIST_BYTES := 4096
 
-BOARD_SOURCES := boards/host/board.c boards/parts/dump.c boards/parts/board_note.c
+BOARD_SOURCES := boards/host/board.c boards/parts/display.c boards/parts/dump.c boards/parts/board_note.c

@@ -1,26 +1,32 @@
 /* SPDX-License-Identifier: MIT */
-/* Arm MPS2 with image AN385, under QEMU with -icount shift=0, where one
- * instruction takes one nanosecond. */
-#include "contract/clock.h"
-#include "contract/input.h"
-#include "parts/armv7m.h"
-#include "parts/systick.h"
+/* Arm MPS2 with image AN385, under QEMU; a small OLED on the shield's I2C where
+ * QEMU was told to have one (-device ssd0303,address=0x3d). */
+#include <stddef.h>
 
-#define INSTRUCTIONS_PER_TICK 40u /* SysTick runs at 25 MHz */
+#include "parts/cortexm.h"
+#include "parts/dump.h"
+#include "parts/sbcon.h"
+#include "parts/ssd0303.h"
+#include "parts/systick.h"
+#include "parts/window.h"
+
+#define SHIELD_I2C   0x4002A000u
+#define OLED_ADDRESS 0x3Du
 
 void board_start(void)
 {
     systick_start(SYSTICK_RELOAD_MAX);
 }
 
-/* In steps of 40. The clock's own interrupt, about ten instructions in 671
- * million, is counted too. */
-uint64_t clock_instructions(void)
+bool ssd0303_send(const uint8_t *bytes, size_t size)
 {
-    return systick_ticks() * INSTRUCTIONS_PER_TICK;
+    return sbcon_send(SHIELD_I2C, OLED_ADDRESS, bytes, size);
 }
 
-uint32_t input_keys(void)
+const panel *const *board_panels(void)
 {
-    return 0; /* it has no keys */
+    static const panel *const alone[] = {&dump_panel, &ssd0303_panel, NULL};
+    static const panel *const watched[] = {&window_panel, &ssd0303_panel, NULL};
+
+    return window_invited() ? watched : alone;
 }

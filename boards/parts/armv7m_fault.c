@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What is said when the core faults: the fault's name, the address, the
- * registers; and an exit code for each kind. Runs on the main stack. */
+/* Faults of Armv7-M and of Armv8-M Mainline: the core says what they are. */
 #include <stddef.h>
 
 #include "contract/system.h"
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
+#include "parts/cortexm_fault.h"
 #include "parts/semihosting.h"
+
+#define SHCSR_FAULTS_ENABLED (7u << 16) /* memory management, bus, usage */
 
 /* Bits of CFSR: memory management 0..7, bus 8..15, usage 16..31. */
 #define CFSR_IACCVIOL  (1u << 0)
@@ -13,19 +15,15 @@
 #define CFSR_MSTKERR   (1u << 4)
 #define CFSR_MMARVALID (1u << 7)
 #define CFSR_MEMORY    0x000000FFu
+#define CFSR_IBUSERR   (1u << 8)
 #define CFSR_STKERR    (1u << 12)
 #define CFSR_BFARVALID (1u << 15)
 #define CFSR_BUS       0x0000FF00u
+#define CFSR_STKOF     (1u << 20)
 #define CFSR_UNALIGNED (1u << 24)
 #define CFSR_DIVBYZERO (1u << 25)
 
-#define FIRST_SYSTEM_FAULT 3u
-#define LAST_SYSTEM_FAULT  6u
-
-/* What the core pushes, lowest address first. */
-typedef struct {
-    uint32_t r0, r1, r2, r3, r12, lr, pc, xpsr;
-} frame;
+#define XPSR_THUMB (1u << 24)
 
 typedef struct {
     uint32_t bit;
@@ -46,61 +44,62 @@ static const bit_name bit_names[] = {
     {1u << 17, "INVSTATE: not Thumb code"},
     {1u << 18, "INVPC: invalid return from an exception"},
     {1u << 19, "NOCP: no such coprocessor"},
+    {1u << 20, "STKOF: the stack pointer went below its limit"},
     {1u << 24, "UNALIGNED: misaligned address"},
     {1u << 25, "DIVBYZERO: division by zero"},
 };
 
-static void line(const char *label, uint32_t value)
+void cortexm_trap(void)
 {
-    semihosting_text(label);
-    semihosting_hexadecimal(value);
+    SCB_VTOR = (uint32_t)(uintptr_t)cortexm_vectors;
+    SCB_SHCSR |= SHCSR_FAULTS_ENABLED;
+    SCB_CCR |= CCR_DIV_0_TRP | CCR_UNALIGN_TRP;
 }
 
-/* The address that faulted, or false where the core does not know it. */
-static bool fault_address(uint32_t cfsr, uint32_t *address)
+/* Where a stack limit is in the way (Armv8-M), the core moves the stack pointer
+ * to it and pushes nothing, without a bit of its own for that: what lies there
+ * then is paint, or whatever was there before. */
+bool cortexm_push_failed(const uint32_t *pushed)
 {
+    const uint32_t cfsr = SCB_CFSR;
+
+    if ((cfsr & CFSR_STKOF) != 0 && pushed == fxl_stack_limit) {
+        return (pushed[7] & XPSR_THUMB) == 0;
+    }
+    return (cfsr & (CFSR_MSTKERR | CFSR_STKERR)) != 0;
+}
+
+/* Of these cores the run-time divides 64 bits only. It jumps here, with the
+ * caller's lr. */
+__attribute__((naked, used)) void cortexm_division_by_zero(void)
+{
+    __asm__ volatile(".global __aeabi_idiv0, __aeabi_ldiv0\n\t"
+                     ".thumb_func\n\t"
+                     "__aeabi_idiv0:\n\t"
+                     ".thumb_func\n\t"
+                     "__aeabi_ldiv0:\n\t"
+                     "udf #0");
+}
+
+static void find_address(uint32_t cfsr, const cortexm_fault_state *state, cortexm_diagnosis *result)
+{
+    result->is_address_known = true;
     if ((cfsr & CFSR_MMARVALID) != 0) {
-        *address = SCB_MMFAR;
-        return true;
+        result->address = SCB_MMFAR;
+    } else if ((cfsr & CFSR_BFARVALID) != 0) {
+        result->address = SCB_BFAR;
+    } else if ((cfsr & CFSR_UNALIGNED) != 0 && state->is_decoded) {
+        result->address = state->access.address;
+    } else if ((cfsr & (CFSR_IACCVIOL | CFSR_IBUSERR)) != 0 && state->is_pushed) {
+        result->address = state->registers[THUMB_PC];
+    } else {
+        result->is_address_known = false;
     }
-    if ((cfsr & CFSR_BFARVALID) != 0) {
-        *address = SCB_BFAR;
-        return true;
-    }
-    return false;
 }
 
-static bool is_stack(uint32_t cfsr, uintptr_t process_stack, bool known, uint32_t address)
+static int find_code(uint32_t cfsr, const cortexm_diagnosis *found)
 {
-    return (cfsr & (CFSR_MSTKERR | CFSR_STKERR)) != 0 ||
-           process_stack < (uintptr_t)fxl_stack_limit ||
-           (known && address >= (uintptr_t)fxl_stack_guard && address < (uintptr_t)fxl_stack_limit);
-}
-
-static int memory_code(uint32_t cfsr, bool known, uint32_t address)
-{
-    /* Flash is read-only, so data access to it that faults was a write. */
-    const uint32_t flash_offset = address - (uint32_t)(uintptr_t)fxl_flash_base;
-
-    if (known && address < ARMV7M_NULL_BYTES) {
-        return SYSTEM_EXIT_NULL;
-    }
-    if (known && (cfsr & CFSR_DACCVIOL) != 0 &&
-        flash_offset < (uint32_t)(uintptr_t)fxl_flash_size) {
-        return SYSTEM_EXIT_FLASH;
-    }
-    return SYSTEM_EXIT_PROTECTION;
-}
-
-static int fault_code(uint32_t exception, uint32_t cfsr, uintptr_t process_stack)
-{
-    uint32_t address = 0;
-    const bool known = fault_address(cfsr, &address);
-
-    if (exception < FIRST_SYSTEM_FAULT || exception > LAST_SYSTEM_FAULT) {
-        return SYSTEM_EXIT_INTERRUPT;
-    }
-    if (is_stack(cfsr, process_stack, known, address)) {
+    if ((cfsr & (CFSR_STKOF | CFSR_MSTKERR | CFSR_STKERR)) != 0) {
         return SYSTEM_EXIT_STACK;
     }
     if ((cfsr & CFSR_DIVBYZERO) != 0) {
@@ -109,46 +108,33 @@ static int fault_code(uint32_t exception, uint32_t cfsr, uintptr_t process_stack
     if ((cfsr & CFSR_UNALIGNED) != 0) {
         return SYSTEM_EXIT_UNALIGNED;
     }
-    if ((cfsr & CFSR_MEMORY) != 0) {
-        return memory_code(cfsr, known, address);
-    }
-    if ((cfsr & CFSR_BUS) != 0) {
-        return SYSTEM_EXIT_BUS;
+    if ((cfsr & (CFSR_MEMORY | CFSR_BUS)) != 0) {
+        const int otherwise = (cfsr & CFSR_MEMORY) != 0 ? SYSTEM_EXIT_PROTECTION : SYSTEM_EXIT_BUS;
+
+        /* Flash is read-only, so data access to it that faults was a write. */
+        return found->is_address_known
+                   ? cortexm_access_code(found->address, (cfsr & CFSR_DACCVIOL) != 0, otherwise)
+                   : otherwise;
     }
     return cfsr != 0 ? SYSTEM_EXIT_USAGE : SYSTEM_EXIT_HARD;
 }
 
-static const char *fault_text(int code)
+cortexm_diagnosis cortexm_diagnose(const cortexm_fault_state *state)
 {
-    switch (code) {
-    case SYSTEM_EXIT_STACK:
-        return "stack overflow";
-    case SYSTEM_EXIT_DIVIDE:
-        return "division by zero";
-    case SYSTEM_EXIT_UNALIGNED:
-        return "misaligned address";
-    case SYSTEM_EXIT_FLASH:
-        return "write to flash";
-    case SYSTEM_EXIT_NULL:
-        return "null pointer";
-    case SYSTEM_EXIT_PROTECTION:
-        return "protected memory";
-    case SYSTEM_EXIT_BUS:
-        return "nothing at this address";
-    case SYSTEM_EXIT_USAGE:
-        return "instruction that the core cannot execute";
-    case SYSTEM_EXIT_INTERRUPT:
-        return "unexpected interrupt";
-    default:
-        return "hard fault";
-    }
+    const uint32_t cfsr = SCB_CFSR;
+    cortexm_diagnosis result = {SYSTEM_EXIT_HARD, false, 0};
+
+    find_address(cfsr, state, &result);
+    result.code = find_code(cfsr, &result);
+    return result;
 }
 
-static void print_causes(uint32_t cfsr)
+void cortexm_print_causes(const cortexm_fault_state *state)
 {
-    uint32_t address;
+    const uint32_t cfsr = SCB_CFSR;
     size_t i;
 
+    (void)state;
     for (i = 0; i < sizeof bit_names / sizeof bit_names[0]; i++) {
         if ((cfsr & bit_names[i].bit) != 0) {
             semihosting_text("  ");
@@ -156,78 +142,9 @@ static void print_causes(uint32_t cfsr)
             semihosting_text("\n");
         }
     }
-    if (fault_address(cfsr, &address)) {
-        line("  address ", address);
-        semihosting_text("\n");
-    }
-}
-
-static void print_pushed(uint32_t cfsr, const frame *pushed)
-{
-    if ((cfsr & (CFSR_MSTKERR | CFSR_STKERR)) != 0) {
-        semihosting_text("\n  pc and r0 to r3 are lost: there was no stack to save them on");
-        return;
-    }
-    line("\n  pc  ", pushed->pc);
-    line("  lr  ", pushed->lr);
-    line("  xpsr ", pushed->xpsr);
-    line("\n  r0  ", pushed->r0);
-    line("  r1  ", pushed->r1);
-    line("  r2  ", pushed->r2);
-    line("  r3  ", pushed->r3);
-    line("  r12 ", pushed->r12);
-}
-
-/* saved: r4 to r11 as they were. */
-static void print_saved(const uint32_t *saved)
-{
-    line("\n  r4  ", saved[0]);
-    line("  r5  ", saved[1]);
-    line("  r6  ", saved[2]);
-    line("  r7  ", saved[3]);
-    line("\n  r8  ", saved[4]);
-    line("  r9  ", saved[5]);
-    line("  r10 ", saved[6]);
-    line("  r11 ", saved[7]);
+    semihosting_text("  cfsr ");
+    semihosting_hexadecimal(cfsr);
+    semihosting_text("  hfsr ");
+    semihosting_hexadecimal(SCB_HFSR);
     semihosting_text("\n");
-}
-
-/* pushed: the core's frame, unless pushing it is what failed. */
-__attribute__((used, noreturn)) static void report(const frame *pushed, const uint32_t *saved,
-                                                   uint32_t exc_return)
-{
-    uint32_t exception;
-    uintptr_t process_stack;
-    const uint32_t cfsr = SCB_CFSR;
-    int code;
-
-    __asm__ volatile("mrs %0, ipsr" : "=r"(exception));
-    __asm__ volatile("mrs %0, psp" : "=r"(process_stack));
-    code = fault_code(exception, cfsr, process_stack);
-    semihosting_text("fault: ");
-    semihosting_text(fault_text(code));
-    semihosting_text(" (exception ");
-    semihosting_decimal(exception);
-    semihosting_text(")\n");
-    print_causes(cfsr);
-    line("  cfsr ", cfsr);
-    line("  hfsr ", SCB_HFSR);
-    line("  psp ", (uint32_t)process_stack);
-    line("  exc_return ", exc_return);
-    print_pushed(cfsr, pushed);
-    print_saved(saved);
-    semihosting_exit(code);
-}
-
-/* Bit 2 of the link register says which stack the core pushed to. */
-__attribute__((naked)) void armv7m_fault(void)
-{
-    __asm__ volatile("tst lr, #4\n\t"
-                     "ite eq\n\t"
-                     "mrseq r0, msp\n\t"
-                     "mrsne r0, psp\n\t"
-                     "push {r4-r11}\n\t"
-                     "mov r1, sp\n\t"
-                     "mov r2, lr\n\t"
-                     "b report");
 }

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Memory protection (PMSAv7): what a stray pointer or a full stack must hit. */
-#include "contract/system.h"
-#include "parts/armv7m.h"
-#include "parts/semihosting.h"
+/* Memory protection of Armv7-M (PMSAv7): what a stray pointer or a full stack
+ * must hit. A chip may lack it, though QEMU's model of it has it: there, the
+ * paint of the stack is all that is left. */
+#include "parts/cortexm.h"
 
+#define MPU_RBAR         CORTEXM_REGISTER(0xE000ED9Cu)
+#define MPU_RASR         CORTEXM_REGISTER(0xE000EDA0u)
 #define MPU_TYPE_REGIONS (0xFFu << 8)
 #define CTRL_ENABLE      1u
 #define CTRL_PRIVDEFENA  4u /* everything else: as without protection */
@@ -14,12 +16,6 @@
 #define RASR_READ_ONLY   (6u << 24)
 /* Normal memory, write-through: TEX 0, C 1, B 0. */
 #define RASR_NORMAL (1u << 17)
-
-/* The architecture's code space. Some boards answer there in silence where they
- * have nothing, or show their flash again: a program has no business there
- * beside its flash. */
-#define CODE_SPACE_BASE 0x00000000u
-#define CODE_SPACE_SIZE 0x20000000u
 
 /* Region number covers size bytes, a power of two from 32, from an address
  * that is a multiple of it. Where regions overlap, the higher number rules. */
@@ -34,19 +30,19 @@ static void set_region(uint32_t number, uintptr_t address, uint32_t size, uint32
     MPU_RASR = attributes | RASR_NORMAL | (exponent << 1) | RASR_ENABLE;
 }
 
-void armv7m_protect(void)
+bool cortexm_protect(void)
 {
     const uintptr_t guard = (uintptr_t)fxl_stack_guard;
     const uint32_t guard_size = (uint32_t)((uintptr_t)fxl_stack_limit - guard);
 
     if ((MPU_TYPE & MPU_TYPE_REGIONS) == 0) {
-        semihosting_text("this core has no memory protection unit\n");
-        semihosting_exit(SYSTEM_EXIT_BOARD);
+        return false;
     }
-    set_region(0, CODE_SPACE_BASE, CODE_SPACE_SIZE, RASR_NO_ACCESS | RASR_XN);
+    set_region(0, CORTEXM_CODE_BASE, CORTEXM_CODE_SIZE, RASR_NO_ACCESS | RASR_XN);
     set_region(1, (uintptr_t)fxl_flash_base, (uint32_t)(uintptr_t)fxl_flash_size, RASR_READ_ONLY);
-    set_region(2, 0, ARMV7M_NULL_BYTES, RASR_NO_ACCESS | RASR_XN);
+    set_region(2, 0, CORTEXM_NULL_BYTES, RASR_NO_ACCESS | RASR_XN);
     set_region(3, guard, guard_size, RASR_NO_ACCESS | RASR_XN);
     MPU_CTRL = CTRL_ENABLE | CTRL_PRIVDEFENA;
     __asm__ volatile("dsb\n\tisb" ::: "memory");
+    return true;
 }

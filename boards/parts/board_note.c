@@ -3,4 +3,5 @@
  * lines of key=value, ended by 0. The tools know no other table of boards. */
 
 __attribute__((section(".fxl_board"), used)) static const char board_note[] =
-    "board=" BOARD_NAME "\ncpu=" BOARD_CPU "\nqemu=" BOARD_QEMU "\n";
+    "board=" BOARD_NAME "\ncpu=" BOARD_CPU "\nqemu=" BOARD_QEMU "\nopenocd=" BOARD_OPENOCD
+    "\n" BOARD_NOTE;

@@ -2,7 +2,7 @@
 /* store.h as a partition of the flash, placed by the board's memory.ld. */
 #include "contract/store.h"
 
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 
 const void *store_scene(size_t *size)
 {

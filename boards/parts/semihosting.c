@@ -6,9 +6,12 @@ enum {
     SYS_CLOSE = 0x02,
     SYS_WRITE0 = 0x04,
     SYS_WRITE = 0x05,
+    SYS_READ = 0x06,
+    SYS_SEEK = 0x0A,
     SYS_GET_CMDLINE = 0x15,
     SYS_EXIT_EXTENDED = 0x20,
 
+    OPEN_READ_BINARY = 1,      /* as fopen's "rb" */
     OPEN_WRITE_BINARY = 5,     /* as fopen's "wb" */
     APPLICATION_EXIT = 0x20026 /* ADP_Stopped_ApplicationExit */
 };
@@ -81,20 +84,47 @@ const char *semihosting_arguments(char *buffer, size_t size)
     return call(SYS_GET_CMDLINE, parameters) == 0 ? buffer : NULL;
 }
 
-int semihosting_create(const char *name)
+static int open_file(const char *name, uint32_t mode)
 {
-    const uint32_t parameters[3] = {(uint32_t)(uintptr_t)name, OPEN_WRITE_BINARY,
-                                    (uint32_t)length(name)};
+    const uint32_t parameters[3] = {(uint32_t)(uintptr_t)name, mode, (uint32_t)length(name)};
 
     return (int)call(SYS_OPEN, parameters);
 }
 
-size_t semihosting_write(int handle, const void *bytes, size_t size)
+int semihosting_create(const char *name)
+{
+    return open_file(name, OPEN_WRITE_BINARY);
+}
+
+int semihosting_open(const char *name)
+{
+    return open_file(name, OPEN_READ_BINARY);
+}
+
+int semihosting_seek(int handle, uint32_t offset)
+{
+    const uint32_t parameters[2] = {(uint32_t)handle, offset};
+
+    return (int)call(SYS_SEEK, parameters);
+}
+
+/* Reading and writing take the same words and answer with what is missing. */
+static size_t transfer(uint32_t operation, int handle, const void *bytes, size_t size)
 {
     const uint32_t parameters[3] = {(uint32_t)handle, (uint32_t)(uintptr_t)bytes, (uint32_t)size};
-    const int32_t missing = call(SYS_WRITE, parameters);
+    const int32_t missing = call(operation, parameters);
 
     return missing < 0 ? size : (size_t)missing;
+}
+
+size_t semihosting_read(int handle, void *bytes, size_t size)
+{
+    return transfer(SYS_READ, handle, bytes, size);
+}
+
+size_t semihosting_write(int handle, const void *bytes, size_t size)
+{
+    return transfer(SYS_WRITE, handle, bytes, size);
 }
 
 int semihosting_close(int handle)

@@ -25,6 +25,15 @@ const char *semihosting_arguments(char *buffer, size_t size);
 /* Creates a file on the host, for binary writing; a handle, or negative. */
 int semihosting_create(const char *name);
 
+/* Opens a file of the host for binary reading; a handle, or negative. */
+int semihosting_open(const char *name);
+
+/* Goes to a byte of a file; 0 where the host did. */
+int semihosting_seek(int handle, uint32_t offset);
+
+/* How many of size bytes the host did NOT read. */
+size_t semihosting_read(int handle, void *bytes, size_t size);
+
 /* How many of size bytes the host did NOT write. */
 size_t semihosting_write(int handle, const void *bytes, size_t size);
 

@@ -1,19 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 #include "parts/systick.h"
 
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 
 #define CSR_ENABLE     1u
 #define CSR_INTERRUPT  2u
 #define CSR_CORE_CLOCK 4u
 #define ICSR_PENDSTSET (1u << 26)
+#define ICSR_PENDSTCLR (1u << 25)
 
-static volatile uint64_t wraps; /* written by the interrupt only */
+static volatile uint64_t wraps; /* of this period; written by the interrupt only */
+static uint64_t before;         /* ticks of other periods */
 static uint32_t period;
+static volatile uint32_t alarm; /* wraps to go; 0: none */
+static volatile bool is_alarmed;
 
-void systick_start(uint32_t reload)
+static void count_from(uint64_t ticks, uint32_t reload)
 {
     SYST_CSR = 0;
+    SCB_ICSR = ICSR_PENDSTCLR; /* a wrap that nobody counted yet is in ticks */
+    before = ticks;
     wraps = 0;
     period = reload + 1u;
     SYST_RVR = reload;
@@ -21,9 +27,66 @@ void systick_start(uint32_t reload)
     SYST_CSR = CSR_ENABLE | CSR_INTERRUPT | CSR_CORE_CLOCK;
 }
 
-void armv7m_systick(void)
+void systick_start(uint32_t reload)
 {
+    alarm = 0;
+    count_from(0, reload);
+}
+
+void systick_nap(uint32_t ticks)
+{
+    const uint32_t reload = period - 1u, left = alarm;
+
+    alarm = 0; /* it counts wraps of the long period */
+    count_from(systick_ticks(), ticks - 1u);
+    __asm__ volatile("wfi" ::: "memory");
+    count_from(systick_ticks(), reload);
+    alarm = left;
+}
+
+/* Counts a wrap; whether that sets off the alarm. */
+static __attribute__((used)) bool count_wrap(void)
+{
+    const uint32_t left = alarm;
+
     wraps++;
+    if (left == 0) {
+        return false;
+    }
+    alarm = left - 1u;
+    is_alarmed = left == 1;
+    return left == 1;
+}
+
+/* The fault report wants sp and lr as the core left them. */
+__attribute__((naked)) void cortexm_systick(void)
+{
+    __asm__ volatile("push {r4, lr}\n\t"
+                     "bl count_wrap\n\t"
+                     "pop {r2, r3}\n\t"
+                     "mov lr, r3\n\t"
+                     "mov r4, r2\n\t"
+                     "cmp r0, #0\n\t"
+                     "bne 1f\n\t"
+                     "bx lr\n\t"
+                     "1: ldr r3, =cortexm_fault\n\t"
+                     "bx r3\n\t"
+                     ".ltorg");
+}
+
+void systick_alarm(uint32_t count)
+{
+    alarm = count;
+}
+
+bool systick_alarmed(void)
+{
+    return is_alarmed;
+}
+
+uint32_t systick_period(void)
+{
+    return period;
 }
 
 uint64_t systick_ticks(void)
@@ -43,5 +106,5 @@ uint64_t systick_ticks(void)
     __asm__ volatile("msr primask, %0" ::"r"(masked) : "memory");
     /* The interrupt comes as the counter reaches 0, one tick before it
      * reloads: at 0 the new period has begun. */
-    return whole * period + (value == 0 ? 0 : period - value);
+    return before + whole * period + (value == 0 ? 0 : period - value);
 }

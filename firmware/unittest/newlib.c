@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "contract/system.h"
-#include "parts/armv7m.h"
+#include "parts/cortexm.h"
 #include "unittest.h"
 
 extern char fxl_ram_free[], fxl_ram_end[]; /* linker/sections.ld */

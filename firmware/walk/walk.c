@@ -15,7 +15,40 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 
 static uint8_t band_pixels[WALK_BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
+#if WALK_LIST_BYTES >= 4
+static uint32_t list[WALK_LIST_BYTES / 4];
+#else
+static uint32_t *const list = NULL; /* every band walks the scene */
+#endif
 static fxl_renderer renderer;
+
+/* What drawing took, without what the display does with it. */
+typedef struct {
+    uint64_t before, spent; /* instructions */
+    bool is_broken;
+} stopwatch;
+
+static void stopwatch_start(stopwatch *watch)
+{
+    watch->before = clock_instructions();
+}
+
+static void stopwatch_stop(stopwatch *watch)
+{
+    const uint64_t now = clock_instructions();
+
+    if (now < watch->before) {
+        watch->is_broken = true;
+    } else {
+        watch->spent += now - watch->before;
+    }
+}
+
+/* 0, which says that it was not counted, where the clock ran backward. */
+static uint64_t stopwatch_read(const stopwatch *watch)
+{
+    return watch->is_broken ? 0 : watch->spent;
+}
 
 static void print_number(uint32_t number)
 {
@@ -82,8 +115,8 @@ static int open_scene(fxl_scene_image *image)
 
 static int open_renderer(const fxl_scene_image *image)
 {
-    const fxl_status status =
-        fxl_renderer_init(&renderer, &image->scene, &image->lens, order, WALK_ORDER_ENTRIES);
+    const fxl_memory memory = {order, WALK_ORDER_ENTRIES, list, WALK_LIST_BYTES / 4};
+    const fxl_status status = fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory);
 
     if (status == FXL_E_CAPACITY) {
         print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
@@ -96,9 +129,8 @@ static int open_renderer(const fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-/* Draws the frame in bands as high as memory allows. *spent: instructions of
- * the renderer alone. */
-static int draw_bands(const fxl_scene_image *image, uint32_t frame, uint64_t *spent)
+/* Draws the frame in bands as high as memory allows. */
+static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *watch)
 {
     const uint16_t width = image->lens.width, height = image->lens.height;
     const uint32_t rows_max = WALK_BAND_BYTES / width;
@@ -107,18 +139,18 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, uint64_t *sp
     for (row = 0; row < height; row += rows) {
         fxl_band band;
         fxl_status status;
-        uint64_t before;
 
+        system_alive();
         rows = rows_max < height - row ? rows_max : height - row;
         band.pixels = band_pixels;
         band.width = width;
         band.stride = width;
         band.first_row = (uint16_t)row;
         band.rows = (uint16_t)rows;
-        before = clock_instructions();
+        stopwatch_start(watch);
         fxl_fill_band(&band, image->background);
         status = fxl_frame_draw(&renderer, &band);
-        *spent += clock_instructions() - before;
+        stopwatch_stop(watch);
         if (status != FXL_OK) {
             return fail_status("draw", status, SYSTEM_EXIT_RENDER);
         }
@@ -133,7 +165,7 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
     fxl_status status = walk_path_next(path, held);
-    uint64_t before, spent;
+    stopwatch watch = {0, 0, false};
     int code;
 
     if (status != FXL_OK) {
@@ -142,14 +174,15 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
     if (!journal_begin(frame, &path->viewer.pose)) {
         return fail_frame("the pose could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
-    before = clock_instructions();
+    stopwatch_start(&watch);
     status = fxl_frame_begin(&renderer, &path->viewer.pose);
-    spent = clock_instructions() - before;
+    stopwatch_stop(&watch);
     if (status != FXL_OK) {
         return fail_status("frame", status, SYSTEM_EXIT_RENDER);
     }
-    code = draw_bands(image, frame, &spent);
-    if (code == SYSTEM_EXIT_DONE && !journal_end(&renderer.counters, path->viewer.clamped, spent)) {
+    code = draw_bands(image, frame, &watch);
+    if (code == SYSTEM_EXIT_DONE &&
+        !journal_end(&renderer.counters, path->viewer.clamped, stopwatch_read(&watch))) {
         return fail_frame("the counters could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     return code;

@@ -11,9 +11,10 @@ typedef struct {
     uint16_t first_row, rows;
 } draw_choice;
 
-/* Draws the rows in one band and in several, with bytes between width and
- * stride, and demands: equal pixels, nothing written outside, every face
- * accounted for, outlines within the screen. Cuts and stride come from in. */
+/* Draws the rows in one band without a list and in several with a list of any
+ * size, with bytes between width and stride, and demands: equal pixels, nothing
+ * written outside, every face accounted for, outlines within the screen. Cuts,
+ * stride and the list's size come from in. */
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in);
 

@@ -24,11 +24,11 @@ FUZZ_LIB := $(LIB_NAMES)
 # --- libFuzzer, sanitizers, the library's assertions ---------------------------
 
 define FUZZ_ASAN_RULE
-$(FUZZ_OUT)/asan/lib/%.o: $(1)/%.c host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
+$(FUZZ_OUT)/asan/lib/%.o: $(1) host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
 	@mkdir -p $$(@D)
 	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) -O1 $$(FUZZ_SANITIZERS) $$(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $$< -o $$@
 endef
-$(foreach folder,$(call LIB_FOLDERS,portable),$(eval $(call FUZZ_ASAN_RULE,$(folder))))
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_ASAN_RULE,$(pattern))))
 
 $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -37,11 +37,11 @@ $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 # --- branches: the library as it is shipped, without assertions ----------------
 
 define FUZZ_COVER_RULE
-$(FUZZ_OUT)/cover/lib/%.o: $(1)/%.c host_tests/fuzz/fuzz.mk
+$(FUZZ_OUT)/cover/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
 	@mkdir -p $$(@D)
 	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@
 endef
-$(foreach folder,$(call LIB_FOLDERS,portable),$(eval $(call FUZZ_COVER_RULE,$(folder))))
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_COVER_RULE,$(pattern))))
 
 $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -53,11 +53,11 @@ FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanit
     -Ilib/include $(call LIB_FAMILY_CFLAGS,portable) -MMD -MP
 
 define FUZZ_REPLAY_RULE
-$(FUZZ_OUT)/replay/lib/%.o: $(1)/%.c host_tests/fuzz/fuzz.mk
+$(FUZZ_OUT)/replay/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
 	@mkdir -p $$(@D)
 	$$(HOSTCC) $$(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@
 endef
-$(foreach folder,$(call LIB_FOLDERS,portable),$(eval $(call FUZZ_REPLAY_RULE,$(folder))))
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_REPLAY_RULE,$(pattern))))
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)

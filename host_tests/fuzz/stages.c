@@ -8,7 +8,8 @@
 
 enum {
     TEXEL_MAX = 16383 * 65536,
-    ROUNDS = 16
+    ROUNDS = 16,
+    BAND_PIXELS = 24 * 12
 };
 
 /* Up to 61 bits, every length as likely, either sign. */
@@ -88,9 +89,38 @@ static void draw_spans(fxl_scan *scan, const fxl_band *band)
     DEMAND(!fxl_scan_next(scan, &span) && memcmp(&before, &span, sizeof span) == 0);
 }
 
+/* The same pixels by way of a list that just holds the polygon. */
+static void draw_listed(const fxl_screen_polygon *polygon, const fxl_band *drawn)
+{
+    uint8_t pixels[BAND_PIXELS] = {0};
+    fxl_band band = *drawn;
+    fxl_rows rows = fxl_scan_rows(polygon, FXL_SCREEN_MAX);
+    fxl_rows wanted = {band.first_row, (uint16_t)(band.first_row + band.rows)};
+    fxl_list list = {NULL, FXL_LIST_WORDS((uint32_t)polygon->count), 0};
+    fxl_list_record record;
+    fxl_scan scan;
+    uint32_t place = 0;
+    list.words = malloc(list.capacity * sizeof *list.words);
+    band.pixels = pixels;
+    DEMAND(list.words != NULL && rows.first <= rows.end && rows.end <= FXL_SCREEN_MAX);
+    if (rows.first < rows.end) {
+        DEMAND(fxl_list_append(&list, polygon, rows));
+        DEMAND(!fxl_list_append(&list, polygon, rows));
+    }
+    if (fxl_list_next(&list, wanted, &place, &record)) {
+        fxl_scan_outline(record.points, record.count, &band, &scan);
+        draw_spans(&scan, &band);
+    }
+    for (uint32_t row = 0; row < band.rows; row++) {
+        DEMAND(memcmp(pixels + row * band.stride, drawn->pixels + row * band.stride, band.width) ==
+               0);
+    }
+    free(list.words);
+}
+
 void fuzz_scan(fuzz_input *in)
 {
-    uint8_t pixels[24 * 12] = {0};
+    uint8_t pixels[BAND_PIXELS] = {0};
     fxl_scan scan;
     fxl_screen_polygon polygon;
     fxl_band band;
@@ -114,6 +144,7 @@ void fuzz_scan(fuzz_input *in)
     draw_spans(&scan, &band);
     if (status == FXL_OK) {
         judge_coverage(&polygon, &band);
+        draw_listed(&polygon, &band);
     }
 }
 
@@ -168,6 +199,17 @@ void fuzz_clip_view(fuzz_input *in)
     fxl_clip_result cut = fxl_clip_view_to_frustum(&polygon, &view.view_frustum, &work, &result);
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     judge_view_clip(cut, result, &view);
+    fxl_clip_view_work again;
+    for (int which = 0; which < 2; which++) { /* the input within the work */
+        const fxl_view_polygon *same;
+        again.polygons[which] = polygon;
+        DEMAND(fxl_clip_view_to_frustum(&again.polygons[which], &view.view_frustum, &again,
+                                        &same) == cut);
+        DEMAND((same == NULL) == (result == NULL));
+        DEMAND(same == NULL || (same->count == result->count &&
+                                memcmp(same->vertices, result->vertices,
+                                       same->count * sizeof same->vertices[0]) == 0));
+    }
 }
 
 /* A viewer and a gait in range; most choices leave them so, the

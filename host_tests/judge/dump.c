@@ -10,7 +10,7 @@ enum {
     HEAD_SIZE = 16 + 768,
     POSE_AT = 8, /* in a frame: after mark and number */
     PIXELS_AT = 8 + 24,
-    COUNTERS_SIZE = 4 * 8 + 4 + 8, /* counters, steps clamped, instructions */
+    COUNTERS_SIZE = 4 * 9 + 4 + 8, /* counters, steps clamped, instructions */
     TAIL_SIZE = 12
 };
 
@@ -50,7 +50,7 @@ static const char *check_dump(judge_dump *dump)
     if (dump->size < HEAD_SIZE || memcmp(bytes, "FXLD", 4) != 0) {
         return "it is not a frame dump (no FXLD at its start)";
     }
-    if (ref_u16(bytes + 4) != 1 || ref_u16(bytes + 10) != 0) {
+    if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 10) != 0) {
         return "it is a frame dump of another version";
     }
     dump->width = ref_u16(bytes + 6);

@@ -32,9 +32,9 @@ typedef struct {
 
 static judge_box *boxes_of(const ref_renderer *renderer)
 {
-    judge_box *boxes = malloc((renderer->drawn_count + 1) * sizeof *boxes);
-    for (size_t i = 0; boxes && i < renderer->drawn_count; i++) {
-        boxes[i] = judge_box_of(&renderer->drawn[i].polygon);
+    judge_box *boxes = malloc((renderer->list.count + 1) * sizeof *boxes);
+    for (size_t i = 0; boxes && i < renderer->list.count; i++) {
+        boxes[i] = judge_box_of(&renderer->list.drawn[i].polygon);
     }
     return boxes;
 }
@@ -80,15 +80,15 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
 {
     const ref_scene *scene = renderer->scene;
     double x = column + 0.5, y = row + 0.5;
-    for (size_t i = 0; i < renderer->drawn_count; i++) {
+    for (size_t i = 0; i < renderer->list.count; i++) {
         const judge_box *box = &boxes[i];
         if (box->left - x > work->distance || x - box->right > work->distance ||
             box->top - y > work->distance || y - box->bottom > work->distance) {
             continue;
         }
-        const ref_object *object = &scene->objects[renderer->drawn[i].object];
+        const ref_object *object = &scene->objects[renderer->list.drawn[i].object];
         const ref_model *model = &scene->models[object->model];
-        const ref_face *face = &scene->faces[model->first_face + renderer->drawn[i].face];
+        const ref_face *face = &scene->faces[model->first_face + renderer->list.drawn[i].face];
         int32_t vertices[3 * UINT8_MAX];
         for (int corner = 0; corner < face->count; corner++) {
             ref_lattice_point point = ref_face_corner(scene, object, face, corner);
@@ -122,7 +122,7 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
                 return false;
             }
             judge_sample pixel = {x, y, *board, *twin, 0};
-            pixel.distance = judge_explain(renderer->drawn, boxes, renderer->drawn_count,
+            pixel.distance = judge_explain(renderer->list.drawn, boxes, renderer->list.count,
                                            work->image->background, x + 0.5, y + 0.5, *board);
             count_pixel(frame, &pixel, work->distance);
             frame->tied += is_tied(work, renderer, boxes, &view, x, y);

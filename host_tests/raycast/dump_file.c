@@ -9,7 +9,7 @@
 enum {
     HEAD = 16 + 768,
     POSE = 24,
-    AFTER_PIXELS = 32 + 4 + 8,
+    AFTER_PIXELS = 36 + 4 + 8,
     TAIL = 12
 };
 
@@ -37,7 +37,7 @@ dump dump_read(const char *path)
     const uint8_t *bytes = file.bytes;
     if (file.size < HEAD + TAIL || memcmp(bytes, "FXLD", 4) != 0)
         unusable("%s: not a frame dump", path);
-    if (get_u16(bytes + 4) != 1)
+    if (get_u16(bytes + 4) != 2)
         unusable("%s: a frame dump of another version", path);
     dump d = {.width = get_u16(bytes + 6), .height = get_u16(bytes + 8)};
     size_t frame_size = 8 + POSE + (size_t)d.width * d.height + AFTER_PIXELS;

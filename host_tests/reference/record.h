@@ -82,6 +82,11 @@ typedef struct {
     ref_screen_point points[REF_POLYGON_CAPACITY];
 } ref_screen_polygon;
 
+/* Rows first <= row < end. */
+typedef struct {
+    int first, end;
+} ref_rows;
+
 /* Pixels x0 <= x < x1 of row y. */
 typedef struct {
     int y, x0, x1;

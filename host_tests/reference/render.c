@@ -33,22 +33,8 @@ void ref_renderer_close(ref_renderer *renderer)
 {
     free(renderer->objects);
     free(renderer->faces);
-    free(renderer->drawn);
+    ref_list_close(&renderer->list);
     memset(renderer, 0, sizeof *renderer);
-}
-
-static ref_drawn *drawn_next(ref_renderer *renderer)
-{
-    if (renderer->drawn_count == renderer->drawn_capacity) {
-        size_t capacity = renderer->drawn_capacity ? 2 * renderer->drawn_capacity : 256;
-        ref_drawn *more = realloc(renderer->drawn, capacity * sizeof *more);
-        if (!more) {
-            return NULL;
-        }
-        renderer->drawn = more;
-        renderer->drawn_capacity = capacity;
-    }
-    return &renderer->drawn[renderer->drawn_count];
 }
 
 /* A face that faces the eye, from the world to the list. */
@@ -75,18 +61,13 @@ static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t f
     case REF_CLIP_INSIDE:
         break;
     }
-    ref_drawn *drawn = drawn_next(renderer);
-    if (!drawn) {
-        return false;
-    }
     ref_view_polygon view;
+    ref_drawn drawn = {.object = object_number, .face = face_number};
     ref_transform_polygon(&renderer->camera, &clipped, &view);
-    ref_project_polygon(&renderer->lens, &view, &drawn->polygon);
-    drawn->object = object_number;
-    drawn->face = face_number;
-    renderer->drawn_count++;
+    ref_project_polygon(&renderer->lens, &view, &drawn.polygon);
+    drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     renderer->counters.drawn++;
-    return true;
+    return ref_list_append(&renderer->list, &drawn);
 }
 
 static bool take_object(ref_renderer *renderer, uint32_t number)
@@ -121,7 +102,7 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     renderer->camera = ref_camera_from_pose(pose);
     renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
     renderer->counters = (ref_counters){0};
-    renderer->drawn_count = 0;
+    renderer->list.count = 0;
     ref_order_objects(renderer->scene, &renderer->eye, renderer->objects);
     for (uint32_t i = 0; i < renderer->scene->object_count; i++) {
         if (!take_object(renderer, renderer->objects[i].index)) {
@@ -133,13 +114,14 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
 
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
 {
-    for (size_t i = 0; i < renderer->drawn_count; i++) {
-        const ref_screen_polygon *polygon = &renderer->drawn[i].polygon;
+    ref_rows rows = {band->first_row, band->first_row + band->rows};
+    const ref_drawn *drawn;
+    for (size_t place = 0; (drawn = ref_list_next(&renderer->list, rows, &place)) != NULL;) {
         ref_scan scan;
         ref_span span;
-        ref_scan_begin(polygon, band, &scan);
+        ref_scan_begin(&drawn->polygon, band, &scan);
         while (ref_scan_next(&scan, &span)) {
-            ref_fill_span(band, &span, polygon->colour);
+            ref_fill_span(band, &span, drawn->polygon.colour);
         }
     }
 }

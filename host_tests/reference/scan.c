@@ -39,6 +39,25 @@ bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy)
     return winding != 0;
 }
 
+/* Row by row, as it is defined. */
+ref_rows ref_scan_rows(const ref_screen_polygon *polygon, int height)
+{
+    double top = INFINITY, bottom = -INFINITY;
+    for (int i = 0; i < polygon->count; i++) {
+        top = fmin(top, polygon->points[i].y);
+        bottom = fmax(bottom, polygon->points[i].y);
+    }
+    ref_rows rows = {0, 0};
+    while (rows.first < height && rows.first + 0.5 < top) {
+        rows.first++;
+    }
+    rows.end = rows.first;
+    while (rows.end < height && rows.end + 0.5 < bottom) {
+        rows.end++;
+    }
+    return rows;
+}
+
 static int held(double value, int low, int high)
 {
     return (int)fmax(low, fmin(high, value));

@@ -10,6 +10,10 @@
  * centre are multiples of 1/65536 within 4095 pixels. */
 bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy);
 
+/* The rows of a screen whose centres lie from the polygon's highest vertex (it
+ * included) to its lowest (not included); first == end where there are none. */
+ref_rows ref_scan_rows(const ref_screen_polygon *polygon, int height);
+
 /* A polygon being tested, pixel by pixel, within its bounding box grown by one
  * pixel and cut to the band. */
 typedef struct {

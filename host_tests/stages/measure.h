@@ -11,6 +11,7 @@ stages_tally stages_clip_tally(const char *input);
 stages_tally stages_clip_world_tally(const char *input);
 stages_tally stages_transform_tally(const char *input);
 stages_tally stages_project_tally(const char *input);
+stages_tally stages_list_tally(const char *input);
 stages_tally stages_fill_tally(const char *input);
 
 /* Clips plane by plane; before each plane both sides start from the library's
@@ -36,6 +37,11 @@ void stages_measure_transform(stages_tally *tally, const fxl_camera *camera, con
 /* False where the library refused the point. */
 int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_view_point *view,
                            fxl_screen_point *screen);
+
+/* A frame's polygons in both lists, the library's of so many words, and what each
+ * gives back for the rows wanted. Samples are the polygons' rows. */
+void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons, uint32_t count,
+                         uint16_t height, uint32_t words, fxl_rows wanted);
 
 /* Pixels of one polygon within a band that differ. The band's pixels must be 0
  * and are 0 again afterwards. */

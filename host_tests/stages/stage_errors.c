@@ -17,7 +17,8 @@
 enum {
     FRAMES_MAX = 240, /* of a longer path every so-manieth is taken */
     FILL_SHARE = 20,  /* a filled polygon costs about as much as so many points */
-    RANDOM_SCREEN_MAX = 1024 * 1024
+    RANDOM_SCREEN_MAX = 1024 * 1024,
+    LISTED_MAX = 256 /* polygons of a frame that are listed; of more, the last so many */
 };
 
 typedef struct {
@@ -26,10 +27,12 @@ typedef struct {
 } options;
 
 typedef struct {
-    stages_tally clip, clip_world, transform, project, fill;
+    stages_tally clip, clip_world, transform, project, list, fill;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
+static fxl_screen_polygon listed[LISTED_MAX];
+static uint32_t listed_count;
 
 static int fail(const char *where, const char *what)
 {
@@ -39,9 +42,9 @@ static int fail(const char *where, const char *what)
 
 static tallies tallies_for(const char *input)
 {
-    return (tallies){stages_clip_tally(input), stages_clip_world_tally(input),
+    return (tallies){stages_clip_tally(input),      stages_clip_world_tally(input),
                      stages_transform_tally(input), stages_project_tally(input),
-                     stages_fill_tally(input)};
+                     stages_list_tally(input),      stages_fill_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -100,8 +103,21 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
             return;
         }
     }
+    listed[listed_count++ % LISTED_MAX] = screen;
     fxl_band band = {pixels, view->lens.width, view->lens.width, 0, view->lens.height};
     stages_measure_fill(&to->fill, &screen, &band);
+}
+
+/* What was listed, in a list that is mostly too small, for a band somewhere. */
+static void take_list(stages_tally *list, stages_random *random, uint16_t height)
+{
+    uint32_t count = listed_count < LISTED_MAX ? listed_count : LISTED_MAX;
+    uint32_t words = stages_random_below(random, count * FXL_LIST_WORDS(6) + 1);
+    fxl_rows wanted = {(uint16_t)stages_random_below(random, height), height};
+    wanted.end =
+        (uint16_t)(wanted.first + 1 + stages_random_below(random, (uint32_t)height - wanted.first));
+    stages_measure_list(list, listed, count, height, words, wanted);
+    listed_count = 0;
 }
 
 static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose *pose)
@@ -123,6 +139,8 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
             }
         }
     }
+    stages_random random = stages_random_start(listed_count, (uint32_t)pose->position.x);
+    take_list(&to->list, &random, image->lens.height);
 }
 
 static void take_path(tallies *to, const fxl_scene_image *image)
@@ -238,17 +256,30 @@ static void take_random_outline(stages_tally *fill, stages_random *random)
     stages_measure_fill(fill, &outline, &band);
 }
 
+static void take_random_list(stages_tally *list, stages_random *random)
+{
+    uint16_t width = (uint16_t)(1 + stages_random_below(random, FXL_SCREEN_MAX));
+    uint16_t height = (uint16_t)(1 + stages_random_below(random, FXL_SCREEN_MAX));
+    for (uint32_t left = 1 + stages_random_below(random, FILL_SHARE); left > 0; left--) {
+        listed[listed_count] = stages_random_outline(random, width, height);
+        listed[listed_count++].colour = (uint8_t)stages_random_below(random, 256);
+    }
+    take_list(list, random, height);
+}
+
 static void take_random(tallies *to, const options *wanted)
 {
     /* A shard a stage, so that one stage's input does not depend on another's. */
     stages_random polygons = stages_random_start(wanted->seed, 1);
     stages_random points = stages_random_start(wanted->seed, 2);
     stages_random outlines = stages_random_start(wanted->seed, 3);
+    stages_random lists = stages_random_start(wanted->seed, 4);
     for (uint64_t i = 0; i < wanted->samples; i++) {
         take_random_polygon(to, &polygons);
         take_random_points(to, &points);
         if (i % FILL_SHARE == 0) {
             take_random_outline(&to->fill, &outlines);
+            take_random_list(&to->list, &lists);
         }
         progress("random sample", i, wanted->samples);
     }
@@ -256,11 +287,11 @@ static void take_random(tallies *to, const options *wanted)
 
 static void print_tallies(const tallies *of, const char *end)
 {
-    const stages_tally *all[] = {&of->clip, &of->clip_world, &of->transform, &of->project,
-                                 &of->fill};
-    for (int i = 0; i < 5; i++) {
+    const stages_tally *all[] = {&of->clip,    &of->clip_world, &of->transform,
+                                 &of->project, &of->list,       &of->fill};
+    for (int i = 0; i < 6; i++) {
         stages_print(all[i]);
-        puts(i < 4 ? "," : end);
+        puts(i < 5 ? "," : end);
     }
 }
 

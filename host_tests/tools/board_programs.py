@@ -12,6 +12,8 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOARD = "mps2-an385"
+EVERY_BOARD = sorted(path.parent.name for path in (ROOT / "boards").glob("*/board.mk")
+                     if path.parent.name != "host")
 
 
 def built(name):

@@ -15,10 +15,10 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = CHECKOUT / "tools"
 sys.path.insert(0, str(TOOLS))
 
-COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0)     # in == 3 + 2 + 1 + 0 + 4
+COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 
 
-def dump_bytes(frames, palette=None, promised=None, version=1, reserved=0, instructions=1000):
+def dump_bytes(frames, palette=None, promised=None, version=2, reserved=0, instructions=1000):
     """A frame dump of SPEC.md chapter 9, written here from that chapter alone."""
     height, width = frames[0].shape
     palette = bytes(range(256)) * 3 if palette is None else palette
@@ -26,7 +26,7 @@ def dump_bytes(frames, palette=None, promised=None, version=1, reserved=0, instr
     out = b"FXLD" + struct.pack("<HHHHI", version, width, height, reserved, count) + palette
     for number, pixels in enumerate(frames):
         out += b"FRAM" + struct.pack("<I3i3I", number, 1, -2, 3, 4, 5, 6) + pixels.tobytes()
-        out += struct.pack("<8IIQ", *COUNTERS_OF_A_FRAME, 0, instructions + number)
+        out += struct.pack("<9IIQ", *COUNTERS_OF_A_FRAME, 0, instructions + number)
     out += b"FEND" + struct.pack("<I", len(frames))
     return out + struct.pack("<I", zlib.crc32(out))
 

@@ -74,7 +74,7 @@ def refuse(dump, *arguments, **options):
 def pixels_and_poses(data):
     """A dump without its instruction counts and checksum."""
     _, _, width, height, _, frames = struct.unpack_from("<4sHHHHI", data)
-    size = 32 + width * height + 44
+    size = 32 + width * height + 48
     parts = [data[784 + n * size:784 + (n + 1) * size - 8] for n in range(frames)]
     return data[:784], parts
 
@@ -101,7 +101,7 @@ def test_two_runs_are_identical_to_the_last_instruction(image, walk, tmp_path):
 
 def frames_of(data):
     _, _, width, height, _, frames = struct.unpack_from("<4sHHHHI", data)
-    size = 32 + width * height + 44
+    size = 32 + width * height + 48
     return [data[784 + n * size:784 + (n + 1) * size] for n in range(frames)]
 
 

@@ -16,7 +16,7 @@ from fixel.errors import ToolError
 FRAMES = random_frames(3, 5, 7)
 WHOLE = dump_bytes(FRAMES)
 HEAD = 16 + 768
-FRAME = 4 + 4 + 24 + 35 + 32 + 4 + 8
+FRAME = 4 + 4 + 24 + 35 + 36 + 4 + 8
 
 
 def refused(data):
@@ -73,7 +73,7 @@ def test_not_a_dump():
 
 
 def test_other_version():
-    assert "version 2" in refused(dump_bytes(FRAMES, version=2))
+    assert "version 1" in refused(dump_bytes(FRAMES, version=1))
 
 
 def test_reserved_field():

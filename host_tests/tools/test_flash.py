@@ -5,6 +5,7 @@ and what stays when it goes wrong."""
 import dataclasses
 import os
 import pathlib
+import random
 import struct
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import time
 import pytest
 
 from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
-from fixel import emulator, firmware, flash
+from fixel import firmware, flash, qemu
 from fixel.errors import ToolError
 
 
@@ -46,10 +47,13 @@ def refuse(image, *arguments):
 
 
 def moved(elf, target, address):
-    """A copy of a program whose first segment is for another address."""
+    """A copy of a program whose first loaded segment is for another address."""
     data = bytearray(elf.read_bytes())
     (table,) = struct.unpack_from("<I", data, 28)
-    struct.pack_into("<I", data, table + 12, address)  # p_paddr
+    size, count = struct.unpack_from("<HH", data, 42)
+    first = next(at for at in range(table, table + size * count, size)
+                 if struct.unpack_from("<I", data, at)[0] == 1)  # p_type: PT_LOAD
+    struct.pack_into("<I", data, first + 12, address)  # p_paddr
     target.write_bytes(data)
     return target
 
@@ -75,12 +79,64 @@ def test_only_touched_sectors_are_erased(elf, scene, image):
     image.write_bytes(old)
     result = flash.flash(BOARD, elf, scene, image)
     data = image.read_bytes()
-    sector = program.flash_sector
+    (sector,) = set(program.sectors)
     used = sum(len(content) for _, content in program.segments)
-    assert result.sectors_erased == -(-used // sector) + 1
+    assert result.sectors_erased == (sector,) * (-(-used // sector) + 1)
     # The rest of the scene's sector is erased, the next one is as it was.
     assert data[program.scene_base + 400:program.scene_base + sector] == b"\xff" * (sector - 400)
     assert data[program.scene_base + sector] == 0
+
+
+def with_sectors(elf, target, *runs):
+    """A copy of a program whose memory map has sectors of different sizes: count
+    and size of each run of equal ones."""
+    table = target.with_suffix(".table")
+    table.write_bytes(b"".join(struct.pack("<II", *run) for run in runs))
+    subprocess.run(["arm-none-eabi-objcopy", "--add-section", f".fxl_sectors={table}", elf, target], check=True)
+    table.unlink()
+    return target
+
+
+STM32F4 = ((4, 16384), (1, 65536), (31, 131072))  # as an STM32F405 begins, but 4 MiB long
+
+
+def test_sectors_of_different_sizes(elf, scene, image, tmp_path):
+    uneven = with_sectors(elf, tmp_path / "uneven.elf", *STM32F4)
+    program = firmware.load(uneven)
+    assert program.sectors == (16384,) * 4 + (65536,) + (131072,) * 31
+    image.parent.mkdir()
+    image.write_bytes(b"\0" * program.flash_size)
+    used = sum(len(content) for _, content in program.segments)
+    assert used <= 16384
+    assert flash.flash(BOARD, uneven, scene, image).sectors_erased == (16384, 131072)
+    data = image.read_bytes()
+    assert data[used:16384] == b"\xff" * (16384 - used) and data[16384] == 0
+    base = program.scene_base
+    assert data[base - 1] == 0 and data[base + 400:base + 131072] == b"\xff" * (131072 - 400)
+    assert data[base + 131072] == 0
+
+
+def test_a_program_over_sectors_of_different_sizes(elf):
+    program = dataclasses.replace(
+        firmware.load(elf), sectors=(16384,) * 4 + (65536,) + (131072,) * 31, flash_base=0x08000000,
+        scene_base=0x08080000, segments=((0x08000000 + 3 * 16384 - 4, b"\x11" * (16384 + 8)),))
+    data, erased = flash.program_flash(program, b"\x22" * 131073, b"\0" * program.flash_size)
+    assert erased == (16384, 16384, 65536, 131072, 131072)
+    assert data[32767] == 0 and data[32768:49148] == b"\xff" * 16380 and data[49148:65540] == b"\x11" * 16392
+    assert data[65540:131072] == b"\xff" * 65532 and data[131072:0x80000] == bytes(0x80000 - 131072)
+    assert data[0x80000:0x80000 + 131073] == b"\x22" * 131073
+
+
+@pytest.mark.parametrize("runs, words", [
+    (((4, 16384),), "4 of 16384 bytes, and that the flash has 4194304"),
+    (((4, 16384), (1, 4194304)), "4 of 16384 and 1 of 4194304 bytes"),
+    (((1 << 22, 1),), "4194304 of 1 bytes"),
+    (((1, 4194304), (5, 0)), "5 of 0 bytes"),
+    ((), "none"),
+    (((4, 1048576),), "does not begin with a sector"),
+])
+def test_a_map_of_sectors_that_cannot_be(elf, scene, image, tmp_path, runs, words):
+    assert words in refuse(image, BOARD, with_sectors(elf, tmp_path / "bad.elf", *runs), scene)
 
 
 def test_a_second_scene_replaces_the_first(elf, scene, image, tmp_path):
@@ -95,6 +151,35 @@ def test_a_second_scene_replaces_the_first(elf, scene, image, tmp_path):
 def test_a_program_for_another_board(scene, image, elf):
     assert "is for board host, not for mps2-an385" in refuse(image, BOARD, built("host/walk"), scene)
     assert "is for board mps2-an385, not for host" in refuse(image, "host", elf, scene)
+
+
+def test_a_program_that_is_cut_off(elf, scene, image, tmp_path):
+    data = elf.read_bytes()
+    cut = tmp_path / "cut.elf"
+    for size in sorted({0, 1, 4, 16, 51, 52, *range(100, len(data), len(data) // 40), len(data) - 1}):
+        cut.write_bytes(data[:size])
+        refuse(image, BOARD, cut, scene)
+
+
+def test_a_damaged_program_ends_in_a_sentence(elf, tmp_path):
+    """Or is read as what it then says; never in a traceback."""
+    good = elf.read_bytes()
+    damaged = tmp_path / "damaged.elf"
+    generator = random.Random(1)
+    (table,) = struct.unpack_from("<I", good, 32)
+    places = [*range(52), *range(table, len(good)), *range(52, 52 + 3 * 32)]
+    refused = 0
+    for _ in range(400):
+        data = bytearray(good)
+        for _ in range(generator.randint(1, 4)):
+            data[generator.choice(places)] ^= 1 << generator.randrange(8)
+        damaged.write_bytes(data)
+        try:
+            firmware.load(damaged)
+        except ToolError as error:
+            refused += 1
+            assert str(damaged) in str(error)
+    assert refused > 50
 
 
 def test_a_file_that_is_no_program(scene, image, tmp_path):
@@ -151,14 +236,14 @@ def test_an_image_that_cannot_be_written(elf, scene, tmp_path):
 def test_a_failed_verification_leaves_the_old_image(elf, scene, image, monkeypatch):
     flash.flash(BOARD, elf, scene, image)
     scene.write_bytes(scene_bytes(800))
-    real = emulator.read_memory
+    real = qemu.read_memory
 
     def stuck_bit(program, path):
         data = bytearray(real(program, path))
         data[0x80100] ^= 1
         return bytes(data)
 
-    monkeypatch.setattr(emulator, "read_memory", stuck_bit)
+    monkeypatch.setattr(qemu, "read_memory", stuck_bit)
     assert "verification failed at 0x80100" in refuse(image, BOARD, elf, scene)
 
 

@@ -9,12 +9,14 @@ import pathlib
 import re
 import shlex
 import subprocess
+import types
 from fractions import Fraction
 
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-from fixel import report_claims, report_frames, report_plots, report_shards
+from fixel import report_claims, report_frames, report_plots, report_scale, report_shards
+from fixel.errors import ToolError
 
 SAMPLES = 4000
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
@@ -135,6 +137,13 @@ def test_frames(result):
         assert set(frame) == {"scene", "frame", "pixels_differing", "pixels_unexplained", "pixels_tied",
                               "max_edge_distance_px"}
         assert frame["pixels_unexplained"] == 0
+
+
+def test_a_board_that_does_not_count_is_no_division_by_zero(monkeypatch, tmp_path):
+    frame = types.SimpleNamespace(instructions=0, pixels=None)
+    monkeypatch.setattr(report_scale, "_draw", lambda *_: types.SimpleNamespace(frames=[frame], width=1, height=1))
+    with pytest.raises(ToolError, match="did not count the instructions"):
+        report_scale.measure("build", "mps2-an385", types.SimpleNamespace(frames=1), tmp_path)
 
 
 def test_scales_change_nothing(result):

@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import struct
+import types
 import zlib
 
 import numpy
@@ -15,7 +16,7 @@ from PIL import Image
 
 import run as run_tool
 import scene as scene_tool
-from fixel import dump
+from fixel import dump, emulator
 
 SCENE = "scenes/tiny.toml"
 FRAMES = 4
@@ -56,7 +57,7 @@ def result(build, tmp_path_factory):
 def test_summary_has_exactly_its_keys(result):
     summary, _, _ = result
     assert set(summary) == KEYS
-    assert set(summary["polygons"]) == {"in", "culled", "clipped", "refused", "drawn"}
+    assert set(summary["polygons"]) == {"in", "culled", "clipped", "refused", "drawn", "spilled"}
     assert set(summary["instructions_per_frame"]) == {"min", "median", "mean", "max"}
 
 
@@ -117,7 +118,19 @@ def test_host_is_a_board(build, tmp_path, result):
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert done.returncode == 0, done.stdout + done.stderr
     assert summary["cpu"] == "host" and summary["instructions_per_frame"]["min"] is None
+    assert "instructions a frame" in done.stdout and "not counted on this board" in done.stdout
     assert summary["frame_sha256"] == result[0]["frame_sha256"]
+
+
+@pytest.mark.parametrize("counts, figures", [
+    ([], (None, None, None, None)),
+    ([0, 0], (None, None, None, None)),
+    ([5, 0, 7], (None, None, None, None)),  # a frame whose clock stood still or ran backward
+    ([5, 6, 10], (5, 6, 7, 10)),
+])
+def test_frames_that_were_not_counted(counts, figures):
+    found = run_tool.instruction_figures([types.SimpleNamespace(instructions=count) for count in counts])
+    assert tuple(found.values()) == figures
 
 
 def test_again_into_the_same_folder(build, tmp_path):
@@ -144,7 +157,7 @@ def test_scene_image_instead_of_toml(build, tmp_path, result):
 def spoil(data):
     """A dump with one pixel of its last frame changed, whole otherwise."""
     data = bytearray(data)
-    data[-12 - 44 - 1] ^= 1
+    data[-12 - 48 - 1] ^= 1
     data[-4:] = struct.pack("<I", zlib.crc32(data[:-4]))
     return bytes(data)
 
@@ -245,7 +258,7 @@ def test_bad_scene_image(build, tmp_path, image_bytes, board, kind):
     bad = tmp_path / "bad.fxls"
     bad.write_bytes(BAD_IMAGES[kind](image_bytes))
     done = walk(tmp_path / "out", board=board, scene=bad, frames=None)
-    assert done.returncode in (1, 2), done.stdout + done.stderr
+    assert done.returncode in (2, emulator.exit_code("SCENE")), done.stdout + done.stderr
     assert_one_sentence(done, code=done.returncode)
     assert_nothing_left(tmp_path, tmp_path / "out")
 

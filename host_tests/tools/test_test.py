@@ -64,3 +64,21 @@ def test_nothing_ran():
     exit_code, lines, done = drive()
     assert (exit_code, lines[-1]) == (1, "0 passed, 0 failed")
     assert "no test ran" in done.stderr
+
+
+def test_what_a_board_has_no_room_for_is_said_and_not_counted(tmp_path):
+    arguments = ["--host-unit", program(tmp_path, "one", GOOD, 0), "--left-out", "small", "test_big", "test_long"]
+    done = run_cli("test", "--only", "host/", *arguments)
+    assert done.returncode == 0
+    assert done.stdout.splitlines()[1:] == [
+        "left out: small: test_big, test_long (no room: boards/small/board.mk)", "2 passed, 0 failed"]
+    done = run_cli("test", "--board", "host", *arguments)
+    assert done.stdout.splitlines()[1:] == ["2 passed, 0 failed"]
+
+
+def test_one_board_alone(tmp_path):
+    """The programs of the others, and the tools' tests, are not even started."""
+    done = run_cli("test", "--board", "second", "--board-unit", "first", tmp_path / "test_a.elf",
+                   "--board-unit", "second", tmp_path / "test_b.elf")
+    assert "second/test_b" in done.stdout and "first" not in done.stdout
+    assert done.stdout.splitlines()[-1] == "0 passed, 1 failed"

@@ -6,7 +6,8 @@ enum {
     WIDTH = 48,
     HEIGHT = 32,
     PIXELS = WIDTH * HEIGHT,
-    BACKGROUND = 200
+    BACKGROUND = 200,
+    LIST_WORDS = 18 * FXL_LIST_WORDS(8) /* all faces of the scene, whole or cut */
 };
 
 static const fxl_clipper clippers[] = {fxl_clip_by_view, fxl_clip_by_world};
@@ -99,8 +100,34 @@ void test_a_polygon_inside_is_transformed_by_both(void)
     TEST_ASSERT_TRUE(inside > few && cut > few && gone > few);
 }
 
+/* The polygon itself may lie in the work, and is then lost. */
+void test_a_polygon_within_the_work_gives_the_same(void)
+{
+    static fxl_clipper_work work, other;
+    int cut = 0;
+    for (int i = 0; i < UNIT_REPEAT / 4; i++) {
+        fxl_view view = random_view(Q16(100));
+        fxl_polygon polygon = random_triangle(&view);
+        for (int which = 0; which < 2; which++) {
+            const fxl_view_polygon *apart, *within;
+            fxl_clip_result outcome = clippers[which](&polygon, &view, &work, &apart);
+            other.polygon = polygon;
+            TEST_ASSERT_EQUAL(outcome, clippers[which](&other.polygon, &view, &other, &within));
+            expect_treaty(outcome, &other, within, &polygon);
+            if (is_kept(outcome)) {
+                TEST_ASSERT_EQUAL(apart->count, within->count);
+                TEST_ASSERT_EQUAL_MEMORY(apart->vertices, within->vertices,
+                                         apart->count * sizeof apart->vertices[0]);
+            }
+            cut += outcome == FXL_CLIP_CUT;
+        }
+    }
+    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 40);
+}
+
 static uint8_t frames[4][PIXELS];
 static fxl_order_entry order[2][64];
+static uint32_t list[2][LIST_WORDS];
 static fxl_renderer renderers[2];
 
 static void start(int which)
@@ -108,9 +135,9 @@ static void start(int which)
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init(&renderers[which], &tiny->scene, &lens, order[which], 64));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
 }
 
 static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)

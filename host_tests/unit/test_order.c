@@ -13,8 +13,8 @@ static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
     if (a->layer != b->layer) {
         return a->layer < b->layer;
     }
-    if (a->distance != b->distance) {
-        return a->distance > b->distance;
+    if (fxl_order_distance(a) != fxl_order_distance(b)) {
+        return fxl_order_distance(a) > fxl_order_distance(b);
     }
     return a->index < b->index;
 }
@@ -42,8 +42,8 @@ void test_sorting_is_by_layer_distance_and_index(void)
         uint32_t spread = (uint32_t)unit_between(1, 20);
         for (uint32_t i = 0; i < count; i++) {
             uint64_t distance = unit_random() % spread;
-            entries[i] = (fxl_order_entry){distance << (unit_random() % 2 * 60), i,
-                                           unit_random() % (1 + spread / 4)};
+            entries[i] = fxl_order_entry_of(distance << (unit_random() % 2 * 59), (uint16_t)i,
+                                            (uint16_t)(unit_random() % (1 + spread / 4)));
         }
         for (uint32_t i = count; i > 1; i--) {
             uint32_t other = unit_random() % i;
@@ -61,20 +61,20 @@ void test_sorted_and_reversed_input(void)
     for (int way = 0; way < 2; way++) {
         for (uint32_t i = 0; i < MANY; i++) {
             uint32_t key = way ? i : MANY - 1 - i;
-            entries[i] = (fxl_order_entry){key, i, 0};
+            entries[i] = fxl_order_entry_of(key, (uint16_t)i, 0);
         }
         fxl_order_sort(entries, MANY);
         expect_sorted(MANY);
-        TEST_ASSERT_EQUAL_UINT64(MANY - 1, entries[0].distance);
+        TEST_ASSERT_EQUAL_UINT64(MANY - 1, fxl_order_distance(&entries[0]));
     }
 }
 
 void test_nothing_and_one_entry(void)
 {
-    entries[0] = (fxl_order_entry){7, 0, 3};
+    entries[0] = fxl_order_entry_of(7, 0, 3);
     fxl_order_sort(entries, 0);
     fxl_order_sort(entries, 1);
-    TEST_ASSERT_EQUAL_UINT64(7, entries[0].distance);
+    TEST_ASSERT_EQUAL_UINT64(7, fxl_order_distance(&entries[0]));
     TEST_ASSERT_EQUAL_UINT32(3, entries[0].layer);
 }
 
@@ -172,7 +172,7 @@ void test_objects_by_layer_then_far_to_near(void)
         const fxl_order_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
         TEST_ASSERT_EQUAL_UINT64(fxl_distance_squared(&eye, &tiny->objects[entry->index].centre),
-                                 entry->distance);
+                                 fxl_order_distance(entry));
     }
     tiny->objects[0].layer = 1;
     tiny->objects[1].layer = 255;
@@ -209,7 +209,8 @@ void test_faces_that_face_the_eye_far_to_near(void)
         const fxl_face *face = &tiny->faces[6 + entries[i].index];
         TEST_ASSERT_EQUAL_UINT32(0, entries[i].layer);
         TEST_ASSERT_TRUE(entries[i].index % 2 == 1);
-        TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye), entries[i].distance);
+        TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye),
+                                 fxl_order_distance(&entries[i]));
         TEST_ASSERT_TRUE(i == 0 || before(&entries[i - 1], &entries[i]));
     }
     TEST_ASSERT_EQUAL_UINT32(5, entries[2].index);

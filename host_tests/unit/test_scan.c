@@ -294,6 +294,57 @@ void test_a_band_may_begin_where_the_remainder_is_used_up(void)
     TEST_ASSERT_TRUE(picture_winding(&polygon, 4, 1) == 0 && whole.pixels[1][4] == '.');
 }
 
+/* The rows whose centres lie from the highest vertex, it included, to the
+ * lowest, it not included; held to the screen. */
+static void expect_rows(const fxl_screen_polygon *polygon, uint16_t height, fxl_rows rows)
+{
+    fxl_q16_16 top = polygon->points[0].y, bottom = top;
+    for (int i = 1; i < polygon->count; i++) {
+        top = polygon->points[i].y < top ? polygon->points[i].y : top;
+        bottom = polygon->points[i].y > bottom ? polygon->points[i].y : bottom;
+    }
+    TEST_ASSERT_TRUE(rows.first <= rows.end && rows.end <= height);
+    for (int32_t row = 0; row < height; row++) {
+        int32_t centre = row * 65536 + 32768;
+        TEST_ASSERT_EQUAL(top <= centre && centre < bottom, row >= rows.first && row < rows.end);
+    }
+}
+
+void test_the_rows_of_a_polygon(void)
+{
+    fxl_screen_polygon polygon;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        uint16_t height = (uint16_t)unit_between(1, 20);
+        random_polygon(&polygon, 16);
+        expect_rows(&polygon, height, fxl_scan_rows(&polygon, height));
+    }
+}
+
+/* Spans lie in these rows, also where nothing is checked. */
+void test_an_outline_is_scanned_as_its_polygon_is(void)
+{
+    static uint8_t pixels[16];
+    fxl_screen_polygon polygon;
+    fxl_scan scan, unchecked;
+    fxl_span span = {0, 0, 0}, same = {0, 0, 0};
+    uint32_t spans = 0;
+    for (int i = 0; i < UNIT_REPEAT / 5; i++) {
+        fxl_band band = {pixels, 16, 16, 0, (uint16_t)unit_between(1, 16)};
+        random_polygon(&polygon, 16);
+        fxl_rows rows = fxl_scan_rows(&polygon, band.rows);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
+        fxl_scan_outline(polygon.points, polygon.count, &band, &unchecked);
+        while (fxl_scan_next(&scan, &span)) {
+            TEST_ASSERT_TRUE(fxl_scan_next(&unchecked, &same));
+            TEST_ASSERT_EQUAL_MEMORY(&span, &same, sizeof span);
+            TEST_ASSERT_TRUE(span.y >= rows.first && span.y < rows.end);
+            spans++;
+        }
+        TEST_ASSERT_FALSE(fxl_scan_next(&unchecked, &same));
+    }
+    TEST_ASSERT_TRUE(spans > UNIT_REPEAT / 5);
+}
+
 static void expect_refused(fxl_status status, const fxl_screen_polygon *polygon,
                            const fxl_band *band)
 {

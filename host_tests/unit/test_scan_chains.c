@@ -180,7 +180,7 @@ static void check_polygon(const fxl_screen_polygon *polygon, const fxl_band *ban
     if (by_chains) {
         TEST_ASSERT_TRUE_MESSAGE(spans.by_chains, "the quick way was not taken");
     }
-    fxl_crossings_begin(&crossings, polygon, band);
+    fxl_crossings_begin(&crossings, polygon->points, polygon->count, band);
     while (fxl_crossings_next(&crossings, &expected)) {
         TEST_ASSERT_TRUE(fxl_scan_next(&spans, &span));
         expect_same_span(&expected, &span);

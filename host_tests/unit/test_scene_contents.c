@@ -6,6 +6,10 @@ void test_face_contents(void)
 {
     expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 16, 2);
     expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 16, 25);
+#if FXL_FACE_VERTICES_MAX < 24
+    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 16, 24);
+    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 16, FXL_FACE_VERTICES_MAX + 1);
+#endif
     expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 45);
     expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 0xFFFFFFFFu);
     expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 0xFFFFFFFDu);
@@ -165,27 +169,6 @@ void test_models_share_nothing_and_leave_nothing_out(void)
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 8, 0);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 12, 5);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 0, MODEL, 12, 5);
-}
-
-/* Objects times vertices is what a loader has to look at: 65535 x 61 is within
- * the limit, 65535 x 62 is not. */
-void test_too_many_placed_vertices_are_refused(void)
-{
-    static fxl_object many[FXL_SCENE_OBJECTS_MAX];
-    static fxl_point vertices[62 + 8];
-    for (uint32_t extra = 61; extra <= 62; extra++) {
-        tiny_scene *tiny = tiny_make();
-        memset(vertices, 0, sizeof vertices);
-        memcpy(vertices, tiny->vertices, 8 * sizeof vertices[0]);
-        memcpy(vertices + extra, tiny->vertices + 8, 8 * sizeof vertices[0]);
-        tiny->models[0].vertex_count = extra;
-        tiny->models[1].first_vertex = extra;
-        tiny->scene.vertices = vertices;
-        tiny->scene.vertex_count = extra + 8;
-        tiny->scene.objects = many;
-        tiny->scene.object_count = FXL_SCENE_OBJECTS_MAX;
-        TEST_ASSERT_EQUAL(extra == 61 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
-    }
 }
 
 void test_every_status_has_its_own_sentence(void)

@@ -15,7 +15,7 @@ board_double board;
 
 static const void *on_store(size_t *size)
 {
-    *size = board.scene != NULL ? sizeof board.scene->words : 0; /* a partition is longer */
+    *size = board.scene != NULL ? board.scene_size : 0;
     return board.scene != NULL ? board.scene->words : NULL;
 }
 
@@ -88,13 +88,23 @@ static bool on_display_close(void)
 static uint64_t on_clock(void)
 {
     board.clock += board.clock_step;
+    if (board.clock_read++ == board.clock_backward) {
+        board.clock -= 2 * board.clock_step;
+    }
     return board.clock;
 }
 
 static uint32_t on_keys(void)
 {
-    board.keys_read++;
-    return board.keys;
+    const uint32_t frame = board.keys_read++;
+
+    return board.keys_of_frame != NULL ? board.keys_of_frame[frame] : board.keys;
+}
+
+static void on_alive(void)
+{
+    TEST_ASSERT_EQUAL(board.flushes, board.alive); /* once between any two */
+    board.alive++;
 }
 
 static uint32_t on_frames(void)
@@ -117,6 +127,8 @@ void board_double_begin(const scene_bytes *scene)
 {
     memset(&board, 0, sizeof board);
     board.scene = scene;
+    board.scene_size = sizeof scene->words; /* a partition is longer than what is in it */
+    board.clock_backward = NEVER;
     board.refuse_begin = board.refuse_flush = board.refuse_end = NEVER;
     store_scene_Stub(on_store);
     journal_open_Stub(on_journal_open);
@@ -129,5 +141,6 @@ void board_double_begin(const scene_bytes *scene)
     input_keys_Stub(on_keys);
     system_frames_Stub(on_frames);
     system_live_Stub(on_live);
+    system_alive_Stub(on_alive);
     system_text_Stub(on_text);
 }

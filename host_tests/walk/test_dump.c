@@ -5,23 +5,32 @@
 
 #include "contract/display.h"
 #include "contract/journal.h"
+#include "contract/panel.h"
+#include "parts/dump.h"
 #include "parts/sink.h"
 #include "unity.h"
 
 #define WIDTH  3
 #define HEIGHT 2
 #define HEAD   (16 + 768)
-#define FRAME  (32 + WIDTH * HEIGHT + 44)
+#define FRAME  (32 + WIDTH * HEIGHT + 48)
 #define TAIL   12
 
 static const fxl_pose pose = {{1, -2, 0x01020304}, 5, 6, 0xFFFFFFFFu};
-static const fxl_counters counters = {10, 1, 2, 3, 0, 4, 5, 6};
+static const fxl_counters counters = {10, 1, 2, 3, 0, 4, 5, 6, 8};
 static const uint8_t pixels[WIDTH * HEIGHT] = {1, 2, 3, 4, 5, 6};
 
 static uint8_t palette[768];
 static uint8_t written[4096];
 static size_t size, room;
 static bool was_opened, is_open, was_whole, refuse_open, refuse_close;
+
+const panel *const *board_panels(void)
+{
+    static const panel *const panels[] = {&dump_panel, NULL};
+
+    return panels;
+}
 
 bool sink_open(void)
 {
@@ -121,7 +130,7 @@ void test_the_bytes_of_a_dump(void)
     TEST_ASSERT_TRUE(display_close());
     TEST_ASSERT_TRUE(was_whole);
     TEST_ASSERT_EQUAL(HEAD + 2 * FRAME + TAIL, size);
-    TEST_ASSERT_EQUAL_MEMORY("FXLD\1\0\3\0\2\0\0\0\2\0\0\0", written, 16);
+    TEST_ASSERT_EQUAL_MEMORY("FXLD\2\0\3\0\2\0\0\0\2\0\0\0", written, 16);
     TEST_ASSERT_EQUAL_MEMORY(palette, written + 16, sizeof palette);
     TEST_ASSERT_EQUAL_MEMORY(
         "FRAM\1\0\0\0\1\0\0\0\376\377\377\377\4\3\2\1\5\0\0\0\6\0\0\0\377\377\377\377",
@@ -130,9 +139,10 @@ void test_the_bytes_of_a_dump(void)
     TEST_ASSERT_EQUAL(10, u32(end));
     TEST_ASSERT_EQUAL(4, u32(end + 20)); /* drawn */
     TEST_ASSERT_EQUAL(6, u32(end + 28)); /* refused_calls */
-    TEST_ASSERT_EQUAL(7, u32(end + 32));
-    TEST_ASSERT_EQUAL_HEX32(0x05060708u, u32(end + 36));
-    TEST_ASSERT_EQUAL_HEX32(0x01020304u, u32(end + 40));
+    TEST_ASSERT_EQUAL(8, u32(end + 32)); /* spilled */
+    TEST_ASSERT_EQUAL(7, u32(end + 36));
+    TEST_ASSERT_EQUAL_HEX32(0x05060708u, u32(end + 40));
+    TEST_ASSERT_EQUAL_HEX32(0x01020304u, u32(end + 44));
     TEST_ASSERT_EQUAL_MEMORY("FEND\2\0\0\0", written + size - TAIL, 8);
     TEST_ASSERT_EQUAL_HEX32(crc_by_bits(written, size - 4), u32(size - 4));
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The walk against a board that is mocked: what it asks of a board, in which
  * order, and what it does when the board says no. */
+#include <math.h>
 #include <string.h>
 
 #include "board_double.h"
@@ -12,10 +13,12 @@
 #include "mock_journal.h"
 #include "mock_store.h"
 #include "mock_system.h"
+#include "reference/viewer.h"
 #include "scene_bytes.h"
 #include "unity.h"
 #include "walk.h"
 
+#define UNIT  65536
 #define BANDS 3 /* of 16, 16 and 8 rows: 1024 bytes hold 16 rows of 64 pixels */
 
 static const fxl_pose poses[3] = {{{0, 0, 0}, 0, 0, 0},
@@ -51,11 +54,12 @@ static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
 {
     static fxl_renderer renderer;
     fxl_order_entry order[4];
+    const fxl_memory memory = {order, 4, NULL, 0};
     fxl_scene_image image;
     const fxl_band band = {pixels, SCENE_WIDTH, SCENE_WIDTH, 0, SCENE_HEIGHT};
 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(scene.words, scene.size, &image, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &image.scene, &image.lens, order, 4));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &image.scene, &image.lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, image.background);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -70,6 +74,7 @@ void test_every_row_of_every_frame_is_flushed_once_and_downward(void)
     TEST_ASSERT_EQUAL(3, board.begun);
     TEST_ASSERT_EQUAL(3, board.ended);
     TEST_ASSERT_EQUAL(3 * BANDS, board.flushes);
+    TEST_ASSERT_EQUAL(3 * BANDS, board.alive);
     for (frame = 0; frame < 3; frame++) {
         for (row = 0; row < SCENE_HEIGHT; row++) {
             TEST_ASSERT_EQUAL(1, board.times_covered[frame][row]);
@@ -117,6 +122,42 @@ void test_keys_drive_the_viewer_once_the_path_has_ended(void)
     TEST_ASSERT_EQUAL_HEX32(FXL_ANGLE_QUARTER / 8, board.poses[3].yaw);
 }
 
+/* A key that bounces is down in one frame and up in the next. */
+void test_keys_that_change_every_frame_give_the_steps_of_the_twin(void)
+{
+    static const uint32_t keys[FRAMES_MAX] = {FXL_KEY_FORWARD,
+                                              FXL_KEY_FORWARD | FXL_KEY_LEFT,
+                                              0,
+                                              FXL_KEY_FORWARD | FXL_KEY_BACK,
+                                              FXL_KEY_RIGHT | FXL_KEY_PITCH_UP,
+                                              FXL_KEY_ALL,
+                                              FXL_KEY_BACK | FXL_KEY_ROLL_LEFT,
+                                              FXL_KEY_FORWARD | FXL_KEY_RIGHT};
+    const fxl_pose *start = &poses[0];
+    const ref_pose from = {{start->position.x, start->position.y, UNIT / 2}, 0, 0, 0};
+    const ref_gait gait = {1.0 / 4, 1.0 / 16, 1.0, FXL_ANGLE_QUARTER / 16};
+    ref_viewer twin = ref_viewer_at(&from);
+    uint32_t frame;
+
+    board.live = true;
+    board.frames_asked = FRAMES_MAX;
+    board.keys_of_frame = keys;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(FRAMES_MAX, board.keys_read);
+    for (frame = 0; frame < FRAMES_MAX; frame++) {
+        const fxl_pose *pose = &board.poses[frame];
+
+        ref_viewer_step(&twin, keys[frame], &gait);
+        TEST_ASSERT_EQUAL_HEX32(twin.yaw, pose->yaw);
+        TEST_ASSERT_EQUAL_HEX32(twin.pitch, pose->pitch);
+        TEST_ASSERT_EQUAL_HEX32(twin.roll, pose->roll);
+        /* A step rounds once. */
+        TEST_ASSERT_TRUE(fabs(twin.position.x * UNIT - pose->position.x) <= frame + 1);
+        TEST_ASSERT_TRUE(fabs(twin.position.z * UNIT - pose->position.z) <= frame + 1);
+    }
+    TEST_ASSERT_NOT_EQUAL(0, board.poses[FRAMES_MAX - 1].position.x);
+}
+
 void test_a_live_walk_reads_the_keys_for_every_frame(void)
 {
     board.live = true;
@@ -124,6 +165,12 @@ void test_a_live_walk_reads_the_keys_for_every_frame(void)
     TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
     TEST_ASSERT_EQUAL(3, board.keys_read);
     TEST_ASSERT_EQUAL_HEX32(0u - FXL_ANGLE_QUARTER / 16, board.poses[0].yaw);
+}
+
+void test_a_sign_of_life_for_every_frame(void)
+{
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_EQUAL(3 * BANDS, board.alive);
 }
 
 void test_only_the_renderer_is_counted(void)
@@ -141,6 +188,46 @@ void test_instructions_beyond_32_bits(void)
     board.clock_step = 3000000000u;
     TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
     TEST_ASSERT_EQUAL_UINT64((uint64_t)3000000000u * (1 + BANDS), board.instructions[1]);
+}
+
+void test_a_clock_that_stands_still_counts_nothing(void)
+{
+    board.clock = 123456;
+    TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+    TEST_ASSERT_GREATER_THAN(0, board.clock_read);
+    TEST_ASSERT_EQUAL_UINT64(0, board.instructions[0]);
+    TEST_ASSERT_EQUAL_UINT64(0, board.instructions[2]);
+}
+
+void test_a_clock_that_runs_backward_spoils_the_count_of_its_frame_alone(void)
+{
+    const uint32_t readings = 2 * (1 + BANDS); /* in a frame */
+    uint32_t reading;
+
+    for (reading = 1; reading < readings; reading += 2) {
+        board_double_begin(&scene);
+        board.clock = 1000000;
+        board.clock_step = 100;
+        board.clock_backward = readings + reading;
+        TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+        TEST_ASSERT_EQUAL_UINT64(100 * (1 + BANDS), board.instructions[0]);
+        TEST_ASSERT_EQUAL_UINT64(0, board.instructions[1]);
+        TEST_ASSERT_EQUAL_UINT64(100 * (1 + BANDS), board.instructions[2]);
+    }
+}
+
+void test_a_partition_that_ends_within_the_scene(void)
+{
+    static const size_t sizes[] = {0, 4, 159, 160};
+    size_t i;
+
+    for (i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        board_double_begin(&scene);
+        board.scene_size = sizes[i];
+        TEST_ASSERT_EQUAL(SYSTEM_EXIT_SCENE, walk());
+        TEST_ASSERT_EQUAL(0, board.announced);
+        assert_text("walk: scene refused");
+    }
 }
 
 void test_a_board_without_a_scene(void)

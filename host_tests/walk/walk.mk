@@ -9,12 +9,12 @@ WALK_TEST_CONTRACT := $(wildcard boards/contract/*.h)
 WALK_TEST_MOCKS := $(WALK_TEST_CONTRACT:boards/contract/%.h=$(WALK_TEST)/mock_%.c)
 # Small, so that a small scene takes several bands and can want too much.
 WALK_TEST_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=undefined -fno-sanitize-recover \
-    -Ilib/include -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests/walk -I$(WALK_TEST) \
-    -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4
-WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o board_double.o scene_bytes.o \
+    -Ilib/include -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests -Ihost_tests/walk -I$(WALK_TEST) \
+    -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4 -DWALK_LIST_BYTES=100
+WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o test_display.o test_window.o board_double.o scene_bytes.o \
     walk.o path.o)
 
-UNITY_TESTS += $(WALK_TEST)/test_walk $(WALK_TEST)/test_path $(WALK_TEST)/test_dump
+UNITY_TESTS += $(addprefix $(WALK_TEST)/,test_walk test_path test_dump test_display test_window)
 
 $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h: boards/contract/%.h host_tests/walk/cmock.yml
 	@mkdir -p $(@D)
@@ -34,7 +34,7 @@ $(WALK_TEST)/%.o: firmware/walk/%.c
 	@mkdir -p $(@D)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
-$(WALK_TEST)/dump.o: boards/parts/dump.c
+$(WALK_TEST)/%.o: boards/parts/%.c
 	@mkdir -p $(@D)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
@@ -54,15 +54,25 @@ $(WALK_TEST)/cmock.o: $(CMOCK_DIR)/src/cmock.c
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/test_walk: $(addprefix $(WALK_TEST)/,test_walk.o test_walk_runner.o board_double.o \
-        scene_bytes.o walk.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(BUILD)/host/libfixel.a
-	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
+        scene_bytes.o walk.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(BUILD)/host/libfixel.a \
+        $(BUILD)/host/libreference.a
+	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -lm -o $@
 
 $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o scene_bytes.o path.o unity.o) \
         $(BUILD)/host/libfixel.a
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
-$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o dump.o unity.o)
+$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o display.o dump.o unity.o)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
+
+$(WALK_TEST)/test_display: $(addprefix $(WALK_TEST)/,test_display.o test_display_runner.o display.o mock_panel.o \
+        unity.o cmock.o)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
+
+# What a board's memory.ld says: of this symbol the address is the size.
+$(WALK_TEST)/test_window: $(addprefix $(WALK_TEST)/,test_window.o test_window_runner.o window.o mock_system.o \
+        unity.o cmock.o)
+	$(HOSTCC) $(WALK_TEST_CFLAGS) -no-pie -Wl,--defsym=fxl_window_size=65536 $^ -o $@
 
 .PRECIOUS: $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h $(WALK_TEST)/%_runner.c
 -include $(wildcard $(WALK_TEST)/*.d)

@@ -26,6 +26,7 @@
 #include "fixel/format.h"
 #include "fixel/frustum.h"
 #include "fixel/lens.h"
+#include "fixel/list.h"
 #include "fixel/order.h"
 #include "fixel/plane.h"
 #include "fixel/project.h"

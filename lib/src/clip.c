@@ -118,18 +118,20 @@ fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *fr
                                     fxl_clip_work *work, const fxl_polygon **result)
 {
     const fxl_polygon *current = in;
-    uint32_t spare = 0;
+    uint32_t spare = in == &work->polygons[0] ? 1 : 0;
+    fxl_clip_result all = FXL_CLIP_INSIDE;
     for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
         fxl_polygon *out = &work->polygons[spare];
         fxl_clip_result cut = fxl_clip_to_plane(current, &frustum->planes[i], out, work->distances);
         if (cut == FXL_CLIP_CUT) {
             current = out;
             spare ^= 1u;
+            all = FXL_CLIP_CUT;
         } else if (cut != FXL_CLIP_INSIDE) {
             *result = NULL;
             return cut;
         }
     }
     *result = current;
-    return current == in ? FXL_CLIP_INSIDE : FXL_CLIP_CUT;
+    return all;
 }

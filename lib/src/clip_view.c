@@ -184,18 +184,20 @@ fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
                                          const fxl_view_polygon **result)
 {
     const fxl_view_polygon *current = in;
-    uint32_t spare = 0;
+    uint32_t spare = in == &work->polygons[0] ? 1 : 0;
+    fxl_clip_result all = FXL_CLIP_INSIDE;
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon *out = &work->polygons[spare];
         fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
         if (cut == FXL_CLIP_CUT) {
             current = out;
             spare ^= 1u;
+            all = FXL_CLIP_CUT;
         } else if (cut != FXL_CLIP_INSIDE) {
             *result = NULL;
             return cut;
         }
     }
     *result = current;
-    return current == in ? FXL_CLIP_INSIDE : FXL_CLIP_CUT;
+    return all;
 }

@@ -49,8 +49,11 @@ static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
     if (a->layer != b->layer) {
         return a->layer < b->layer;
     }
-    if (a->distance != b->distance) {
-        return a->distance > b->distance;
+    if (a->distance_high != b->distance_high) {
+        return a->distance_high > b->distance_high;
+    }
+    if (a->distance_low != b->distance_low) {
+        return a->distance_low > b->distance_low;
     }
     return a->index < b->index;
 }
@@ -90,9 +93,9 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
 void fxl_order_objects(const fxl_scene *scene, const fxl_point *eye, fxl_order_entry *entries)
 {
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        entries[i].distance = fxl_distance_squared(eye, &scene->objects[i].centre);
-        entries[i].index = i;
-        entries[i].layer = scene->objects[i].layer;
+        const fxl_object *object = &scene->objects[i];
+        entries[i] = fxl_order_entry_of(fxl_distance_squared(eye, &object->centre), (uint16_t)i,
+                                        object->layer);
     }
     fxl_order_sort(entries, scene->object_count);
 }
@@ -105,10 +108,8 @@ uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         if (fxl_face_is_front(scene, object, face, eye)) {
-            entries[count].distance = fxl_face_distance_squared(eye, scene, object, face);
-            entries[count].index = i;
-            entries[count].layer = 0;
-            count += 1;
+            entries[count++] = fxl_order_entry_of(
+                fxl_face_distance_squared(eye, scene, object, face), (uint16_t)i, 0);
         }
     }
     fxl_order_sort(entries, count);

@@ -7,74 +7,150 @@
 #include "fixel/fill.h"
 #include "fixel/project.h"
 
-/* scan -> fill. False where scan refused the polygon. */
-static bool paint(fxl_renderer *renderer, const fxl_band *band)
+#ifdef __arm__
+_Static_assert(sizeof(fxl_renderer) == 352 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+#endif
+
+/* A walk over the scene: with a band it paints, without one it fills the list. */
+typedef struct {
+    fxl_renderer *renderer;
+    const fxl_band *band; /* null: the list */
+    fxl_place *place;     /* kept where the list is full */
+    fxl_counters *counters;
+} walk;
+
+static fxl_rows rows_of(const fxl_band *band)
 {
+    fxl_rows rows = {band->first_row, (uint16_t)(band->first_row + band->rows)};
+    return rows;
+}
+
+/* scan -> fill */
+static void paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+                  uint8_t colour, const fxl_band *band)
+{
+    fxl_scan *scan = &renderer->work.scan;
     const fxl_trapezoid *trapezoid;
-    if (fxl_scan_begin(&renderer->screen, band, &renderer->scan) != FXL_OK) {
-        return false;
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_fill_trapezoid(band, trapezoid, colour);
     }
-    while ((trapezoid = fxl_scan_next_trapezoid(&renderer->scan)) != NULL) {
-        fxl_fill_trapezoid(band, trapezoid, renderer->screen.colour);
+}
+
+/* Where the polygon on the screen goes; false where the list has no room. One
+ * that reaches no row goes nowhere. */
+static bool deliver(const walk *on)
+{
+    const fxl_screen_polygon *screen = &on->renderer->screen;
+    fxl_rows rows = fxl_scan_rows(screen, on->renderer->view.lens.height);
+    if (rows.first == rows.end) {
+        return true;
+    }
+    if (on->band == NULL) {
+        return fxl_list_append(&on->renderer->list, screen, rows);
+    }
+    on->counters->spilled += 1;
+    fxl_rows wanted = rows_of(on->band);
+    if (rows.first < wanted.end && wanted.first < rows.end) {
+        paint(on->renderer, screen->points, screen->count, screen->colour, on->band);
     }
     return true;
 }
 
-/* clip (and transform) -> project -> scan -> fill, for a face that faces the eye. */
-static void draw_face(fxl_renderer *renderer, const fxl_object *object, const fxl_face *face,
-                      const fxl_band *band, fxl_counters *counters)
+/* clip (and transform) -> project -> list or band, for a face that faces the
+ * eye. False where the list has no room: the face is then not counted. */
+static bool take_face(const walk *on, const fxl_object *object, const fxl_face *face)
 {
+    fxl_renderer *renderer = on->renderer;
+    fxl_clipper_work *work = &renderer->work.clip;
+    fxl_counters *counters = on->counters;
     const fxl_view_polygon *clipped;
-    fxl_face_to_polygon(renderer->scene, object, face, &renderer->polygon);
-    fxl_clip_result cut =
-        renderer->clipper(&renderer->polygon, &renderer->view, &renderer->work, &clipped);
+    fxl_face_to_polygon(renderer->scene, object, face, &work->polygon);
+    fxl_clip_result cut = renderer->clipper(&work->polygon, &renderer->view, work, &clipped);
     switch (cut) {
     case FXL_CLIP_OUTSIDE:
         counters->outside += 1;
-        return;
+        return true;
     case FXL_CLIP_DEGENERATE:
         counters->degenerate += 1;
-        return;
+        return true;
     case FXL_CLIP_CAPACITY:
         counters->refused += 1;
-        return;
+        return true;
     case FXL_CLIP_INSIDE:
     case FXL_CLIP_CUT:
         break;
     }
-    if (fxl_project_polygon(&renderer->view.lens, clipped, &renderer->screen) != FXL_OK ||
-        !paint(renderer, band)) {
+    if (fxl_project_polygon(&renderer->view.lens, clipped, &renderer->screen) != FXL_OK) {
         counters->refused += 1;
-        return;
+        return true;
+    }
+    if (!deliver(on)) {
+        return false;
     }
     counters->drawn += 1;
     counters->clipped += cut == FXL_CLIP_CUT;
+    return true;
 }
 
 /* A convex object: its faces hide none of each other, so any order will do. */
-static void draw_convex(fxl_renderer *renderer, const fxl_object *object, const fxl_model *model,
-                        const fxl_band *band, fxl_counters *counters)
+static bool walk_convex(const walk *on, const fxl_object *object, const fxl_model *model)
 {
-    for (uint32_t i = 0; i < model->face_count; i++) {
-        const fxl_face *face = &renderer->scene->faces[model->first_face + i];
-        if (fxl_face_is_front(renderer->scene, object, face, &renderer->view.camera.position)) {
-            draw_face(renderer, object, face, band, counters);
-        } else {
-            counters->backfacing += 1;
+    const fxl_scene *scene = on->renderer->scene;
+    for (; on->place->faces < model->face_count; on->place->faces += 1) {
+        const fxl_face *face = &scene->faces[model->first_face + on->place->faces];
+        if (!fxl_face_is_front(scene, object, face, &on->renderer->view.camera.position)) {
+            on->counters->backfacing += 1;
+        } else if (!take_face(on, object, face)) {
+            return false;
         }
+        on->counters->in += 1;
+    }
+    return true;
+}
+
+/* The faces that face the eye, in their order; then the others are counted. */
+static bool walk_sorted(const walk *on, const fxl_object *object, const fxl_model *model)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    fxl_order_entry *order = on->renderer->order + scene->object_count;
+    uint32_t front = fxl_order_faces(scene, object, &on->renderer->view.camera.position, order);
+    for (; on->place->faces < front; on->place->faces += 1) {
+        uint32_t number = order[on->place->faces].index;
+        if (!take_face(on, object, &scene->faces[model->first_face + number])) {
+            return false;
+        }
+        on->counters->in += 1;
+    }
+    on->counters->in += model->face_count - front;
+    on->counters->backfacing += model->face_count - front;
+    return true;
+}
+
+/* From the walk's place to the end of the scene, or to where the list is full. */
+static void walk_scene(const walk *on)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    for (; on->place->objects < scene->object_count; on->place->objects += 1) {
+        const fxl_object *object = &scene->objects[on->renderer->order[on->place->objects].index];
+        const fxl_model *model = &scene->models[object->model];
+        bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, object, model)
+                                                    : walk_convex(on, object, model);
+        if (!done) {
+            return;
+        }
+        on->place->faces = 0;
     }
 }
 
-static void draw_sorted(fxl_renderer *renderer, const fxl_object *object, const fxl_model *model,
-                        const fxl_band *band, fxl_counters *counters)
+/* What the list holds of the band. */
+static void play_list(fxl_renderer *renderer, const fxl_band *band)
 {
-    fxl_order_entry *order = renderer->order + renderer->scene->object_count;
-    uint32_t count =
-        fxl_order_faces(renderer->scene, object, &renderer->view.camera.position, order);
-    counters->backfacing += model->face_count - count;
-    for (uint32_t i = 0; i < count; i++) {
-        const fxl_face *face = &renderer->scene->faces[model->first_face + order[i].index];
-        draw_face(renderer, object, face, band, counters);
+    fxl_rows wanted = rows_of(band);
+    fxl_list_record record;
+    uint32_t place = 0;
+    while (fxl_list_next(&renderer->list, wanted, &place, &record)) {
+        paint(renderer, record.points, record.count, record.colour, band);
     }
 }
 
@@ -85,18 +161,22 @@ static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
 }
 
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
-                             fxl_order_entry *order, uint32_t order_capacity)
+                             const fxl_memory *memory)
 {
-    if (renderer == NULL || scene == NULL || lens == NULL || order == NULL) {
+    if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
+        memory->order == NULL || (memory->list == NULL && memory->list_capacity > 0)) {
         return FXL_E_ARGUMENT;
     }
-    if (order_capacity < scene->order_needed) {
+    if (memory->order_capacity < scene->order_needed) {
         return FXL_E_CAPACITY;
     }
     renderer->scene = scene;
     renderer->view.lens = *lens;
     renderer->clipper = fxl_clip_by_view;
-    renderer->order = order;
+    renderer->order = memory->order;
+    renderer->list.words = memory->list;
+    renderer->list.capacity = memory->list_capacity;
+    renderer->list.used = 0;
     renderer->ready = false;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     return FXL_OK;
@@ -117,7 +197,13 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     uint32_t refused_calls = renderer->counters.refused_calls;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     renderer->counters.refused_calls = refused_calls;
+    renderer->list.used = 0;
+    renderer->rest.objects = 0;
+    renderer->rest.faces = 0;
+    const walk on = {renderer, NULL, &renderer->rest, &renderer->counters};
+    walk_scene(&on);
     renderer->ready = true;
+    renderer->counted = false;
     return FXL_OK;
 }
 
@@ -136,18 +222,11 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         band->first_row + band->rows > renderer->view.lens.height) {
         return refuse(renderer, FXL_E_RANGE);
     }
+    play_list(renderer, band);
+    fxl_place place = renderer->rest;
     fxl_counters uncounted = {0};
-    fxl_counters *counters = band->first_row == 0 ? &renderer->counters : &uncounted;
-    const fxl_scene *scene = renderer->scene;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const fxl_object *object = &scene->objects[renderer->order[i].index];
-        const fxl_model *model = &scene->models[object->model];
-        counters->in += model->face_count;
-        if (model->kind == FXL_MODEL_SORTED) {
-            draw_sorted(renderer, object, model, band, counters);
-        } else {
-            draw_convex(renderer, object, model, band, counters);
-        }
-    }
+    const walk on = {renderer, band, &place, renderer->counted ? &uncounted : &renderer->counters};
+    walk_scene(&on);
+    renderer->counted = true;
     return FXL_OK;
 }

@@ -13,11 +13,6 @@ typedef struct {
     bool within_sides; /* every edge's x is within 0..width on every row */
 } outline;
 
-static bool in_range(int32_t coordinate)
-{
-    return coordinate >= -FXL_SCREEN_COORDINATE_MAX && coordinate <= FXL_SCREEN_COORDINATE_MAX;
-}
-
 static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     if (polygon->count < 3) {
@@ -30,6 +25,12 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
         band->first_row + band->rows > FXL_SCREEN_MAX) {
         return FXL_E_RANGE;
     }
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        if (!fxl_within(polygon->points[i].x, FXL_SCREEN_COORDINATE_MAX) ||
+            !fxl_within(polygon->points[i].y, FXL_SCREEN_COORDINATE_MAX)) {
+            return FXL_E_RANGE;
+        }
+    }
     return FXL_OK;
 }
 
@@ -39,26 +40,22 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
  * windings: what is covered lies between the two.
  *
  * An edge's first pixel ceil(x - 1/2) lies between its ends' own, so that of x
- * in -1/2 < x <= width + 1/2 is within 0..width. */
-static fxl_status survey(const fxl_screen_polygon *polygon, const fxl_band *band, outline *found)
+ * in -1/2 < x <= width + 1/2 is within 0..width: these are the x for which
+ * x + 1/2 - 2^-16 is in 0..width + 1 - 2^-16. */
+static void survey(const fxl_screen_point *points, uint32_t count, int32_t width, outline *found)
 {
-    const int32_t x_max = band->width * 65536 + FXL_HALF_PIXEL;
+    const uint32_t places = (uint32_t)(width + 1) << 16;
     int32_t top_row = INT16_MAX, end_row = INT16_MIN, down = 0;
-    int32_t before = INT16_MAX, first = 0;
+    int32_t before = fxl_first_centre_from(points[count - 1].y);
     found->top = 0;
     found->within_sides = true;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        int32_t x = polygon->points[i].x, y = polygon->points[i].y;
-        if (x <= -FXL_HALF_PIXEL || x > x_max) {
+    for (uint32_t i = 0; i < count; i++) {
+        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
+                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
+        if ((uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1)) >= places) {
             found->within_sides = false;
-            if (!in_range(x)) {
-                return FXL_E_RANGE;
-            }
         }
-        if (!in_range(y)) {
-            return FXL_E_RANGE;
-        }
-        int32_t row = fxl_first_centre_from(y);
+        int32_t row = fxl_first_centre_from(points[i].y);
         if (row < top_row) {
             top_row = row;
             found->top = i;
@@ -66,13 +63,10 @@ static fxl_status survey(const fxl_screen_polygon *polygon, const fxl_band *band
         end_row = row > end_row ? row : end_row;
         down += row > before ? row - before : 0;
         before = row;
-        first = i == 0 ? row : first;
     }
-    down += first > before ? first - before : 0;
     found->top_row = top_row;
     found->end_row = end_row;
     found->two_chains = down == end_row - top_row;
-    return FXL_OK;
 }
 
 static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *band)
@@ -81,7 +75,7 @@ static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *b
     int32_t end_row = band->first_row + band->rows;
     /* Seen from the front an outline goes round clockwise: its left chain is
      * the way back from the top. */
-    scan->chains[0].onward = (uint8_t)(scan->polygon->count - 1);
+    scan->chains[0].onward = (uint8_t)(scan->count - 1);
     scan->chains[1].onward = 1;
     for (int side = 0; side < 2; side++) {
         scan->chains[side].vertex = (uint8_t)found->top;
@@ -93,49 +87,74 @@ static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *b
     scan->end_row = (int16_t)(found->end_row < end_row ? found->end_row : end_row);
 }
 
+/* No rows: no pixels. */
+static void clear(fxl_scan *scan)
+{
+    scan->by_chains = true;
+    scan->trapezoid.end_row = 0;
+    scan->end_row = 0;
+    scan->row = 0;
+}
+
+void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                      fxl_scan *scan)
+{
+    FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
+    outline found;
+    survey(points, count, band->width, &found);
+    scan->points = points;
+    scan->count = (uint8_t)count;
+    scan->by_chains = found.two_chains && found.within_sides;
+    if (scan->by_chains) {
+        begin_chains(scan, &found, band);
+    } else {
+        fxl_crossings_begin(&scan->crossings, points, count, band);
+    }
+}
+
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan)
 {
     if (scan == NULL) {
         return FXL_E_ARGUMENT;
     }
-    scan->by_chains = true;
-    scan->trapezoid.end_row = 0;
-    scan->end_row = 0;
-    scan->row = 0;
-    if (polygon == NULL || band == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    fxl_status status = check(polygon, band);
-    if (status != FXL_OK) {
-        return status;
-    }
-    outline found;
-    status = survey(polygon, band, &found);
-    if (status != FXL_OK) {
-        return status;
-    }
-    scan->polygon = polygon;
-    scan->by_chains = found.two_chains && found.within_sides;
-    if (scan->by_chains) {
-        begin_chains(scan, &found, band);
+    fxl_status status = polygon == NULL || band == NULL ? FXL_E_ARGUMENT : check(polygon, band);
+    if (status == FXL_OK) {
+        fxl_scan_outline(polygon->points, polygon->count, band, scan);
     } else {
-        fxl_crossings_begin(&scan->crossings, polygon, band);
+        clear(scan);
     }
-    return FXL_OK;
+    return status;
+}
+
+static uint16_t row_held(int32_t row, uint16_t height)
+{
+    return row < 0 ? 0 : row > height ? height : (uint16_t)row;
+}
+
+fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
+{
+    fxl_q16_16 top = polygon->points[0].y, bottom = top;
+    for (uint32_t i = 1; i < polygon->count; i++) {
+        fxl_q16_16 y = polygon->points[i].y;
+        top = y < top ? y : top;
+        bottom = y > bottom ? y : bottom;
+    }
+    fxl_rows rows = {row_held(fxl_first_centre_from(top), height),
+                     row_held(fxl_first_centre_from(bottom), height)};
+    return rows;
 }
 
 /* Goes down a chain to the edge that crosses a row, and places it there. */
-static void begin_edge(fxl_chain *chain, const fxl_screen_polygon *polygon, int32_t row,
-                       fxl_edge *edge)
+static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
 {
     uint32_t vertex = chain->vertex;
-    const fxl_screen_point *top = &polygon->points[vertex];
+    const fxl_screen_point *top = &scan->points[vertex];
     const fxl_screen_point *bottom;
     int32_t end_row;
     for (;;) {
         uint32_t next = vertex + chain->onward;
-        next -= next >= polygon->count ? polygon->count : 0u;
-        bottom = &polygon->points[next];
+        next -= next >= scan->count ? scan->count : 0u;
+        bottom = &scan->points[next];
         end_row = fxl_first_centre_from(bottom->y);
         if (end_row > row) {
             break;
@@ -175,7 +194,7 @@ static const fxl_trapezoid *next_between_chains(fxl_scan *scan)
         if (chain->end_row > row) {
             advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
         } else {
-            begin_edge(chain, scan->polygon, row, &trapezoid->edges[side]);
+            begin_edge(scan, chain, row, &trapezoid->edges[side]);
         }
         end_row = chain->end_row < end_row ? chain->end_row : end_row;
     }

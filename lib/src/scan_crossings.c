@@ -56,7 +56,7 @@ static void insert_edge(fxl_crossings *crossings, const fxl_crossing_edge *edge)
     crossings->edge_count += 1;
 }
 
-void fxl_crossings_begin(fxl_crossings *crossings, const fxl_screen_polygon *polygon,
+void fxl_crossings_begin(fxl_crossings *crossings, const fxl_screen_point *points, uint32_t count,
                          const fxl_band *band)
 {
     crossings->edge_count = 0;
@@ -64,10 +64,10 @@ void fxl_crossings_begin(fxl_crossings *crossings, const fxl_screen_polygon *pol
     crossings->crossing_count = 0;
     crossings->next_crossing = 0;
     crossings->width = (int16_t)band->width;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        uint32_t next = i + 1 == polygon->count ? 0 : i + 1;
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t next = i + 1 == count ? 0 : i + 1;
         fxl_crossing_edge edge;
-        if (set_up_edge(&polygon->points[i], &polygon->points[next], band, &edge)) {
+        if (set_up_edge(&points[i], &points[next], band, &edge)) {
             insert_edge(crossings, &edge);
         }
     }

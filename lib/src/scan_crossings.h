@@ -6,8 +6,8 @@
 
 #include "fixel/scan.h"
 
-/* Begins with a polygon and a band that were checked. */
-void fxl_crossings_begin(fxl_crossings *crossings, const fxl_screen_polygon *polygon,
+/* Begins with an outline and a band that were checked. */
+void fxl_crossings_begin(fxl_crossings *crossings, const fxl_screen_point *points, uint32_t count,
                          const fxl_band *band);
 
 /* The next span; false, and span untouched, when there are no more. */

@@ -47,8 +47,11 @@ static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
         if (face->reserved != 0) {
             return fail(fault, "face", i, FXL_E_RESERVED);
         }
-        if (!count_in(face->count, 3, FXL_FACE_VERTICES_MAX)) {
+        if (!count_in(face->count, 3, FXL_SCENE_FACE_VERTICES_MAX)) {
             return fail(fault, "face", i, FXL_E_COUNT);
+        }
+        if (face->count > FXL_FACE_VERTICES_MAX) {
+            return fail(fault, "face", i, FXL_E_CAPACITY);
         }
         if (face->first_corner > scene->corner_count ||
             face->count > scene->corner_count - face->first_corner) {

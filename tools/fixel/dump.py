@@ -2,6 +2,7 @@
 """Reads a frame dump (SPEC.md, chapter 9): everything is checked before anything is handed out."""
 
 import dataclasses
+import hashlib
 import struct
 import zlib
 
@@ -12,12 +13,12 @@ from fixel.errors import ToolError
 HEAD = struct.Struct("<4sHHHHI")
 PALETTE_BYTES = 768
 FRAME_HEAD = struct.Struct("<4sI3i3I")
-FRAME_TAIL = struct.Struct("<8IIQ")
+FRAME_TAIL = struct.Struct("<9IIQ")
 TAIL = struct.Struct("<4sII")
-VERSION = 1
+VERSION = 2
 SCREEN_MAX = 1024
 COUNTERS = ("in", "backfacing", "outside", "degenerate", "refused", "drawn", "clipped",
-            "refused_calls")
+            "refused_calls", "spilled")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,6 +31,11 @@ class Frame:
     counters: dict
     clamped: int        # steps in which a coordinate was held at the range's end
     instructions: int   # 0 where the board cannot tell
+
+    @property
+    def sha256(self):
+        """What a frame's pixels are known by."""
+        return hashlib.sha256(self.pixels.tobytes()).hexdigest()
 
 
 @dataclasses.dataclass(frozen=True)
@@ -57,18 +63,19 @@ def read_dump(path):
 
 def parse_dump(data, name):
     """The dump in a block of bytes; name is what messages call it."""
-    width, height, promised, palette = _parse_head(data, name)
+    width, height, promised, palette = parse_head(data, name)
     frames, offset = [], HEAD.size + PALETTE_BYTES
     for number in range(promised):
         if data[offset:offset + 4] == b"FEND":
             break
-        frames.append(_parse_frame(data, offset, width, height, number, promised, name))
+        frames.append(parse_frame(data, offset, width, height, number, promised, name))
         offset += frame_bytes(width, height)
     _check_tail(data, offset, len(frames), promised, name)
     return Dump(width, height, palette, frames)
 
 
-def _parse_head(data, name):
+def parse_head(data, name):
+    """Width, height, frames promised and palette of a dump that begins a block of bytes."""
     if data[:4] != b"FXLD":
         raise ToolError(f"{name}: not a frame dump: it does not begin with FXLD")
     if len(data) < HEAD.size + PALETTE_BYTES:
@@ -85,7 +92,8 @@ def _parse_head(data, name):
     return width, height, promised, palette
 
 
-def _parse_frame(data, offset, width, height, number, promised, name):
+def parse_frame(data, offset, width, height, number, promised, name):
+    """The frame at an offset, which must have that number."""
     where = f"{name}: frame {number} of {promised}, at byte {offset}"
     if offset + frame_bytes(width, height) > len(data):
         raise ToolError(f"{where}: incomplete: the file ends at byte {len(data)}")

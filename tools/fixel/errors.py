@@ -1,5 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""How a tool fails: one clear sentence on stderr and a non-zero exit."""
+"""How a tool fails: one clear sentence on stderr and a non-zero exit.
+
+What exit codes mean, for every tool:
+  0       done
+  1       the result is bad: frames differ, verification failed, a test failed,
+          the emulator ended without the program's code
+  2       refused: an argument, a file, a missing program; nothing was changed
+  10..50  a board's program ended with that code (boards/contract/system.h)
+  124     a board's program hung: nothing new came for the time-out
+  130     interrupted
+  134     the core locked up
+"""
 
 import sys
 

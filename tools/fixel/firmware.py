@@ -1,22 +1,29 @@
 # SPDX-License-Identifier: MIT
 """A board's program (ELF) and what it says about its board.
 
-Every program carries a section `.fxl_board` with lines of key=value, and the
-symbols of its memory map. There is no other table of boards: a new board needs
-no change here.
+Every program carries a section `.fxl_board` with lines of key=value, the symbols
+of its memory map, and, where the flash has sectors of different sizes, a section
+`.fxl_sectors`. There is no other table of boards: a new board needs no change
+here.
 """
 
 import dataclasses
 import pathlib
 import shlex
+import struct
 
 from elftools.common.exceptions import ELFError
+from elftools.construct import ConstructError
 from elftools.elf.elffile import ELFFile
 
 from fixel.errors import ToolError
 
 HOST = "host"
 SYMBOLS = ("fxl_flash_base", "fxl_flash_size", "fxl_flash_sector", "fxl_scene_base", "fxl_scene_size")
+SECTORS_MAX = 1 << 16  # of a flash; more is a mistake
+# What pyelftools lets through where a file is damaged.
+DAMAGE = (ELFError, ConstructError, struct.error, ArithmeticError, AttributeError, LookupError, MemoryError,
+          TypeError, ValueError)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -28,12 +35,15 @@ class Program:
     board: str
     cpu: str
     qemu: tuple[str, ...]
+    openocd: tuple[str, ...]  # configuration for the real board; empty where there is none
     segments: tuple[tuple[int, bytes], ...]
     flash_base: int = 0
     flash_size: int = 0
-    flash_sector: int = 0
     scene_base: int = 0
     scene_size: int = 0
+    sectors: tuple[int, ...] = ()  # the size of each of the flash, from the lowest on
+    window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
+    keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
     @property
     def hosted(self):
@@ -51,6 +61,28 @@ def read_note(elf, path):
     return note
 
 
+def read_sectors(elf, path, flash_size, sector):
+    """Sizes of the flash's sectors: count and size of each run of equal ones
+    from .fxl_sectors, else all of one size."""
+    section = elf.get_section_by_name(".fxl_sectors")
+    if section is None:
+        runs = [(flash_size // sector, sector)] if sector > 0 else []
+    else:
+        runs = list(struct.iter_unpack("<II", section.data()))
+    if any(size == 0 for _, size in runs) or sum(count for count, _ in runs) > SECTORS_MAX \
+            or sum(count * size for count, size in runs) != flash_size:
+        said = " and ".join(f"{count} of {size}" for count, size in runs)
+        raise ToolError(f"{path}: its board's memory.ld says that the sectors of the flash are "
+                        f"{f'{said} bytes' if said else 'none'}, and that the flash has {flash_size}")
+    return tuple(size for count, size in runs for _ in range(count))
+
+
+def read_keys(text):
+    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/viewer.h -> QEMU's names."""
+    pairs = (each.split(":", 1) for each in text.split(",") if each)
+    return {int(bit): tuple(names.split("+")) for bit, names in pairs}
+
+
 def read_map(elf, path):
     table = elf.get_section_by_name(".symtab")
     found = {}
@@ -59,7 +91,20 @@ def read_map(elf, path):
         if not symbols:
             raise ToolError(f"{path} has no symbol {name}: its board's memory.ld does not define it")
         found[name.removeprefix("fxl_")] = symbols[0]["st_value"]
+    found["sectors"] = read_sectors(elf, path, found["flash_size"], found.pop("flash_sector"))
     return found
+
+
+def read_segments(elf, path):
+    """(address, bytes) of all that is to be in flash."""
+    found = []
+    for segment in elf.iter_segments():
+        if segment["p_type"] == "PT_LOAD" and segment["p_filesz"] > 0:
+            content = segment.data()
+            if len(content) != segment["p_filesz"]:
+                raise ToolError(f"{path} is cut off: build it again")
+            found.append((segment["p_paddr"], content))
+    return tuple(found)
 
 
 def load(path, board=None):
@@ -72,13 +117,13 @@ def load(path, board=None):
             if board is not None and note["board"] != board:
                 raise ToolError(f"{path} is for board {note['board']}, not for {board}")
             common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
-                          qemu=tuple(shlex.split(note.get("qemu", ""))))
+                          qemu=tuple(shlex.split(note.get("qemu", ""))),
+                          openocd=tuple(shlex.split(note.get("openocd", ""))),
+                          window_size=int(note.get("window", "0")), keys=read_keys(note.get("keys", "")))
             if note["board"] == HOST:
                 return Program(segments=(), **common)
-            segments = tuple((segment["p_paddr"], segment.data()) for segment in elf.iter_segments()
-                             if segment["p_type"] == "PT_LOAD" and segment["p_filesz"] > 0)
-            return Program(segments=segments, **common, **read_map(elf, path))
+            return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))
     except OSError as error:
         raise ToolError(f"cannot read {path}: {error.strerror}") from error
-    except ELFError as error:
-        raise ToolError(f"{path} is not an ELF file: {error}") from error
+    except DAMAGE as error:
+        raise ToolError(f"{path} is not an ELF file, or a damaged one: {error}") from error

@@ -7,16 +7,15 @@ back correctly. The host board has no flash: its image is the scene itself.
 """
 
 import dataclasses
-import os
+import itertools
 import pathlib
 import struct
-import tempfile
 import zlib
 
-from fixel import emulator, firmware
+from fixel import firmware, qemu
 from fixel.errors import ToolError
+from fixel.flash_image import ERASED, read_old, replace
 
-ERASED = b"\xff"
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
 SCENE_VERSION = 1
 SCENE_HEADER_SIZE = 160
@@ -37,8 +36,7 @@ class FlashResult:
     board: str
     image: pathlib.Path
     parts: tuple[Part, ...]
-    sectors_erased: int
-    sector_size: int
+    sectors_erased: tuple[int, ...]  # the size of each
     verified: int  # bytes
 
 
@@ -78,44 +76,42 @@ def check_program(program):
                             f"{address:#x}, the partition begins at {program.scene_base:#x}")
 
 
+def check_partition(program):
+    """Refuses a map on which erasing the scene would erase something else."""
+    if program.scene_base - program.flash_base not in sector_starts(program):
+        raise ToolError(f"{program.path}: the scene partition at {program.scene_base:#x} does not begin with a "
+                        "sector of the flash; its board's memory.ld must place it so")
+
+
 def check_scene_fits(program, scene, path):
     if len(scene) > program.scene_size:
         raise ToolError(f"{path} does not fit: {len(scene)} bytes, the scene partition of board "
                         f"{program.board} has {program.scene_size}")
 
 
-def read_old(program, image):
-    """What the flash holds so far: the image file, or erased flash."""
-    try:
-        old = pathlib.Path(image).read_bytes()
-    except FileNotFoundError:
-        return ERASED * program.flash_size
-    except OSError as error:
-        raise ToolError(f"cannot read {image}: {error.strerror}") from error
-    if len(old) != program.flash_size:
-        raise ToolError(f"{image} is not a flash image of board {program.board}: {len(old)} bytes, "
-                        f"{program.flash_size} expected; delete it to begin with erased flash")
-    return old
+def sector_starts(program):
+    """The offset of each sector of the flash, and the flash's end."""
+    return [0, *itertools.accumulate(program.sectors)]
 
 
 def program_flash(program, scene, old):
-    """Erases the sectors that are touched and programs them: (image, sectors)."""
+    """Erases the sectors that are touched and programs them: (image, sizes of
+    these sectors)."""
     data = bytearray(old)
     pieces = [(address - program.flash_base, content)
               for address, content in (*program.segments, (program.scene_base, scene))]
-    sector = program.flash_sector
-    touched = {number for offset, content in pieces
-               for number in range(offset // sector, (offset + len(content) - 1) // sector + 1)}
-    for number in touched:
-        data[number * sector:(number + 1) * sector] = ERASED * sector
+    touched = [(start, end) for start, end in itertools.pairwise(sector_starts(program))
+               if any(offset < end and offset + len(content) > start for offset, content in pieces)]
+    for start, end in touched:
+        data[start:end] = ERASED * (end - start)
     for offset, content in pieces:
         data[offset:offset + len(content)] = content
-    return bytes(data), len(touched)
+    return bytes(data), tuple(end - start for start, end in touched)
 
 
 def verify(program, image, data):
     """Compares what the emulated core reads with what was to be written."""
-    seen = emulator.read_memory(program, image)
+    seen = qemu.read_memory(program, image)
     if seen == data:
         return len(data)
     at = next((i for i, (a, b) in enumerate(zip(seen, data)) if a != b), min(len(seen), len(data)))
@@ -123,50 +119,42 @@ def verify(program, image, data):
                     "the board does not read what was written; the old image is unchanged", exit_code=1)
 
 
-def replace(image, data, check):
-    """Writes a file beside the image, checks it and puts it in the image's
-    place; on any failure the image stays as it was."""
-    temporary = None
-    try:
-        image.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(prefix=f".{image.name}-", dir=image.parent)
-        temporary = pathlib.Path(name)
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        temporary.chmod(0o644)  # mkstemp lets nobody else read
-        result = check(temporary)
-        os.replace(temporary, image)
-        temporary = None
-        return result
-    except OSError as error:
-        raise ToolError(f"cannot write {image}: {error.strerror}") from error
-    finally:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
+def prepare(board, elf, scene):
+    """Everything that can be refused before anything is written: the program
+    and the scene's bytes, both read and found to fit the board."""
+    program = firmware.load(elf, board)
+    scene_bytes = read_scene(scene)
+    if not program.hosted:
+        check_program(program)
+        check_partition(program)
+        check_scene_fits(program, scene_bytes, scene)
+    return program, scene_bytes
+
+
+def parts_of(program, scene):
+    low = min(address for address, _ in program.segments)
+    high = max(address + len(content) for address, content in program.segments)
+    return (Part("program", low, high - low, program.scene_base - program.flash_base),
+            Part("scene", program.scene_base, len(scene), program.scene_size))
+
+
+def flash_host(program, scene, image):
+    def read_back(path):
+        if path.read_bytes() != scene:
+            raise ToolError(f"verification failed: {path} does not hold what was written", exit_code=1)
+        return len(scene)
+
+    verified = replace(image, scene, read_back)
+    return FlashResult(program.board, image, (Part("scene", 0, len(scene), len(scene)),), (), verified)
 
 
 def flash(board, elf, scene, image):
     """Programs a board's image with a program and a scene; a FlashResult.
     Everything is checked before anything is written."""
     image = pathlib.Path(image)
-    program = firmware.load(elf, board)
-    scene_bytes = read_scene(scene)
+    program, scene_bytes = prepare(board, elf, scene)
     if program.hosted:
-        def read_back(path):
-            if path.read_bytes() != scene_bytes:
-                raise ToolError(f"verification failed: {path} does not hold what was written", exit_code=1)
-            return len(scene_bytes)
-
-        verified = replace(image, scene_bytes, read_back)
-        return FlashResult(board, image, (Part("scene", 0, len(scene_bytes), len(scene_bytes)),), 0, 0, verified)
-    check_program(program)
-    check_scene_fits(program, scene_bytes, scene)
+        return flash_host(program, scene_bytes, image)
     data, sectors = program_flash(program, scene_bytes, read_old(program, image))
     verified = replace(image, data, lambda path: verify(program, path, data))
-    low = min(address for address, _ in program.segments)
-    high = max(address + len(content) for address, content in program.segments)
-    parts = (Part("program", low, high - low, program.scene_base - program.flash_base),
-             Part("scene", program.scene_base, len(scene_bytes), program.scene_size))
-    return FlashResult(board, image, parts, sectors, program.flash_sector, verified)
+    return FlashResult(board, image, parts_of(program, scene_bytes), sectors, verified)

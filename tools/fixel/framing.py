@@ -19,12 +19,12 @@ START = 210         # yaw of the first frame: most models' fronts, from a corner
 FRAMES = 60
 
 
-def _distance(points, frames):
+def _distance(points, frames, width, height):
     """How far the camera must stand from the middle so that every vertex is
     inside the screen in every frame. Per vertex, with sideways x, upward y and
     onward z about the middle: |x| <= slope * (distance + z)."""
     slope_x = MARGIN * math.tan(math.radians(FOV / 2))
-    slope_y = slope_x * HEIGHT / WIDTH
+    slope_y = slope_x * height / width
     rise, needed = math.radians(RISE), 0.0
     for i in range(frames):
         yaw = math.radians(START) + 2 * math.pi * i / frames
@@ -36,8 +36,9 @@ def _distance(points, frames):
     return needed
 
 
-def scene_data(path, frames=None):
-    """The scene as a TOML file would say it."""
+def scene_data(path, frames=None, screen=None):
+    """The scene as a TOML file would say it. screen: width and height, not the usual ones."""
+    width, height = screen or (WIDTH, HEIGHT)
     name = os.path.basename(path)
     mesh, _ = obj.read(path, name)
     used = sorted({corner for face in mesh.faces for corner in face})
@@ -49,12 +50,12 @@ def scene_data(path, frames=None):
     # Sixteen significant bits of scale do, and make the same numbers everywhere.
     bits = 16 - math.frexp(RADIUS / size)[1]
     scale = Fraction(round(RADIUS / size * Fraction(2) ** bits)) / Fraction(2) ** bits
-    distance = max(_distance(points * float(scale), frames or FRAMES), RADIUS * 1.1)
+    distance = max(_distance(points * float(scale), frames or FRAMES, width, height), RADIUS * 1.1)
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
     return {
-        "screen": {"width": WIDTH, "height": HEIGHT},
+        "screen": {"width": width, "height": height},
         "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - RADIUS) * Fraction(9, 10)),
                  "far": (distance + RADIUS) * Fraction(11, 10)},
         "background": "#1b2a38",
@@ -67,9 +68,9 @@ def scene_data(path, frames=None):
     }
 
 
-def compile_obj(path, frames=None, progress=None):
+def compile_obj(path, frames=None, progress=None, screen=None):
     """A bare OBJ file -> (SceneImage, notes)."""
-    data = scene_data(path, frames)
+    data = scene_data(path, frames, screen)
     name = os.path.basename(path)
     scene, notes = toml_scene.compile_data(data, name, os.path.dirname(path), frames, progress)
     return scene, notes + [f"{name}: framed by default: scaled by "

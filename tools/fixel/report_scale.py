@@ -52,6 +52,9 @@ def measure(build, board, scene, folder):
             drawn = _draw(build, board, scene, factor, folder,
                           lambda done, _, before=place * scene.frames: progress(before + done))
             counts = [frame.instructions for frame in drawn.frames]
+            if not all(counts):
+                raise ToolError(f"board {board} did not count the instructions of every frame, and the claim "
+                                "scale needs them", 1)
             first = first or (drawn, counts)
             differing = sum(int((one.pixels != other.pixels).sum())
                             for one, other in zip(drawn.frames, first[0].frames, strict=True))

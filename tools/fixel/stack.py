@@ -97,10 +97,10 @@ def disassemble(file, cross):
     return parse_disassembly(run([f"{cross}objdump", "-d", "-r", str(file)]))
 
 
-def read_usage(folder):
-    """Frame sizes by function from the .su files under a folder; the larger of two of one name."""
+def read_usage(*folders):
+    """Frame sizes by function from the .su files under folders; the larger of two of one name."""
     usage = {}
-    for file in pathlib.Path(folder).rglob("*.su"):
+    for file in (file for folder in folders for file in pathlib.Path(folder).rglob("*.su")):
         for line in file.read_text(encoding="utf-8").splitlines():
             place, size, _ = line.split("\t")
             name = place.rsplit(":", 1)[1]

@@ -199,10 +199,13 @@ def _models(placements, indices):
     return models, objects
 
 
-def compile_data(data, name, folder, frames=None, progress=None):
-    """A scene as a dictionary of TOML's shape -> (SceneImage, notes)."""
+def compile_data(data, name, folder, frames=None, progress=None, screen=None):
+    """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
+    width and height instead of the scene's, seen with the same field of view."""
     top = Table(data, name, TOP_KEYS)
     lens = _lens(top)
+    if screen:
+        lens = (*screen, *lens[2:])
     notes = _near_warning(lens[0], lens[2], lens[3])
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     kind, entries, start, gait = _path(top, frames)
@@ -221,7 +224,7 @@ def compile_data(data, name, folder, frames=None, progress=None):
     return scene, list(dict.fromkeys(notes))
 
 
-def compile_file(path, frames=None, progress=None):
+def compile_file(path, frames=None, progress=None, screen=None):
     """A scene file -> (SceneImage, notes)."""
     return compile_data(toml_table.read(path), os.path.basename(path), os.path.dirname(path),
-                        frames, progress)
+                        frames, progress, screen)

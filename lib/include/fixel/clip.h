@@ -39,7 +39,8 @@ fxl_clip_result fxl_clip_to_plane(const fxl_polygon *in, const fxl_plane *plane,
 
 /* Clips a polygon to the six planes, in the order of their numbers. *result
  * points to the input itself where no plane cut it, else into work; null
- * where nothing is left. Requirements and error as above. */
+ * where nothing is left. The input may be either polygon of work, and is then
+ * lost where a plane cuts it. Requirements and error as above. */
 fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
                                     fxl_clip_work *work, const fxl_polygon **result);
 

@@ -29,7 +29,8 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
 
 /* Clips a polygon of the view to the six planes, in the order of their
  * numbers. *result points to the input itself where no plane cut it, else into
- * work; null where nothing is left. */
+ * work; null where nothing is left. The input may be either polygon of work, and
+ * is then lost where a plane cuts it. */
 fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
                                          const fxl_view_frustum *frustum, fxl_clip_view_work *work,
                                          const fxl_view_polygon **result);

@@ -16,18 +16,22 @@ typedef struct {
     fxl_view_frustum view_frustum; /* the same in the view */
 } fxl_view;
 
-/* Room for any clipper. */
-typedef struct {
-    fxl_view_polygon view;
-    union {
-        fxl_clip_view_work by_view;
-        fxl_clip_work by_world;
-    } stage;
+/* Room for any clipper: 72 bytes a vertex of the capacity, and 16. Only one of
+ * the members is alive at a time. */
+typedef union {
+    fxl_polygon polygon; /* where a clipper's input may lie */
+    fxl_clip_view_work by_view;
+    fxl_clip_work by_world;
+    struct {
+        fxl_polygon polygons[2]; /* the same as those of by_world */
+        fxl_view_polygon view;   /* over its distances, which are used up by then */
+    } from_world;
 } fxl_clipper_work;
 
 /* Clips a polygon to the frame's frustum and transforms it, in whichever order.
- * *result points into work, and is null unless the answer is FXL_CLIP_INSIDE
- * or FXL_CLIP_CUT. Requires what fxl_clip_to_plane requires. */
+ * The polygon may be work->polygon: it is then lost. *result points into work,
+ * and is null unless the answer is FXL_CLIP_INSIDE or FXL_CLIP_CUT. Requires
+ * what fxl_clip_to_plane requires. */
 typedef fxl_clip_result (*fxl_clipper)(const fxl_polygon *polygon, const fxl_view *view,
                                        fxl_clipper_work *work, const fxl_view_polygon **result);
 

@@ -6,11 +6,27 @@
 
 #include "fixel/scene.h"
 
+/* What is drawn, and its key: 12 bytes. The squared distance is in units of
+ * 2^-32 (objects) or 2^-34 (faces), whole; in two halves, because a member of
+ * 64 bits would make it 16. */
 typedef struct {
-    uint64_t distance; /* squared, in units of 2^-32 (objects) or 2^-34 (faces) */
-    uint32_t index;
-    uint32_t layer;
+    uint32_t distance_high, distance_low;
+    uint16_t index; /* of an object of the scene, or of a face of its model */
+    uint16_t layer; /* 0..255 */
 } fxl_order_entry;
+
+_Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
+
+static inline fxl_order_entry fxl_order_entry_of(uint64_t distance, uint16_t index, uint16_t layer)
+{
+    fxl_order_entry entry = {(uint32_t)(distance >> 32), (uint32_t)distance, index, layer};
+    return entry;
+}
+
+static inline uint64_t fxl_order_distance(const fxl_order_entry *entry)
+{
+    return (uint64_t)entry->distance_high << 32 | entry->distance_low;
+}
 
 /* The squared distance of a point from the eye, in units of 2^-32. Exact:
  * each difference is below 2^30 units, so the sum is below 3 * 2^60. */

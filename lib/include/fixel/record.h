@@ -2,7 +2,7 @@
 /* The records between the stages: the treaty that every stage signs.
  *
  *   scene -> cull -> fxl_polygon -> transform -> fxl_view_polygon -> clip ->
- *   fxl_view_polygon -> project -> fxl_screen_polygon -> scan ->
+ *   fxl_view_polygon -> project -> fxl_screen_polygon -> list -> scan ->
  *   fxl_trapezoid -> fill -> fxl_band
  *
  * What decides by span what is seen takes from scan the same pixels as
@@ -83,12 +83,17 @@ typedef struct {
     fxl_q16_16 x, y;
 } fxl_screen_point;
 
-/* What project hands to scan. */
+/* What project hands to list and scan. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
+
+/* Rows first <= row < end; none where the two are equal. */
+typedef struct {
+    uint16_t first, end;
+} fxl_rows;
 
 /* An edge where it meets a row's line of centres, and how it goes on from row
  * to row: 32.32 numbers, of which x is the row's first pixel whose centre is
@@ -134,9 +139,10 @@ typedef struct {
     uint32_t outside;       /* culled: wholly outside one plane, at once or after cuts */
     uint32_t degenerate;    /* culled: fewer than three vertices left */
     uint32_t refused;       /* outside the contract: too many vertices, or off range */
-    uint32_t drawn;         /* scanned (it may still cover no pixel centre) */
+    uint32_t drawn;         /* reached the screen (it may still cover no pixel centre) */
     uint32_t clipped;       /* of those drawn: cut by at least one plane */
     uint32_t refused_calls; /* public calls that returned an error */
+    uint32_t spilled;       /* of those drawn: not in the list, so worked out anew for every band */
 } fxl_counters;
 
 #endif

@@ -4,41 +4,72 @@
 #define FXL_RENDER_H
 
 #include "fixel/clipper.h"
+#include "fixel/list.h"
 #include "fixel/order.h"
 #include "fixel/scan.h"
 
-/* A renderer: about 5 KB that the caller owns. Several may live at once; none
- * knows of another. Members are for reading only, but for the clipper. */
+/* Memory of the caller that a renderer works in for as long as it lives. */
+typedef struct {
+    fxl_order_entry *order;  /* at least scene->order_needed entries */
+    uint32_t order_capacity; /* entries */
+    uint32_t *list;          /* may be null where list_capacity is 0 */
+    uint32_t list_capacity;  /* words; see FXL_LIST_WORDS */
+} fxl_memory;
+
+/* How far a walk over the scene has come: so many objects in the order of
+ * drawing are done, and of the next object so many faces. */
+typedef struct {
+    uint32_t objects, faces;
+} fxl_place;
+
+/* A renderer, which the caller owns. On a core of 32 bits it takes 352 bytes and
+ * 80 for each vertex of FXL_POLYGON_CAPACITY: 2912 where that is 32, 1312 where
+ * it is 12. Several may live at once; none knows of another. Members are for
+ * reading only, but for the clipper. */
 typedef struct {
     const fxl_scene *scene;
     fxl_order_entry *order; /* objects, then room for one model's faces */
     fxl_clipper clipper;    /* fxl_clip_by_view, or another set between two frames */
     bool ready;             /* a frame has begun */
+    bool counted;           /* a band was drawn: what is not in the list is counted */
+    fxl_list list;
+    fxl_place rest; /* where the list was full */
     fxl_counters counters;
     fxl_view view;
-    fxl_polygon polygon;
-    fxl_clipper_work work;
     fxl_screen_polygon screen;
-    fxl_scan scan;
+    union { /* a polygon is scanned when its clipping is over */
+        fxl_clipper_work clip;
+        fxl_scan scan;
+    } work;
 } fxl_renderer;
 
-/* Ties a renderer to a scene (checked by fxl_scene_open or fxl_scene_check), a
- * lens, and memory for the order of drawing: order_capacity entries, at least
- * scene->order_needed. Zeroes the counters.
- * FXL_E_ARGUMENT, FXL_E_CAPACITY: renderer untouched. */
-fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
-                             fxl_order_entry *order, uint32_t order_capacity);
+/* The symbol of fxl_renderer_init ends in FXL_POLYGON_CAPACITY (format.h). */
+#define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
+#define FXL_NAME_WITH(name, capacity)     FXL_WITH_CAPACITY(name, capacity)
+#define fxl_renderer_init                 FXL_NAME_WITH(fxl_renderer_init, FXL_POLYGON_CAPACITY)
 
-/* Begins a frame: camera, frustum, order of the objects; zeroes the counters
- * except refused_calls. Then draw the frame whole or in bands.
+/* Ties a renderer to a scene (checked by fxl_scene_open or fxl_scene_check), a
+ * lens, and memory. Zeroes the counters.
+ * A list that holds every polygon of a frame lets bands be drawn without a look
+ * at the scene; one that is full leaves the rest to every band, and without one
+ * every band walks the scene. The pixels are the same.
+ * FXL_E_ARGUMENT, FXL_E_CAPACITY (order): renderer untouched. */
+fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
+                             const fxl_memory *memory);
+
+/* Begins a frame: camera, frustum, order of the objects; then every polygon on
+ * its way to the screen, as far as the list reaches. Zeroes the counters except
+ * refused_calls, and counts the polygons that it came to. Then draw the frame
+ * whole or in bands.
  * FXL_E_ARGUMENT, FXL_E_RANGE (pose): the frame before stays current; counted
  * in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared
- * (fxl_fill_band). The pixels are the same whatever bands a frame is cut into.
- * Polygons are counted by the band that holds row 0, so that a frame drawn in
- * bands counts each once.
+ * (fxl_fill_band): those of the list that reach it, then the rest of the scene
+ * where the list was full. The pixels are the same whatever bands a frame is cut
+ * into. The first band after fxl_frame_begin counts that rest, so that each
+ * polygon is counted once.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
  * not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);

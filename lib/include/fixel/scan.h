@@ -45,7 +45,8 @@ typedef struct {
 
 /* A polygon being scanned. The caller owns it; all members belong to scan. */
 typedef struct {
-    const fxl_screen_polygon *polygon;
+    const fxl_screen_point *points;
+    uint8_t count;
     bool by_chains;  /* else by crossings */
     int16_t end_row; /* one past the last row, of both ways */
     int16_t row;     /* the row that the next span is for */
@@ -61,6 +62,18 @@ typedef struct {
  * FXL_E_ARGUMENT, FXL_E_DEGENERATE, FXL_E_CAPACITY, FXL_E_RANGE: scan holds
  * no pixels. Source: the edge walk of Bresenham with an exact start. */
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan);
+
+/* The same for an outline of count points that is known to meet what
+ * fxl_scan_begin requires, for a band that meets it too: nothing is checked.
+ * The points must outlive the scan. */
+void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                      fxl_scan *scan);
+
+/* The rows, of a screen of height rows, that hold every centre which the
+ * polygon may cover: those from its highest to its lowest vertex. Exact: scan
+ * finds an edge on each of them, and none on others.
+ * Requires what fxl_scan_begin requires of a polygon. */
+fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
 
 /* The next trapezoid, rows downward, left to right within a row; no pixel is
  * in two of them. It belongs to scan and is good until the next call. Null

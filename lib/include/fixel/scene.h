@@ -10,16 +10,17 @@
 
 /* How much a scene may hold. Placed vertices are those of all objects' models
  * added up: the limit bounds the loader's time. */
-#define FXL_SCENE_IMAGE_MAX    (16u * 1024u * 1024u)
-#define FXL_SCENE_VERTICES_MAX 1000000u
-#define FXL_SCENE_CORNERS_MAX  4000000u
-#define FXL_SCENE_FACES_MAX    1000000u
-#define FXL_SCENE_MODELS_MAX   65535u
-#define FXL_SCENE_OBJECTS_MAX  65535u
-#define FXL_SCENE_PATH_MAX     1000000u
-#define FXL_SCENE_PLACED_MAX   4000000u
-#define FXL_MODEL_VERTICES_MAX 65535u
-#define FXL_MODEL_FACES_MAX    65535u
+#define FXL_SCENE_IMAGE_MAX         (16u * 1024u * 1024u)
+#define FXL_SCENE_VERTICES_MAX      1000000u
+#define FXL_SCENE_CORNERS_MAX       4000000u
+#define FXL_SCENE_FACES_MAX         1000000u
+#define FXL_SCENE_MODELS_MAX        65535u
+#define FXL_SCENE_OBJECTS_MAX       65535u
+#define FXL_SCENE_PATH_MAX          1000000u
+#define FXL_SCENE_PLACED_MAX        4000000u
+#define FXL_SCENE_FACE_VERTICES_MAX 24u
+#define FXL_MODEL_VERTICES_MAX      65535u
+#define FXL_MODEL_FACES_MAX         65535u
 
 /* A face: count corners from corners[first_corner] on, each the number of a
  * vertex of the model, clockwise as seen from the front. The normal points to
@@ -27,7 +28,7 @@
 typedef struct {
     fxl_direction normal;
     uint32_t first_corner;
-    uint8_t count; /* 3..FXL_FACE_VERTICES_MAX */
+    uint8_t count; /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
     uint8_t colour;
     uint16_t reserved; /* 0 */
 } fxl_face;
@@ -99,7 +100,9 @@ typedef struct {
  * planarity, and that every vertex of every object lies within
  * FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is written only
  * on FXL_OK; *fault (may be null) only on an error.
- * FXL_E_ARGUMENT, _COUNT, _INDEX, _RANGE, _NORMAL, _PLANARITY, _RESERVED. */
+ * FXL_E_ARGUMENT, _COUNT, _INDEX, _RANGE, _NORMAL, _PLANARITY, _RESERVED;
+ * _CAPACITY for a face of more than FXL_FACE_VERTICES_MAX vertices, which a
+ * build with a larger FXL_POLYGON_CAPACITY would draw. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Opens a scene image of size bytes in memory aligned to four bytes, on a

@@ -8,7 +8,7 @@ typedef enum {
     FXL_OK = 0,
     FXL_E_ARGUMENT,   /* a null pointer, or a count of zero where one is needed */
     FXL_E_RANGE,      /* a number outside its stated range */
-    FXL_E_CAPACITY,   /* memory handed in, or a fixed capacity, does not suffice */
+    FXL_E_CAPACITY,   /* memory handed in, or a capacity set at build, does not suffice */
     FXL_E_DEGENERATE, /* fewer than three vertices */
     FXL_E_ORDER,      /* a call out of order: draw before begin */
     FXL_E_ALIGNMENT,  /* image or offset not a multiple of four bytes */

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+# What make bench and make profile run. Wants firmware/firmware.mk included
+# first. A board.mk that sets BOARD_BENCH says which of the bench's cores its
+# board stands for; a core that no board stands for is left out, aloud.
+#
+# Makes $(BENCH_COUNTER), the counting plugin, and for each core, under
+# build/bench/<core>/, the programs of BENCH_PROGRAMS.
+
+BENCH_OUT := $(BUILD)/bench
+BENCH_CORES := m0 m3 m4f m55
+$(foreach board,$(BOARDS),$(foreach core,$(BOARD_BENCH.$(board)),$(eval BENCH_BOARD.$(core) := $(board))))
+BENCH_CORES_HERE := $(foreach core,$(BENCH_CORES),$(if $(BENCH_BOARD.$(core)),$(core)))
+
+# What is measured is compiled for a core as its users would: with all that it
+# has, but for misaligned access, which the boards trap. No emulated board with
+# an M0 has the memory, but any other runs Armv6-M.
+BENCH_FLAGS.m0 := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
+BENCH_FLAGS.m3 := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -mno-unaligned-access
+BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard -mno-unaligned-access
+
+BENCH_OPTIMISE := -O2
+BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sections -fstack-usage \
+    -Ilib/include -Ilib/src -Iboards -Ifirmware/walk -Ibench/firmware -Ibench/listing -MMD -MP
+
+# --- the plugin ------------------------------------------------------------------
+
+BENCH_COUNTER := $(BUILD)/host/bench_counter.so
+
+$(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -O2 -fPIC -shared -fvisibility=hidden $(filter %.c,$^) -o $@
+
+# --- programs --------------------------------------------------------------------
+
+# The program's own objects, beside region, start and text, which all have. A program
+# has the memory functions that firmware has, compiled for its core as all that
+# is measured, or those of the C library.
+BENCH_PROGRAMS := calibration fixel listing-double listing-float memset kernels
+BENCH_LIB := $(LIB_NAMES:%=lib/%)
+BENCH_FRAMES := frames path $(BENCH_LIB)
+BENCH_OBJECTS.calibration := calibration
+BENCH_OBJECTS.fixel := draw_fixel $(BENCH_FRAMES)
+BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
+BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
+BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
+BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list limit_list $(BENCH_LIB)
+BENCH_C_LIBRARY := listing-double listing-float memset
+
+# $(1): the core, $(2): the program.
+BENCH_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text $(BENCH_OBJECTS.$(2)) \
+    $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
+# The board's parts, which only start and end the program, are compiled for the
+# board; for hard float anew, since the linker mixes no calling conventions.
+BENCH_PARTS_OF = $(filter-out %/memory_functions.o,$(if $(findstring =hard,$(BENCH_FLAGS.$(1))),\
+    $(BOARD_SOURCES.$(BENCH_BOARD.$(1)):%.c=$(BENCH_OUT)/$(1)/parts/%.o),\
+    $(call BOARD_PARTS_OF,$(BENCH_BOARD.$(1)))))
+BENCH_LIBRARIES_OF = $(if $(filter $(2),$(BENCH_C_LIBRARY)),-lm -lc) -lgcc
+BENCH_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib -Llinker \
+    -T boards/$(BENCH_BOARD.$(1))/memory.ld \
+    -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map)
+
+define BENCH_PROGRAM_RULES
+$(BENCH_OUT)/$(1)/$(2).elf: $(call BENCH_OBJECTS_OF,$(1),$(2)) $(call BENCH_PARTS_OF,$(1),$(2)) \
+        $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1))) bench/bench.mk
+	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) $(call BENCH_LIBRARIES_OF,$(1),$(2)))
+endef
+
+define BENCH_CORE_RULES
+BENCH_CC.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAGS)
+# Until bench_start has turned it on, nothing may touch the floating-point unit.
+$(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
+    $(patsubst %,$(BENCH_OUT)/$(1)/%.o,start text frames kernels calibration): \
+    FLAGS_OF_FILE := -mgeneral-regs-only)
+BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
+
+$(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
+$(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
+$(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
+$(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
+$(foreach real,double float,
+$(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
+)
+$(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline))
+endef
+
+# $(1): the core, $(2): a pattern of the library's sources.
+define BENCH_LIB_RULES
+$(BENCH_OUT)/$(1)/lib/%.o: $(2) bench/bench.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding)
+$(BENCH_OUT)/$(1)/os/lib/%.o: $(2) bench/bench.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding)
+
+endef
+
+$(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
+    $(eval BENCH_FAMILY_CFLAGS.$(core) := $(call LIB_FAMILY_CFLAGS,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))))\
+    $(foreach pattern,$(call LIB_PATTERNS,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))),\
+    $(eval $(call BENCH_LIB_RULES,$(core),$(pattern)))))
+
+# --- sizes -----------------------------------------------------------------------
+
+# A renderer linked with what it calls and nothing else, once as measured and
+# once for size; what counts is the linker's map.
+BENCH_SIZED := fixel listing-double listing-float memset
+BENCH_ROOTS.fixel := fxl_renderer_init_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
+BENCH_ROOTS.listing-double := listing_draw
+BENCH_ROOTS.listing-float := listing_draw
+BENCH_ROOTS.memset := memset
+BENCH_SIZED_OF.fixel := $(BENCH_LIB) memory_functions
+BENCH_SIZED_OF.listing-double := double/listing
+BENCH_SIZED_OF.listing-float := float/listing
+BENCH_SIZED_OF.memset :=
+
+BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
+    -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,$(firstword $(BENCH_ROOTS.$(2))) \
+    $(BENCH_ROOTS.$(2):%=-Wl,-u,%)
+
+# $(1): the core, $(2): the renderer, $(3): O2 or Os.
+define BENCH_SIZE_RULES
+$(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: \
+        $(patsubst %,$(BENCH_OUT)/$(1)/$(if $(filter Os,$(3)),os/)%.o,$(BENCH_SIZED_OF.$(2))) bench/bench.mk
+	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
+endef
+
+define BENCH_CORE_SIZE_RULES
+BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
+BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf))
+
+$(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
+$(foreach real,double float,
+$(BENCH_OUT)/$(1)/os/$(real)/%.o: bench/listing/%.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -DLISTING_$(real)=1)
+)
+$(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
+endef
+$(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core))))
+
+BENCH_BUILT := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))
+BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))
+
+.PHONY: bench-programs
+bench-programs: $(BENCH_BUILT)
+
+-include $(shell find $(BENCH_OUT) -name '*.d' 2>/dev/null)

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* Fixel, the frame in one band, for which it needs no list. */
+#include "contract/system.h"
+#include "draw.h"
+#include "text.h"
+
+#define ORDER_ENTRIES 2048u /* W1 with sixteen times its cubes takes 1606 */
+
+static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_renderer renderer;
+static uint32_t order_needed;
+
+int draw_open(const fxl_scene_image *image)
+{
+    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0};
+
+    order_needed = image->scene.order_needed;
+    if (order_needed > ORDER_ENTRIES) {
+        text_with_number("bench: order entries needed", "", ": ", order_needed);
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
+               ? SYSTEM_EXIT_DONE
+               : SYSTEM_EXIT_RENDER;
+}
+
+bool draw_frame(const fxl_pose *pose, const fxl_band *band)
+{
+    return fxl_frame_begin(&renderer, pose) == FXL_OK && fxl_frame_draw(&renderer, band) == FXL_OK;
+}
+
+uint32_t draw_memory(void)
+{
+    return (uint32_t)(sizeof renderer + order_needed * sizeof order[0]);
+}
+
+const fxl_counters *draw_counters(void)
+{
+    return &renderer.counters;
+}

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+/* Draws every frame of the board's scene, each as one region. Clearing the
+ * frame and showing it are outside. Prints
+ *   bench: memory BYTES     beside the band, the scene and the stack
+ *   bench: stack BYTES      the deepest that drawing went
+ *   bench: frames N         the end marker */
+#include "contract/display.h"
+#include "contract/journal.h"
+#include "contract/store.h"
+#include "contract/system.h"
+#include "draw.h"
+#include "fixel/fill.h"
+#include "path.h"
+#include "region.h"
+#include "start.h"
+#include "text.h"
+
+#define STACK_WORDS   2048u /* looked at below the caller of draw_frame */
+#define STACK_PATTERN 0xA5C35A3Cu
+
+static uint8_t pixels[DRAW_PIXELS_MAX];
+
+/* Fills what lies below the stack pointer. By a volatile pointer and without a
+ * call, which would stand there itself. */
+static inline __attribute__((always_inline)) volatile uint32_t *paint_stack(void)
+{
+    volatile uint32_t *here;
+    __asm__ volatile("mov %0, sp" : "=r"(here));
+    for (uint32_t i = 1; i <= STACK_WORDS; i++) {
+        *(here - i) = STACK_PATTERN;
+    }
+    return here;
+}
+
+/* The bytes below `here` down to the lowest word that has changed. */
+static uint32_t painted_over(volatile const uint32_t *here)
+{
+    uint32_t untouched = 0;
+    while (untouched < STACK_WORDS && *(here - (STACK_WORDS - untouched)) == STACK_PATTERN) {
+        untouched++;
+    }
+    return (STACK_WORDS - untouched) * 4u;
+}
+
+/* One frame, as a region. *stack: the deepest so far. */
+static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const fxl_band *band,
+                                              uint32_t *stack)
+{
+    volatile uint32_t *here = paint_stack();
+    uint32_t used;
+    bool drawn;
+    bench_begin();
+    drawn = draw_frame(pose, band);
+    bench_end();
+    used = painted_over(here);
+    *stack = used > *stack ? used : *stack;
+    return drawn;
+}
+
+static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number, uint32_t *stack)
+{
+    const fxl_band band = {pixels, image->lens.width, image->lens.width, 0, image->lens.height};
+
+    if (walk_path_next(path, 0) != FXL_OK) {
+        return SYSTEM_EXIT_INPUT;
+    }
+    if (!journal_begin(number, &path->viewer.pose)) {
+        return SYSTEM_EXIT_JOURNAL;
+    }
+    fxl_fill_band(&band, image->background);
+    if (!measured_frame(&path->viewer.pose, &band, stack)) {
+        return SYSTEM_EXIT_RENDER;
+    }
+    if (!display_flush(0, 0, band.width, band.rows, pixels)) {
+        return SYSTEM_EXIT_DISPLAY;
+    }
+    return journal_end(draw_counters(), 0, 0) ? SYSTEM_EXIT_DONE : SYSTEM_EXIT_JOURNAL;
+}
+
+static int all_frames(const fxl_scene_image *image, uint32_t frames)
+{
+    uint32_t stack = 0;
+    walk_path path;
+
+    walk_path_begin(&path, image, false);
+    for (uint32_t number = 0; number < frames; number++) {
+        const int code = one_frame(image, &path, number, &stack);
+        if (code != SYSTEM_EXIT_DONE) {
+            return code;
+        }
+    }
+    if (stack == STACK_WORDS * 4u) {
+        system_text("bench: the stack went deeper than was looked at\n");
+        return SYSTEM_EXIT_STACK;
+    }
+    text_with_number("bench: memory", "", " ", draw_memory());
+    text_with_number("bench: stack", "", " ", stack);
+    return display_close() ? SYSTEM_EXIT_DONE : SYSTEM_EXIT_DISPLAY;
+}
+
+static int run(void)
+{
+    fxl_scene_image image;
+    fxl_scene_fault fault;
+    size_t size = 0;
+    const void *bytes = store_scene(&size);
+    uint32_t frames;
+    int code;
+
+    if (bytes == NULL) {
+        return SYSTEM_EXIT_STORE;
+    }
+    if (fxl_scene_open(bytes, size, &image, &fault) != FXL_OK) {
+        text_with_number("bench: scene refused: ", fault.what, " ", fault.index);
+        return SYSTEM_EXIT_SCENE;
+    }
+    if ((uint32_t)image.lens.width * image.lens.height > DRAW_PIXELS_MAX) {
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    code = draw_open(&image);
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
+    }
+    frames = system_frames() != 0 ? system_frames() : image.frame_count;
+    if (!journal_open(frames) || !display_open(image.lens.width, image.lens.height, image.palette)) {
+        return SYSTEM_EXIT_DISPLAY;
+    }
+    code = all_frames(&image, frames);
+    if (code == SYSTEM_EXIT_DONE) {
+        text_with_number("bench: frames", "", " ", frames);
+    }
+    return code;
+}
+
+int main(int argc, char **argv)
+{
+    bench_start(argc, argv);
+    system_exit(run());
+    return SYSTEM_EXIT_DONE; /* not reached */
+}

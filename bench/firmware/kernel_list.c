@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+#include "kernels.h"
+
+#include "arith.h"
+
+#define EACH(i) for (uint32_t i = 0; i < KERNEL_COUNT; i++)
+
+/* Where results go, so that no compiler leaves the work out. */
+static union {
+    uint64_t wide[KERNEL_COUNT];
+    int64_t quotients[KERNEL_COUNT];
+    fxl_q2_30 sines[KERNEL_COUNT];
+    uint32_t codes[KERNEL_COUNT];
+    fxl_view_point seen[KERNEL_COUNT];
+    fxl_screen_point screen[KERNEL_COUNT];
+    struct {
+        fxl_view_polygon out;
+        fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+    } clip;
+    fxl_scan scan;
+} results;
+
+static uint8_t pixels[KERNEL_COUNT * 320u];
+static const fxl_band rows = {pixels, 320, 320, 0, KERNEL_COUNT};
+static const fxl_band screen = {pixels, 320, 320, 0, 240}; /* scanned, never filled */
+
+static __attribute__((noinline)) void nothing(const fxl_point *point, fxl_view_point *seen)
+{
+    __asm__ volatile("" ::"r"(point), "r"(seen));
+}
+
+static void call(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        nothing(&in->points[i], &results.seen[i]);
+    }
+}
+
+static void multiply(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        results.wide[i] = fxl_multiply_high(in->wide[i], in->wide[i ^ 1u]);
+    }
+}
+
+static void divide(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        results.quotients[i] = fxl_divide_round(in->numerators[i], in->depths[i]);
+    }
+}
+
+static void sine(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        results.sines[i] = fxl_sin(in->angles[i]);
+    }
+}
+
+static void transform(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_transform_point(&in->camera, &in->points[i], &results.seen[i]);
+    }
+}
+
+/* On which side of the six planes a vertex lies. */
+static void outcode(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        uint32_t code = 0;
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            code |= (uint32_t)(fxl_view_distance(&in->frustum, plane, &in->seen[i]) < 0) << plane;
+        }
+        results.codes[i] = code;
+    }
+}
+
+static void project(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_project_point(&in->lens, &in->seen[i], &results.screen[i]);
+    }
+}
+
+/* A quad and a plane that cuts two of its edges. */
+static void clip(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_clip_view_to_plane(&in->across[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
+                               results.clip.distances);
+    }
+}
+
+/* A quad and a plane that it lies inside of. */
+static void clip_inside(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_clip_view_to_plane(&in->inside[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
+                               results.clip.distances);
+    }
+}
+
+static void edge(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_scan_begin(&in->quads[i], &screen, &results.scan);
+    }
+}
+
+/* Spans of one length, at the eight ways that a row may begin beside a word. */
+#define SPAN(length) \
+    static void span_##length(const kernel_inputs *in) \
+    { \
+        (void)in; \
+        EACH(i) \
+        { \
+            int16_t x = (int16_t)(length == 320 ? 0 : i & 7u); \
+            fxl_span span = {(int16_t)i, x, (int16_t)(x + length)}; \
+            fxl_fill_span(&rows, &span, 1); \
+        } \
+    }
+SPAN(1)
+SPAN(2)
+SPAN(4)
+SPAN(8)
+SPAN(16)
+SPAN(32)
+SPAN(64)
+SPAN(128)
+SPAN(320)
+
+const bench_kernel kernel_list[] = {
+    {"call", call, KERNEL_COUNT},
+    {"multiply", multiply, KERNEL_COUNT},
+    {"divide", divide, KERNEL_COUNT},
+    {"sine", sine, KERNEL_COUNT},
+    {"transform", transform, KERNEL_COUNT},
+    {"outcode", outcode, KERNEL_COUNT},
+    {"project", project, KERNEL_COUNT},
+    {"clip", clip, KERNEL_COUNT},
+    {"clip-inside", clip_inside, KERNEL_COUNT},
+    {"edge-setup", edge, 4u * KERNEL_COUNT},
+    {"span-1", span_1, KERNEL_COUNT},
+    {"span-2", span_2, KERNEL_COUNT},
+    {"span-4", span_4, KERNEL_COUNT},
+    {"span-8", span_8, KERNEL_COUNT},
+    {"span-16", span_16, KERNEL_COUNT},
+    {"span-32", span_32, KERNEL_COUNT},
+    {"span-64", span_64, KERNEL_COUNT},
+    {"span-128", span_128, KERNEL_COUNT},
+    {"span-320", span_320, KERNEL_COUNT},
+    {NULL, NULL, 0},
+};

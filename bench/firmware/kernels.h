@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of kernels: a new one is a function and a line. */
+#ifndef BENCH_KERNELS_H
+#define BENCH_KERNELS_H
+
+#include "kernel_inputs.h"
+
+typedef struct {
+    const char *name;
+    void (*run)(const kernel_inputs *inputs);
+    uint32_t units; /* how many a run is: what a figure is divided by */
+} bench_kernel;
+
+/* Both end with a name that is null. */
+extern const bench_kernel kernel_list[]; /* of the library */
+extern const bench_kernel limit_list[];  /* bare work, to compare with */
+
+#endif

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Luminary Micro (now TI) EK-LM3S6965: a Cortex-M3 with an OLED and five keys.
+
+BOARD_CPU := cortex-m3
+BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_QEMU := -M lm3s6965evb
+BOARD_OPENOCD := -f board/ek-lm3s6965.cfg
+# Which of its keys a viewer's bits of fixel/viewer.h are.
+BOARD_NOTE := keys=1:up,2:down,4:left,8:right,16:ctrl+up,32:ctrl+down,64:ctrl+left,128:ctrl+right
+
+# Of 64 KiB: the OLED's frame in one band, other screens in several.
+BOARD_BAND_BYTES := 8192
+BOARD_ORDER_ENTRIES := 1024
+BOARD_LIST_BYTES := 16384
+
+# After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
+# is number 18.
+BOARD_UNIT_OMIT := test_scene_placed
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u \
+    CMSDK_WATCHDOG_INTERRUPT=18u
+
+BOARD_SOURCES := boards/lm3s6965evb/board.c \
+    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
+        systick.c systick_clock.c cmsdk_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
+        display.c dump.c ssd0323.c grey.c pl022.c keys.c partition_store.c memory_functions.c board_note.c)

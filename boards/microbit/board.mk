@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# BBC micro:bit: an nRF51822, Cortex-M0 (no long multiplication, no division, no
+# memory protection), 256 KiB of flash, 16 KiB of RAM.
+
+BOARD_CPU := cortex-m0
+BOARD_CORE := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
+BOARD_QEMU := -M microbit
+BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/nrf51.cfg
+
+# Of 16 KiB.
+BOARD_BAND_BYTES := 2560
+BOARD_ORDER_ENTRIES := 200
+BOARD_LIST_BYTES := 4096
+
+BOARD_UNIT_OMIT := test_clipper test_render test_scene_placed
+
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u
+
+BOARD_SOURCES := boards/microbit/board.c \
+    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv6m_fault.c no_protect.c stack.c \
+        systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
+        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)

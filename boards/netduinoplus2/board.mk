@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# Netduino Plus 2: an STM32F405, Cortex-M4 with FPU (which Fixel does not use),
+# 1 MiB of flash, 128 KiB of RAM at 0x20000000 (64 KiB more, elsewhere, stay unused).
+
+BOARD_CPU := cortex-m4
+BOARD_CORE := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_QEMU := -M netduinoplus2
+BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f4x.cfg
+
+# Of 128 KiB, the stacks taking 10: half of a 320 x 240 frame, objects for any
+# scene that its flash can hold, and the polygons of a full frame.
+BOARD_BAND_BYTES := 38400
+BOARD_ORDER_ENTRIES := 2048
+BOARD_LIST_BYTES := 32768
+
+# QEMU's 168 MHz; the real chip runs at 16 MHz until it is told otherwise.
+BOARD_UNIT_OMIT := test_scene_placed
+
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=168000000u
+
+BOARD_SOURCES := boards/netduinoplus2/board.c \
+    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
+        systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
+        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* Memory protection of Armv8-M Mainline (PMSAv8) and the stack limits: what a
+ * stray pointer or a full stack must hit.
+ *
+ * PMSAv8 knows no region without access; what no region covers is out of
+ * bounds. So the regions are what a program may use: its flash, the RAM, and
+ * the rest of the address space but the code space; what lies below the RAM in
+ * its own eighth of the address space is the guard, among others. */
+#include "parts/cortexm.h"
+
+#define MPU_RNR          CORTEXM_REGISTER(0xE000ED98u)
+#define MPU_RBAR         CORTEXM_REGISTER(0xE000ED9Cu)
+#define MPU_RLAR         CORTEXM_REGISTER(0xE000EDA0u)
+#define MPU_MAIR0        CORTEXM_REGISTER(0xE000EDC0u)
+#define MPU_TYPE_REGIONS (0xFFu << 8)
+#define CTRL_ENABLE      1u
+#define RBAR_XN          1u
+#define RBAR_READ_WRITE  (0u << 1) /* privileged only; nothing here is not */
+#define RBAR_READ_ONLY   (2u << 1)
+#define RLAR_ENABLE      1u
+#define RLAR_ATTRIBUTE   1u /* shift of the number of an attribute of MAIR0 */
+
+/* Attributes: 0, normal memory, write-through; 1, device. */
+#define NORMAL           0u
+#define DEVICE           1u
+#define MAIR0_ATTRIBUTES 0x000004AAu
+
+/* Bounds of the address space: SRAM, devices, external RAM, external devices. */
+#define SRAM_LAST     0x3FFFFFFFu
+#define DEVICE_BASE   0x40000000u
+#define DEVICE_LAST   0x5FFFFFFFu
+#define EXTERNAL_BASE 0x60000000u
+#define EXTERNAL_LAST 0x9FFFFFFFu
+#define OTHER_BASE    0xA0000000u
+#define OTHER_LAST    0xFFFFFFFFu
+
+/* Region number covers first to last; both are rounded down to 32 bytes, and
+ * last up to the end of its 32. */
+static void set_region(uint32_t number, uint32_t first, uint32_t last, uint32_t access,
+                       uint32_t attribute)
+{
+    MPU_RNR = number;
+    MPU_RBAR = (first & ~31u) | access;
+    MPU_RLAR = (last & ~31u) | (attribute << RLAR_ATTRIBUTE) | RLAR_ENABLE;
+}
+
+static uint32_t first_of_flash(void)
+{
+    const uint32_t base = (uint32_t)(uintptr_t)fxl_flash_base;
+
+    return base < CORTEXM_NULL_BYTES ? CORTEXM_NULL_BYTES : base;
+}
+
+bool cortexm_protect(void)
+{
+    const uint32_t flash_end =
+        (uint32_t)(uintptr_t)fxl_flash_base + (uint32_t)(uintptr_t)fxl_flash_size;
+
+    __asm__ volatile("msr psplim, %0" ::"r"(fxl_stack_limit));
+    __asm__ volatile("msr msplim, %0" ::"r"(fxl_stack_top));
+    if ((MPU_TYPE & MPU_TYPE_REGIONS) == 0) {
+        return false;
+    }
+    MPU_MAIR0 = MAIR0_ATTRIBUTES;
+    set_region(0, first_of_flash(), flash_end - 1u, RBAR_READ_ONLY, NORMAL);
+    set_region(1, (uint32_t)(uintptr_t)fxl_stack_limit, SRAM_LAST, RBAR_READ_WRITE | RBAR_XN,
+               NORMAL);
+    set_region(2, DEVICE_BASE, DEVICE_LAST, RBAR_READ_WRITE | RBAR_XN, DEVICE);
+    set_region(3, EXTERNAL_BASE, EXTERNAL_LAST, RBAR_READ_WRITE | RBAR_XN, NORMAL);
+    set_region(4, OTHER_BASE, OTHER_LAST, RBAR_READ_WRITE | RBAR_XN, DEVICE);
+    MPU_CTRL = CTRL_ENABLE;
+    __asm__ volatile("dsb\n\tisb" ::: "memory");
+    return true;
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* watchdog.h by the watchdog of Arm's Cortex-M System Design Kit, which the
+ * Stellaris chips have, too. Of board.mk: CMSDK_WATCHDOG_BASE, its address;
+ * CMSDK_WATCHDOG_HZ, how fast it counts; and, where it interrupts by another
+ * way than the NMI, CMSDK_WATCHDOG_INTERRUPT, the number of that interrupt.
+ *
+ * Left alone it interrupts, and after the same time again it resets the board:
+ * if the interrupt could not be taken, at least nothing goes on as if all were
+ * well. */
+#include "parts/watchdog.h"
+
+#include "parts/cortexm.h"
+#include "parts/cortexm_fault.h"
+
+#define WATCHDOG(offset) CORTEXM_REGISTER(CMSDK_WATCHDOG_BASE + (offset))
+#define LOAD             WATCHDOG(0x000u)
+#define CONTROL          WATCHDOG(0x008u)
+#define CLEAR            WATCHDOG(0x00Cu) /* a write loads the counter anew */
+#define MASKED_STATUS    WATCHDOG(0x014u)
+#define LOCK             WATCHDOG(0xC00u)
+#define LOCK_OPEN        0x1ACCE551u
+
+#define CONTROL_INTERRUPT 1u
+#define CONTROL_RESET     2u
+
+#ifdef CMSDK_WATCHDOG_INTERRUPT
+#define BARK (16u + CMSDK_WATCHDOG_INTERRUPT)
+#else
+#define BARK EXCEPTION_NMI
+#endif
+
+void watchdog_start(uint32_t milliseconds)
+{
+    const uint64_t ticks = ((uint64_t)milliseconds * CMSDK_WATCHDOG_HZ + 999u) / 1000u;
+
+    LOCK = LOCK_OPEN;
+    LOAD = ticks < UINT32_MAX ? (uint32_t)ticks : UINT32_MAX;
+    CLEAR = 1;
+#ifdef CMSDK_WATCHDOG_INTERRUPT
+    NVIC_ISER = 1u << CMSDK_WATCHDOG_INTERRUPT;
+#endif
+    CONTROL = CONTROL_INTERRUPT | CONTROL_RESET;
+}
+
+void watchdog_feed(void)
+{
+    CLEAR = 1;
+}
+
+bool watchdog_barked(uint32_t exception)
+{
+    return exception == BARK && (MASKED_STATUS & 1u) != 0;
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* The registers of the system space that Armv6-M, Armv7-M and Armv8-M cores
+ * share (their Architecture Reference Manuals, part B), what a board hands to
+ * the parts, and what the parts of a core hand to each other. */
+#ifndef BOARD_CORTEXM_H
+#define BOARD_CORTEXM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define CORTEXM_REGISTER(address) (*(volatile uint32_t *)(uintptr_t)(address))
+
+#define SYST_CSR        CORTEXM_REGISTER(0xE000E010u)
+#define SYST_RVR        CORTEXM_REGISTER(0xE000E014u)
+#define SYST_CVR        CORTEXM_REGISTER(0xE000E018u)
+#define NVIC_ISER       CORTEXM_REGISTER(0xE000E100u)
+#define SCB_ICSR        CORTEXM_REGISTER(0xE000ED04u)
+#define SCB_VTOR        CORTEXM_REGISTER(0xE000ED08u)
+#define SCB_AIRCR       CORTEXM_REGISTER(0xE000ED0Cu)
+#define SCB_CCR         CORTEXM_REGISTER(0xE000ED14u)
+#define CCR_UNALIGN_TRP (1u << 3)
+#define CCR_DIV_0_TRP   (1u << 4)
+#define SCB_SHCSR       CORTEXM_REGISTER(0xE000ED24u)
+#define SCB_CFSR        CORTEXM_REGISTER(0xE000ED28u)
+#define SCB_HFSR        CORTEXM_REGISTER(0xE000ED2Cu)
+#define SCB_MMFAR       CORTEXM_REGISTER(0xE000ED34u)
+#define SCB_BFAR        CORTEXM_REGISTER(0xE000ED38u)
+#define MPU_TYPE        CORTEXM_REGISTER(0xE000ED90u)
+#define MPU_CTRL        CORTEXM_REGISTER(0xE000ED94u)
+
+/* The lowest bytes of memory: where flash lies there, the vector table, which
+ * the core reads unprotected, and nothing else, so that a null pointer cannot
+ * pass. A page of the emulator's: a smaller region would make it check every
+ * access to the rest of the page, which QEMU 10 takes tens of times longer for. */
+#define CORTEXM_NULL_BYTES 4096u
+
+/* The architecture's code space. Some boards answer there in silence where they
+ * have nothing, or show their flash again: a program has no business there
+ * beside its flash. */
+#define CORTEXM_CODE_BASE 0x00000000u
+#define CORTEXM_CODE_SIZE 0x20000000u
+
+/* Places from linker/sections.ld and the board's memory.ld. Only their
+ * addresses mean anything; of ..._size symbols the address is the size. */
+extern uint32_t fxl_data_load[], fxl_data_start[], fxl_data_end[];
+extern uint32_t fxl_bss_start[], fxl_bss_end[];
+extern uint32_t fxl_stack_guard[], fxl_stack_limit[], fxl_stack_top[];
+extern uint32_t fxl_handler_stack_top[];
+extern uint8_t fxl_flash_base[], fxl_flash_size[], fxl_scene_base[], fxl_scene_size[];
+
+typedef void (*cortexm_vector)(void);
+
+/* The core's vector table, at the start of flash. */
+extern const cortexm_vector cortexm_vectors[];
+
+/* Entry after reset: paints the stacks, fills .data and .bss, turns on traps
+ * and memory protection, then board_start and main, which is not expected to
+ * come back. */
+void cortexm_reset(void);
+
+/* Entry of every fault and of every interrupt that nobody asked for: prints
+ * what happened and ends the program with a code of system.h. */
+void cortexm_fault(void);
+
+/* Makes the core fault where it can choose to: at a division by zero, at a
+ * misaligned address; and tell the kinds of faults apart. armv..._fault.c. */
+void cortexm_trap(void);
+
+/* Sets up and turns on the memory protection: flash read-only; the rest of the
+ * code space, the lowest bytes of memory and the guard below the stack out of
+ * bounds. Whether there is one. armv..._protect.c, no_protect.c. */
+bool cortexm_protect(void);
+
+/* Whether cortexm_protect turned it on. */
+bool cortexm_protected(void);
+
+/* The SysTick interrupt; parts/systick.c has one. */
+void cortexm_systick(void);
+
+/* What a board does once before main. Each board.c has one. */
+void board_start(void);
+
+int main(int argc, char **argv);
+
+#endif

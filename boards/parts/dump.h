@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT */
+/* The frame dump of chapter 9 of SPEC.md as a panel. It takes every size. The
+ * board has a parts/sink.h for it. */
+#ifndef BOARD_DUMP_H
+#define BOARD_DUMP_H
+
+#include "contract/panel.h"
+
+extern const panel dump_panel;
+
+#endif

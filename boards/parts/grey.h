@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* Colours on a display of few greys (chapter 9b of SPEC.md): luma, and an
+ * ordered dither of 8 x 8 pixels. Integers only, no state: a pixel's level
+ * depends on its colour and its place in the frame and on nothing else. */
+#ifndef BOARD_GREY_H
+#define BOARD_GREY_H
+
+#include <stdint.h>
+
+/* Luma 0..255 of red, green, blue. */
+uint8_t grey_luma(const uint8_t *colour);
+
+/* Fills table with what grey_level wants for each entry of a palette (256 x
+ * red, green, blue): its luma in 128ths of a level of a display whose highest
+ * level is highest.
+ * Requires 1 <= highest <= 255. */
+void grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest);
+
+/* The level, 0..highest, of a pixel in column x and row y of the frame. */
+uint8_t grey_level(uint16_t entry, uint32_t x, uint32_t y);
+
+#endif

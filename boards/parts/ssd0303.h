@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* An OLED of 96 x 16 pixels, each dark or light, with an SSD0303 controller, as
+ * a panel. It shows the middle of the frame: shrunk to 16 rows nothing would be
+ * left to see. A frame that is smaller than it, or a board on which it does not
+ * answer, goes without it. */
+#ifndef BOARD_SSD0303_H
+#define BOARD_SSD0303_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "contract/panel.h"
+
+#define SSD0303_WIDTH  96u
+#define SSD0303_HEIGHT 16u
+
+extern const panel ssd0303_panel;
+
+/* The wires to the controller, which each board with one has: one I2C message
+ * to it. False where it does not acknowledge. */
+bool ssd0303_send(const uint8_t *bytes, size_t size);
+
+#endif

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* Two pixels a byte, the left one in the high half; rows of 64 bytes. A window
+ * of rows is set for each rectangle, and the controller counts through it. */
+#include "parts/ssd0323.h"
+
+#include "parts/grey.h"
+
+#define ROW_BYTES (SSD0323_WIDTH / 2u)
+#define HIGHEST   (SSD0323_LEVELS - 1u)
+
+enum {
+    SET_COLUMNS = 0x15, /* first, last, in bytes */
+    SET_ROWS = 0x75     /* first, last */
+};
+
+static uint16_t greys[256]; /* of the palette's entries: grey_table */
+
+/* For the OSRAM Pictiva module of 128 x 64: its connections (remap, offset,
+ * rows) and its maker's figures for currents and voltages. The emulator takes
+ * note of the windows and of the remap's bit 2 alone. */
+static bool configure(void)
+{
+    static const uint8_t commands[] = {
+        0xAE,                  /* display off */
+        SET_COLUMNS, 0,    63, /* all of the module's columns, */
+        SET_ROWS,    0,    63, /* and rows */
+        0x81,        50,       /* contrast, of 127 */
+        0x85,                  /* half of the full current */
+        0xA0,        0x52,     /* COM split and reversed; high half of a byte is left; by rows */
+        0xA1,        0,        /* first row of memory on top */
+        0xA2,        0x4C,     /* which row of the controller the module's first is */
+        0xA4,                  /* memory is shown as it is */
+        0xA8,        63,       /* 64 rows */
+        0xB1,        0x22,     /* lengths of discharge and precharge */
+        0xB2,        70,       /* length of a row */
+        0xB3,        0xF1,     /* clock: highest, divided by 2 */
+        0xBF,        0x0D,     /* voltage of a dark segment */
+        0xBE,        0x02,     /* voltage of a row at rest */
+        0xBC,        0x10,     /* precharge voltage */
+        0xB8,        0x01,     /* widths of the greys' pulses: even steps */
+        0x11,        0x22, 0x32, 0x43, 0x54,
+        0x65,        0x76, 0xAD, 0x03, /* its own voltage converter on */
+    };
+
+    return ssd0323_send(SSD0323_COMMAND, commands, sizeof commands);
+}
+
+static bool set_rows(uint32_t first, uint32_t last)
+{
+    const uint8_t commands[] = {SET_COLUMNS,  0, ROW_BYTES - 1u, SET_ROWS, (uint8_t)first,
+                                (uint8_t)last};
+
+    return ssd0323_send(SSD0323_COMMAND, commands, sizeof commands);
+}
+
+/* Its memory holds noise when power comes. */
+static bool clear(void)
+{
+    static const uint8_t dark[ROW_BYTES];
+    uint32_t row;
+    bool good = set_rows(0, SSD0323_HEIGHT - 1u);
+
+    for (row = 0; row < SSD0323_HEIGHT && good; row++) {
+        good = ssd0323_send(SSD0323_DATA, dark, sizeof dark);
+    }
+    return good;
+}
+
+static panel_answer open(const panel_format *format)
+{
+    static const uint8_t on[] = {0xAF};
+
+    if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT) {
+        return PANEL_UNSUITABLE;
+    }
+    grey_table(greys, format->palette, HIGHEST);
+    if (!ssd0323_wires_open() || !configure() || !clear() ||
+        !ssd0323_send(SSD0323_COMMAND, on, sizeof on)) {
+        return PANEL_FAILED;
+    }
+    return PANEL_READY;
+}
+
+static void pack_row(uint8_t *packed, const uint8_t *pixels, uint32_t y)
+{
+    uint32_t i;
+
+    for (i = 0; i < ROW_BYTES; i++) {
+        const uint32_t left = grey_level(greys[pixels[2u * i]], 2u * i, y);
+        const uint32_t right = grey_level(greys[pixels[2u * i + 1u]], 2u * i + 1u, y);
+
+        packed[i] = (uint8_t)(left << 4 | right);
+    }
+}
+
+/* Row by row, each through a buffer of its own, and nothing is under way when
+ * it returns: the pixels are the caller's again. */
+static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+{
+    uint8_t packed[ROW_BYTES];
+    uint32_t row;
+    bool good = set_rows(y, y + height - 1u);
+
+    (void)x; /* whole rows come */
+    for (row = 0; row < height && good; row++) {
+        pack_row(packed, pixels + row * width, y + row);
+        good = ssd0323_send(SSD0323_DATA, packed, sizeof packed);
+    }
+    return good;
+}
+
+/* The last frame stays on the screen. */
+static bool close(bool whole)
+{
+    (void)whole;
+    return true;
+}
+
+const panel ssd0323_panel = {open, NULL, flush, NULL, close};

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# ST's STM32VLDISCOVERY: an STM32F100, a Cortex-M3 without FPU, 128 KiB of
+# flash, 8 KiB of RAM.
+
+BOARD_CPU := cortex-m3
+BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_QEMU := -M stm32vldiscovery
+BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
+
+# How 8192 bytes are shared out: see memory.ld for the stacks.
+BOARD_BAND_BYTES := 1024
+BOARD_ORDER_ENTRIES := 176
+BOARD_LIST_BYTES := 512
+
+BOARD_UNIT_OMIT := test_clip test_clip_view test_clip_view_bounds test_clipper test_order test_render test_scan \
+    test_scene test_scene_placed test_watertight
+
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u
+
+BOARD_SOURCES := boards/stm32vldiscovery/board.c \
+    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
+        systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
+        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)

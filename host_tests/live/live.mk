@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# build/host/live: the twin's frames and outlines, pose by pose, for the live window.
+
+LIVE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/live/*.c))
+HOST_TOOLS += $(BUILD)/host/live
+
+$(BUILD)/host/objects/live/%.o: host_tests/live/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -MMD -MP -c $< -o $@
+
+$(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/judge/dump.o $(BUILD)/host/libreference.a
+	$(HOSTCC) $^ -lm -o $@
+
+-include $(LIVE_OBJECTS:.o=.d)

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of a frame's polygons (SPEC.md 4b), in double and without end. */
+#ifndef REF_LIST_H
+#define REF_LIST_H
+
+#include "reference/record.h"
+
+/* A polygon that was drawn: its outline as the twin has it, the rows that it
+ * reaches, and where it came from. */
+typedef struct {
+    ref_screen_polygon polygon;
+    ref_rows rows;
+    uint32_t object, face; /* numbers in the scene and in the model */
+} ref_drawn;
+
+/* In the order of drawing. Unlike the library's, it keeps the polygons that
+ * reach no row: a judge asks what might have been drawn. */
+typedef struct {
+    ref_drawn *drawn;
+    size_t count, capacity;
+} ref_list;
+
+/* False where memory is short. An empty list is all zero. */
+bool ref_list_append(ref_list *list, const ref_drawn *drawn);
+
+/* The next polygon from *place on that reaches one of the given rows; *place is
+ * then behind it. Null when there are no more. */
+const ref_drawn *ref_list_next(const ref_list *list, ref_rows rows, size_t *place);
+
+void ref_list_close(ref_list *list);
+
+#endif

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""make boards: every board draws what the host draws, and one that does not is seen."""
+
+import json
+import re
+import subprocess
+
+import pytest
+from board_programs import BOARD, ROOT, built, fake_qemu
+from conftest import run_cli, run_make
+
+KEYS = {"name": str, "core": str, "flash_bytes": int, "ram_bytes": int, "stack_bytes": int,
+        "instructions_per_frame": int, "frames": int, "hash_equal": bool, "unit_tests_passed": int,
+        "unit_tests_failed": int}
+TINY = "scenes/tiny.toml"
+# Changes one pixel of frame 3 of a dump, and the checksum with it.
+DOCTOR = """
+import struct, zlib
+data = bytearray(open("frames.fxld", "rb").read())
+width, height = struct.unpack_from("<HH", data, 6)
+data[16 + 768 + 3 * (32 + width * height + 48) + 32 + 100] ^= 1
+data[-4:] = struct.pack("<I", zlib.crc32(data[:-4]))
+open("frames.fxld", "wb").write(data)
+"""
+
+
+def target_boards():
+    """All boards but the host, by their folders: a new one needs no line here."""
+    return sorted(file.parent.name for file in (ROOT / "boards").glob("*/memory.ld"))
+
+
+def run_boards(out, *arguments, **changes):
+    done = run_cli("boards", "--out", out, *arguments, **changes)
+    return done, json.loads(out.read_text()) if out.exists() else None
+
+
+@pytest.fixture(scope="module")
+def everything(tmp_path_factory):
+    """tiny and the plaza on all boards, without their unit tests, which make test runs."""
+    for board in ["host", *target_boards()]:
+        built(f"{board}/walk" if board == "host" else f"{board}/walk.elf")
+    return run_boards(tmp_path_factory.mktemp("boards") / "boards.json", "--boards", *target_boards(),
+                      "--scene", TINY, "scenes/plaza.toml")
+
+
+def test_all_boards_draw_what_the_host_draws(everything):
+    done, result = everything
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert [board["name"] for board in result["boards"]] == target_boards()
+    for board in result["boards"]:
+        tiny, plaza = board["scenes"]
+        assert board["hash_equal"] and tiny["frames"] == 16 and tiny["hash_equal"], board
+        assert plaza["why_not"] or (plaza["frames"] == 120 and plaza["hash_equal"]), board
+
+
+def test_the_keys_that_others_read(everything):
+    for board in everything[1]["boards"]:
+        for key, kind in KEYS.items():
+            assert type(board[key]) is kind, (board["name"], key, board[key])
+        assert 0 < board["flash_bytes"] <= board["flash_size"] - board["flash_free"]
+        assert board["ram_bytes"] + board["ram_free"] == board["ram_size"]
+        assert 0 < board["stack_bytes"] < board["stack_reserved"] < board["ram_bytes"]
+        assert board["instructions_per_frame"] > 1000
+
+
+def test_the_table_has_a_line_for_each_board(everything):
+    lines = everything[0].stdout.splitlines()
+    for board in target_boards():
+        row, = [line for line in lines if re.match(rf"{re.escape(board)} +cortex-m", line)]
+        assert " yes " in row
+
+
+def test_the_host_is_no_board_of_the_table(everything):
+    assert "host" not in [board["name"] for board in everything[1]["boards"]]
+
+
+def test_unit_tests_are_counted(tmp_path):
+    elf = built(f"{BOARD}/unit/test_angle.elf")
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY,
+                              "--board-unit", BOARD, elf, "--left-out", BOARD, "test_huge")
+    row, = result["boards"]
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert row["unit_tests_passed"] > 0 and row["unit_tests_failed"] == 0
+    assert f"{BOARD}: left out, no room: test_huge" in done.stdout.splitlines()
+
+
+def test_a_unit_test_that_fails_fails_the_board(tmp_path):
+    not_a_test = built(f"{BOARD}/walk.elf")     # it ends without the marker of unit tests
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY,
+                              "--board-unit", BOARD, not_a_test)
+    assert done.returncode == 1
+    assert result["boards"][0]["unit_tests_failed"] == 1 and result["boards"][0]["hash_equal"]
+
+
+def test_a_board_whose_frames_differ_is_reported(tmp_path):
+    doctor = tmp_path / "doctor.py"
+    doctor.write_text(DOCTOR)
+    path = fake_qemu(tmp_path / "bin", f'"$REAL" "$@"; code=$?\n[ ! -f frames.fxld ] || python3 {doctor}\nexit $code')
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY, PATH=path)
+    assert done.returncode == 1
+    assert f"{BOARD}: FAIL: tiny: frame 3 is not the host's" in done.stdout.splitlines()
+    row, = result["boards"]
+    assert row["hash_equal"] is False and row["scenes"][0]["first_different"] == 3
+
+
+def test_a_board_that_fails_is_reported_and_the_others_go_on(tmp_path):
+    other = [board for board in target_boards() if board != BOARD][:1]
+    path = fake_qemu(tmp_path / "bin", f'case "$*" in *"{BOARD}"*) exit 0 ;; esac\nexec "$REAL" "$@"')
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, *other, "--scene", TINY, PATH=path)
+    assert done.returncode == 1
+    assert [board["hash_equal"] for board in result["boards"]] == [False] + [True] * len(other)
+    assert f"{BOARD}: FAIL: tiny: " in done.stdout and "Traceback" not in done.stderr
+
+
+def test_no_room_for_the_first_scene_is_no_success(tmp_path):
+    """A board whose scene partition is too small: said, and not equal."""
+    build = tmp_path / "build"
+    (build / "boards" / BOARD).mkdir(parents=True)
+    (build / "boards/host").symlink_to(built("host/walk").parent)
+    subprocess.run(["arm-none-eabi-objcopy", "--strip-symbol=fxl_scene_size",
+                    "--add-symbol=fxl_scene_size=1000,global", built(f"{BOARD}/walk.elf"),
+                    build / "boards" / BOARD / "walk.elf"], check=True)
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY, "--build", build)
+    assert done.returncode == 1, done.stderr
+    row, = result["boards"]
+    assert row["hash_equal"] is False and row["frames"] == 0
+    assert f"{BOARD}: tiny does not fit: the scene has 2,544 bytes, the board's scene partition 1,000" in done.stdout
+
+
+def test_the_command_line():
+    done = run_make("-n", "boards")
+    assert done.returncode == 0, done.stderr
+    for board in target_boards():
+        assert f"--board-unit {board} " in done.stdout
+
+
+def test_no_file_but_a_boards_own_names_it():
+    """What a new board needs is in its folder: nothing that is built or run knows it by name."""
+    names = re.compile("|".join(rf"\b{re.escape(board)}\b" for board in target_boards()))
+    for folder in ("lib", "firmware", "linker", "tools", "boards/parts", "boards/contract"):
+        for file in (ROOT / folder).rglob("*"):
+            if file.is_file() and file.suffix in (".c", ".h", ".mk", ".ld", ".py", ".sh"):
+                found = [match for match in names.findall(file.read_text(encoding="utf-8")) if match != BOARD]
+                assert not found, f"{file} names {found[0]}"

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""FXL_POLYGON_CAPACITY as a setting of the build: what it costs, what it draws, and that the library
+and its user cannot differ in it."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SMALL, USUAL = 12, 32
+STRICT = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror", "-O1"]
+PROGRAM = re.search(r"```c\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"),
+                    re.DOTALL).group(1)
+
+# A scene whose second face has five corners.
+PENTAGON = """
+#include <fixel.h>
+#include <stdio.h>
+#include <string.h>
+int main(void)
+{
+    static const fxl_point vertices[] = {{0, 0, 0}, {0, 65536, 0}, {65536, 98304, 0}, {131072, 65536, 0},
+                                         {131072, 0, 0}};
+    static const uint16_t corners[] = {0, 1, 2, 3, 0, 1, 2, 3, 4};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 5, 2, 0}};
+    static const fxl_model models[] = {{0, 5, 0, 2, FXL_MODEL_CONVEX, {0, 0, 0}}};
+    static const fxl_object objects[] = {{{0, 0, 0}, 0, 0, 0}};
+    fxl_scene scene = {vertices, corners, faces, models, objects, 5, 9, 2, 1, 1, 0};
+    fxl_scene_fault fault = {"nothing", 0};
+    fxl_status status = fxl_scene_check(&scene, &fault);
+    printf("%s: %s %u\\n", fxl_status_text(status), fault.what, (unsigned)fault.index);
+    return status == FXL_OK ? 0 : status == FXL_E_CAPACITY ? 3 : 4;
+}
+"""
+
+
+def gcc(*arguments, compiler="gcc", cwd=ROOT):
+    return subprocess.run([compiler, *map(str, arguments)], cwd=cwd, text=True, capture_output=True,
+                          check=False)
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory):
+    """The library for the host, by capacity."""
+    def build(capacity):
+        folder = tmp_path_factory.mktemp(f"capacity{capacity}")
+        sources = sorted((ROOT / "lib/src").glob("*.c"))
+        done = gcc(*STRICT, f"-DFXL_POLYGON_CAPACITY={capacity}", f"-I{ROOT / 'lib/include'}", "-c",
+                   *sources, cwd=folder)
+        assert done.returncode == 0, done.stderr
+        return sorted(folder.glob("*.o"))
+    return {capacity: build(capacity) for capacity in (SMALL, USUAL)}
+
+
+def link(folder, source, objects, *options):
+    (folder / "program.c").write_text(source, encoding="utf-8")
+    return gcc(folder / "program.c", *objects, f"-I{ROOT / 'lib/include'}", *options, "-o",
+               folder / "program")
+
+
+def test_a_small_capacity_draws_the_same_picture(libraries, tmp_path):
+    pictures = set()
+    for capacity in (SMALL, USUAL):
+        done = link(tmp_path, PROGRAM, libraries[capacity], f"-DFXL_POLYGON_CAPACITY={capacity}")
+        assert done.returncode == 0, done.stderr
+        pictures.add(subprocess.run([tmp_path / "program"], text=True, capture_output=True,
+                                    check=True).stdout)
+    assert len(pictures) == 1 and "#" in pictures.pop()
+
+
+@pytest.mark.parametrize("library, user", [(SMALL, []), (SMALL, [f"-DFXL_POLYGON_CAPACITY={SMALL + 1}"]),
+                                           (USUAL, [f"-DFXL_POLYGON_CAPACITY={SMALL}"])])
+def test_another_capacity_than_the_library_does_not_link(libraries, tmp_path, library, user):
+    done = link(tmp_path, PROGRAM, libraries[library], *user)
+    assert done.returncode != 0
+    wanted = user[0].split("=")[1] if user else str(USUAL)
+    assert f"undefined reference to `fxl_renderer_init_for_polygons_of_{wanted}'" in done.stderr
+
+
+@pytest.mark.parametrize("capacity, code", [(SMALL, 3), (SMALL + 1, 0), (USUAL, 0)])
+def test_a_face_that_is_too_much_is_refused_and_named(tmp_path, capacity, code):
+    checker = [ROOT / "lib/src" / name for name in ("scene_check.c", "status.c")]
+    done = link(tmp_path, PENTAGON, checker, f"-DFXL_POLYGON_CAPACITY={capacity}")
+    assert done.returncode == 0, done.stderr
+    run = subprocess.run([tmp_path / "program"], text=True, capture_output=True, check=False)
+    assert run.returncode == code
+    assert run.stdout.endswith(": face 1\n" if code else ": nothing 0\n")
+
+
+@pytest.mark.parametrize("capacity", [11, 33, "4"])
+def test_a_capacity_out_of_range_does_not_compile(capacity):
+    done = gcc("-std=c11", "-fsyntax-only", f"-DFXL_POLYGON_CAPACITY={capacity}", "-Ilib/include",
+               "lib/src/list.c")
+    assert done.returncode != 0 and "static assertion failed" in done.stderr
+
+
+@pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3", "cortex-m55"])
+@pytest.mark.parametrize("capacity", [SMALL, USUAL])
+def test_a_renderer_is_as_large_as_its_header_says(tmp_path, core, capacity):
+    header = (ROOT / "lib/include/fixel/render.h").read_text(encoding="utf-8")
+    said = re.search(r"takes (\d+) bytes and\s+\* (\d+) for each vertex of FXL_POLYGON_CAPACITY: "
+                     r"(\d+) where that is 32, (\d+) where\s+\* it is 12", header)
+    fixed, each, usual, small = map(int, said.groups())
+    assert (fixed + each * USUAL, fixed + each * SMALL) == (usual, small)
+    source = tmp_path / "size.c"
+    size = {SMALL: small, USUAL: usual}[capacity]
+    source.write_text("#include <fixel.h>\n"
+                      f"_Static_assert(sizeof(fxl_renderer) == {size}, \"renderer\");\n"
+                      "_Static_assert(sizeof(fxl_order_entry) == 12, \"entry\");\n", encoding="utf-8")
+    done = gcc("-std=c11", "-fsyntax-only", f"-mcpu={core}", "-mthumb", "-Ilib/include",
+               f"-DFXL_POLYGON_CAPACITY={capacity}", source, compiler="arm-none-eabi-gcc")
+    assert done.returncode == 0, done.stderr

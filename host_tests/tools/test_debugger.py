@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""make gdb: a debugger on the running program, and nothing left when it ends."""
+
+import fcntl
+import os
+import pathlib
+import pty
+import re
+import select
+import signal
+import subprocess
+import sys
+import termios
+import time
+
+import pytest
+
+import scene as scene_tool
+from board_programs import BOARD, ROOT, built, fake_qemu
+from conftest import assert_one_sentence, environment, run_cli
+from fixel import flash, qemu
+
+SECONDS = 30.0
+
+
+@pytest.fixture(scope="module")
+def walk():
+    return built(f"{BOARD}/walk.elf")
+
+
+@pytest.fixture(scope="module")
+def image(tmp_path_factory, walk):
+    folder = tmp_path_factory.mktemp("flash")
+    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
+    flash.flash(BOARD, walk, folder / "tiny.fxls", folder / "board.bin")
+    return folder / "board.bin"
+
+
+def words(image, walk, *more):
+    return ["--board", BOARD, "--image", image, "--elf", walk, *more]
+
+
+def started_in(folder):
+    """Programs that run in a folder below this one: here, emulators."""
+    found = []
+    for entry in pathlib.Path("/proc").glob("[0-9]*/cwd"):
+        try:
+            where = os.readlink(entry)
+        except OSError:
+            continue
+        if where.startswith(f"{folder}/"):
+            found.append(where)
+    return found
+
+
+def test_a_file_of_commands(image, walk, tmp_path):
+    commands = tmp_path / "commands"
+    commands.write_text("break fxl_frame_begin\ncontinue\nbacktrace\nprint renderer->scene->object_count\n"
+                        "print/x *pose\ndelete\ncontinue\n", encoding="ascii")
+    done = run_cli("gdb", *words(image, walk, "--frames", 2, "--commands", commands), TMPDIR=str(tmp_path))
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"^Temporary breakpoint 1, main \(.*firmware/walk/main\.c:\d+$", done.stdout, re.MULTILINE)
+    assert re.search(r"^Breakpoint 2, fxl_frame_begin \(.*lib/src/render\.c:\d+$", done.stdout, re.MULTILINE)
+    assert re.search(r"^#\d+ .*\bwalk \(\) at firmware/walk/walk\.c:\d+$", done.stdout, re.MULTILINE)
+    assert re.search(r"^#\d+ .*\bmain \(", done.stdout, re.MULTILINE)
+    assert re.search(r"^\$1 = [1-9]\d*$", done.stdout, re.MULTILINE), done.stdout
+    assert re.search(r"^\$2 = \{position = \{x = 0x", done.stdout, re.MULTILINE), done.stdout
+    assert "exited with code 0135" in done.stdout  # 93: the program ran on to its agreed end
+    assert "walk: done 2 frames" in done.stdout + done.stderr
+    assert not started_in(tmp_path)
+
+
+def test_a_command_that_fails(image, walk, tmp_path):
+    (tmp_path / "commands").write_text("break no_such_function_at_all\nprint no_such_thing\n", encoding="ascii")
+    done = run_cli("gdb", *words(image, walk, "--commands", tmp_path / "commands"), TMPDIR=str(tmp_path))
+    assert done.returncode != 0
+    assert not started_in(tmp_path)
+
+
+class Terminal:
+    """gdb.py at a terminal, and a person before it."""
+
+    def __init__(self, folder, *arguments):
+        self.ours, theirs = pty.openpty()
+        self.seen = ""
+        self.process = subprocess.Popen(
+            [sys.executable, ROOT / "tools" / "gdb.py", *map(str, arguments)], stdin=theirs, stdout=theirs,
+            stderr=theirs, start_new_session=True, cwd=ROOT,
+            env=environment(TMPDIR=str(folder), TERM="dumb", HOME=str(folder)),
+            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0))
+        os.close(theirs)
+
+    def expect(self, text):
+        deadline = time.monotonic() + SECONDS
+        while text not in self.seen:
+            assert time.monotonic() < deadline, self.seen
+            if select.select([self.ours], [], [], 0.1)[0]:
+                self.seen += os.read(self.ours, 4096).decode(errors="replace")
+        self.seen = self.seen.split(text, 1)[1]
+
+    def type(self, text):
+        os.write(self.ours, text.encode())
+
+    def close(self):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.ours)
+
+
+@pytest.fixture
+def terminal(tmp_path):
+    opened = []
+
+    def start(*arguments):
+        opened.append(Terminal(tmp_path, *arguments))
+        return opened[-1]
+
+    yield start
+    for one in opened:
+        one.close()
+
+
+def test_a_person_interrupts_and_quits(image, walk, tmp_path, terminal):
+    one = terminal(*words(image, walk, "--frames", 1000000))
+    one.expect("Temporary breakpoint 1, main")
+    one.expect("(gdb) ")
+    one.type("continue\n")
+    one.expect("Continuing.")
+    time.sleep(0.5)
+    one.type("\x03")
+    one.expect("SIGINT")
+    one.expect("(gdb) ")
+    one.type("print/d sizeof(fxl_pose)\n")
+    one.expect("= 24")
+    assert started_in(tmp_path)
+    one.type("quit\n")
+    assert one.process.wait(SECONDS) == 0
+    assert not started_in(tmp_path)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_tool_that_is_ended_takes_the_emulator_with_it(image, walk, tmp_path, terminal, number):
+    one = terminal(*words(image, walk))
+    one.expect("(gdb) ")
+    assert started_in(tmp_path)
+    one.process.send_signal(number)
+    assert one.process.wait(SECONDS) == 128 + number
+    assert not started_in(tmp_path)
+
+
+def test_what_is_refused(image, walk, tmp_path):
+    assert_one_sentence(run_cli("gdb", *words(tmp_path / "none.bin", walk)), "make flash BOARD=")
+    assert_one_sentence(run_cli("gdb", *words(image, built(f"{BOARD}/faults.elf"))), "does not hold")
+    assert_one_sentence(run_cli("gdb", *words(image, walk, "--commands", tmp_path / "none")), "no such file")
+    assert_one_sentence(run_cli("gdb", "--board", "host", "--image", image, "--elf", built("host/walk")),
+                        "needs no emulator")
+    assert_one_sentence(run_cli("gdb", *words(image, walk), PATH=str(tmp_path)), "apt-get install qemu-system-arm")
+    (tmp_path / qemu.QEMU).symlink_to(qemu.find_qemu())
+    assert_one_sentence(run_cli("gdb", *words(image, walk), PATH=str(tmp_path)), "apt-get install gdb-multiarch")
+
+
+def test_an_emulator_that_does_not_start(image, walk, tmp_path):
+    path = fake_qemu(tmp_path / "bin", "echo no such machine >&2; exit 1")
+    (tmp_path / "commands").write_text("backtrace\n", encoding="ascii")
+    done = run_cli("gdb", *words(image, walk, "--commands", tmp_path / "commands"), PATH=path)
+    assert_one_sentence(done, "did not start", code=1)
+    assert "no such machine" in done.stderr

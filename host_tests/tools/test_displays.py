@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""docs/displays.md is true to the letter: its driver is compiled and shows frames, and what comes over
+the wires is read back as the display would."""
+
+import dataclasses
+import re
+import subprocess
+
+import numpy
+import pytest
+
+from conftest import CHECKOUT
+
+PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
+MOCK = CHECKOUT / "host_tests" / "displays"
+WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
+INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
+WIDTH, HEIGHT = 320, 240
+
+
+def write_sources(folder):
+    """The page's three pieces of code as files."""
+    header, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
+    assert "SPI_H" in header and "st7789_panel" in driver and "board_panels" in board
+    (folder / "spi.h").write_text(header, encoding="utf-8")
+    (folder / "st7789.c").write_text(driver, encoding="utf-8")
+    # The dump has a file of its own to go to, which is not this test's.
+    (folder / "board.c").write_text(board.replace("&dump_panel, ", ""), encoding="utf-8")
+
+
+def compile_all(compiler, folder, *options):
+    """Compiles without a word of warning."""
+    done = subprocess.run([*compiler, *WARNINGS, f"-I{folder}", f"-I{MOCK}", *INCLUDES, *options], cwd=folder,
+                          text=True, capture_output=True, check=False)
+    assert done.returncode == 0 and not done.stderr, done.stderr
+
+
+@pytest.fixture(scope="module", params=("late", "early", "ili9341"))
+def show(request, tmp_path_factory):
+    """The program, for DMA that reads late or early, and for the other controller."""
+    folder = tmp_path_factory.mktemp(request.param)
+    write_sources(folder)
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], folder,
+                f"-DLATE={int(request.param != 'early')}", *(["-DILI9341"] if request.param == "ili9341" else []),
+                "st7789.c", "board.c", MOCK / "spi_mock.c", MOCK / "show.c",
+                CHECKOUT / "boards" / "parts" / "display.c", "-o", "show")
+
+    def run(palette, frames, rows):
+        height, width = frames[0].shape
+        done = subprocess.run(["./show", str(width), str(height), str(rows)], cwd=folder, capture_output=True,
+                              input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames), check=False)
+        return done, folder / "wires.bin", request.param == "ili9341"
+
+    return run
+
+
+@dataclasses.dataclass
+class Display:
+    """What an ST7789 makes of the wires: the part of its commands that the driver uses."""
+    memory: numpy.ndarray
+    window: list            # columns, rows: first, last
+    asleep: bool = True
+    on: bool = False
+    inverted: bool = False
+    format: int = 0x66      # after reset: 18 bits
+    access: int = 0
+    awake_for: int = 0      # milliseconds
+    written: int = 0        # pixels since the last command to write
+
+    def take(self, command, data):
+        if command == 0x11:
+            self.asleep = False
+        elif command == 0x21:
+            self.inverted = True
+        elif command == 0x29:
+            assert not self.asleep and self.awake_for >= 120
+            self.on = True
+        elif command in (0x2A, 0x2B):
+            first, last = numpy.frombuffer(data, ">u2").tolist()
+            assert first <= last < (WIDTH, HEIGHT)[command - 0x2A]
+            self.window[command - 0x2A] = (first, last)
+        elif command == 0x2C:
+            self.write(numpy.frombuffer(data, ">u2"))
+        elif command == 0x36:
+            self.access, = data
+        elif command == 0x3A:
+            self.format, = data
+        else:
+            raise AssertionError(f"unknown command {command:#x}")
+
+    def write(self, pixels):
+        (left, right), (top, bottom) = self.window
+        assert self.format == 0x55
+        shape = (bottom - top + 1, right - left + 1)
+        assert pixels.size == shape[0] * shape[1]   # a driver that sends the window, whole and once
+        self.memory[top:bottom + 1, left:right + 1] = pixels.reshape(shape)
+
+
+def read_wires(file):
+    """The display after all that came."""
+    display = Display(numpy.full((HEIGHT, WIDTH), 0xDEAD, numpy.uint16), [(0, WIDTH - 1), (0, HEIGHT - 1)])
+    data, offset, command, arguments = file.read_bytes(), 0, None, b""
+    while offset < len(data):
+        kind, size = chr(data[offset]), int.from_bytes(data[offset + 1:offset + 5], "little")
+        piece, offset = data[offset + 5:offset + 5 + size], offset + 5 + size
+        if kind == "D":
+            assert command is not None
+            arguments += piece
+            continue
+        if command is not None:
+            display.take(command, arguments)
+            command, arguments = None, b""
+        if kind == "P":
+            display.awake_for += 0 if display.asleep else int.from_bytes(piece, "little")
+        else:
+            assert size == 1
+            command = piece[0]
+    if command is not None:
+        display.take(command, arguments)
+    return display
+
+
+def rgb565(palette):
+    red, green, blue = (palette[:, axis].astype(numpy.uint16) for axis in range(3))
+    return (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
+
+
+def random_frames(width, height):
+    generator = numpy.random.default_rng(width)
+    return (generator.integers(0, 256, (256, 3), dtype=numpy.uint8),
+            [generator.integers(0, 256, (height, width), dtype=numpy.uint8) for _ in range(2)])
+
+
+@pytest.mark.parametrize("width, height, rows", [(320, 240, 240), (320, 240, 7), (128, 64, 1), (319, 239, 100),
+                                                 (1, 1, 1)])
+def test_the_display_shows_the_last_frame(show, width, height, rows):
+    palette, frames = random_frames(width, height)
+    done, wires, is_ili9341 = show(palette, frames, rows)
+    assert done.returncode == 0, done.stderr.decode()
+    display = read_wires(wires)
+    left, top = (WIDTH - width) // 2, (HEIGHT - height) // 2
+    expected = numpy.zeros((HEIGHT, WIDTH), numpy.uint16)
+    expected[top:top + height, left:left + width] = rgb565(palette)[frames[1]]
+    assert (display.memory == expected).all()
+    assert display.on
+    assert (display.access, display.inverted) == ((0x28, False) if is_ili9341 else (0x60, True))
+
+
+def test_a_frame_that_is_too_large_is_not_for_it(show):
+    palette, frames = random_frames(321, 10)
+    done, wires, _ = show(palette, frames, 10)
+    assert done.returncode == 1     # it is the board's only panel: nobody can show that
+
+
+def test_the_driver_compiles_for_a_microcontroller(tmp_path):
+    write_sources(tmp_path)
+    compile_all(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-ffreestanding", "-O2"], tmp_path,
+                "-c", "st7789.c", "-o", "st7789.o")
+
+
+def test_a_driver_without_its_second_line_is_caught(tmp_path):
+    """The mock sees what the contract forbids: DMA reads what is filled anew."""
+    write_sources(tmp_path)
+    source = tmp_path / "st7789.c"
+    broken = source.read_text(encoding="utf-8").replace("next_line = 1 - next_line;", "")
+    source.write_text(broken, encoding="utf-8")
+    compile_all(["gcc"], tmp_path, "st7789.c", "board.c", MOCK / "spi_mock.c", MOCK / "show.c",
+                CHECKOUT / "boards" / "parts" / "display.c", "-o", "show")
+    palette, frames = random_frames(320, 240)
+    subprocess.run(["./show", "320", "240", "16"], cwd=tmp_path, check=True,
+                   input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames))
+    assert (read_wires(tmp_path / "wires.bin").memory != rgb565(palette)[frames[1]]).any()

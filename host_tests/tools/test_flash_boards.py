@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Flash, power on, read the frames: on every board there is."""
+
+import pytest
+
+import scene as scene_tool
+from board_programs import ROOT, built, scene_bytes
+from fixel import dump, emulator, firmware, flash
+from fixel.errors import ToolError
+
+BOARDS = sorted(path.parent.name for path in (ROOT / "boards").glob("*/board.mk"))
+EMULATED = [board for board in BOARDS if board != firmware.HOST]
+FRAMES = 2
+
+
+def walk(board):
+    return built(f"{board}/walk" if board == firmware.HOST else f"{board}/walk.elf")
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    path = tmp_path_factory.mktemp("scene") / "tiny.fxls"
+    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
+    return path
+
+
+@pytest.fixture(scope="module")
+def of_the_host(tmp_path_factory, scene):
+    folder = tmp_path_factory.mktemp("host")
+    flash.flash(firmware.HOST, walk(firmware.HOST), scene, folder / "host.bin")
+    emulator.run(firmware.HOST, folder / "host.bin", walk(firmware.HOST), folder / "host.fxld", FRAMES)
+    return dump.read_dump(folder / "host.fxld")
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_flash_and_boot(board, scene, of_the_host, tmp_path):
+    image = tmp_path / "flash.bin"
+    result = flash.flash(board, walk(board), scene, image)
+    program = firmware.load(walk(board))
+    assert result.verified == image.stat().st_size == (program.flash_size or scene.stat().st_size)
+    emulator.run(board, image, walk(board), tmp_path / "board.fxld", FRAMES)
+    drawn = dump.read_dump(tmp_path / "board.fxld")
+    assert [frame.pixels.tobytes() for frame in drawn.frames] == \
+        [frame.pixels.tobytes() for frame in of_the_host.frames]
+
+
+@pytest.mark.parametrize("board", EMULATED)
+def test_a_scene_larger_than_the_partition(board, scene, tmp_path):
+    program = firmware.load(walk(board))
+    large = tmp_path / "large.fxls"
+    large.write_bytes(scene_bytes(program.scene_size + 4))
+    with pytest.raises(ToolError, match="does not fit"):
+        flash.flash(board, walk(board), large, tmp_path / "flash.bin")
+    assert not (tmp_path / "flash.bin").exists()
+
+
+@pytest.mark.parametrize("board", EMULATED)
+def test_the_program_of_every_other_board_is_refused(board, scene, tmp_path):
+    for other in BOARDS:
+        if other != board:
+            with pytest.raises(ToolError, match=f"is for board {other}, not for {board}"):
+                flash.flash(board, walk(other), scene, tmp_path / "flash.bin")
+    assert not (tmp_path / "flash.bin").exists()
+
+
+@pytest.mark.parametrize("board", EMULATED)
+def test_the_map_of_the_flash(board):
+    program = firmware.load(walk(board))
+    assert sum(program.sectors) == program.flash_size
+    assert program.scene_base - program.flash_base in flash.sector_starts(program)
+    assert program.scene_base + program.scene_size <= program.flash_base + program.flash_size
+
+
+@pytest.mark.parametrize("board", EMULATED)
+def test_a_byte_of_the_image_that_went_bad(board, scene, tmp_path):
+    """In the program the tool sees it, in the scene the board does."""
+    image = tmp_path / "flash.bin"
+    flash.flash(board, walk(board), scene, image)
+    good = image.read_bytes()
+    program = firmware.load(walk(board))
+    for address, words in ((program.segments[0][0] + 1000, "does not hold"),
+                           (program.scene_base + 300, "the scene image was refused")):
+        bad = bytearray(good)
+        bad[address - program.flash_base] ^= 0x10
+        image.write_bytes(bad)
+        with pytest.raises(ToolError, match=words):
+            emulator.run(board, image, walk(board), tmp_path / "board.fxld", FRAMES)
+    assert not (tmp_path / "board.fxld").exists()

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""A flash that is killed: whenever it happens, the image is the old one or the
+new one, it boots, and the next flash finds nothing in its way."""
+
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+import scene as scene_tool
+from board_programs import BOARD, ROOT, built, fake_qemu
+from conftest import environment
+from fixel import emulator, flash
+
+# tools/flash.py, which gets SIGKILL before its Nth line in flash_image.py.
+KILLED_AT_LINE = """
+import os, signal, sys
+at = int(sys.argv.pop(1))
+seen = 0
+def trace(frame, event, _):
+    global seen
+    if not frame.f_code.co_filename.endswith("/flash_image.py"):
+        return None
+    if event == "line":
+        seen += 1
+        if seen == at:
+            os.kill(os.getpid(), signal.SIGKILL)
+    return trace
+sys.path.insert(0, "tools")
+import flash
+from fixel.errors import run_main
+sys.settrace(trace)
+run_main(flash.main)
+"""
+# The same, which gets a signal that ends it when a file grows past a limit.
+KILLED_AT_SIZE = """
+import resource, signal, sys
+size = int(sys.argv.pop(1))
+signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+sys.path.insert(0, "tools")
+import flash
+from fixel.errors import run_main
+run_main(flash.main)
+"""
+LINES_MAX = 200
+
+
+@pytest.fixture(scope="module")
+def walk():
+    return built(f"{BOARD}/walk.elf")
+
+
+@pytest.fixture(scope="module")
+def scenes(tmp_path_factory):
+    """The scene that is there, and the one that is to come."""
+    folder = tmp_path_factory.mktemp("scenes")
+    for name, frames in (("old", 2), ("new", 3)):
+        scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / f"{name}.fxls"), frames)
+    return folder / "old.fxls", folder / "new.fxls"
+
+
+@pytest.fixture
+def image(tmp_path, walk, scenes):
+    path = tmp_path / "flash" / "board.bin"
+    flash.flash(BOARD, walk, scenes[0], path)
+    return path
+
+
+def flash_command(walk, scene, image):
+    return ["--board", BOARD, "--elf", walk, "--scene", scene, "--image", image]
+
+
+def killed(driver, at, walk, scene, image):
+    """A flash with a driver from above: its exit code."""
+    return subprocess.run([sys.executable, "-c", driver, str(at), *flash_command(walk, scene, image)], cwd=ROOT,
+                          stdin=subprocess.DEVNULL, capture_output=True, env=environment(), timeout=60,
+                          check=False).returncode
+
+
+def boots_with(image, walk, folder):
+    """How many frames a board draws from an image: 2 from the old one, 3 from the new one."""
+    return emulator.run(BOARD, image, walk, folder / "frames.fxld").frames
+
+
+def test_killed_at_any_line(image, walk, scenes, tmp_path):
+    old = image.read_bytes()
+    flash.flash(BOARD, walk, scenes[1], tmp_path / "new.bin")
+    new = (tmp_path / "new.bin").read_bytes()
+    assert old != new
+    states = []
+    for at in range(1, LINES_MAX):
+        image.write_bytes(old)
+        code = killed(KILLED_AT_LINE, at, walk, scenes[1], image)
+        assert code in (0, -signal.SIGKILL)
+        if code == 0:
+            break
+        data = image.read_bytes()
+        assert data in (old, new), f"neither the old nor the new image after line {at}"
+        states.append(data == new)
+        if at % 4 == 0:
+            assert boots_with(image, walk, tmp_path) == (3 if data == new else 2)
+    assert 20 < len(states) < LINES_MAX - 1  # it was killed often, and got through in the end
+    assert False in states and True in states and states == sorted(states)
+    assert [path.name for path in image.parent.iterdir()] == [image.name]  # the last one tidied up
+
+
+@pytest.mark.parametrize("size", [0, 1, 4096, 1 << 20, (4 << 20) - 1])
+def test_killed_within_a_write(image, walk, scenes, tmp_path, size):
+    old = image.read_bytes()
+    assert killed(KILLED_AT_SIZE, size, walk, scenes[1], image) == -signal.SIGXFSZ
+    assert image.read_bytes() == old
+    left = [path for path in image.parent.iterdir() if path != image]
+    assert [path.stat().st_size for path in left] == [size]
+    assert boots_with(image, walk, tmp_path) == 2
+    flash.flash(BOARD, walk, scenes[1], image)
+    assert [path.name for path in image.parent.iterdir()] == [image.name]
+    assert boots_with(image, walk, tmp_path) == 3
+
+
+def test_a_full_disk(image, walk, scenes):
+    old = image.read_bytes()
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, 1 << 20))
+
+    done = subprocess.run([sys.executable, ROOT / "tools" / "flash.py", *flash_command(walk, scenes[1], image)],
+                          capture_output=True, text=True, preexec_fn=limit, check=False)
+    assert done.returncode == 2
+    assert done.stderr == f"error: cannot write {image}: File too large; it is unchanged\n"
+    assert image.read_bytes() == old
+    assert [path.name for path in image.parent.iterdir()] == [image.name]
+
+
+def test_two_at_a_time_leave_each_other_alone(image, walk, scenes, tmp_path):
+    """The one that verifies must still have its file when the other has tidied up."""
+    go = tmp_path / "go"
+    path = fake_qemu(tmp_path / "bin", f"touch {tmp_path}/started; while [ ! -e {go} ]; do sleep 0.05; done; "
+                                       'exec "$REAL" "$@"')
+    slow = subprocess.Popen([sys.executable, ROOT / "tools" / "flash.py", *flash_command(walk, scenes[0], image)],
+                            env={**os.environ, "PATH": path}, stdout=subprocess.DEVNULL)
+    deadline = time.monotonic() + 20
+    while not (tmp_path / "started").exists() and time.monotonic() < deadline:
+        time.sleep(0.02)
+    flash.flash(BOARD, walk, scenes[1], image)
+    assert boots_with(image, walk, tmp_path) == 3
+    go.touch()
+    assert slow.wait(30) == 0
+    assert boots_with(image, walk, tmp_path) == 2
+    assert [path.name for path in image.parent.iterdir()] == [image.name]

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""The wire to a running QEMU: answers, refusals, time-outs, and an end that is clean."""
+
+import signal
+import struct
+import subprocess
+import threading
+import time
+
+import pytest
+from PIL import Image
+
+from fixel import emulator, qmp
+from fixel.errors import ToolError
+
+
+@pytest.fixture
+def qemu():
+    """Starts QEMU, stopped before its first instruction: (process, machine)."""
+    started = []
+
+    def start(machine="mps2-an385", *options):
+        with qmp.Channel() as channel:
+            process = subprocess.Popen([emulator.find_qemu(), "-M", machine, "-display", "none", "-S",
+                                        "-serial", "null", "-monitor", "none", *options, *channel.options],
+                                       pass_fds=channel.fds, stdin=subprocess.DEVNULL)
+            started.append(process)
+            return process, channel.connect()
+
+    yield start
+    for process in started:
+        process.kill()
+        process.wait()
+
+
+def test_a_command_and_its_answer(qemu):
+    process, machine = qemu()
+    with machine:
+        assert machine.execute("query-status")["running"] is False
+        assert "R15=" in machine.monitor("info registers")
+        machine.quit()
+    assert process.wait(10) == 0
+
+
+def test_a_refusal_names_the_command(qemu):
+    _, machine = qemu()
+    with machine, pytest.raises(ToolError, match="QEMU refuses 'no-such-command': .*not been found"):
+        machine.execute("no-such-command")
+
+
+def test_a_machine_that_died(qemu):
+    process, machine = qemu()
+    process.kill()
+    process.wait()
+    with machine, pytest.raises(ToolError, match="gone before it answered 'query-status'"):
+        machine.execute("query-status")
+
+
+def test_a_machine_that_is_frozen(qemu):
+    process, machine = qemu()
+    with machine:
+        process.send_signal(signal.SIGSTOP)
+        started = time.monotonic()
+        with pytest.raises(ToolError, match="did not answer 'query-status' within 0.3 s"):
+            machine.execute("query-status", timeout=0.3)
+        assert time.monotonic() - started < 5
+        process.send_signal(signal.SIGCONT)
+        assert machine.execute("query-version")["qemu"]["major"] >= 7
+
+
+def test_a_qemu_that_never_speaks():
+    with qmp.Channel() as channel:
+        process = subprocess.Popen(["sleep", "20"], pass_fds=channel.fds)
+        try:
+            with pytest.raises(ToolError, match="did not answer 'greeting' within 0.2 s"):
+                channel.connect(timeout=0.2)
+        finally:
+            process.kill()
+            process.wait()
+
+
+def test_a_qemu_that_does_not_start():
+    with qmp.Channel() as channel:
+        process = subprocess.Popen(["true"], pass_fds=channel.fds)
+        with pytest.raises(ToolError, match="gone before it answered 'greeting'"):
+            channel.connect()
+        process.wait()
+
+
+def test_keys_and_a_picture(qemu, tmp_path):
+    image = tmp_path / "idle.bin"
+    image.write_bytes(struct.pack("<IIH", 0x20001000, 9, 0xE7FE))  # stack, reset: b .
+    _, machine = qemu("lm3s6965evb", "-device", f"loader,file={image},addr=0,force-raw=on")
+    with machine:
+        machine.execute("cont")
+        for down in (True, False):
+            machine.key("up", down)
+        with pytest.raises(ToolError, match="QEMU refuses 'input-send-event'"):
+            machine.key("no such key", True)
+        with Image.open(machine.screendump(tmp_path / "screen.png")) as picture:
+            assert (picture.format, picture.size) == ("PNG", (512, 256))
+        with pytest.raises(ToolError, match="QEMU refuses 'screendump'"):
+            machine.screendump(tmp_path / "none" / "screen.png")
+
+
+def test_many_threads(qemu):
+    _, machine = qemu()
+    answers = []
+    with machine:
+        threads = [threading.Thread(target=lambda: answers.append(machine.execute("query-name")))
+                   for _ in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    assert answers == [{}] * 8
+
+
+def test_nothing_is_left(qemu):
+    before = threading.active_count()
+    for _ in range(3):
+        process, machine = qemu()
+        machine.close()
+        machine.close()
+        assert process.poll() is None  # closing leaves it running
+    assert threading.active_count() == before

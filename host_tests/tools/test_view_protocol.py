@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: MIT
+"""The ways of frames and keys between a board and its viewer, against boards made up here."""
+
+import struct
+import threading
+
+import numpy
+import pytest
+from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
+
+from fixel import firmware
+from fixel.errors import ToolError
+from fixel.view_stream import KeyFile, Stream
+from fixel.view_window import Window
+
+WIDTH, HEIGHT = 32, 24
+SLOTS = (4096, 8192)
+PALETTE = bytes((5 * i) & 255 for i in range(768))
+
+
+class FakeBoard:
+    """The board's side of a window, from SPEC.md 9a alone, on the file that a board would share."""
+
+    def __init__(self, path):
+        self.memory = numpy.memmap(path, numpy.uint8, "r+")
+
+    def put(self, offset, layout, *values):
+        data = struct.pack("<" + layout, *values)
+        self.memory[offset:offset + len(data)] = numpy.frombuffer(data, numpy.uint8)
+
+    def word(self, offset):
+        return int(self.memory[offset:offset + 4].view("<u4")[0])
+
+    def open(self, version=1, width=WIDTH, height=HEIGHT, slots=SLOTS):
+        self.put(4, "IHHII", version, width, height, *slots)
+        self.memory[48:816] = numpy.frombuffer(PALETTE, numpy.uint8)
+        self.put(0, "4s", b"FXLW")
+
+    def finish(self, number, pixels, front=None):
+        slot = number % 2 if front is None else front
+        start = SLOTS[slot % 2]
+        self.put(start, "QII3i3I9I", 1000 + number, number, 7, 1, -2, 3, 4, 5, 6, *COUNTERS_OF_A_FRAME)
+        self.memory[start + 80:start + 80 + pixels.size] = pixels.ravel()
+        self.put(24, "I", slot)
+        self.put(20, "I", number + 1)
+
+
+def patient(waited):
+    """A board that runs, for a test that must not hang."""
+    assert waited < 5, "nothing came"
+    return True
+
+
+@pytest.fixture
+def pair(tmp_path):
+    """A window and a board that has opened its side."""
+    window = Window(tmp_path / "window", 1 << 20)
+    board = FakeBoard(tmp_path / "window")
+    board.open()
+    assert window.open(patient) == (WIDTH, HEIGHT, PALETTE)
+    yield window, board
+    window.close()
+
+
+# --- the window -------------------------------------------------------------------
+
+def test_the_board_is_invited_before_it_starts(tmp_path):
+    window = Window(tmp_path / "window", 1 << 20)
+    board = FakeBoard(tmp_path / "window")
+    assert board.memory[32:36].tobytes() == b"VIEW"
+    assert board.memory.size == 1 << 20 and not board.memory[:32].any()
+    assert f"size={1 << 20}" in window.options[1] and "memory-backend=window" in window.options[3]
+
+
+def test_a_comma_in_the_path(tmp_path):
+    (tmp_path / "a,b").mkdir()
+    assert "mem-path=" + str(tmp_path) + "/a,,b/window," in Window(tmp_path / "a,b" / "window", 4096).options[1]
+
+
+def test_a_frame_and_what_is_told_of_it(pair):
+    window, board = pair
+    (pixels,) = random_frames(1, HEIGHT, WIDTH)
+    board.finish(0, pixels)
+    frame = window.copy()
+    assert (frame.number, frame.clamped, frame.instructions) == (0, 7, 1000)
+    assert (frame.position, frame.angles) == ((1, -2, 3), (4, 5, 6))
+    assert tuple(frame.counters.values()) == COUNTERS_OF_A_FRAME
+    assert numpy.array_equal(frame.pixels, pixels)
+
+
+def test_a_frame_that_changed_while_it_was_copied_is_none(pair, monkeypatch):
+    window, board = pair
+    first, second = random_frames(2, HEIGHT, WIDTH)
+    board.finish(0, first)
+    real = window._word
+
+    def race(offset):
+        value = real(offset)
+        if offset == 24:    # the front slot was read: now the board is faster
+            board.finish(1, second)
+        return value
+
+    monkeypatch.setattr(window, "_word", race)
+    assert window.copy() is None
+    monkeypatch.undo()
+    assert window.copy().number == 1
+
+
+def test_the_board_is_asked_for_one_and_waited_for(pair):
+    window, board = pair
+    frames = random_frames(3, HEIGHT, WIDTH)
+    for number, pixels in enumerate(frames):
+        def answer(waited, number=number, pixels=pixels):
+            assert board.word(36) == number + 1     # requested: one more than finished
+            board.finish(number, pixels)
+            return True
+        frame = window.frame(answer)
+        assert frame.number == number and numpy.array_equal(frame.pixels, pixels)
+
+
+def test_a_board_that_need_not_wait(pair):
+    window, board = pair
+    frames = random_frames(2, HEIGHT, WIDTH)
+    board.finish(4, frames[0])
+    assert window.frame(patient, waits=False).number == 4
+    assert board.word(36) - board.word(20) > 1000
+
+    def later(waited):
+        board.finish(9, frames[1])
+        return True
+    assert window.frame(later, waits=False).number == 9    # not the same frame again
+
+
+def test_frame_numbers_wrap(pair):
+    window, board = pair
+    (pixels,) = random_frames(1, HEIGHT, WIDTH)
+    board.put(20, "I", 0xFFFFFFFF)
+
+    def answer(waited):
+        assert board.word(36) == 0
+        board.finish(0, pixels)
+        board.put(20, "I", 0)
+        return True
+    assert window.frame(answer) is not None
+
+
+def test_nobody_wants_the_frame_any_more(pair):
+    window, _ = pair
+    assert window.frame(lambda waited: False) is None
+
+
+def test_a_board_that_ended_says_so(pair):
+    window, _ = pair
+
+    def ended(waited):
+        raise ToolError("it ended")
+    with pytest.raises(ToolError, match="it ended"):
+        window.frame(ended)
+
+
+def test_keys_of_the_window(pair):
+    window, board = pair
+    window.hold(0x85)
+    assert board.word(40) == 0x85
+    window.hold(0)
+    assert board.word(40) == 0
+
+
+@pytest.mark.parametrize("changes, words", [
+    ({"version": 2}, "version 2"), ({"width": 0}, "screen of 0x24"), ({"height": 1025}, "32x1025"),
+    ({"slots": (100, 8192)}, "where they cannot be"), ({"slots": (4096, 4100)}, "where they cannot be"),
+    ({"slots": (4096, (1 << 20) - 800)}, "where they cannot be")])
+def test_a_board_that_went_astray(tmp_path, changes, words):
+    window = Window(tmp_path / "window", 1 << 20)
+    FakeBoard(tmp_path / "window").open(**changes)
+    with pytest.raises(ToolError, match=words):
+        window.open(patient)
+
+
+def test_a_front_that_is_none(pair):
+    window, board = pair
+    board.finish(0, random_frames(1, HEIGHT, WIDTH)[0], front=2)
+    with pytest.raises(ToolError, match="slot 2; there are two"):
+        window.copy()
+
+
+def test_a_window_that_cannot_be_made(tmp_path):
+    with pytest.raises(ToolError, match="cannot make"):
+        Window(tmp_path / "none" / "window", 4096)
+
+
+# --- the stream -------------------------------------------------------------------
+
+def feed(path, data, step):
+    """Writes into a FIFO as a board would, in a thread."""
+    def write():
+        with open(path, "wb", buffering=0) as file:
+            for at in range(0, len(data), step):
+                file.write(data[at:at + step])
+    thread = threading.Thread(target=write)
+    thread.start()
+    return thread
+
+
+@pytest.mark.parametrize("step", [7, 1000, 100000])
+def test_a_dump_as_it_comes(tmp_path, step):
+    frames = random_frames(3)
+    stream = Stream(tmp_path / "frames")
+    thread = feed(tmp_path / "frames", dump_bytes(frames, palette=PALETTE), step)
+    assert stream.open(patient) == (32, 24, PALETTE)
+    for number, pixels in enumerate(frames):
+        frame = stream.frame(patient)
+        assert (frame.number, frame.position) == (number, (1, -2, 3))
+        assert numpy.array_equal(frame.pixels, pixels)
+        assert tuple(frame.counters.values()) == COUNTERS_OF_A_FRAME
+    stream.close()
+    thread.join(5)
+
+
+def test_a_stream_that_ends_within_a_frame(tmp_path):
+    stream = Stream(tmp_path / "frames")
+    thread = feed(tmp_path / "frames", dump_bytes(random_frames(2))[:2000], 500)
+    assert stream.open(patient)
+    asked = []
+
+    def board_is_gone(waited):
+        asked.append(waited)
+        return len(asked) < 3
+    assert stream.frame(patient) is not None
+    assert stream.frame(board_is_gone) is None
+    thread.join(5)
+
+
+@pytest.mark.parametrize("data, words", [(b"not a dump" * 100, "does not begin with FXLD"),
+                                         (dump_bytes(random_frames(1), version=9), "version 9")])
+def test_a_stream_of_something_else(tmp_path, data, words):
+    stream = Stream(tmp_path / "frames")
+    thread = feed(tmp_path / "frames", data, 2000)
+    with pytest.raises(ToolError, match=words):
+        stream.open(patient)
+    stream.close()
+    thread.join(5)
+
+
+def test_a_frame_that_is_damaged(tmp_path):
+    data = bytearray(dump_bytes(random_frames(2)))
+    second = data.index(b"FRAM", 1000)
+    data[second:second + 4] = b"MARF"
+    stream = Stream(tmp_path / "frames")
+    thread = feed(tmp_path / "frames", bytes(data), 2000)
+    assert stream.open(patient) and stream.frame(patient)
+    with pytest.raises(ToolError, match="does not begin with FRAM"):
+        stream.frame(patient)
+    stream.close()
+    thread.join(5)
+
+
+def test_keys_of_a_file(tmp_path):
+    keys = KeyFile(tmp_path / "keys")
+    assert (tmp_path / "keys").read_bytes() == b"\0"
+    keys.hold(0xC1)
+    assert (tmp_path / "keys").read_bytes() == b"\xC1"
+    keys.close()
+
+
+def test_buttons_in_a_note():
+    assert firmware.read_keys("") == {}
+    assert firmware.read_keys("1:up,16:ctrl+up") == {1: ("up",), 16: ("ctrl", "up")}

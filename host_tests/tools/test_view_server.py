@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: MIT
+"""The live window's server with a board and a twin made up here: who may look on, what a slow tab
+gets, whose keys count, how it ends."""
+
+import asyncio
+import json
+import struct
+import time
+
+import aiohttp
+import numpy
+import pytest
+
+from fixel import dump
+from fixel.errors import ToolError
+from fixel.view_pump import Pump
+from fixel.view_server import Hub, Server, UNSEEN_MAX
+from fixel.view_twin import Answer
+
+WIDTH, HEIGHT = 8, 4
+HELLO = {"type": "hello", "board": "made-up"}
+
+
+def frame(number):
+    pixels = numpy.full((HEIGHT, WIDTH), number & 255, numpy.uint8)
+    return dump.Frame(number, (1, 2, 3), (4, 5, 6), pixels, dict.fromkeys(dump.COUNTERS, 9), 0, 1000 + number)
+
+
+class Bench:
+    """A server with its hub; what the hub told board, twin and pump is in lists."""
+
+    def __init__(self):
+        self.held, self.asked, self.rates = [], [], []
+        self.hub = Hub(HELLO, self.held.append, lambda one, wants: self.asked.append((one.number, wants)),
+                       self.rates.append)
+        self.server = Server(self.hub)
+
+    async def __aenter__(self):
+        await self.server.open()
+        self.base = f"http://127.0.0.1:{self.server.port}"
+        self.session = aiohttp.ClientSession()
+        return self
+
+    async def __aexit__(self, *_):
+        await self.session.close()
+        await self.server.close()
+
+    async def tab(self, **headers):
+        """A page's websocket, greeted."""
+        socket = await self.session.ws_connect(f"{self.base}/live", headers=headers)
+        assert await socket.receive_json(timeout=5) == HELLO
+        await settled()
+        return socket
+
+
+async def settled():
+    """Lets messages that are under way arrive."""
+    await asyncio.sleep(0.05)
+
+
+async def read_frame(socket):
+    data = await socket.receive_bytes(timeout=5)
+    (length,) = struct.unpack_from("<I", data)
+    told = json.loads(data[4:4 + length])
+    parts, at = [], 4 + length
+    for size in told["bytes"]:
+        parts.append(data[at:at + size])
+        at += size
+    assert at == len(data)
+    return told, parts
+
+
+def bench_test(function):
+    """A test that is a coroutine with a bench."""
+    def test():
+        async def run():
+            async with Bench() as bench:
+                await asyncio.wait_for(function(bench), 20)
+        asyncio.run(run())
+    test.__name__ = function.__name__
+    return test
+
+
+# --- who may look on ----------------------------------------------------------------
+
+@bench_test
+async def test_the_page_and_its_files(bench):
+    for path, kind, word in (("/", "text/html", "Fixel live"), ("/view.js", "text/javascript", "WebSocket"),
+                             ("/view_picture.js", "text/javascript", "putDifference"),
+                             ("/view.css", "text/css", "--paper")):
+        async with bench.session.get(bench.base + path) as answer:
+            text = await answer.text()
+            assert answer.status == 200 and answer.content_type == kind and word in text
+            assert "default-src 'self'" in answer.headers["Content-Security-Policy"]
+            assert "http://" not in text.replace("ws://${location.host}", "") and "https://" not in text
+    async with bench.session.get(bench.base + "/../Makefile") as answer:
+        assert answer.status == 404
+
+
+@bench_test
+async def test_pages_of_other_origins_are_refused(bench):
+    for headers in ({"Host": "example.org"}, {"Origin": "http://example.org"}, {"Origin": "null"}):
+        async with bench.session.get(bench.base, headers=headers) as answer:
+            assert answer.status == 403
+        with pytest.raises(aiohttp.WSServerHandshakeError):
+            await bench.tab(**headers)
+    await bench.tab(Origin=bench.base)
+    assert len(bench.hub.tabs) == 1
+
+
+@bench_test
+async def test_it_listens_on_this_machine_alone(bench):
+    assert [address[0] for address in bench.server._runner.addresses] == ["127.0.0.1"]
+
+
+@bench_test
+async def test_a_second_server_finds_another_port(bench):
+    async with Bench() as other:
+        assert other.server.port != bench.server.port
+    with pytest.raises(ToolError, match=f"port {bench.server.port} .*PORT="):
+        await Server(bench.hub).open(bench.server.port)
+
+
+@bench_test
+async def test_what_makes_no_sense_ends_the_tab(bench):
+    for words in ("{", "[]", '{"type": "keys"}', '{"type": "keys", "held": 256}', '{"type": "keys", "held": true}',
+                  '{"type": "rate", "rate": 31}', '{"type": "wants", "wants": 4}', '{"type": "what"}'):
+        socket = await bench.tab()
+        await socket.send_str(words)
+        assert (await socket.receive(timeout=5)).type == aiohttp.WSMsgType.CLOSE, words
+        assert socket.close_code == 1008
+    await settled()
+    assert not bench.hub.tabs and not any(bench.held)
+
+
+# --- frames -------------------------------------------------------------------------
+
+@bench_test
+async def test_a_frame_as_a_tab_gets_it(bench):
+    socket = await bench.tab()
+    bench.hub.show(frame(7))
+    told, (pixels, double, outlines) = await read_frame(socket)
+    assert (told["number"], told["position"], told["angles"]) == (7, [1, 2, 3], [4, 5, 6])
+    assert told["instructions"] == 1007 and told["counters"]["drawn"] == 9
+    assert pixels == bytes([7]) * (WIDTH * HEIGHT) and not double and not outlines
+
+
+@bench_test
+async def test_a_tab_that_comes_late_gets_the_newest(bench):
+    bench.hub.show(frame(1))
+    bench.hub.show(frame(2))
+    told, _ = await read_frame(await bench.tab())
+    assert told["number"] == 2
+
+
+@bench_test
+async def test_a_slow_tab_gets_newer_frames_and_no_backlog(bench):
+    slow, quick = await bench.tab(), await bench.tab()
+    for number in range(50):
+        bench.hub.show(frame(number))
+        assert (await read_frame(quick))[0]["number"] == number
+        await quick.send_json({"type": "seen"})
+        await settled() if number < 3 else await asyncio.sleep(0.005)
+    got = [(await read_frame(slow))[0]["number"] for _ in range(UNSEEN_MAX)]
+    assert got == [0, 1]
+    with pytest.raises(TimeoutError):
+        await slow.receive(timeout=0.1)
+    await slow.send_json({"type": "seen"})
+    assert (await read_frame(slow))[0]["number"] == 49
+
+
+@bench_test
+async def test_no_frame_comes_twice(bench):
+    socket = await bench.tab()
+    bench.hub.show(frame(3))
+    await read_frame(socket)
+    await socket.send_json({"type": "seen"})
+    await socket.send_json({"type": "keys", "held": 0})
+    with pytest.raises(TimeoutError):
+        await socket.receive(timeout=0.1)
+
+
+# --- the twin -----------------------------------------------------------------------
+
+@bench_test
+async def test_beside_each_other_is_always_the_same_frame(bench):
+    socket = await bench.tab()
+    await socket.send_json({"type": "wants", "wants": 1})
+    await settled()
+    bench.hub.show(frame(10))
+    bench.hub.show(frame(11))
+    assert bench.asked == [(10, 1), (11, 1)]
+    bench.hub.show(frame(12))
+    with pytest.raises(TimeoutError):
+        await socket.receive(timeout=0.1)   # not without the twin's
+    bench.hub.compare(Answer(frame(11), bytes([99]) * (WIDTH * HEIGHT), b"", False))
+    told, (pixels, double, _) = await read_frame(socket)
+    assert told["number"] == 11 and told["given"] == 1
+    assert set(pixels) == {11} and set(double) == {99}
+
+
+@bench_test
+async def test_each_tab_gets_what_it_wants(bench):
+    plain, double, lines = [await bench.tab() for _ in range(3)]
+    await double.send_json({"type": "wants", "wants": 1})
+    await lines.send_json({"type": "wants", "wants": 2})
+    await settled()
+    bench.hub.show(frame(1))
+    assert bench.asked[-1] == (1, 3)
+    assert (await read_frame(plain))[0]["given"] == 0
+    bench.hub.compare(Answer(frame(1), bytes(WIDTH * HEIGHT), b"lines", True))
+    assert (await read_frame(double))[0]["given"] & 1
+    assert (await read_frame(lines))[1][2] == b"lines"
+
+
+@bench_test
+async def test_the_twin_rests_where_nobody_wants_it(bench):
+    socket = await bench.tab()
+    bench.hub.show(frame(1))
+    await socket.send_json({"type": "wants", "wants": 2})
+    await settled()
+    assert bench.asked == [(1, 2)]      # at once: the board may stand still
+    await socket.close()
+    await settled()
+    bench.hub.show(frame(2))
+    assert len(bench.asked) == 1
+
+
+# --- keys and rate --------------------------------------------------------------------
+
+@bench_test
+async def test_keys_of_all_tabs_count(bench):
+    one, other = await bench.tab(), await bench.tab()
+    await one.send_json({"type": "keys", "held": 1})
+    await settled()
+    await other.send_json({"type": "keys", "held": 9})
+    await settled()
+    assert bench.held == [1, 9]
+    await other.send_json({"type": "keys", "held": 8})
+    await settled()
+    assert bench.held[-1] == 9
+    await one.close()
+    await settled()
+    assert bench.held[-1] == 8          # whoever leaves lets go
+    await other.close()
+    await settled()
+    assert bench.held[-1] == 0
+
+
+@bench_test
+async def test_the_rate_is_slow_while_nobody_looks_on(bench):
+    socket = await bench.tab()
+    assert bench.rates == [30]
+    await socket.send_json({"type": "rate", "rate": 0})
+    await settled()
+    await socket.close()
+    await settled()
+    assert bench.rates == [30, 0, 1]
+    await bench.tab()
+    assert bench.rates[-1] == 0
+
+
+# --- the end --------------------------------------------------------------------------
+
+def test_every_tab_is_told_why_it_ended():
+    async def run():
+        async with Bench() as bench:
+            tabs = [await bench.tab() for _ in range(2)]
+            bench.hub.end(ToolError("the board fell over"))
+            bench.hub.end(ToolError("a later one"))
+            assert bench.hub.ended.is_set()
+            closing = asyncio.create_task(bench.server.close())
+            for tab in tabs:
+                assert await tab.receive_json(timeout=5) == {"type": "ended", "message": "the board fell over"}
+                assert (await tab.receive(timeout=5)).type == aiohttp.WSMsgType.CLOSE
+            await closing
+    asyncio.run(asyncio.wait_for(run(), 20))
+
+
+# --- the pump -------------------------------------------------------------------------
+
+class Drawn:
+    """A board that draws at once; it ends after so many frames."""
+
+    def __init__(self, frames, error=None):
+        self.frames, self.error, self.waits, self.stopped = frames, error, [], False
+
+    def frame(self, waits):
+        self.waits.append(waits)
+        if self.stopped:
+            return None
+        if len(self.waits) > self.frames:
+            raise self.error or ToolError("it ended")
+        return len(self.waits)
+
+    def stop(self):
+        self.stopped = True
+
+
+def test_the_pump_keeps_time():
+    shown, failed = [], []
+    board = Drawn(1000)
+    started = time.monotonic()
+    pump = Pump(board, 50, lambda one: shown.append(time.monotonic() - started), failed.append)
+    time.sleep(1)
+    pump.close()
+    assert not failed and 30 <= len(shown) <= 52, len(shown)    # not more than asked for; fewer on a busy machine
+    assert all(board.waits)
+
+
+def test_the_pump_as_fast_as_it_goes():
+    board, failed = Drawn(2000), []
+    pump = Pump(board, 1, lambda one: None, failed.append)
+    time.sleep(0.1)
+    pump.set_rate(0)    # at once, not after the second that it waits
+    deadline = time.monotonic() + 10
+    while not failed and time.monotonic() < deadline:
+        time.sleep(0.01)
+    pump.close()
+    assert len(failed) == 1 and board.waits[0] and not board.waits[-1]

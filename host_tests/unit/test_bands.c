@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+/* One frame, whatever the bands and whatever the list's size. Small enough for
+ * a board with 8 KB of RAM. */
+#include "tiny.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    BACKGROUND = 200,
+    FACES = 18,
+    WORDS = FACES / 2 * FXL_LIST_WORDS(6) /* more than half the faces never face the eye */
+};
+
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
+static uint32_t list[WORDS];
+static fxl_order_entry order[TINY_OBJECTS + 6];
+static fxl_renderer renderer;
+static tiny_scene *tiny;
+
+static void start(uint32_t words, fxl_clipper clipper)
+{
+    fxl_scene_fault fault = {"", 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words};
+    tiny = tiny_make();
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    renderer.clipper = clipper;
+}
+
+static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
+{
+    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+}
+
+/* Before, between and beside the cubes, and mostly turned to some of them. */
+static fxl_pose random_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(3));
+    pose.position.z += Q16(5) * unit_between(-1, 1);
+    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-60, 60);
+    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
+    return pose;
+}
+
+/* The whole frame into `whole`, without a list. */
+static fxl_counters draw_whole(const fxl_pose *pose, fxl_clipper clipper)
+{
+    start(0, clipper);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    draw_rows(whole, 0, HEIGHT);
+    return renderer.counters;
+}
+
+/* Every row once, in bands of any height; downward, upward, or each twice. */
+static void draw_in_bands(void)
+{
+    uint32_t ends[HEIGHT + 1] = {0}, bands = 0;
+    while (ends[bands] < HEIGHT) {
+        uint32_t left = HEIGHT - ends[bands];
+        ends[bands + 1] = ends[bands] + 1 + unit_random() % left;
+        bands++;
+    }
+    uint32_t upward = unit_random() % 2, times = 1 + unit_random() % 2;
+    for (uint32_t i = 0; i < bands * times; i++) {
+        uint32_t band = upward ? bands - 1 - i % bands : i % bands;
+        draw_rows(other, ends[band], ends[band + 1] - ends[band]);
+    }
+}
+
+/* The property that bands and lists stand on. */
+void test_any_bands_and_any_list_give_the_same_frame(void)
+{
+    const uint32_t rounds = UNIT_REPEAT / 20;
+    uint32_t drawn = 0, spilled = 0, held = 0, full = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        fxl_clipper clipper = unit_random() % 4 ? fxl_clip_by_view : fxl_clip_by_world;
+        fxl_pose pose = random_pose();
+        fxl_counters counters = draw_whole(&pose, clipper);
+        uint32_t without = counters.spilled;
+        start((uint32_t)unit_between(0, unit_random() % 2 ? WORDS : WORDS / 4), clipper);
+        memset(other, 0, sizeof other);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        draw_in_bands();
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        counters.spilled = renderer.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        TEST_ASSERT_TRUE(counters.spilled <= without && without <= counters.drawn);
+        drawn += counters.drawn;
+        spilled += counters.spilled;
+        full += counters.spilled > 0 && counters.spilled < without;
+        held += without > 0 && counters.spilled == 0;
+    }
+    TEST_ASSERT_TRUE(drawn > rounds && spilled > rounds / 10);
+    TEST_ASSERT_TRUE(held > rounds / 20 && full > rounds / 20);
+}
+
+/* Word by word more: what is in the list and what spills add up. */
+void test_what_does_not_fit_is_counted(void)
+{
+    fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
+    fxl_counters counters = draw_whole(&pose, fxl_clip_by_view);
+    fxl_list_record record;
+    TEST_ASSERT_TRUE(counters.spilled > 3);
+    for (uint32_t words = 0; words <= WORDS; words++) {
+        uint32_t place = 0, held = 0;
+        start(words, fxl_clip_by_view);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
+        draw_rows(other, 8, 8);
+        while (fxl_list_next(&renderer.list, (fxl_rows){0, HEIGHT}, &place, &record)) {
+            held++;
+        }
+        TEST_ASSERT_EQUAL_UINT32(counters.spilled, held + renderer.counters.spilled);
+        TEST_ASSERT_TRUE(held > 0 || words < FXL_LIST_WORDS(4));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
+}
+
+static uint32_t asked;
+
+static fxl_clip_result counting_clipper(const fxl_polygon *polygon, const fxl_view *view,
+                                        fxl_clipper_work *work, const fxl_view_polygon **result)
+{
+    asked++;
+    return fxl_clip_by_view(polygon, view, work, result);
+}
+
+/* With a list that holds the frame, no band looks at the scene again. */
+void test_a_band_does_not_walk_the_scene_again(void)
+{
+    fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
+    fxl_counters counters = draw_whole(&pose, fxl_clip_by_view);
+    start(WORDS, counting_clipper);
+    asked = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL_UINT32(counters.in - counters.backfacing, asked);
+    memset(tiny->vertices, 0, sizeof tiny->vertices);
+    memset(tiny->faces, 0, sizeof tiny->faces);
+    memset(tiny->objects, 0, sizeof tiny->objects);
+    for (uint32_t row = 0; row < HEIGHT; row++) {
+        draw_rows(other, row, 1);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    TEST_ASSERT_EQUAL_UINT32(counters.in - counters.backfacing, asked);
+}
+
+/* A refused frame leaves the list as it leaves the rest. */
+void test_a_refused_frame_keeps_the_list(void)
+{
+    fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0}, far = pose;
+    (void)draw_whole(&pose, fxl_clip_by_view);
+    for (uint32_t words = 0; words <= WORDS; words += WORDS / 3) {
+        start(words, fxl_clip_by_view);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        draw_rows(other, 0, 5);
+        far.position.x = FXL_COORDINATE_MAX + 1;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_begin(&renderer, &far));
+        draw_rows(other, 5, HEIGHT - 5);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
+/* A polygon between two rows of centres takes no place, but is counted as drawn. */
+void test_a_polygon_on_no_row_takes_no_record(void)
+{
+    start(WORDS, fxl_clip_by_view);
+    fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    uint32_t drawn = renderer.counters.drawn, used = renderer.list.used;
+    /* The front of the first cube, 6 before the eye: 12 / 6 of a pixel high where
+     * it was 4, about row 8, and so about the edge of two rows. */
+    for (int v = 0; v < 8; v++) {
+        tiny->vertices[v].y = v & 2 ? Q16(0.2) : Q16(-0.2);
+    }
+    tiny->objects[2].centre = (fxl_point){0, 0, Q16(-400)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(FXL_LIST_WORDS(4), renderer.list.used);
+    TEST_ASSERT_TRUE(drawn > 2 && used > FXL_LIST_WORDS(4));
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
+}

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""Counts what drawing the workloads and the library's kernels take, in executed instructions.
+
+Writes bench.json, bench.md, and plots. Two runs give the same numbers. Exit: 0 all was measured,
+1 a program of the bench failed or drew a wrong picture, 2 it could not be run.
+"""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from fixel import bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, qemu
+from fixel.errors import ToolError, run_main
+from fixel.progress import Progress
+
+PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
+# A renderer that draws something else was measured in vain: the share of pixels that may differ from
+# the library's. The listing has no near plane and no outline exact to 1/65536 pixel.
+DIFFERING_MAX = 0.002
+
+
+def tool_version(*command):
+    """The first line that a tool says of itself."""
+    try:
+        done = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise ToolError(f"{command[0]} does not say its version: {error}") from error
+    return done.stdout.splitlines()[0]
+
+
+def in_parallel(label, jobs):
+    """{key: result} of {key: (function, arguments...)}, as many at a time as there are processors."""
+    results = {}
+    with Progress(label, len(jobs)) as progress, \
+            concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        waiting = {pool.submit(*job): key for key, job in jobs.items()}
+        try:
+            for future in concurrent.futures.as_completed(waiting):
+                results[waiting[future]] = future.result()
+                progress(len(results))
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return {key: results[key] for key in jobs}
+
+
+def check_pictures(pictures):
+    """Refuses figures of a renderer that did not draw the scene."""
+    for row in pictures:
+        if row["differing"] > DIFFERING_MAX * row["pixels"]:
+            raise ToolError(f"{row['renderer']} on {row['core']} draws {row['workload']} otherwise than the "
+                            f"library: {row['differing']:,} of {row['pixels']:,} pixels", exit_code=1)
+
+
+def draw_all(plan, cores, folder):
+    """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and the stages' shares."""
+    images, units = {}, {}
+    for name, workload in plan.workloads.items():
+        images[name], scene = bench_plan.compile_scene(workload, folder)
+        units[name] = bench_plan.units_of(workload, scene)
+    jobs = {key: (bench_run.draw, plan, key[0], key[2], images[key[1]]) for key in plan.runs(cores)}
+    profiles = {(core, name): (bench_run.profile, plan, core, "fixel", images[name])
+                for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
+    return in_parallel("drawing the workloads", jobs), units, \
+        bench_rows.stages(in_parallel("looking where it goes", profiles))
+
+
+def measure(plan, cores, left_out):
+    """bench.json."""
+    rows, limits, growth = [], [], []
+    with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
+        drawn, units, stages = draw_all(plan, cores, folder)
+        pictures = bench_rows.pictures(drawn)
+        check_pictures(pictures)
+        for (core, workload, renderer), each in drawn.items():
+            rows.append(bench_rows.frame_row(core, plan.workloads[workload], renderer, each, units[workload]))
+        counted = in_parallel("running the kernels",
+                              {core: (bench_run.kernels, plan, core) for core in cores})
+        if plan.growth["core"] in cores:
+            scenes = bench_run.growth_scenes(plan, folder)
+            grown = in_parallel("growing W1", {number: (bench_run.grow, plan, entry)
+                                               for number, entry in enumerate(scenes)})
+            growth = list(grown.values())
+    for core in cores:
+        kernels, bare = bench_rows.split_kernels(plan, core, counted[core])
+        rows += kernels
+        limits += bare
+    sizes = bench_rows.sizes(plan, cores)
+    bench_rows.add_ratios(plan, rows, limits)
+    bench_rows.add_sizes(rows, sizes)
+    return {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
+            "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
+            "rows": rows, "limits": limits, "sizes": sizes, "stages": stages, "growth": growth,
+            "pictures": pictures}
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--cores", nargs="+", default=list(bench_plan.CORES), help="of those that are built")
+    parser.add_argument("--left-out", nargs="*", default=[], help="cores that no board stands for")
+    parser.add_argument("--out", default="build/bench", help="folder for the results")
+    parser.add_argument("--build", default="build", help="where make builds")
+    options = parser.parse_args(argv)
+    plan = bench_plan.Plan(options.build)
+    qemu.find_qemu()
+    result = measure(plan, options.cores, options.left_out)
+    with output.replaced_folder(options.out, PATTERNS) as folder:
+        for name, data in bench_plots.files(plan, result).items():
+            (folder / name).write_bytes(data)
+        (folder / "bench.md").write_text(bench_page.markdown(plan, result), encoding="utf-8")
+        output.write_json(folder / "bench.json", result)
+    print(bench_page.terminal(plan, result))
+    if options.left_out:
+        print(f"left out, since no board stands for them: {', '.join(options.left_out)}", file=sys.stderr)
+    print(f"tables, plots, JSON: {pathlib.Path(options.out)}", file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""What became slower or faster, larger or smaller, since the baseline; and a new baseline.
+
+Exit: 0 nothing of Fixel's became worse by more than the threshold, 1 something did, or is missing,
+2 there is nothing to compare. With --accept the run becomes the baseline, and the document's tables
+are made anew from it.
+"""
+
+import argparse
+import pathlib
+import sys
+
+from fixel import bench_page, bench_plan, output
+from fixel.errors import ToolError, run_main
+from fixel.programs import read_json
+from fixel.table import coloured, table
+
+KEY = ("workload", "renderer", "core")
+MEASURES = ("instructions", "text_bytes", "ram_bytes", "stack_bytes")
+WORDS = {"instructions": ("slower", "faster"), "text_bytes": ("larger", "smaller"),
+         "ram_bytes": ("larger", "smaller"), "stack_bytes": ("deeper", "shallower")}
+OURS = "fixel"
+
+
+def read_rows(path):
+    """(the whole file, {key: row}) of a bench.json."""
+    if not pathlib.Path(path).exists():
+        raise ToolError(f"{path} is not there: run make bench")
+    data = read_json(path)
+    try:
+        return data, {tuple(row[part] for part in KEY): row for row in data["rows"]}
+    except (KeyError, TypeError) as error:
+        raise ToolError(f"{path} is not a result of make bench: {error}") from error
+
+
+def changes(before, after):
+    """[(key, measure, old, new, percent)] of all that differs, the worst first."""
+    found = []
+    for key in before.keys() & after.keys():
+        for measure in MEASURES:
+            old, new = before[key][measure], after[key][measure]
+            if old != new and None not in (old, new):
+                found.append((key, measure, old, new, 100 * (new / old - 1) if old else float("inf")))
+    return sorted(found, key=lambda change: (-change[4], change[0], change[1]))
+
+
+def judge(found, missing, threshold):
+    """What is worse of Fixel's own by more than the threshold, as sentences."""
+    worse = [f"{' '.join(key)}: {WORDS[measure][0]} by {percent:.2f} %"
+             for key, measure, _, _, percent in found if key[1] == OURS and percent > threshold]
+    return worse + [f"{' '.join(key)}: not measured any more" for key in sorted(missing)]
+
+
+def print_changes(found, threshold):
+    """A table for people."""
+    if not found:
+        print("nothing changed")
+        return
+    rows = [[*key, measure, old, new, f"{percent:+.2f} %",
+             WORDS[measure][0 if percent > 0 else 1] + ("" if abs(percent) > threshold else ", hardly")]
+            for key, measure, old, new, percent in found]
+    print(table(rows, [*KEY, "measure", "before", "now", "change", ""]))
+
+
+def compare(before, after, threshold):
+    """Prints the comparison; the exit code."""
+    (old, old_rows), (new, new_rows) = before, after
+    for tool in ("compiler", "emulator"):
+        if old.get(tool) != new.get(tool):
+            print(f"note: another {tool}: '{old.get(tool)}' before, '{new.get(tool)}' now", file=sys.stderr)
+    found = changes(old_rows, new_rows)
+    print_changes(found, threshold)
+    new_keys = sorted(new_rows.keys() - old_rows.keys())
+    if new_keys:
+        print(f"new: {', '.join(' '.join(key) for key in new_keys)}")
+    worse = judge(found, old_rows.keys() - new_rows.keys(), threshold)
+    for sentence in worse:
+        print(f"{coloured('WORSE', 'red')}: {sentence}")
+    if not worse:
+        print(f"{coloured('pass', 'green')}: nothing of Fixel's is worse by more than {threshold:g} %")
+    return 1 if worse else 0
+
+
+def accept(data, baseline, document, plan):
+    """Makes a run the baseline."""
+    if data.get("left_out"):
+        raise ToolError(f"a baseline needs every core; left out were: {', '.join(data['left_out'])}")
+    text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data)
+    output.write_json(baseline, data)
+    output.write_file(document, text)
+    print(f"{baseline}, {document}: renewed", file=sys.stderr)
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--baseline", default="bench/baseline.json")
+    parser.add_argument("--current", default="build/bench/bench.json")
+    parser.add_argument("--threshold", type=float, default=0.5, help="per cent that count as no change")
+    parser.add_argument("--accept", action="store_true", help="make the current run the baseline")
+    parser.add_argument("--document", default="docs/performance.md")
+    options = parser.parse_args(argv)
+    after = read_rows(options.current)
+    if options.accept:
+        accept(after[0], options.baseline, options.document, bench_plan.Plan("build"))
+        return 0
+    return compare(read_rows(options.baseline), after, options.threshold)
+
+
+if __name__ == "__main__":
+    run_main(main)

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: MIT
+"""The bench's tables: for a terminal, and as Markdown for docs/performance.md."""
+
+import re
+
+from fixel.bench_plan import NAMES
+from fixel.errors import ToolError
+from fixel.table import table
+
+MARK = "<!-- bench: {} -->"
+
+
+def _rows(result, **wanted):
+    return [row for row in result["rows"] if all(row[key] == value for key, value in wanted.items())]
+
+
+def _one(result, **wanted):
+    found = _rows(result, **wanted)
+    return found[0] if found else None
+
+
+def _number(value, digits=None):
+    if value is None:
+        return "-"
+    if isinstance(value, int):
+        return f"{value:,}"
+    if digits is None:
+        digits = 0 if value >= 1000 else 1 if value >= 10 else 2 if value >= 1 else 3
+    return f"{value:,.{digits}f}"
+
+
+def _markdown_table(header, rows):
+    """Text left, numbers right."""
+    ruler = ["---" if place == 0 else "---:" for place in range(len(header))]
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in [header, ruler, *rows])
+
+
+def terminal(plan, result):
+    """What make bench prints."""
+    header = ["workload", "renderer", "core", "a frame", "least", "most", "per unit", "unit", "of double",
+              "of limit", "flash", "RAM", "stack"]
+    frames = [[row["workload"], row["renderer"], row["core"], row["frame"]["mean"], row["frame"]["min"],
+               row["frame"]["max"], _short(row["per_unit"]), row["unit"], row["ratio_to_listing_double"],
+               row["ratio_to_limit"], row["text_bytes"], row["ram_bytes"], row["stack_bytes"]]
+              for row in result["rows"] if row["frame"]]
+    cores = result["cores"]
+    return "\n\n".join([table(frames, header),
+                        table([[name, unit, *map(_short, figures)] for name, unit, *figures in _kernel_cells(plan, result)],
+                              ["kernel", "unit", *cores]),
+                        table(_growth_cells(result), ["growth of W1", "times", "objects", "pixels", "a frame",
+                                                      "times"])
+                        if result["growth"] else ""]).rstrip()
+
+
+def _short(value):
+    """A figure for the terminal: whole where it is large."""
+    return round(value) if value >= 1000 else round(value, 3 if value < 10 else 1)
+
+
+def _kernel_cells(plan, result):
+    cells = []
+    for name, entry in plan.kernels.items():
+        figures = [row["per_unit"] for core in result["cores"]
+                   for row in [*_rows(result, workload=name, core=core),
+                               *[limit for limit in result["limits"]
+                                 if limit["name"] == name and limit["core"] == core]]]
+        cells.append([name, entry["unit"], *figures])
+    return cells
+
+
+def _growth_cells(result):
+    cells, first = [], {}
+    for row in result["growth"]:
+        first.setdefault(row["axis"], row["instructions"])
+        cells.append([row["axis"], row["factor"], row["objects"], row["pixels"], row["instructions"],
+                      round(row["instructions"] / first[row["axis"]], 2)])
+    return cells
+
+
+def frames_markdown(plan, result):
+    """Instructions a frame, mean (worst)."""
+    header = ["", *[NAMES[core] for core in result["cores"]]]
+    rows = []
+    for workload in plan.workloads:
+        for renderer in plan.renderers:
+            found = [_one(result, workload=workload, renderer=renderer, core=core) for core in result["cores"]]
+            if any(found):
+                rows.append([f"{workload}, {renderer}", *[_frame_cell(row) for row in found]])
+    return _markdown_table(header, rows)
+
+
+def _frame_cell(row):
+    if row is None:
+        return "-"
+    frame = row["frame"]
+    worst = f" ({frame['max']:,})" if frame["max"] != frame["min"] else ""
+    return f"{frame['mean']:,}{worst}"
+
+
+def ratios_markdown(plan, result):
+    """What Fixel takes a frame, of the listing and of the bare work."""
+    header = ["", "a unit of", *[f"{NAMES[core]}: a unit, of double, of float" for core in result["cores"]]]
+    rows = []
+    for workload, entry in plan.workloads.items():
+        cells = []
+        for core in result["cores"]:
+            ours = _one(result, workload=workload, renderer="fixel", core=core)
+            single = _one(result, workload=workload, renderer="listing-float", core=core)
+            cells.append(f"{_number(ours['per_unit'])}, {_number(ours['ratio_to_listing_double'], 2)}, "
+                         f"{_number(ours['instructions'] / single['instructions'], 2)}")
+        rows.append([workload, entry["unit"], *cells])
+    return _markdown_table(header, rows)
+
+
+def kernels_markdown(plan, result):
+    """Instructions of one unit of each kernel."""
+    header = ["kernel", "what", "a", *[NAMES[core] for core in result["cores"]]]
+    rows = [[name, plan.kernels[name]["what"], unit, *map(_number, figures)]
+            for name, unit, *figures in _kernel_cells(plan, result)]
+    return _markdown_table(header, rows)
+
+
+def sizes_markdown(plan, result):
+    """Bytes of each renderer, and what it works in."""
+    header = ["bytes", "flags", *[NAMES[core] for core in result["cores"]]]
+    rows = []
+    for renderer in plan.renderers:
+        for flags in ("-O2", "-Os"):
+            sizes = [size for size in result["sizes"]
+                     if size["renderer"] == renderer and size["flags"] == flags]
+            rows.append([renderer, flags, *[f"{size['own']:,} + {size['run_time']:,}" for size in sizes]])
+    for renderer in plan.renderers:
+        drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)
+                 for core in result["cores"]]
+        rows.append([f"{renderer}: stack", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
+        rows.append([f"{renderer}: RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
+    return _markdown_table(header, rows)
+
+
+def stages_markdown(_, result):
+    """Where the instructions of a mean frame go."""
+    columns = list(dict.fromkeys((row["core"], row["workload"]) for row in result["stages"]))
+    shares = {(row["core"], row["workload"], row["stage"]): row["instructions"] / row["frames"]
+              for row in result["stages"]}
+    whole = {column: sum(number for (core, workload, _), number in shares.items() if (core, workload) == column)
+             for column in columns}
+    names = sorted({row["stage"] for row in result["stages"]},
+                   key=lambda name: (-sum(shares.get((*column, name), 0) / whole[column] for column in columns), name))
+    rows = [[name, *[_share(shares.get((*column, name), 0), whole[column]) for column in columns]] for name in names]
+    rows.append(["a frame", *[f"{round(whole[column]):,}" for column in columns]])
+    return _markdown_table(["stage", *[f"{workload}, {NAMES[core]}" for core, workload in columns]], rows)
+
+
+def _share(part, whole):
+    return f"{round(part):,} ({100 * part / whole:.1f} %)"
+
+
+def growth_markdown(_, result):
+    """How a frame of W1 grows."""
+    if not result["growth"]:
+        return "Not measured: no board stands for the core."
+    header = ["", "times", "objects", "pixels", "instructions a frame", "times the first"]
+    return _markdown_table(header, [[row[0], *map(_number, row[1:])] for row in _growth_cells(result)])
+
+
+def pictures_markdown(plan, result):
+    """How many pixels the listing draws otherwise than the library, in parts of a million."""
+    header = ["pixels that differ, in a million", *[NAMES[core] for core in result["cores"]]]
+    rows = []
+    for workload in plan.workloads:
+        for renderer in plan.renderers:
+            found = [row for row in result["pictures"]
+                     if row["workload"] == workload and row["renderer"] == renderer]
+            if found:
+                rows.append([f"{workload}, {renderer}",
+                             *[_number(1e6 * row["differing"] / row["pixels"], 1) for row in found]])
+    return _markdown_table(header, rows)
+
+
+def tools_markdown(_, result):
+    """Which tools gave these figures."""
+    left = f" Left out, since no board stands for them: {', '.join(result['left_out'])}." \
+        if result["left_out"] else ""
+    return f"Measured with `{result['compiler']}` and `{result['emulator']}`.{left}"
+
+
+SECTIONS = {"tools": tools_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
+            "stages": stages_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "growth": growth_markdown,
+            "pictures": pictures_markdown}
+
+
+def markdown(plan, result):
+    """All tables, one after the other."""
+    return "\n\n".join(f"## {name}\n\n{make(plan, result)}" for name, make in SECTIONS.items()) + "\n"
+
+
+def replace_tables(text, plan, result, sections=None):
+    """A document with its tables made anew: what stands between two marks of a section."""
+    for name, make in (sections or SECTIONS).items():
+        begin, end = re.escape(MARK.format(name)), re.escape(MARK.format("end"))
+        block = f"{MARK.format(name)}\n{make(plan, result)}\n{MARK.format('end')}"
+        text, found = re.subn(f"{begin}\n.*?{end}", lambda _, new=block: new, text, flags=re.DOTALL)
+        if found != 1:
+            raise ToolError(f"the document has {found} places for the table '{name}'; it needs one")
+    return text

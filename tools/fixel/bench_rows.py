@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""From what was counted to bench.json: rows, limits, sizes, growth, and how pictures compare."""
+
+from fixel import bench_plan, link_map
+
+FLAGS = ("O2", "Os")
+LIMIT = "limit-"
+
+
+def _ratio(value, other):
+    return None if other in (None, 0) else round(value / other, 4)
+
+
+def frame_row(core, workload, renderer, drawn, units):
+    """A row of a workload; its ratios are filled in later."""
+    total, frames = sum(drawn.instructions), len(drawn.instructions)
+    return {"workload": workload["name"], "renderer": renderer, "core": core, "instructions": total,
+            "frame": {"min": min(drawn.instructions), "mean": round(total / frames),
+                      "max": max(drawn.instructions)},
+            "per_unit": round(total / frames / units, 4), "unit": workload["unit"],
+            "ratio_to_listing_double": None, "ratio_to_limit": None, "text_bytes": None,
+            "ram_bytes": drawn.memory, "stack_bytes": drawn.stack}
+
+
+def kernel_row(core, entry, instructions, units):
+    """A row of a kernel."""
+    return {"workload": entry["name"], "renderer": "fixel", "core": core, "instructions": instructions,
+            "frame": None, "per_unit": round(instructions / units, 4), "unit": entry["unit"],
+            "ratio_to_listing_double": None, "ratio_to_limit": None, "text_bytes": None,
+            "ram_bytes": None, "stack_bytes": None}
+
+
+def add_ratios(plan, rows, limits):
+    """Ratios to the listing in double on the same core, and to the bare work of one unit."""
+    doubles = {(row["core"], row["workload"]): row["instructions"] for row in rows
+               if row["renderer"] == bench_plan.DOUBLE}
+    bare = {(limit["core"], limit["name"]): limit["per_unit"] for limit in limits}
+    for row in rows:
+        name = row["workload"]
+        row["ratio_to_listing_double"] = _ratio(row["instructions"], doubles.get((row["core"], name)))
+        entry = plan.workloads.get(name) or plan.kernels[name]
+        row["ratio_to_limit"] = _ratio(row["per_unit"], bare.get((row["core"], entry.get("limit"))))
+
+
+def add_sizes(rows, sizes):
+    """Each renderer's bytes of flash as it was measured, to the rows of the workloads."""
+    text = {(size["core"], size["renderer"]): size["own"] + size["run_time"] for size in sizes
+            if size["flags"] == "-O2"}
+    for row in rows:
+        if row["frame"] is not None:
+            row["text_bytes"] = text[row["core"], row["renderer"]]
+
+
+def sizes(plan, cores):
+    """[{core, renderer, flags, own, run_time, ram}]: bytes of each renderer linked by itself."""
+    return [{"core": core, "renderer": renderer, "flags": f"-{flags}",
+             **link_map.measure(plan.build / "bench" / core / "size" / flags / f"{renderer}.map")}
+            for core in cores for renderer in plan.renderers for flags in FLAGS]
+
+
+def pictures(drawn):
+    """[{core, workload, renderer, pixels, differing}]: the others' pixels against the library's."""
+    rows = []
+    for (core, workload, renderer), each in drawn.items():
+        if renderer == "fixel":
+            continue
+        ours = drawn[core, workload, "fixel"].pixels
+        rows.append({"core": core, "workload": workload, "renderer": renderer,
+                     "pixels": int(ours.size), "differing": int((ours != each.pixels).sum())})
+    return rows
+
+
+def stages(profiles):
+    """[{core, workload, frames, stage, instructions}], instructions of all frames together."""
+    return [{"core": core, "workload": workload, "frames": frames, "stage": stage, "instructions": number}
+            for (core, workload), (taken, frames) in profiles.items()
+            for stage, number in sorted(taken.stages.items(), key=lambda item: (-item[1], item[0]))]
+
+
+def split_kernels(plan, core, counted):
+    """Rows of the kernels, and the limits [{core, name, unit, instructions, per_unit}]."""
+    rows, limits = [], []
+    for name, (instructions, units) in counted.items():
+        row = kernel_row(core, plan.kernels[name], instructions, units)
+        if name.startswith(LIMIT):
+            limits.append({"core": core, "name": name, "unit": row["unit"],
+                           "instructions": instructions, "per_unit": row["per_unit"]})
+        else:
+            rows.append(row)
+    return rows, limits

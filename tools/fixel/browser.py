@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""A live window in a headless browser, for its test and for its recording: Debian's Chromium, driven
+by Playwright."""
+
+import contextlib
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+
+from fixel.errors import ToolError
+
+CHROMIUM = pathlib.Path("/usr/bin/chromium")
+VIEW = pathlib.Path(__file__).resolve().parents[1] / "view.py"
+ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
+ENDING = 20     # seconds
+
+
+@contextlib.contextmanager
+def viewing(board, scene, build="build", **how):
+    """Runs view.py as a user would: yields its process and the page's address; ends it by Ctrl-C where
+    it still runs. how: for subprocess.Popen."""
+    how.setdefault("stdin", subprocess.DEVNULL)
+    how.setdefault("stderr", subprocess.PIPE)
+    process = subprocess.Popen([sys.executable, str(VIEW), "--board", board, "--scene", str(scene),
+                                "--build", str(build)], stdout=subprocess.PIPE, text=True, **how)
+    try:
+        address = ADDRESS.search(process.stdout.readline())
+        if address is None:
+            process.wait(ENDING)
+            raise ToolError(f"view.py did not start: {process.stderr.read() if process.stderr else ''}", exit_code=1)
+        yield process, address[0]
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            process.send_signal(signal.SIGINT)
+        try:
+            process.wait(ENDING)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        for pipe in (process.stdout, process.stderr):
+            if pipe is not None:
+                pipe.close()
+
+
+@contextlib.contextmanager
+def page(address, width, height, **how):
+    """The window in a browser of its own; what its console says is in the list page.complaints. how:
+    for Browser.new_page."""
+    # Here, so that whoever does not want a browser need not wait for it.
+    from playwright.sync_api import Error, sync_playwright
+    if not CHROMIUM.exists():
+        raise ToolError(f"{CHROMIUM} is not installed: run 'sudo apt-get install chromium'")
+    with sync_playwright() as playwright:
+        try:
+            browser = playwright.chromium.launch(executable_path=str(CHROMIUM), args=["--no-sandbox"])
+        except Error as error:
+            raise ToolError(f"{CHROMIUM} does not start: {error}", exit_code=1) from error
+        with contextlib.closing(browser):
+            opened = browser.new_page(viewport={"width": width, "height": height}, **how)
+            opened.complaints = []
+            opened.on("console", lambda message: opened.complaints.append(message.text))
+            opened.on("pageerror", lambda error: opened.complaints.append(str(error)))
+            opened.goto(address)
+            opened.wait_for_selector("#state.live")
+            yield opened

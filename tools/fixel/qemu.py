@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""QEMU's command line for a board's program, and what it shows of the emulated core."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+
+from fixel import qmp
+from fixel.errors import ToolError
+from fixel.symbols import Symbols
+
+QEMU = "qemu-system-arm"
+ANSWER = 3.0  # seconds that a program that hangs may take to answer
+
+
+def find_qemu():
+    path = shutil.which(QEMU)
+    if path is None:
+        raise ToolError(f"{QEMU} is not installed: run 'sudo apt-get install qemu-system-arm'")
+    return path
+
+
+def escape(value):
+    """A value inside a QEMU option, where a comma separates."""
+    return str(value).replace(",", ",,")
+
+
+def command(program, *options):
+    return [find_qemu(), *program.qemu, "-display", "none", "-monitor", "none", "-serial", "null",
+            "-no-reboot", *options]
+
+
+def loader(program, image):
+    """The flash as an image file has it."""
+    return ["-device",
+            f"loader,file={escape(pathlib.Path(image).resolve())},addr={program.flash_base:#x},force-raw=on"]
+
+
+def semihosting(arguments):
+    words = "".join(f",arg={escape(word)}" for word in arguments)
+    return ["-semihosting-config", f"enable=on,target=native{words}"]
+
+
+def where(channel, program):
+    """Where the core of a running QEMU is, as lines of text; it is stopped there."""
+    try:
+        with channel.connect(ANSWER) as machine:
+            machine.execute("stop", timeout=ANSWER)
+            text = machine.monitor("info registers")
+    except ToolError as error:
+        return f"  the emulator does not say where: {error}"
+    found = [re.search(rf"\bR{number}=([0-9a-f]{{8}})", text) for number in (14, 15)]
+    if None in found:
+        return "  the emulator does not say where"
+    lr, pc = (int(match[1], 16) for match in found)
+    return Symbols(program.path).registers(lr, pc)
+
+
+def read_memory(program, image, timeout=30.0):
+    """The flash as the emulated core sees it, from an image, before its first
+    instruction."""
+    with tempfile.TemporaryDirectory(prefix="fixel-") as directory, qmp.Channel() as channel:
+        folder = pathlib.Path(directory)
+        with (folder / "words.txt").open("w+", encoding="utf-8", errors="replace") as words:
+            process = subprocess.Popen(
+                command(program, "-S", *channel.options, *loader(program, image)), pass_fds=channel.fds,
+                stdin=subprocess.DEVNULL, stdout=words, stderr=subprocess.STDOUT)
+            try:
+                with channel.connect(timeout) as machine:
+                    # As the core sees it: not every bus behind it is the system's.
+                    machine.execute("memsave", timeout, val=program.flash_base, size=program.flash_size,
+                                    filename=str(folder / "memory.bin"))
+                    machine.quit()
+                return (folder / "memory.bin").read_bytes()
+            except ToolError as error:
+                words.seek(0)
+                raise ToolError(f"{QEMU} could not read the flash back: {error}\n{words.read()}".rstrip(),
+                                exit_code=1) from error
+            finally:
+                process.kill()
+                process.wait()

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""A board that is powered on and talked to while it runs: keys down, pictures of its screen back.
+
+    with Session(program, image, folder, ["frames=3", "hold"]) as session:
+        session.wait_for_text("walk: done 3 frames", timeout=60)
+        picture = session.screen()
+"""
+
+import pathlib
+import subprocess
+import time
+
+import numpy
+from PIL import Image
+
+from fixel import execute, qemu, qmp
+from fixel.ending import Ending, describe, last_lines
+from fixel.errors import ToolError
+
+OUTPUT = "output.txt"   # what the board prints, in the session's folder
+POLL = 0.005            # seconds
+
+
+class Session:
+    """A running board; it ends with the with statement. folder: where it starts
+    and leaves its files. words: arguments of the program; options: more of QEMU's."""
+
+    def __init__(self, program, image, folder, words=(), options=()):
+        self.program, self.folder = program, pathlib.Path(folder)
+        self.machine = self._process = None
+        told = ["-icount", "shift=0", *qemu.semihosting(["walk", *words]), *qemu.loader(program, image), *options]
+        with qmp.Channel() as channel, (self.folder / OUTPUT).open("wb") as output:
+            self._process = execute.start(qemu.command(program, *told, *channel.options), self.folder,
+                                          output, channel.fds)
+            try:
+                self.machine = channel.connect()
+            except ToolError as error:
+                self.close()
+                raise ToolError(f"{error}{last_lines(self.text())}", exit_code=1) from error
+            except BaseException:
+                self.close()
+                raise
+
+    def text(self):
+        """What the board has printed so far."""
+        return (self.folder / OUTPUT).read_text(encoding="utf-8", errors="replace")
+
+    def wait_until(self, condition, timeout, what):
+        """Waits for condition() to be true; ToolError where the board ends first or time runs out."""
+        until = time.monotonic() + timeout
+        while True:
+            code = self._process.poll()     # before the condition: its last words count
+            answer = condition()
+            if answer:
+                return answer
+            if code is not None:
+                ending = Ending(code, self.text(), "", 0)
+                raise ToolError(f"board {self.program.board} ended before {what}: "
+                                f"{describe(ending)}{last_lines(ending.output)}", exit_code=1)
+            if time.monotonic() > until:
+                raise ToolError(f"board {self.program.board}: no {what} within {timeout:g} s"
+                                f"{last_lines(self.text())}", exit_code=1)
+            time.sleep(POLL)
+
+    def wait_for_text(self, text, timeout=60.0):
+        """Waits until the board has printed something."""
+        self.wait_until(lambda: text in self.text(), timeout, f"'{text}'")
+
+    def wait_for_end(self, timeout=60.0):
+        """The exit code with which the board's program ends by itself."""
+        try:
+            return self._process.wait(timeout)
+        except subprocess.TimeoutExpired as error:
+            raise ToolError(f"board {self.program.board} did not end within {timeout:g} s"
+                            f"{last_lines(self.text())}", exit_code=1) from error
+
+    def screen(self, device=None):
+        """What a screen of the board shows, as an array of colours (height x width x 3). device: the
+        identity of the display, for a board with several."""
+        if not self._has_screen():
+            raise ToolError(f"board {self.program.board} has no screen in QEMU: there is nothing to see", exit_code=1)
+        file = (self.folder / "screen.png").resolve()
+        which = {"device": device} if device else {}
+        self.machine.execute("screendump", filename=str(file), format="png", **which)
+        with Image.open(file) as picture:
+            return numpy.asarray(picture.convert("RGB"))
+
+    def _has_screen(self):
+        """Whether a device shows something: without one QEMU gives a picture that says so."""
+        consoles = [entry["name"] for entry in self.machine.execute("qom-list", path="/backend")
+                    if entry["name"].startswith("console[")]
+        return any(self.machine.execute("qom-get", path=f"/backend/{name}", property="device") for name in consoles)
+
+    def close(self):
+        """Ends the board."""
+        if self.machine is not None:
+            self.machine.close()
+        if self._process is not None:
+            execute.kill(self._process)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+KEYS = ("up", "down", "left", "right", "ctrl")  # of a board with buttons, as QEMU calls them
+
+
+def touch_keys(machine):
+    """Presses and releases every key once: until then QEMU has buttons down."""
+    for code in KEYS:
+        machine.key(code, down=True)
+        machine.key(code, down=False)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Records the live window for the README: a walk through the plaza, by keys, in a headless browser."""
+
+import argparse
+import io
+import pathlib
+
+from PIL import Image
+
+from fixel import browser, output
+from fixel.errors import ToolError, run_main
+from fixel.progress import steps
+
+WIDTH, HEIGHT = 1000, 700   # of the browser's window
+SHOWN = 720                 # pixels of the recording's width
+COLOURS = 96
+MILLISECONDS = 120          # of a picture
+SIZE_MAX = 1_000_000        # bytes
+# For each picture: what is pressed and what is let go before it ("1".."3" choose what is shown beside).
+SCRIPT = [[], ["+w"], [], [], [], [], ["+d"], [], ["-d", "+a"], [], ["-a"], [], [], ["-w", "1"], [], ["+q"], [],
+          ["-q", "+e"], [], ["-e", "3"], [], ["+a"], [], [], ["-a", "+w"], [], [], ["-w", "2"], [], ["+d"], [], [],
+          ["-d", "+s"], [], [], ["-s", "0"], []]
+
+
+def play(page, actions):
+    for action in actions:
+        if action[0] == "+":
+            page.keyboard.down(action[1:])
+        elif action[0] == "-":
+            page.keyboard.up(action[1:])
+        else:
+            page.keyboard.press(action)
+
+
+def pictures(page, script):
+    """Pictures of the page as it plays."""
+    taken = []
+    for actions in steps("recording", script):
+        play(page, actions)
+        page.wait_for_timeout(MILLISECONDS)
+        with Image.open(io.BytesIO(page.screenshot())) as shot:
+            height = round(SHOWN * shot.height / shot.width)
+            taken.append(shot.convert("RGB").resize((SHOWN, height), Image.Resampling.LANCZOS))
+    return taken
+
+
+def animation(taken):
+    """An endless GIF of pictures, with one palette for all."""
+    sheet = Image.new("RGB", (taken[0].width, sum(each.height for each in taken[::6])))
+    for place, each in enumerate(taken[::6]):
+        sheet.paste(each, (0, place * each.height))
+    palette = sheet.quantize(COLOURS, Image.Quantize.MEDIANCUT)
+    small = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in taken]
+    block = io.BytesIO()
+    small[0].save(block, "GIF", save_all=True, append_images=small[1:], loop=0, duration=MILLISECONDS)
+    return block.getvalue()
+
+
+def record(options):
+    """The recording's bytes."""
+    with browser.viewing(options.board, options.scene, options.build) as (_, address), \
+            browser.page(address, WIDTH, HEIGHT) as page:
+        page.wait_for_timeout(1000)     # until the rates are measured
+        taken = pictures(page, SCRIPT)
+        if page.complaints:
+            raise ToolError(f"the page complains: {page.complaints[0]}", exit_code=1)
+    data = animation(taken)
+    if len(data) > SIZE_MAX:
+        raise ToolError(f"the recording takes {len(data):,} bytes; {SIZE_MAX:,} are allowed", exit_code=1)
+    return data
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--board", required=True)
+    parser.add_argument("--scene", required=True)
+    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the recording, a GIF")
+    options = parser.parse_args(argv)
+    output.write_file(options.out, record(options))
+    print(options.out)
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

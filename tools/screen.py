@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A picture of an emulated board's screen, as it is when the last frame was drawn."""
+
+import argparse
+import pathlib
+import tempfile
+
+from PIL import Image
+
+import scene as scene_tool
+from fixel import firmware, flash, output, picture
+from fixel.errors import ToolError, run_main
+from fixel.image import load
+from fixel.progress import Progress
+from fixel.session import Session
+from run import elf_of, frame_count, make_scene_image
+
+DEVICE = "screen"       # what an added display is called
+
+
+def photograph(options, folder):
+    """The picture, and how many frames were drawn."""
+    elf = elf_of(options.board, options.build)
+    program = firmware.load(elf, options.board)
+    if program.hosted:
+        raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")
+    scene = make_scene_image(options.scene, folder, options.frames, options.screen)
+    frames = options.frames or load(scene).frames
+    flash.flash(options.board, elf, scene, folder / "board.bin")
+    device = ["-device", f"{options.device},id={DEVICE}"] if options.device else []
+    with Progress(f"drawing {frames} frames on {options.board}"), \
+            Session(program, folder / "board.bin", folder, [f"frames={frames}", "hold"], device) as session:
+        session.wait_for_text(f"walk: done {frames} frames\n", options.timeout)
+        return session.screen(DEVICE if device else None), frames
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--board", required=True, help="an emulated board with a screen")
+    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
+    parser.add_argument("--frames", help="how many frames; the whole path without")
+    parser.add_argument("--device", help="a display to be added to the board, as QEMU's -device has it")
+    parser.add_argument("--out", required=True, type=pathlib.Path, help="the picture (.png)")
+    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--timeout", type=float, default=120.0, help="seconds that drawing may take (120)")
+    options = parser.parse_args(argv)
+    options.frames = frame_count(options.frames) if options.frames is not None else None
+    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    with tempfile.TemporaryDirectory(prefix="fixel-screen-") as folder:
+        pixels, frames = photograph(options, pathlib.Path(folder))
+    options.out.parent.mkdir(parents=True, exist_ok=True)
+    output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))
+    print(f"{options.board}: its screen after frame {frames - 1}: {options.out}")
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

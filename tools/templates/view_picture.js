@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Frames of palette indices on canvases, and what the twin says beside them.
+
+const GREY = 0.35, FLOOR = 20;             // the dimmed frame under marks and lines
+const MARK = 0xffa000ff, RING = 0xffdcaaff; // ABGR: magenta, and a paler one around it
+const RING_DISTANCE = 3;                    // pixels: one pixel alone is easily overlooked
+const LINE = "#ffd34d";
+
+/** Opaque ABGR words, as a canvas keeps them, of a palette of 256 x red, green, blue. */
+export function paletteWords(bytes) {
+  const words = new Uint32Array(256);
+  for (let i = 0; i < 256; i++) {
+    words[i] = 0xff000000 | bytes[3 * i + 2] << 16 | bytes[3 * i + 1] << 8 | bytes[3 * i];
+  }
+  return words;
+}
+
+/** The same in dim grey. */
+export function dimmed(words) {
+  return words.map((word) => {
+    const mean = ((word & 255) + (word >> 8 & 255) + (word >> 16 & 255)) / 3;
+    const grey = Math.trunc(mean * GREY + FLOOR);
+    return 0xff000000 | grey << 16 | grey << 8 | grey;
+  });
+}
+
+/** A canvas of one picture element a pixel. */
+export class Picture {
+  constructor(canvas, width, height) {
+    this.canvas = canvas;
+    this.width = width;
+    this.height = height;
+    this.context = canvas.getContext("2d", { alpha: false });
+    this.data = new ImageData(width, height);
+    this.words = new Uint32Array(this.data.data.buffer);
+  }
+
+  /** Back to one element a pixel, where something else was drawn. */
+  plain() {
+    if (this.canvas.width !== this.width || this.canvas.height !== this.height) {
+      this.canvas.width = this.width;
+      this.canvas.height = this.height;
+    }
+  }
+
+  put(indices, palette) {
+    this.plain();
+    for (let i = 0; i < indices.length; i++) {
+      this.words[i] = palette[indices[i]];
+    }
+    this.context.putImageData(this.data, 0, 0);
+  }
+
+  /** The first frame, dim, with a mark and a ring where the second differs; how many pixels do. */
+  putDifference(one, other, grey) {
+    this.plain();
+    const differing = [];
+    for (let i = 0; i < one.length; i++) {
+      this.words[i] = grey[one[i]];
+      if (one[i] !== other[i]) {
+        differing.push(i);
+      }
+    }
+    differing.forEach((i) => this.ring(i % this.width, Math.trunc(i / this.width)));
+    differing.forEach((i) => { this.words[i] = MARK; });
+    this.context.putImageData(this.data, 0, 0);
+    return differing.length;
+  }
+
+  ring(x, y) {
+    for (let d = -RING_DISTANCE; d <= RING_DISTANCE; d++) {
+      this.dot(x + d, y - RING_DISTANCE);
+      this.dot(x + d, y + RING_DISTANCE);
+      this.dot(x - RING_DISTANCE, y + d);
+      this.dot(x + RING_DISTANCE, y + d);
+    }
+  }
+
+  dot(x, y) {
+    if (x >= 0 && x < this.width && y >= 0 && y < this.height) {
+      this.words[y * this.width + x] = RING;
+    }
+  }
+
+  /** The frame, dim, under the outlines of its polygons, which are drawn as finely as the screen can:
+   * they do not keep to pixels. How many there are. */
+  putWireframe(indices, grey, outlines, scale) {
+    this.canvas.width = this.width * scale;
+    this.canvas.height = this.height * scale;
+    for (let i = 0; i < indices.length; i++) {
+      this.words[i] = grey[indices[i]];
+    }
+    const small = new OffscreenCanvas(this.width, this.height);
+    small.getContext("2d").putImageData(this.data, 0, 0);
+    this.context.imageSmoothingEnabled = false;
+    this.context.drawImage(small, 0, 0, this.canvas.width, this.canvas.height);
+    this.context.strokeStyle = LINE;
+    this.context.lineWidth = 1;
+    return strokeOutlines(this.context, outlines, scale);
+  }
+}
+
+function strokeOutlines(context, outlines, scale) {
+  let count = 0, at = 0;
+  context.beginPath();
+  while (at < outlines.byteLength) {
+    const points = outlines.getUint16(at, true);
+    at += 4;
+    for (let i = 0; i < points; i++, at += 8) {
+      const x = outlines.getFloat32(at, true) * scale, y = outlines.getFloat32(at + 4, true) * scale;
+      if (i === 0) {
+        context.moveTo(x, y);
+      } else {
+        context.lineTo(x, y);
+      }
+    }
+    context.closePath();
+    count++;
+  }
+  context.stroke();
+  return count;
+}
+
+/** A line of the last values, from 0 to a round number above them. */
+export class Plot {
+  constructor(canvas, most) {
+    this.canvas = canvas;
+    this.most = most;
+    this.values = [];
+  }
+
+  add(value) {
+    this.values.push(value);
+    if (this.values.length > this.most) {
+      this.values.shift();
+    }
+  }
+
+  draw() {
+    const ratio = window.devicePixelRatio || 1, style = getComputedStyle(this.canvas);
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    const context = this.canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    const top = roundAbove(Math.max(1, ...this.values)), room = height - 14;
+    context.font = "11px system-ui, sans-serif";
+    context.fillStyle = style.getPropertyValue("--quiet");
+    context.strokeStyle = style.getPropertyValue("--line");
+    context.textBaseline = "top";
+    context.fillText(shortNumber(top), 0, 0);
+    for (const y of [13.5, height - 0.5]) {
+      context.beginPath();
+      context.moveTo(0, y);
+      context.lineTo(width, y);
+      context.stroke();
+    }
+    context.strokeStyle = style.getPropertyValue("--accent");
+    context.lineWidth = 1.5;
+    context.beginPath();
+    this.values.forEach((value, i) => {
+      const x = width - (this.values.length - 1 - i) * width / (this.most - 1);
+      context.lineTo(x, height - 1 - value / top * (room - 1));
+    });
+    context.stroke();
+  }
+}
+
+/** 1, 2 or 5 times a power of ten, not below a number. */
+export function roundAbove(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [1, 2, 5, 10].find((factor) => factor * power >= value);
+}
+
+function shortNumber(value) {
+  return value >= 1e6 ? `${value / 1e6} million` : value.toLocaleString("en");
+}

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""Starts a board and shows its frames live on a web page of this machine.
+
+Keys go from the page to the firmware; the page shows the double twin beside it.
+Ctrl-C ends everything. Exit: 0 after Ctrl-C; else the board ended by itself,
+with the exit code of its program, or 2 where it could not be started.
+"""
+
+import argparse
+import asyncio
+import contextlib
+import pathlib
+import signal
+import tempfile
+import webbrowser
+
+from fixel import firmware, flash
+from fixel.errors import ToolError, run_main
+from fixel.view_board import Board
+from fixel.view_pump import IDLE_RATE, Pump
+from fixel.view_server import HOST, Hub, Server, hello
+from fixel.view_twin import Twin
+from run import elf_of, make_scene_image
+
+ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+async def serve(board, twin_program, scene_image, options):
+    """Shows the board until it ends or a signal does; the error that it ended with, or None."""
+    loop = asyncio.get_running_loop()
+
+    def later(name):
+        """A method of the hub, for other threads."""
+        def call(argument):
+            with contextlib.suppress(RuntimeError):     # the loop is closed: nobody wants it any more
+                loop.call_soon_threadsafe(getattr(hub, name), argument)
+        return call
+
+    with contextlib.ExitStack() as stack:
+        twin = stack.enter_context(contextlib.closing(
+            Twin(twin_program, scene_image, later("compare"), later("end"))))
+        hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette),
+                  board.hold, twin.ask, lambda rate: pump.set_rate(rate))
+        pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
+        for each in ENDINGS:
+            loop.add_signal_handler(each, hub.end)
+        server = Server(hub)
+        try:
+            await server.open(options.port)
+            address = f"http://{HOST}:{server.port}/"
+            print(f"{board.program.board} ({board.program.cpu}) walks {options.scene}: {address} (Ctrl-C ends it)",
+                  flush=True)
+            if options.open:
+                webbrowser.open(address)
+            await hub.ended.wait()
+        finally:
+            await server.close()
+        return hub.error
+
+
+def view(options):
+    elf = elf_of(options.board, options.build)
+    program = firmware.load(elf, options.board)
+    if program.hosted:
+        raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
+    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".view-", dir=options.build) as name:
+        folder = pathlib.Path(name).resolve()
+        scene_image = make_scene_image(options.scene, folder, None)
+        flash.flash(options.board, elf, scene_image, folder / "flash.bin")
+        with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:
+            error = asyncio.run(serve(board, pathlib.Path(options.build) / "host" / "live", scene_image, options))
+    if error:
+        raise error
+    return 0
+
+
+def port_number(text):
+    """A port from a command line."""
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 65535):
+        raise ToolError(f"PORT is '{text}'; it must be a whole number from 1 to 65535")
+    return int(text)
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--board", required=True)
+    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--port", help="of 127.0.0.1 (8065, or any that is free)")
+    parser.add_argument("--open", action="store_true", help="open the page in this machine's browser")
+    parser.add_argument("--build", default="build", help="where make builds")
+    options = parser.parse_args(argv)
+    options.port = port_number(options.port) if options.port is not None else None
+    return view(options)
+
+
+if __name__ == "__main__":
+    run_main(main)
