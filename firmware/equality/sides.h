@@ -10,6 +10,10 @@
 #define SIDES(side) \
     uint64_t side##multiply_u32(uint32_t a, uint32_t b); \
     int64_t side##multiply_s32(int32_t a, int32_t b); \
+    int64_t side##multiply_s31(int32_t a, int32_t b); \
+    int64_t side##multiply_su32(int32_t a, uint32_t b); \
+    uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
+    uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
     unsigned side##leading_zeros(uint32_t value);
 
