@@ -20,6 +20,8 @@
 SIDES(core_)
 SIDES(portable_)
 
+uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
+uint64_t portable_fraction(uint64_t part, uint64_t whole);
 fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,
                                  fxl_screen_point *screen);
 
