@@ -81,7 +81,7 @@ $(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)

@@ -6,6 +6,7 @@
 
 #include <stdint.h>
 
+#include "divide.h"
 #include "leading_zeros.h"
 
 #define FXL_EDGE_HEIGHT_MAX ((1 << 26) - 1)
@@ -79,9 +80,7 @@ static inline uint32_t fxl_edge_whole(const fxl_edge_divider *divider, uint32_t 
         return 0;
     }
     if (height < 8192) {
-        uint32_t quotient = *magnitude / height;
-        *magnitude -= quotient * height;
-        return quotient;
+        return fxl_divide_u32(*magnitude, height, magnitude);
     }
     uint32_t quotient = ((*magnitude >> 12) * divider->reciprocal) >> (35 - divider->shift);
     int32_t rest = (int32_t)(*magnitude - quotient * height);
