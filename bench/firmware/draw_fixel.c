@@ -12,7 +12,7 @@ static uint32_t order_needed;
 
 int draw_open(const fxl_scene_image *image)
 {
-    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0};
+    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0, NULL, 0};
 
     order_needed = image->scene.order_needed;
     if (order_needed > ORDER_ENTRIES) {

@@ -90,15 +90,17 @@ static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fra
 /* Where the edge from an inside to an outside vertex crosses the plane. Always
  * in this direction, so that both owners of an edge get the same bits. */
 static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                         uint64_t fraction, fxl_view_vertex *vertex)
+                         uint64_t fraction, bool textured, fxl_view_vertex *vertex)
 {
     const fxl_view_point *from = &inside->position;
     const fxl_view_point *to = &outside->position;
     vertex->position.x = interpolate(from->x, to->x, fraction);
     vertex->position.y = interpolate(from->y, to->y, fraction);
     vertex->position.z = interpolate(from->z, to->z, fraction);
-    vertex->u = interpolate_texel(inside->u, outside->u, fraction);
-    vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+    if (textured) {
+        vertex->u = interpolate_texel(inside->u, outside->u, fraction);
+        vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+    }
 }
 
 /* Fills in every vertex's distance; answers how many are inside. */
@@ -134,7 +136,11 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
         if (vertex == NULL) {
             return false;
         }
-        *vertex = in->vertices[current];
+        vertex->position = in->vertices[current].position;
+        if (in->textured) {
+            vertex->u = in->vertices[current].u;
+            vertex->v = in->vertices[current].v;
+        }
     }
     if (current_inside == (distances[next] >= 0)) {
         return true;
@@ -149,7 +155,7 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
         return false;
     }
     set_crossing(&in->vertices[inside], &in->vertices[outside],
-                 crossing_fraction(distances[inside], distances[outside]), vertex);
+                 crossing_fraction(distances[inside], distances[outside]), in->textured, vertex);
     return true;
 }
 
@@ -175,18 +181,22 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
         return FXL_CLIP_DEGENERATE;
     }
     out->colour = in->colour;
+    out->textured = in->textured;
     out->count = (uint8_t)count;
     return FXL_CLIP_CUT;
 }
 
-fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
-                                         const fxl_view_frustum *frustum, fxl_clip_view_work *work,
-                                         const fxl_view_polygon **result)
+fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                        fxl_planes planes, fxl_clip_view_work *work,
+                                        const fxl_view_polygon **result)
 {
     const fxl_view_polygon *current = in;
     uint32_t spare = in == &work->polygons[0] ? 1 : 0;
     fxl_clip_result all = FXL_CLIP_INSIDE;
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        if ((planes >> plane & 1) == 0) {
+            continue;
+        }
         fxl_view_polygon *out = &work->polygons[spare];
         fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
         if (cut == FXL_CLIP_CUT) {
