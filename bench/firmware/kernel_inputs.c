@@ -74,8 +74,7 @@ void kernel_inputs_make(kernel_inputs *inputs)
                                      between(2 * 65536, 10 * 65536));
         view_quad(between(-40000, 40000), between(-40000, 40000), between(2000, 20000),
                   &inputs->inside[i]);
-        view_quad(-65536 + between(-4000, 4000), between(-40000, 40000), 12000,
-                  &inputs->across[i]);
+        view_quad(-65536 + between(-4000, 4000), between(-40000, 40000), 12000, &inputs->across[i]);
         screen_quad(&inputs->quads[i]);
     }
 }

@@ -13,7 +13,7 @@ BOARD_ORDER_ENTRIES := 176
 BOARD_LIST_BYTES := 512
 BOARD_CACHE_ENTRIES := 0
 
-BOARD_UNIT_OMIT := test_clip test_clip_view test_clip_view_bounds test_clipper test_order test_render test_scan \
+BOARD_UNIT_OMIT := test_clip test_clip_view test_clip_view_bounds test_clipper test_left_out test_order test_render test_scan \
     test_scene test_scene_placed test_watertight
 
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u

@@ -69,6 +69,25 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     model->vertex_count += face->count;
 }
 
+/* The least radius that holds a model. */
+static void set_radius(const made_scene *made, fxl_model *model)
+{
+    uint64_t most = 0;
+    for (uint32_t i = 0; i < model->vertex_count; i++) {
+        const fxl_point *v = &made->vertices[model->first_vertex + i];
+        uint64_t square = (uint64_t)((int64_t)v->x * v->x) + (uint64_t)((int64_t)v->y * v->y) +
+                          (uint64_t)((int64_t)v->z * v->z);
+        most = square > most ? square : most;
+    }
+    int64_t radius = 0;
+    for (int64_t step = (int64_t)1 << 30; step > 0; step /= 2) {
+        if ((uint64_t)((radius + step) * (radius + step)) <= most) {
+            radius += step;
+        }
+    }
+    model->radius = (fxl_q16_16)(radius + ((uint64_t)(radius * radius) < most));
+}
+
 static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
 {
     fxl_model *model = &made->models[made->scene.model_count++];
@@ -78,6 +97,7 @@ static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
     for (uint32_t i = 0; i < faces; i++) {
         add_face(made, model, in);
     }
+    set_radius(made, model);
 }
 
 static void add_object(made_scene *made, fuzz_input *in)
@@ -111,23 +131,23 @@ static void spoil(made_scene *made, fuzz_input *in)
                                 &scene->model_count, &scene->object_count};
     uint32_t *const words[] = {&face->first_corner, &model->first_vertex, &model->vertex_count,
                                &model->first_face, &model->face_count};
-    int32_t *const numbers[] = {&face->normal.x,   &face->normal.y,   &face->normal.z,
-                                &object->centre.x, &object->centre.y, &object->centre.z,
-                                &vertex->x,        &vertex->y,        &vertex->z};
+    int32_t *const numbers[] = {
+        &face->normal.x,   &face->normal.y, &face->normal.z, &object->centre.x, &object->centre.y,
+        &object->centre.z, &vertex->x,      &vertex->y,      &vertex->z,        &model->radius};
     uint8_t *const bytes[] = {&face->count,        &model->kind,        &model->reserved[0],
                               &model->reserved[1], &model->reserved[2], &object->reserved};
     uint16_t *const halves[] = {&face->reserved, &object->model, corner};
-    uint32_t which = fuzz_below(in, 28);
+    uint32_t which = fuzz_below(in, 29);
     if (which < 5) {
         *counts[which] = spoilt_count(*counts[which], in);
     } else if (which < 10) {
         *words[which - 5] = (uint32_t)fuzz_any(in);
-    } else if (which < 19) {
+    } else if (which < 20) {
         *numbers[which - 10] = fuzz_any(in);
-    } else if (which < 25) {
-        *bytes[which - 19] = (uint8_t)fuzz_bits(in, 1);
+    } else if (which < 26) {
+        *bytes[which - 20] = (uint8_t)fuzz_bits(in, 1);
     } else {
-        *halves[which - 25] = (uint16_t)fuzz_bits(in, 2);
+        *halves[which - 26] = (uint16_t)fuzz_bits(in, 2);
     }
 }
 

@@ -11,7 +11,7 @@ enum {
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
-    MODEL = 20,
+    MODEL = 24,
     OBJECT = 16,
     POSE = 24,
     STRIDE = 4

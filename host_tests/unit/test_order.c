@@ -43,7 +43,7 @@ void test_sorting_is_by_layer_distance_and_index(void)
         for (uint32_t i = 0; i < count; i++) {
             uint64_t distance = unit_random() % spread;
             entries[i] = fxl_order_entry_of(distance << (unit_random() % 2 * 59), (uint16_t)i,
-                                            (uint16_t)(unit_random() % (1 + spread / 4)));
+                                            (uint8_t)(unit_random() % (1 + spread / 4)));
         }
         for (uint32_t i = count; i > 1; i--) {
             uint32_t other = unit_random() % i;
@@ -160,24 +160,41 @@ void test_face_distance_at_the_ends(void)
         fxl_face_distance_squared(&eye, &tiny->scene, &tiny->objects[0], &tiny->faces[0]));
 }
 
+/* An eye at (0, 0, -5) that looks ahead, with a wide lens: it sees all of tiny's
+ * objects. */
+static uint32_t order_from(tiny_scene *tiny, const fxl_pose *pose, uint32_t *left_out)
+{
+    fxl_lens lens = unit_lens(48, 32);
+    fxl_camera camera;
+    fxl_view_frustum frustum;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
+    fxl_view_frustum_from_lens(&lens, &frustum);
+    return fxl_order_objects(&tiny->scene, &camera, &frustum, entries, left_out);
+}
+
+static const fxl_pose before_all = {{0, 0, Q16(-5)}, 0, 0, 0};
+
 void test_objects_by_layer_then_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
-    fxl_point eye = {0, 0, Q16(-5)};
+    uint32_t left_out;
     entries[TINY_OBJECTS].index = 4321;
-    fxl_order_objects(&tiny->scene, &eye, entries);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
+    TEST_ASSERT_EQUAL_UINT32(0, left_out);
     const uint32_t far_to_near[] = {2, 1, 0};
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(4321, entries[TINY_OBJECTS].index, "one entry too many");
     for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
         const fxl_order_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
-        TEST_ASSERT_EQUAL_UINT64(fxl_distance_squared(&eye, &tiny->objects[entry->index].centre),
-                                 fxl_order_distance(entry));
+        TEST_ASSERT_EQUAL_UINT64(
+            fxl_distance_squared(&before_all.position, &tiny->objects[entry->index].centre),
+            fxl_order_distance(entry));
+        TEST_ASSERT_EQUAL_UINT32(0, entry->planes);
     }
     tiny->objects[0].layer = 1;
     tiny->objects[1].layer = 255;
     tiny->objects[2].layer = 255;
-    fxl_order_objects(&tiny->scene, &eye, entries);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
     TEST_ASSERT_EQUAL_UINT32(0, entries[0].index);
     TEST_ASSERT_EQUAL_UINT32(2, entries[1].index);
     TEST_ASSERT_EQUAL_UINT32(1, entries[2].index);
@@ -187,13 +204,33 @@ void test_objects_by_layer_then_far_to_near(void)
 void test_equally_far_objects_by_number(void)
 {
     tiny_scene *tiny = tiny_make();
+    uint32_t left_out;
     for (int i = 0; i < TINY_OBJECTS; i++) {
-        tiny->objects[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, 0};
+        tiny->objects[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, Q16(3)};
     }
-    fxl_order_objects(&tiny->scene, &(fxl_point){0, 0, 0}, entries);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
     for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
         TEST_ASSERT_EQUAL_UINT32(i, entries[i].index);
     }
+}
+
+/* Between the first object and the others, and with one moved to the left
+ * border: what is behind is left out with all its faces, and no key is wasted. */
+void test_objects_out_of_sight_are_left_out(void)
+{
+    tiny_scene *tiny = tiny_make();
+    const fxl_pose between = {{0, 0, Q16(4)}, 0, 0, 0};
+    uint32_t left_out;
+    tiny->objects[2].centre = (fxl_point){Q16(-8), 0, Q16(12)};
+    TEST_ASSERT_EQUAL_UINT32(2, order_from(tiny, &between, &left_out));
+    TEST_ASSERT_EQUAL_UINT32(6, left_out);
+    TEST_ASSERT_EQUAL_UINT32(2, entries[0].index);
+    TEST_ASSERT_EQUAL_HEX32(1u << FXL_PLANE_LEFT, entries[0].planes);
+    TEST_ASSERT_EQUAL_UINT32(1, entries[1].index);
+    TEST_ASSERT_EQUAL_HEX32(0, entries[1].planes);
+    const fxl_pose behind = {{0, 0, Q16(40)}, 0, 0, 0};
+    TEST_ASSERT_EQUAL_UINT32(0, order_from(tiny, &behind, &left_out));
+    TEST_ASSERT_EQUAL_UINT32(18, left_out);
 }
 
 /* Seen from a corner: three faces, the nearest last. Indices are those of the

@@ -120,7 +120,8 @@ void test_head(void)
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0x4C584653u);
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0xFFFFFFFFu);
     expect_half(FXL_E_VERSION, AT_VERSION, 0);
-    expect_half(FXL_E_VERSION, AT_VERSION, 2);
+    expect_half(FXL_E_VERSION, AT_VERSION, 1);
+    expect_half(FXL_E_VERSION, AT_VERSION, 3);
     expect_half(FXL_E_SIZE, AT_HEADER_SIZE, 156);
     expect_half(FXL_E_SIZE, AT_HEADER_SIZE, 164);
 }

@@ -62,6 +62,48 @@ void test_vertices_far_out_do_not_wrap(void)
     expect_entry_word(FXL_E_RANGE, AT_VERTICES, 3, VERTEX, 4, 0x80000000u);
 }
 
+/* Vertex 0 of model 1 at (-1, -1, -1): the square of the radius against the sum
+ * of three squares, to the unit. */
+void test_radius(void)
+{
+    expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, 0xFFFFFFFFu);
+    expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, 0x80000000u);
+    expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, (uint32_t)FXL_RADIUS_MAX + 1);
+    expect_entry_word(FXL_OK, AT_MODELS, 1, MODEL, 20, (uint32_t)FXL_RADIUS_MAX);
+    expect_entry_word(FXL_E_RADIUS, AT_MODELS, 1, MODEL, 20, 0);
+    /* 65536 sqrt(3) = 113511.68 */
+    expect_entry_word(FXL_E_RADIUS, AT_MODELS, 0, MODEL, 20, 113511);
+    expect_entry_word(FXL_OK, AT_MODELS, 0, MODEL, 20, 113512);
+}
+
+/* Vertices that lie exactly on the sphere, and one unit off it; also where the
+ * squares have 62 bits. */
+void test_vertices_on_the_sphere(void)
+{
+    const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
+    tiny_scene *tiny = tiny_make();
+    tiny->objects[1].model = 0;
+    for (int v = 8; v < 16; v++) {
+        tiny->vertices[v] = (fxl_point){0, 3, 4};
+    }
+    tiny->models[1].radius = 5;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    tiny->vertices[15] = (fxl_point){0, 3, -4};
+    tiny->vertices[15].x = 1;
+    fxl_scene_fault fault;
+    TEST_ASSERT_EQUAL(FXL_E_RADIUS, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("vertex", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(15, fault.index);
+    for (int v = 8; v < 16; v++) {
+        tiny->vertices[v] = (fxl_point){far, -far, -far};
+    }
+    /* sqrt(3) 2 * 8191 * 65536 = 1859548370.02 */
+    tiny->models[1].radius = 1859548370;
+    TEST_ASSERT_EQUAL(FXL_E_RADIUS, fxl_scene_check(&tiny->scene, NULL));
+    tiny->models[1].radius = 1859548371;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+}
+
 void test_normals(void)
 {
     expect_entry_word(FXL_E_NORMAL, AT_FACES, 1, FACE, 0, 0);

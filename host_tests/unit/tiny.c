@@ -23,7 +23,7 @@ static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
                        .count = 4,
                        .colour = (uint8_t)(colour + f)};
     }
-    tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, {0, 0, 0}};
+    tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, {0, 0, 0}, TINY_RADIUS};
 }
 
 tiny_scene *tiny_make(void)
@@ -98,7 +98,7 @@ static void add_table(uint32_t field, const void *table, uint32_t bytes, uint32_
 static void put_header(bool strides)
 {
     memcpy(tiny_at(&image, AT_MAGIC), "FXLS", 4);
-    tiny_put16(tiny_at(&image, AT_VERSION), 1);
+    tiny_put16(tiny_at(&image, AT_VERSION), 2);
     tiny_put16(tiny_at(&image, AT_HEADER_SIZE), HEADER_SIZE);
     tiny_put16(tiny_at(&image, AT_WIDTH), 48);
     tiny_put16(tiny_at(&image, AT_HEIGHT), 32);

@@ -12,6 +12,9 @@ enum {
     TINY_STRIDES = 2
 };
 
+/* Of both models: a little more than sqrt(3). */
+#define TINY_RADIUS Q16(1.75)
+
 /* Two models of the same cube, the first convex, the second sorted. Colours of
  * the first are 1..6, of the second 11..16: -x +x -y +y -z +z. */
 typedef struct {

@@ -36,6 +36,7 @@
 #include "fixel/render.h"
 #include "fixel/scan.h"
 #include "fixel/scene.h"
+#include "fixel/sphere.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
 #include "fixel/view.h"

@@ -90,14 +90,27 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
     }
 }
 
-void fxl_order_objects(const fxl_scene *scene, const fxl_point *eye, fxl_order_entry *entries)
+uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
+                           const fxl_view_frustum *frustum, fxl_order_entry *entries,
+                           uint32_t *left_out)
 {
+    uint32_t count = 0;
+    *left_out = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const fxl_object *object = &scene->objects[i];
-        entries[i] = fxl_order_entry_of(fxl_distance_squared(eye, &object->centre), (uint16_t)i,
-                                        object->layer);
+        const fxl_model *model = &scene->models[object->model];
+        uint32_t planes = fxl_sphere_planes(camera, frustum, &object->centre, model->radius);
+        if (planes == FXL_SPHERE_OUTSIDE) {
+            *left_out += model->face_count; /* below 2^16 * 2^16 */
+            continue;
+        }
+        fxl_order_entry *entry = &entries[count++];
+        *entry = fxl_order_entry_of(fxl_distance_squared(&camera->position, &object->centre),
+                                    (uint16_t)i, object->layer);
+        entry->planes = (uint8_t)planes;
     }
-    fxl_order_sort(entries, scene->object_count);
+    fxl_order_sort(entries, count);
+    return count;
 }
 
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,

@@ -125,11 +125,12 @@ static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_obje
 static void walk_scene(const walk *on)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->objects < scene->object_count; on->place->objects += 1) {
-        const fxl_object *object = &scene->objects[on->renderer->order[on->place->objects].index];
+    for (; on->place->objects < on->renderer->in_sight; on->place->objects += 1) {
+        const fxl_order_entry *entry = &on->renderer->order[on->place->objects];
+        const fxl_object *object = &scene->objects[entry->index];
         const fxl_model *model = &scene->models[object->model];
         fxl_placed placed;
-        fxl_place_object(&placed, scene, object, FXL_PLANES_ALL, &on->renderer->view,
+        fxl_place_object(&placed, scene, object, entry->planes, &on->renderer->view,
                          &on->renderer->cache);
         bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, &placed, object, model)
                                                     : walk_convex(on, &placed, model);
@@ -194,10 +195,15 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     if (status != FXL_OK) {
         return refuse(renderer, status);
     }
-    fxl_order_objects(renderer->scene, &renderer->view.camera.position, renderer->order);
+    uint32_t left_out;
+    renderer->in_sight =
+        (uint16_t)fxl_order_objects(renderer->scene, &renderer->view.camera,
+                                    &renderer->view.view_frustum, renderer->order, &left_out);
     uint32_t refused_calls = renderer->counters.refused_calls;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     renderer->counters.refused_calls = refused_calls;
+    renderer->counters.in = left_out;
+    renderer->counters.outside = left_out;
     renderer->list.used = 0;
     renderer->rest.objects = 0;
     renderer->rest.faces = 0;

@@ -86,6 +86,9 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
             model->reserved[2] != 0) {
             return fail(fault, "model", i, FXL_E_RESERVED);
         }
+        if (model->radius < 0 || model->radius > FXL_RADIUS_MAX) {
+            return fail(fault, "model", i, FXL_E_RANGE);
+        }
         if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
             !count_in(model->face_count, 1, FXL_MODEL_FACES_MAX)) {
             return fail(fault, "model", i, FXL_E_COUNT);
@@ -166,6 +169,25 @@ static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
+/* Vertices are held to twice the range, so each square is below 2^60 and the
+ * sum below 2^62; a radius below 2^31 squares to less than 2^62. Exact. */
+static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        for (uint32_t j = 0; j < model->vertex_count; j++) {
+            uint32_t number = model->first_vertex + j;
+            const fxl_point *vertex = &scene->vertices[number];
+            int64_t square = (int64_t)vertex->x * vertex->x + (int64_t)vertex->y * vertex->y +
+                             (int64_t)vertex->z * vertex->z;
+            if (square > (int64_t)model->radius * model->radius) {
+                return fail(fault, "vertex", number, FXL_E_RADIUS);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
 /* Components up to 2^30 + 2^2 keep every square below 2^61 and the sum below
  * 2^63. */
 static bool is_unit(const fxl_direction *normal)
@@ -231,8 +253,8 @@ static uint32_t order_needed(const fxl_scene *scene)
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
 {
     static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
-        check_counts,          check_faces,    check_models,  check_objects,
-        check_placed_vertices, check_vertices, check_normals,
+        check_counts,          check_faces,    check_models, check_objects,
+        check_placed_vertices, check_vertices, check_radii,  check_normals,
     };
     if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->objects == NULL) {

@@ -34,14 +34,14 @@ _Static_assert(offsetof(header, palette) == 80, "SPEC.md, chapter 8");
 _Static_assert(offsetof(header, frame_count) == 136, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_point) == 12, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_face) == 20, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_model) == 20, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_model) == 24, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_object) == 16, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_stride) == 4, "SPEC.md, chapter 8");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
 #define MAGIC           0x534C5846u /* "FXLS" */
-#define VERSION         1u
+#define VERSION         2u
 #define PALETTE_ENTRIES 256u
 
 enum {

@@ -2,6 +2,7 @@
 """Scene images: written, read and checked as chapters 3 and 8 of SPEC.md say."""
 
 from dataclasses import dataclass, field
+from math import isqrt
 import os
 import struct
 import tempfile
@@ -10,11 +11,12 @@ import zlib
 from fixel.errors import ToolError
 
 MAGIC = b"FXLS"
-VERSION = 1
+VERSION = 2
 HEADER_SIZE = 160
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
+RADIUS_MAX = 28375 << 16        # no vertex can be farther from its origin
 SCREEN_MAX = 1024
 FOV_MIN, FOV_MAX = 119304648, 1789569706
 NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
@@ -34,7 +36,7 @@ _PALETTE = struct.Struct("<3B")
 _VERTEX = struct.Struct("<3i")
 _CORNER = struct.Struct("<H")
 _FACE = struct.Struct("<3iIBBH")
-_MODEL = struct.Struct("<4IB3s")
+_MODEL = struct.Struct("<4IB3si")
 _OBJECT = struct.Struct("<3iHBB")
 _POSE = struct.Struct("<3i3I")
 _STRIDE = struct.Struct("<HH")
@@ -95,12 +97,19 @@ def _aligned(blob):
     return blob + b"\0" * (-len(blob) % 4)
 
 
+def radius_of(vertices):
+    """The least radius about the origin that holds every vertex, in 16.16."""
+    square = max((x * x + y * y + z * z for x, y, z in vertices), default=0)
+    return 1 + isqrt(square - 1) if square else 0
+
+
 def _model_tables(image):
     """Vertices, corners, faces and models as packed bytes with their counts."""
     vertices, corners, faces, models = [], [], [], []
     for model in image.models:
         models.append(_MODEL.pack(len(vertices), len(model.vertices), len(faces),
-                                  len(model.faces), model.kind, bytes(3)))
+                                  len(model.faces), model.kind, bytes(3),
+                                  radius_of(model.vertices)))
         vertices += [_VERTEX.pack(*vertex) for vertex in model.vertices]
         for face in model.faces:
             faces.append(_FACE.pack(*face.normal, len(corners), len(face.corners),
@@ -226,11 +235,13 @@ def _check_faces(faces, corners):
 
 
 def _read_models(models, vertices, corners, faces):
-    result = []
-    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved) in \
+    result, radii = [], []
+    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, radius) in \
             enumerate(models):
         if kind not in (CONVEX, SORTED) or any(reserved):
             fail("reserved", f"model {i}: unknown kind or reserved field not zero")
+        if not 0 <= radius <= RADIUS_MAX:
+            fail("range", f"model {i}: a radius of {radius / 65536:.6g} is outside 0..28375")
         if not 3 <= vertex_count <= 65535 or not 1 <= face_count <= 65535:
             fail("count", f"model {i}: {vertex_count} vertices, {face_count} faces")
         if first_vertex + vertex_count > len(vertices) or first_face + face_count > len(faces):
@@ -243,7 +254,15 @@ def _read_models(models, vertices, corners, faces):
                 fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
             own.append(Face(tuple(normal), outline, colour))
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
-    return result
+        radii.append(radius)
+    return result, radii
+
+
+def _check_radii(models, radii):
+    for i, (model, radius) in enumerate(zip(models, radii)):
+        if radius_of(model.vertices) > radius:
+            fail("radius", f"a vertex of model {i} lies farther from its origin than "
+                 f"{radius / 65536:.6g}, the model's radius")
 
 
 def _read_objects(objects, models):
@@ -290,9 +309,10 @@ def unpack(blob):
     _check_gait(gait)
     palette, vertices, corners, faces, models, objects, path = _tables(blob, fields)
     _check_faces(faces, corners)
-    models = _read_models(models, vertices, corners, faces)
+    models, radii = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
     _check_extents(objects, models)
+    _check_radii(models, radii)
     for i, model in enumerate(models):
         for j, face in enumerate(model.faces):
             check_plane(face.normal, [model.vertices[c] for c in face.corners],

@@ -114,9 +114,9 @@ typedef struct {
 /* What became of a frame's polygons. Each polygon that came in is counted
  * once: in == backfacing + outside + degenerate + refused + drawn. */
 typedef struct {
-    uint32_t in;            /* faces of the scene looked at */
+    uint32_t in;            /* faces of the scene */
     uint32_t backfacing;    /* culled: turned away from the eye */
-    uint32_t outside;       /* culled: wholly outside one plane, at once or after cuts */
+    uint32_t outside;       /* culled: wholly outside one plane, with their object or alone */
     uint32_t degenerate;    /* culled: fewer than three vertices left */
     uint32_t refused;       /* outside the contract: too many vertices, or off range */
     uint32_t drawn;         /* reached the screen (it may still cover no pixel centre) */

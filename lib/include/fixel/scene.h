@@ -41,12 +41,14 @@ enum {
 /* A model: vertex_count vertices from vertices[first_vertex] on, face_count
  * faces from faces[first_face] on. Models share neither: the first begins at
  * 0, each begins where the one before ends, the last ends with the tables.
- * Vertices are relative to the object's centre. */
+ * Vertices are relative to the object's centre; none is farther from it than
+ * the radius. The smaller the radius, the sooner an object is left out. */
 typedef struct {
     uint32_t first_vertex, vertex_count; /* vertex_count 3..65535 */
     uint32_t first_face, face_count;     /* face_count 1..65535 */
     uint8_t kind;
     uint8_t reserved[3]; /* 0 */
+    fxl_q16_16 radius;   /* 0..FXL_RADIUS_MAX */
 } fxl_model;
 
 /* A model put somewhere. Objects of a lower layer are drawn first; within a
@@ -97,12 +99,11 @@ typedef struct {
 } fxl_scene_fault;
 
 /* Checks a scene written as tables: every count, index, range, normal and
- * planarity, and that every vertex of every object lies within
- * FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is written only
- * on FXL_OK; *fault (may be null) only on an error.
- * FXL_E_ARGUMENT, _COUNT, _INDEX, _RANGE, _NORMAL, _PLANARITY, _RESERVED;
- * _CAPACITY for a face of more than FXL_FACE_VERTICES_MAX vertices, which a
- * build with a larger FXL_POLYGON_CAPACITY would draw. */
+ * planarity, that no vertex lies outside its model's radius, and that every
+ * vertex of every object lies within FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is
+ * written only on FXL_OK; *fault (may be null) only on an error. FXL_E_ARGUMENT, _COUNT, _INDEX,
+ * _RANGE, _RADIUS, _NORMAL, _PLANARITY, _RESERVED; _CAPACITY for a face of more than
+ * FXL_FACE_VERTICES_MAX vertices, which a build with a larger FXL_POLYGON_CAPACITY would draw. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Opens a scene image of size bytes in memory aligned to four bytes, on a

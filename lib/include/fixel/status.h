@@ -22,6 +22,7 @@ typedef enum {
     FXL_E_NORMAL,     /* a face normal that is not of unit length */
     FXL_E_PLANARITY,  /* a face vertex off the plane of its face */
     FXL_E_RESERVED,   /* a reserved field or an enumeration holds an unknown value */
+    FXL_E_RADIUS,     /* a vertex farther from its model's origin than the model's radius */
     FXL_STATUS_COUNT
 } fxl_status;
 
