@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/placed.h"
 
+#include "outside.h"
 #include "rotate.h"
 
 /* What a tag counts objects by: below it is the vertex's number. */
@@ -53,9 +54,13 @@ void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_obje
 void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry)
 {
     const fxl_view *view = placed->view;
-    fxl_point point = fxl_placed_vertex(placed, number);
+    fxl_point from_eye = fxl_placed_vertex(placed, number);
+    fxl_view_point seen;
+    fxl_rotate(&view->camera, &from_eye, &seen);
+    entry->position = seen;
     entry->tag = placed->tag + number;
     entry->projected = false;
-    fxl_rotate(&view->camera, &point, &entry->position);
-    entry->outside = fxl_outcode(&view->view_frustum, placed->planes, &entry->position);
+    entry->outside = placed->planes == 0
+                         ? 0
+                         : fxl_outside(&view->view_frustum, placed->planes, &entry->position);
 }
