@@ -2,6 +2,7 @@
 #include "fixel/clip_view.h"
 
 #include "arith.h"
+#include "fraction.h"
 
 /* floor((side * across + depth * along) / 2^30) for a unit vector (side, depth)
  * and |across|, |along| < 2^61, exactly. With v = 2^32 high + low the sum is
@@ -39,35 +40,12 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
     }
 }
 
-/* One digit of 32 bits of *rest / whole, rest < whole, 2^63 <= whole < 2^64;
- * *rest becomes what is left (Knuth, algorithm D). The estimate from the upper
- * half of whole is too large by two at most. */
-static uint32_t divide_digit(uint64_t *rest, uint64_t whole)
-{
-    uint64_t high = whole >> 32, low = (uint32_t)whole;
-    uint64_t digit = *rest / high;
-    uint64_t left = *rest - digit * high;
-    while (left <= UINT32_MAX && (digit > UINT32_MAX || digit * low > left << 32)) {
-        digit -= 1;
-        left += high;
-    }
-    /* The true remainder is below 2^64, so what wraps on the way cancels. */
-    *rest = (*rest << 32) - digit * whole;
-    return (uint32_t)digit;
-}
-
 /* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
  * 2^62. */
 static uint64_t crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
-    uint64_t whole = (uint64_t)inside + fxl_magnitude(outside);
-    unsigned shift = 64u - fxl_bit_length(whole);
-    uint64_t rest = (uint64_t)inside << shift;
-    whole <<= shift;
-    uint64_t upper = divide_digit(&rest, whole);
-    uint64_t lower = divide_digit(&rest, whole);
-    return upper << 32 | lower;
+    return fxl_fraction((uint64_t)inside, (uint64_t)inside - (uint64_t)outside);
 }
 
 /* from + (to - from) fraction / 2^64, rounded towards from: less than one unit.

@@ -40,7 +40,8 @@ void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_obje
         cache->count = TAG_OBJECT;
     }
     placed->view = view;
-    placed->cache = cache;
+    placed->entries = cache->entries;
+    placed->mask = cache->mask;
     placed->vertices = scene->vertices + scene->models[object->model].first_vertex;
     placed->corners = scene->corners;
     /* Both within FXL_COORDINATE_MAX. */
@@ -59,8 +60,9 @@ void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *ent
     fxl_rotate(&view->camera, &from_eye, &seen);
     entry->position = seen;
     entry->tag = placed->tag + number;
-    entry->projected = false;
-    entry->outside = placed->planes == 0
-                         ? 0
-                         : fxl_outside(&view->view_frustum, placed->planes, &entry->position);
+    unsigned outside = 0;
+    if (placed->planes != 0) {
+        outside = fxl_outside(&view->view_frustum, placed->planes, &entry->position);
+    }
+    entry->state = (uint8_t)(outside | FXL_SEEN_UNPROJECTED);
 }

@@ -8,11 +8,13 @@
 #include "fixel/scene.h"
 #include "fixel/view.h"
 
-/* A vertex in the view. All members belong to placed.c. */
+/* Its place on the screen was not worked out yet. */
+#define FXL_SEEN_UNPROJECTED 0x80u
+
+/* A vertex in the view. */
 typedef struct {
-    uint32_t tag; /* which vertex of which object in the cache's count; 0: none */
-    fxl_planes outside;
-    bool projected; /* screen is known */
+    uint32_t tag;  /* which vertex of which object in the cache's count; 0: none */
+    uint8_t state; /* the planes that it lies outside of; FXL_SEEN_UNPROJECTED */
     fxl_screen_point screen;
     fxl_view_point position;
 } fxl_seen_vertex;
@@ -28,11 +30,12 @@ typedef struct {
 /* The caller owns it. */
 typedef struct {
     fxl_view *view;
-    fxl_vertex_cache *cache;
+    fxl_seen_vertex *entries;  /* of the cache */
+    uint32_t mask;             /* of the cache */
+    uint32_t tag;              /* of its vertex 0 */
     const fxl_point *vertices; /* of its model */
     const uint16_t *corners;   /* of the scene */
     fxl_point offset;          /* its centre less the eye; each below 2^30 */
-    uint32_t tag;              /* of its vertex 0 */
     fxl_planes planes;         /* none of its vertices lies outside of another plane */
 } fxl_placed;
 
@@ -58,11 +61,11 @@ static inline fxl_point fxl_placed_vertex(const fxl_placed *placed, uint32_t num
 /* Works a vertex out into its entry. Exact, given the camera's matrix. */
 void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry);
 
-/* The vertex in the view; good until the next is asked for. */
+/* The vertex in the view; good until the next is asked for. The state alone may
+ * be changed, together with screen. */
 static inline fxl_seen_vertex *fxl_see(const fxl_placed *placed, uint32_t number)
 {
-    fxl_vertex_cache *cache = placed->cache;
-    fxl_seen_vertex *entry = &cache->entries[number & cache->mask];
+    fxl_seen_vertex *entry = &placed->entries[number & placed->mask];
     if (entry->tag != placed->tag + number) {
         fxl_look_at(placed, number, entry);
     }
