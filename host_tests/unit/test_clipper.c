@@ -284,6 +284,34 @@ void test_both_clippers_draw_the_same_frames(void)
     TEST_ASSERT_TRUE(apart == 0);
 }
 
+/* Two renderers at once, with caches of any size, none included. */
+void test_the_cache_changes_no_pixel(void)
+{
+    enum {
+        ENTRIES = 9
+    };
+    static fxl_seen_vertex caches[2][ENTRIES];
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_pose pose = random_pose();
+        start(0);
+        draw(&renderers[0], &pose, frames[0]);
+        const fxl_counters counters = renderers[0].counters;
+        for (int which = 0; which < 2; which++) {
+            start(which);
+            fxl_vertex_cache_init(&renderers[which].cache, caches[which],
+                                  (uint32_t)unit_between(1, ENTRIES));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[which], &pose));
+        }
+        for (int which = 0; which < 2; which++) {
+            fxl_band band = {frames[1 + which], WIDTH, WIDTH, 0, HEIGHT};
+            fxl_fill_band(&band, BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[which], &band));
+            TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1 + which], PIXELS);
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[which].counters, sizeof counters);
+        }
+    }
+}
+
 void test_the_clipper_may_change_between_frames(void)
 {
     start(0);
