@@ -28,7 +28,7 @@ from fixel.table import coloured, table
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
 # What make needs to build the library's tests.
-COPIED = ("Makefile", "lib", "boards", "firmware", "host_tests")
+COPIED = ("Makefile", "lib", "boards", "firmware", "bench", "host_tests")
 TEST_TIMEOUT = 120      # seconds; a bug that never ends is caught too
 FIELDS = {"name": str, "kind": str, "file": str, "find": str, "replace": str, "why": str,
           "tests": list}

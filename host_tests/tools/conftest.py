@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import signal
 import struct
 import subprocess
 import sys
@@ -14,6 +15,10 @@ import pytest
 CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = CHECKOUT / "tools"
 sys.path.insert(0, str(TOOLS))
+
+# A shell ignores it for what it starts in the background, and what that starts
+# inherits it: the tests interrupt programs.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 

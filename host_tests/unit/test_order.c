@@ -69,11 +69,74 @@ void test_sorted_and_reversed_input(void)
     }
 }
 
+/* Distances that rise and fall in runs, jump, or repeat; the entries by number, as
+ * faces come. */
+static void make_faces(uint32_t count, uint32_t kind)
+{
+    uint64_t distance = unit_random();
+    for (uint32_t i = 0; i < count; i++) {
+        uint64_t step = unit_random() % (kind % 4 == 0 ? 2 : 1000);
+        distance = i % (1 + kind) > kind / 2 ? distance + step : distance - step;
+        if (kind == 3) {
+            distance = (uint64_t)unit_random() << 32 | unit_random();
+        }
+        entries[i] = fxl_order_entry_of(distance, (uint16_t)i, 0);
+    }
+}
+
+void test_sorting_faces_is_by_distance_and_index(void)
+{
+    for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
+        uint32_t count = (uint32_t)unit_between(0, round % 8 ? 40 : MANY);
+        make_faces(count, round % 23);
+        uint64_t sum = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            sum += fxl_order_distance(&entries[i]) * (2 * i + 1);
+        }
+        fxl_order_sort_faces(entries, count);
+        for (uint32_t i = 0; i < count; i++) {
+            sum -= fxl_order_distance(&entries[i]) * (2 * (uint64_t)entries[i].index + 1);
+            entries[i].layer = 0;
+        }
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(0, sum, "a key went to another face");
+        expect_sorted(count);
+    }
+}
+
+/* As many runs as there can be: each of two entries. */
+void test_sorting_faces_of_the_shortest_runs(void)
+{
+    for (uint32_t i = 0; i < MANY; i++) {
+        entries[i] = fxl_order_entry_of(i % 2 ? MANY - i : 3 * MANY - i, (uint16_t)i, 0);
+    }
+    fxl_order_sort_faces(entries, MANY);
+    for (uint32_t i = 0; i < MANY; i++) {
+        TEST_ASSERT_EQUAL_UINT32(i < MANY / 2 ? 2 * i : 2 * (i - MANY / 2) + 1, entries[i].index);
+    }
+}
+
+/* The places count to 65534, and the chains are as many as there can be. */
+void test_sorting_the_most_faces(void)
+{
+#ifndef UNIT_ON_TARGET
+    static fxl_order_entry many[FXL_MODEL_FACES_MAX];
+    for (uint32_t i = 0; i < FXL_MODEL_FACES_MAX; i++) {
+        many[i] = fxl_order_entry_of((i % 2 ? 1 : 3) * FXL_MODEL_FACES_MAX - i, (uint16_t)i, 0);
+    }
+    fxl_order_sort_faces(many, FXL_MODEL_FACES_MAX);
+    for (uint32_t i = 1; i < FXL_MODEL_FACES_MAX; i++) {
+        many[i - 1].layer = many[i].layer = 0;
+        TEST_ASSERT_TRUE(before(&many[i - 1], &many[i]));
+    }
+#endif
+}
+
 void test_nothing_and_one_entry(void)
 {
     entries[0] = fxl_order_entry_of(7, 0, 3);
     fxl_order_sort(entries, 0);
     fxl_order_sort(entries, 1);
+    fxl_order_sort_faces(entries, 0);
     TEST_ASSERT_EQUAL_UINT64(7, fxl_order_distance(&entries[0]));
     TEST_ASSERT_EQUAL_UINT32(3, entries[0].layer);
 }
@@ -244,7 +307,6 @@ void test_faces_that_face_the_eye_far_to_near(void)
     TEST_ASSERT_EQUAL_UINT32(3, count);
     for (uint32_t i = 0; i < count; i++) {
         const fxl_face *face = &tiny->faces[6 + entries[i].index];
-        TEST_ASSERT_EQUAL_UINT32(0, entries[i].layer);
         TEST_ASSERT_TRUE(entries[i].index % 2 == 1);
         TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye),
                                  fxl_order_distance(&entries[i]));

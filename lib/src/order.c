@@ -2,22 +2,21 @@
 #include "fixel/order.h"
 
 #include "arith.h"
-#include "face.h"
-#include "fixel/cull.h"
 
-static uint64_t square(int64_t value)
+/* Below 2^62 for |value| < 2^31. */
+static inline uint64_t square(int32_t value)
 {
-    return (uint64_t)(value * value);
+    return (uint64_t)((int64_t)value * value);
 }
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));
-    return square((int64_t)point->x - eye->x) + square((int64_t)point->y - eye->y) +
-           square((int64_t)point->z - eye->z);
+    return square(point->x - eye->x) + square(point->y - eye->y) + square(point->z - eye->z);
 }
 
-static void widen(fxl_q16_16 value, fxl_q16_16 *low, fxl_q16_16 *high)
+/* Lets [*low, *high] hold the value. */
+static inline void widen(int32_t value, int32_t *low, int32_t *high)
 {
     if (value < *low) {
         *low = value;
@@ -27,67 +26,206 @@ static void widen(fxl_q16_16 value, fxl_q16_16 *low, fxl_q16_16 *high)
     }
 }
 
+/* low + high - 2 eye. The difference of two points of the world is below 2^30, so
+ * what comes out is below 2^31; what wraps on the way cancels. */
+static inline uint64_t doubled_square(int32_t low, int32_t high, int32_t eye)
+{
+    return square((int32_t)((uint32_t)low + (uint32_t)high - 2 * (uint32_t)eye));
+}
+
+/* The key of a face whose vertices and whose eye are relative to the same point. */
+static inline uint64_t box_distance(const fxl_point *vertices, const uint16_t *corners,
+                                    uint32_t count, const fxl_point *eye)
+{
+    const uint16_t *end = corners + count;
+    fxl_point low = vertices[*corners];
+    fxl_point high = low;
+    while (++corners < end) {
+        const fxl_point *vertex = &vertices[*corners];
+        widen(vertex->x, &low.x, &high.x);
+        widen(vertex->y, &low.y, &high.y);
+        widen(vertex->z, &low.z, &high.z);
+    }
+    return doubled_square(low.x, high.x, eye->x) + doubled_square(low.y, high.y, eye->y) +
+           doubled_square(low.z, high.z, eye->z);
+}
+
+/* The eye as a model sees it. Both within FXL_COORDINATE_MAX: below 2^30. */
+static fxl_point relative_to(const fxl_point *eye, const fxl_point *centre)
+{
+    fxl_point relative = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
+    return relative;
+}
+
 uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
                                    const fxl_object *object, const fxl_face *face)
 {
-    fxl_point low = fxl_face_vertex(scene, object, face, 0);
-    fxl_point high = low;
-    for (uint32_t i = 1; i < face->count; i++) {
-        fxl_point point = fxl_face_vertex(scene, object, face, i);
-        widen(point.x, &low.x, &high.x);
-        widen(point.y, &low.y, &high.y);
-        widen(point.z, &low.z, &high.z);
-    }
-    return square((int64_t)low.x + high.x - 2 * (int64_t)eye->x) +
-           square((int64_t)low.y + high.y - 2 * (int64_t)eye->y) +
-           square((int64_t)low.z + high.z - 2 * (int64_t)eye->z);
+    fxl_point relative = relative_to(eye, &object->centre);
+    return box_distance(&scene->vertices[scene->models[object->model].first_vertex],
+                        &scene->corners[face->first_corner], face->count, &relative);
 }
 
 /* Whether a is drawn before b. */
-static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
+static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
     if (a->layer != b->layer) {
         return a->layer < b->layer;
     }
-    if (a->distance_high != b->distance_high) {
-        return a->distance_high > b->distance_high;
-    }
-    if (a->distance_low != b->distance_low) {
-        return a->distance_low > b->distance_low;
-    }
-    return a->index < b->index;
+    uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
+    return from_a == from_b ? a->index < b->index : from_a > from_b;
 }
 
-/* Lets entries[root] sink below those that are drawn after it. */
-static void sift_down(fxl_order_entry *entries, uint32_t root, uint32_t count)
+/* Puts an entry into the heap below root, where a place is free: first down to
+ * the lowest place along the later of two children, with one comparison a level,
+ * then up to where it belongs, which for an entry from the end of the heap is
+ * near (Wegener 1993). */
+static void sift(fxl_order_entry *entries, uint32_t root, uint32_t count,
+                 const fxl_order_entry *entry)
 {
-    fxl_order_entry sinking = entries[root];
-    uint32_t child;
-    while ((child = 2 * root + 1) < count) {
-        if (child + 1 < count && before(&entries[child], &entries[child + 1])) {
-            child += 1;
+    uint32_t free = root, child;
+    while ((child = 2 * free + 2) < count) {
+        if (before(&entries[child], &entries[child - 1])) {
+            child -= 1;
         }
-        if (!before(&sinking, &entries[child])) {
+        entries[free] = entries[child];
+        free = child;
+    }
+    if (child == count) {
+        entries[free] = entries[child - 1];
+        free = child - 1;
+    }
+    while (free > root) {
+        uint32_t parent = (free - 1) / 2;
+        if (!before(&entries[parent], entry)) {
             break;
         }
-        entries[root] = entries[child];
-        root = child;
+        entries[free] = entries[parent];
+        free = parent;
     }
-    entries[root] = sinking;
+    entries[free] = *entry;
 }
 
-/* Heapsort: in place, without recursion, and no order of input makes it slow. */
+/* Heapsort, bottom up: in place, without recursion, and no order of input makes
+ * it slow. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
 {
     for (uint32_t root = count / 2; root-- > 0;) {
-        sift_down(entries, root, count);
+        fxl_order_entry entry = entries[root];
+        sift(entries, root, count, &entry);
     }
     for (uint32_t end = count; end-- > 1;) {
-        fxl_order_entry last = entries[0];
-        entries[0] = entries[end];
-        entries[end] = last;
-        sift_down(entries, 0, end);
+        fxl_order_entry entry = entries[end];
+        entries[end] = entries[0];
+        sift(entries, 0, end, &entry);
     }
+}
+
+/* Behind the last entry of a chain; no entry has this place. */
+#define END 0xFFFFu
+
+/* Two chains of entries, each in order, as one; the places of a's entries come
+ * before those of b's, so that of two equal ones a's goes first. */
+static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
+{
+    fxl_order_entry *at_a = &entries[a], *at_b = &entries[b];
+    uint64_t from_a = fxl_order_distance(at_a), from_b = fxl_order_distance(at_b);
+    uint32_t head = from_a >= from_b ? a : b;
+    fxl_order_entry *last = NULL;
+    for (;;) {
+        if (from_a >= from_b) {
+            if (last != NULL) {
+                last->next = (uint16_t)a;
+            }
+            last = at_a;
+            a = at_a->next;
+            if (a == END) {
+                last->next = (uint16_t)b;
+                return head;
+            }
+            at_a = &entries[a];
+            from_a = fxl_order_distance(at_a);
+        } else {
+            if (last != NULL) {
+                last->next = (uint16_t)b;
+            }
+            last = at_b;
+            b = at_b->next;
+            if (b == END) {
+                last->next = (uint16_t)a;
+                return head;
+            }
+            at_b = &entries[b];
+            from_b = fxl_order_distance(at_b);
+        }
+    }
+}
+
+/* Chains the entries from *place on that are in order already, or in the opposite
+ * order without equal ones; *place is then behind them. Answers the chain. */
+static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *place)
+{
+    uint32_t head = *place, at = head + 1;
+    uint64_t from_last = fxl_order_distance(&entries[head]);
+    if (at < count && fxl_order_distance(&entries[at]) > from_last) {
+        entries[head].next = END;
+        for (; at < count && fxl_order_distance(&entries[at]) > from_last; at++) {
+            from_last = fxl_order_distance(&entries[at]);
+            entries[at].next = (uint16_t)head;
+            head = at;
+        }
+    } else {
+        for (; at < count && fxl_order_distance(&entries[at]) <= from_last; at++) {
+            from_last = fxl_order_distance(&entries[at]);
+            entries[at - 1].next = (uint16_t)at;
+        }
+        entries[at - 1].next = END;
+    }
+    *place = at;
+    return head;
+}
+
+/* Puts a chain's entries where it says (MacLaren 1966). What lay in a place that
+ * was filled is found by the place's next; no entry moves into a place before,
+ * so all that following is no longer than the chain. */
+static void put_in_place(fxl_order_entry *entries, uint32_t head, uint32_t count)
+{
+    for (uint32_t place = 0; place < count; place++) {
+        while (head < place) {
+            head = entries[head].next;
+        }
+        fxl_order_entry entry = entries[head];
+        entries[head] = entries[place];
+        entries[place] = entry;
+        entries[place].next = (uint16_t)head;
+        head = entry.next;
+    }
+}
+
+/* Merging of runs: in place, without recursion. chains[i] is made of 2^i runs
+ * that come before those of chains[i - 1]; a run is two entries at least, but for
+ * the last. */
+void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
+{
+    uint16_t chains[16];
+    uint32_t levels = 0, place = 0;
+    while (place < count) {
+        uint32_t chain = take_run(entries, count, &place), level = 0;
+        for (; level < levels && chains[level] != END; level++) {
+            chain = merge(entries, chains[level], chain);
+            chains[level] = END;
+        }
+        if (level == levels) {
+            levels += 1;
+        }
+        chains[level] = (uint16_t)chain;
+    }
+    uint32_t all = END;
+    for (uint32_t level = 0; level < levels; level++) {
+        if (chains[level] != END) {
+            all = all == END ? chains[level] : merge(entries, chains[level], all);
+        }
+    }
+    put_in_place(entries, all, count);
 }
 
 uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
@@ -113,18 +251,30 @@ uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
+/* A face is turned to the eye as fxl_face_is_front says, with the eye as the
+ * model sees it: the differences, and so the sum, are the same. */
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,
                          fxl_order_entry *entries)
 {
     const fxl_model *model = &scene->models[object->model];
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < model->face_count; i++) {
-        const fxl_face *face = &scene->faces[model->first_face + i];
-        if (fxl_face_is_front(scene, object, face, eye)) {
-            entries[count++] = fxl_order_entry_of(
-                fxl_face_distance_squared(eye, scene, object, face), (uint16_t)i, 0);
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const uint16_t *all_corners = scene->corners;
+    const fxl_face *first_face = &scene->faces[model->first_face];
+    const fxl_face *end = first_face + model->face_count;
+    const fxl_point from = relative_to(eye, &object->centre);
+    fxl_order_entry *entry = entries;
+    for (const fxl_face *face = first_face; face < end; face++) {
+        const uint16_t *corners = &all_corners[face->first_corner];
+        const fxl_point *first = &vertices[corners[0]];
+        if (fxl_dot(&face->normal, from.x - first->x, from.y - first->y, from.z - first->z) > 0) {
+            uint64_t distance = box_distance(vertices, corners, face->count, &from);
+            entry->distance_low = (uint32_t)distance;
+            entry->distance_high = (uint32_t)(distance >> 32);
+            entry->index = (uint16_t)(face - first_face);
+            entry++;
         }
     }
-    fxl_order_sort(entries, count);
+    uint32_t count = (uint32_t)(entry - entries);
+    fxl_order_sort_faces(entries, count);
     return count;
 }

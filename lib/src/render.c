@@ -90,7 +90,7 @@ static bool take_face(const walk *on, const fxl_placed *placed, const fxl_face *
 static bool walk_convex(const walk *on, const fxl_placed *placed, const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->faces < model->face_count; on->place->faces += 1) {
+    for (; on->place->faces < model->face_count; on->place->faces++) {
         const fxl_face *face = &scene->faces[model->first_face + on->place->faces];
         if (!fxl_placed_face_is_front(placed, face)) {
             on->counters->backfacing += 1;
@@ -107,9 +107,15 @@ static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_obje
                         const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
-    fxl_order_entry *order = on->renderer->order + scene->object_count;
-    uint32_t front = fxl_order_faces(scene, object, &on->renderer->view.camera.position, order);
-    for (; on->place->faces < front; on->place->faces += 1) {
+    fxl_renderer *renderer = on->renderer;
+    fxl_order_entry *order = renderer->order + scene->object_count;
+    if (renderer->sorted != on->place->objects) {
+        renderer->sorted = on->place->objects;
+        renderer->front =
+            (uint16_t)fxl_order_faces(scene, object, &renderer->view.camera.position, order);
+    }
+    uint32_t front = renderer->front;
+    for (; on->place->faces < front; on->place->faces++) {
         uint32_t number = order[on->place->faces].index;
         if (!take_face(on, placed, &scene->faces[model->first_face + number])) {
             return false;
@@ -125,7 +131,7 @@ static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_obje
 static void walk_scene(const walk *on)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->objects < on->renderer->in_sight; on->place->objects += 1) {
+    for (; on->place->objects < on->renderer->in_sight; on->place->objects++) {
         const fxl_order_entry *entry = &on->renderer->order[on->place->objects];
         const fxl_object *object = &scene->objects[entry->index];
         const fxl_model *model = &scene->models[object->model];
@@ -205,6 +211,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     renderer->counters.in = left_out;
     renderer->counters.outside = left_out;
     renderer->list.used = 0;
+    renderer->sorted = UINT16_MAX; /* no object's place: those are below in_sight */
     renderer->rest.objects = 0;
     renderer->rest.faces = 0;
     const walk on = {renderer, NULL, &renderer->rest, &renderer->counters};

@@ -21,8 +21,10 @@ typedef struct {
 /* How far a walk over the scene has come: so many objects in the order of
  * drawing are done, and of the next object so many faces. */
 typedef struct {
-    uint32_t objects, faces;
+    uint16_t objects, faces;
 } fxl_place;
+
+_Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "fxl_place");
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 416 bytes and
  * 80 for each vertex of FXL_POLYGON_CAPACITY: 2976 where that is 32, 1376 where
@@ -35,6 +37,7 @@ typedef struct {
     bool ready;             /* a frame has begun */
     bool counted;           /* a band was drawn: what is not in the list is counted */
     uint16_t in_sight;      /* objects in order: those that the frame looks into */
+    uint16_t sorted, front; /* whose faces are in order, as fxl_place counts; how many */
     fxl_list list;
     fxl_place rest; /* where the list was full */
     fxl_counters counters;
