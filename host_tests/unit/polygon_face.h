@@ -19,7 +19,7 @@ typedef struct {
 static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon, fxl_view *view,
                                     uint32_t entries)
 {
-    const fxl_model model = {0, polygon->count, 0, 1, FXL_MODEL_CONVEX, {0, 0, 0}, 0};
+    const fxl_model model = {.vertex_count = polygon->count, .face_count = 1};
     const fxl_object object = {{0, 0, 0}, 0, 0, 0};
     const fxl_scene scene = {.vertices = as->vertices, .corners = as->corners, .models = &model};
     as->face = (fxl_face){.count = polygon->count, .colour = polygon->colour};

@@ -14,8 +14,8 @@ static fxl_vertex_cache cache;
 
 /* Two objects, each of a model of its own. */
 static const fxl_model models[] = {
-    {0, VERTICES, 0, 1, FXL_MODEL_CONVEX, {0, 0, 0}, FXL_RADIUS_MAX},
-    {VERTICES, VERTICES, 1, 1, FXL_MODEL_CONVEX, {0, 0, 0}, FXL_RADIUS_MAX}};
+    {.first_vertex = 0, .vertex_count = VERTICES, .face_count = 1},
+    {.first_vertex = VERTICES, .vertex_count = VERTICES, .face_count = 1}};
 static fxl_object objects[] = {{{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 0, 0}};
 static const fxl_scene scene = {.vertices = vertices, .models = models, .objects = objects};
 
