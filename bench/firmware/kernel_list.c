@@ -86,7 +86,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_point(&in->lens, &in->seen[i], &results.screen[i]);
+        fxl_project_seen(&in->projection, &in->seen[i], &results.screen[i]);
     }
 }
 

@@ -5,6 +5,8 @@
 #define FXL_ARITH_H
 
 #include "fixel/record.h"
+#include "leading_zeros.h"
+#include "multiply.h"
 
 /* One assertion for our own bugs: a test build lets it abort, a proof takes it
  * as a goal, a shipped build leaves it out. */
@@ -65,20 +67,20 @@ static inline unsigned fxl_bit_length(uint64_t value)
     uint32_t high = (uint32_t)(value >> 32);
     uint32_t low = (uint32_t)value;
     if (high != 0) {
-        return 64u - (unsigned)__builtin_clz(high);
+        return 64u - fxl_leading_zeros(high);
     }
-    return low == 0 ? 0u : 32u - (unsigned)__builtin_clz(low);
+    return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
 }
 
 /* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
  * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */
 static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b)
 {
-    uint64_t a_high = a >> 32, a_low = (uint32_t)a;
-    uint64_t b_high = b >> 32, b_low = (uint32_t)b;
-    uint64_t middle = a_high * b_low + ((a_low * b_low) >> 32);
-    uint64_t other = a_low * b_high + (uint32_t)middle;
-    return a_high * b_high + (middle >> 32) + (other >> 32);
+    uint32_t a_high = (uint32_t)(a >> 32), a_low = (uint32_t)a;
+    uint32_t b_high = (uint32_t)(b >> 32), b_low = (uint32_t)b;
+    uint64_t middle = fxl_multiply_u32(a_high, b_low) + (fxl_multiply_u32(a_low, b_low) >> 32);
+    uint64_t other = fxl_multiply_u32(a_low, b_high) + (uint32_t)middle;
+    return fxl_multiply_u32(a_high, b_high) + (middle >> 32) + (other >> 32);
 }
 
 static inline uint64_t fxl_magnitude(int64_t value)
@@ -103,7 +105,8 @@ static inline bool fxl_point_in_range(const fxl_point *point)
  * it: a partial sum is the product with the same vector, some components 0. */
 static inline fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
 {
-    return (int64_t)direction->x * x + (int64_t)direction->y * y + (int64_t)direction->z * z;
+    return fxl_multiply_s32(direction->x, x) + fxl_multiply_s32(direction->y, y) +
+           fxl_multiply_s32(direction->z, z);
 }
 
 #endif

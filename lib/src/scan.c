@@ -1,106 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/scan.h"
 
-#include "arith.h"
+#include "edge.h"
+#include "scan_crossings.h"
 
-#define HALF_PIXEL 32768
-
-/* The first row (or column) whose centre is at or past a coordinate. */
-static int32_t first_centre_from(int64_t coordinate)
-{
-    return (int32_t)((coordinate - HALF_PIXEL + 65535) >> 16);
-}
-
-/* The edge's first pixel on the row `row`, whose centre is less than a pixel
- * below the top.
- *
- * The edge's x there is top.x + dx t / height, t the distance of the row's
- * centre from the top, and the first pixel is ceil(x - 1/2). With
- * top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
- *   whole + ceil((part height + dx t) / (65536 height)),
- * and ceil(n / m) = floor((n - 1) / m) + 1, and a floor of a floor is the floor
- * of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
- * below 2^46 and, without its low 16 bits, below 2^30. Exact. */
-static void place_on_first_row(fxl_edge *edge, const fxl_screen_point *top, int32_t dx)
-{
-    int32_t start = top->x - HALF_PIXEL;
-    int32_t whole = start >> 16;
-    int32_t part = start & 65535;
-    int32_t t = edge->row * 65536 + HALF_PIXEL - top->y;
-    FXL_ASSERT(t >= 0 && t < 65536);
-    int64_t sum = (int64_t)part * edge->height + (int64_t)dx * t;
-    int32_t quotient = fxl_divide_floor((int32_t)((sum - 1) >> 16), edge->height, &edge->error);
-    edge->x = whole + quotient + 1;
-}
-
-/* Walks an edge down by 0 < rows < 2^13 rows at once: the carries that single
- * steps would have made are floor((error + rows error_step) / height), found
- * by long division, as they are fewer than 2^13. The sum is below 2^43. */
-static void skip_rows(fxl_edge *edge, int32_t rows)
-{
-    FXL_ASSERT(rows > 0 && rows < 8192);
-    int64_t error = edge->error + (int64_t)rows * edge->error_step;
-    int32_t carries = 0;
-    for (int32_t bit = 4096; bit != 0; bit >>= 1) {
-        int64_t part = (int64_t)edge->height * bit;
-        if (error >= part) {
-            error -= part;
-            carries += bit;
-        }
-    }
-    edge->x += rows * edge->step + carries;
-    edge->error = (int32_t)error;
-    edge->row = (int16_t)(edge->row + rows);
-}
-
-static void step_row(fxl_edge *edge)
-{
-    edge->x += edge->step;
-    edge->error += edge->error_step;
-    if (edge->error >= edge->height) {
-        edge->error -= edge->height;
-        edge->x += 1;
-    }
-    edge->row = (int16_t)(edge->row + 1);
-}
-
-/* Sets up the edge from a to b; false where it crosses no row of the band. The
- * edge is always walked from its top, so its owner does not matter. */
-static bool set_up_edge(const fxl_screen_point *a, const fxl_screen_point *b, const fxl_band *band,
-                        fxl_edge *edge)
-{
-    const fxl_screen_point *top = a->y < b->y ? a : b;
-    const fxl_screen_point *bottom = top == a ? b : a;
-    int32_t band_end = band->first_row + band->rows;
-    int32_t first_row = first_centre_from(top->y);
-    int32_t end_row = first_centre_from(bottom->y);
-    if (first_row >= end_row || end_row <= band->first_row || first_row >= band_end) {
-        return false;
-    }
-    int32_t dx = bottom->x - top->x;
-    edge->height = bottom->y - top->y;
-    edge->row = (int16_t)first_row;
-    edge->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
-    edge->winding = top == a ? 1 : -1;
-    edge->step = fxl_divide_floor(dx, edge->height, &edge->error_step);
-    place_on_first_row(edge, top, dx);
-    if (first_row < band->first_row) {
-        skip_rows(edge, band->first_row - first_row);
-    }
-    return true;
-}
-
-/* Keeps the edges in the order of their first rows. */
-static void insert_edge(fxl_scan *scan, const fxl_edge *edge)
-{
-    uint32_t place = scan->edge_count;
-    while (place > 0 && scan->edges[place - 1].row > edge->row) {
-        scan->edges[place] = scan->edges[place - 1];
-        place -= 1;
-    }
-    scan->edges[place] = *edge;
-    scan->edge_count += 1;
-}
+/* What a look at every vertex tells of an outline. */
+typedef struct {
+    uint32_t top;      /* a vertex that none is above */
+    int32_t top_row;   /* the first row whose centre is at or below it */
+    int32_t end_row;   /* the same of the lowest vertex: no row from here on is crossed */
+    bool two_chains;   /* the rows go down once and up once on the way round */
+    bool within_sides; /* every edge's x is within 0..width on every row */
+} outline;
 
 static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
 {
@@ -123,31 +34,82 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
-/* No edges: no spans. */
+/* The rows that an outline walks downward add up to its height exactly if it
+ * never goes down again after going up. Then each row between its top and its
+ * bottom is crossed by two edges only, one of either chain, and with opposite
+ * windings: what is covered lies between the two.
+ *
+ * An edge's first pixel ceil(x - 1/2) lies between its ends' own, so that of x
+ * in -1/2 < x <= width + 1/2 is within 0..width: these are the x for which
+ * x + 1/2 - 2^-16 is in 0..width + 1 - 2^-16. */
+static void survey(const fxl_screen_point *points, uint32_t count, int32_t width, outline *found)
+{
+    const uint32_t places = (uint32_t)(width + 1) << 16;
+    int32_t top_row = INT16_MAX, end_row = INT16_MIN, down = 0;
+    int32_t before = fxl_first_centre_from(points[count - 1].y);
+    found->top = 0;
+    found->within_sides = true;
+    for (uint32_t i = 0; i < count; i++) {
+        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
+                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
+        if ((uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1)) >= places) {
+            found->within_sides = false;
+        }
+        int32_t row = fxl_first_centre_from(points[i].y);
+        if (row < top_row) {
+            top_row = row;
+            found->top = i;
+        }
+        end_row = row > end_row ? row : end_row;
+        down += row > before ? row - before : 0;
+        before = row;
+    }
+    found->top_row = top_row;
+    found->end_row = end_row;
+    found->two_chains = down == end_row - top_row;
+}
+
+static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *band)
+{
+    int32_t first_row = found->top_row > band->first_row ? found->top_row : band->first_row;
+    int32_t end_row = band->first_row + band->rows;
+    /* Seen from the front an outline goes round clockwise: its left chain is
+     * the way back from the top. */
+    scan->chains[0].onward = (uint8_t)(scan->count - 1);
+    scan->chains[1].onward = 1;
+    for (int side = 0; side < 2; side++) {
+        scan->chains[side].vertex = (uint8_t)found->top;
+        scan->chains[side].end_row = (int16_t)first_row;
+    }
+    scan->trapezoid.first_row = (int16_t)first_row;
+    scan->trapezoid.end_row = (int16_t)first_row;
+    scan->row = (int16_t)first_row;
+    scan->end_row = (int16_t)(found->end_row < end_row ? found->end_row : end_row);
+}
+
+/* No rows: no pixels. */
 static void clear(fxl_scan *scan)
 {
-    scan->edge_count = 0;
-    scan->next_edge = 0;
-    scan->crossing_count = 0;
-    scan->next_crossing = 0;
+    scan->by_chains = true;
+    scan->trapezoid.end_row = 0;
+    scan->end_row = 0;
+    scan->row = 0;
 }
 
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan)
 {
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    clear(scan);
-    scan->width = (int16_t)band->width;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t next = i + 1 == count ? 0 : i + 1;
-        fxl_edge edge;
-        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
-                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
-        if (set_up_edge(&points[i], &points[next], band, &edge)) {
-            insert_edge(scan, &edge);
-        }
+    outline found;
+    survey(points, count, band->width, &found);
+    scan->points = points;
+    scan->count = (uint8_t)count;
+    scan->by_chains = found.two_chains && found.within_sides;
+    if (scan->by_chains) {
+        begin_chains(scan, &found, band);
+    } else {
+        fxl_crossings_begin(&scan->crossings, points, count, band);
     }
-    scan->row = scan->edge_count > 0 ? (int16_t)(scan->edges[0].row - 1) : 0;
 }
 
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan)
@@ -177,112 +139,114 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
         top = y < top ? y : top;
         bottom = y > bottom ? y : bottom;
     }
-    fxl_rows rows = {row_held(first_centre_from(top), height),
-                     row_held(first_centre_from(bottom), height)};
+    fxl_rows rows = {row_held(fxl_first_centre_from(top), height),
+                     row_held(fxl_first_centre_from(bottom), height)};
     return rows;
 }
 
-/* Walks the crossing edges down to the row, leaves out those that have ended,
- * and takes in those that begin. */
-static void gather_crossings(fxl_scan *scan)
+/* Goes down a chain to the edge that crosses a row, and places it there. */
+static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
 {
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < scan->crossing_count; i++) {
-        fxl_edge *edge = &scan->edges[scan->crossings[i]];
-        if (edge->end_row > scan->row) {
-            step_row(edge);
-            scan->crossings[kept++] = scan->crossings[i];
-        }
-    }
-    while (scan->next_edge < scan->edge_count && scan->edges[scan->next_edge].row == scan->row) {
-        scan->crossings[kept++] = scan->next_edge++;
-    }
-    scan->crossing_count = (uint8_t)kept;
-    scan->next_crossing = 0;
-}
-
-/* Insertion sort: from row to row the order hardly changes. */
-static void sort_crossings(fxl_scan *scan)
-{
-    for (uint32_t i = 1; i < scan->crossing_count; i++) {
-        uint8_t moved = scan->crossings[i];
-        int32_t x = scan->edges[moved].x;
-        uint32_t place = i;
-        while (place > 0 && scan->edges[scan->crossings[place - 1]].x > x) {
-            scan->crossings[place] = scan->crossings[place - 1];
-            place -= 1;
-        }
-        scan->crossings[place] = moved;
-    }
-}
-
-/* Begins the next row that an edge crosses; false below the last. */
-static bool next_row(fxl_scan *scan)
-{
-    if (scan->edge_count == 0) {
-        return false;
-    }
-    scan->row = (int16_t)(scan->row + 1);
-    gather_crossings(scan);
-    if (scan->crossing_count == 0) {
-        if (scan->next_edge == scan->edge_count) {
-            scan->edge_count = 0;
-            return false;
-        }
-        scan->row = scan->edges[scan->next_edge].row;
-        gather_crossings(scan);
-    }
-    sort_crossings(scan);
-    return true;
-}
-
-/* The sum of the windings of all crossings at the place of the next one. */
-static int32_t take_winding(fxl_scan *scan, int32_t winding, int32_t *x)
-{
-    *x = scan->edges[scan->crossings[scan->next_crossing]].x;
-    while (scan->next_crossing < scan->crossing_count) {
-        const fxl_edge *edge = &scan->edges[scan->crossings[scan->next_crossing]];
-        if (edge->x != *x) {
+    uint32_t vertex = chain->vertex;
+    const fxl_screen_point *top = &scan->points[vertex];
+    const fxl_screen_point *bottom;
+    int32_t end_row;
+    for (;;) {
+        uint32_t next = vertex + chain->onward;
+        next -= next >= scan->count ? scan->count : 0u;
+        bottom = &scan->points[next];
+        end_row = fxl_first_centre_from(bottom->y);
+        if (end_row > row) {
             break;
         }
-        winding += edge->winding;
-        scan->next_crossing += 1;
+        vertex = next;
+        top = bottom;
     }
-    return winding;
+    chain->vertex = (uint8_t)vertex;
+    int32_t first_row = fxl_first_centre_from(top->y);
+    fxl_slope slope;
+    fxl_slope_set(top, bottom, first_row, &slope);
+    if (first_row < row) {
+        fxl_slope_skip(&slope, row - first_row);
+    }
+    int32_t good_end = row + fxl_slope_to_edge(&slope, edge);
+    chain->end_row = (int16_t)(good_end < end_row ? good_end : end_row);
 }
 
-/* The row's next stretch of pixels with a winding number other than 0. A
- * closed outline's windings add up to 0 on every row. */
-static bool next_stretch(fxl_scan *scan, int32_t *x0, int32_t *x1)
+/* Moves an edge down by whole rows: 32.32 by at most 2^10 rows. */
+static void advance(fxl_edge *edge, uint32_t rows)
 {
-    while (scan->next_crossing < scan->crossing_count) {
-        int32_t winding = take_winding(scan, 0, x0);
-        if (winding == 0) {
-            continue;
-        }
-        while (winding != 0) {
-            FXL_ASSERT(scan->next_crossing < scan->crossing_count);
-            winding = take_winding(scan, winding, x1);
-        }
-        return true;
+    uint64_t fraction = edge->fraction + (uint64_t)edge->step_fraction * rows;
+    edge->fraction = (uint32_t)fraction;
+    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
+}
+
+static const fxl_trapezoid *next_between_chains(fxl_scan *scan)
+{
+    fxl_trapezoid *trapezoid = &scan->trapezoid;
+    int32_t row = trapezoid->end_row;
+    int32_t end_row = scan->end_row;
+    if (row >= end_row) {
+        return NULL;
     }
-    return false;
+    for (int side = 0; side < 2; side++) {
+        fxl_chain *chain = &scan->chains[side];
+        if (chain->end_row > row) {
+            advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
+        } else {
+            begin_edge(scan, chain, row, &trapezoid->edges[side]);
+        }
+        end_row = chain->end_row < end_row ? chain->end_row : end_row;
+    }
+    trapezoid->first_row = (int16_t)row;
+    trapezoid->end_row = (int16_t)end_row;
+    return trapezoid;
+}
+
+/* A span as a trapezoid of one row. */
+static const fxl_trapezoid *next_between_crossings(fxl_scan *scan)
+{
+    fxl_span span;
+    if (!fxl_crossings_next(&scan->crossings, &span)) {
+        return NULL;
+    }
+    scan->trapezoid.first_row = span.y;
+    scan->trapezoid.end_row = (int16_t)(span.y + 1);
+    scan->trapezoid.edges[0] = (fxl_edge){span.x0, 0, 0, 0};
+    scan->trapezoid.edges[1] = (fxl_edge){span.x1, 0, 0, 0};
+    return &scan->trapezoid;
+}
+
+const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
+{
+    return scan->by_chains ? next_between_chains(scan) : next_between_crossings(scan);
+}
+
+/* Rows are taken off the trapezoid's top, so that it is what is left of it. */
+static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
+{
+    fxl_trapezoid *trapezoid = &scan->trapezoid;
+    for (;;) {
+        if (scan->row < trapezoid->end_row) {
+            advance(&trapezoid->edges[0], 1);
+            advance(&trapezoid->edges[1], 1);
+            trapezoid->first_row = scan->row;
+        } else if (next_between_chains(scan) == NULL) {
+            return false;
+        }
+        scan->row = (int16_t)(trapezoid->first_row + 1);
+        int32_t a = trapezoid->edges[0].x, b = trapezoid->edges[1].x;
+        if (a != b) {
+            span->y = trapezoid->first_row;
+            span->x0 = (int16_t)(a < b ? a : b);
+            span->x1 = (int16_t)(a < b ? b : a);
+            return true;
+        }
+    }
 }
 
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span)
 {
-    do {
-        int32_t x0, x1;
-        while (next_stretch(scan, &x0, &x1)) {
-            x0 = x0 < 0 ? 0 : x0;
-            x1 = x1 > scan->width ? scan->width : x1;
-            if (x0 < x1) {
-                span->y = scan->row;
-                span->x0 = (int16_t)x0;
-                span->x1 = (int16_t)x1;
-                return true;
-            }
-        }
-    } while (next_row(scan));
-    return false;
+    return scan->by_chains ? next_row_of_chains(scan, span)
+                           : fxl_crossings_next(&scan->crossings, span);
 }
