@@ -31,7 +31,15 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_face *face, fxl_c
     if (clipped == NULL) {
         return result;
     }
-    return fxl_project_polygon(&view->lens, clipped, screen) == FXL_OK ? result : FXL_CLIP_RANGE;
+    screen->colour = clipped->colour;
+    screen->count = clipped->count;
+    for (uint32_t i = 0; i < clipped->count; i++) {
+        if (fxl_project_seen(&view->projection, &clipped->vertices[i].position,
+                             &screen->points[i]) != FXL_OK) {
+            return FXL_CLIP_RANGE;
+        }
+    }
+    return result;
 }
 
 /* Mostly every vertex is inside: then their places on the screen are the result. */
@@ -46,7 +54,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
             if (vertex->state != FXL_SEEN_UNPROJECTED) {
                 return cut(placed, face, &work->by_view, screen);
             }
-            if (fxl_project_point(&placed->view->lens, &vertex->position, &vertex->screen) !=
+            if (fxl_project_seen(&placed->view->projection, &vertex->position, &vertex->screen) !=
                 FXL_OK) {
                 return FXL_CLIP_RANGE;
             }

@@ -19,7 +19,7 @@ fxl_clip_result fxl_clip_by_world(const fxl_placed *placed, const fxl_face *face
     for (uint32_t i = 0; i < clipped->count; i++) {
         fxl_view_point seen;
         fxl_transform_point(&view->camera, &clipped->vertices[i].position, &seen);
-        if (fxl_project_point(&view->lens, &seen, &screen->points[i]) != FXL_OK) {
+        if (fxl_project_seen(&view->projection, &seen, &screen->points[i]) != FXL_OK) {
             return FXL_CLIP_RANGE;
         }
     }

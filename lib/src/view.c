@@ -6,6 +6,7 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens)
     view->lens = *lens;
     view->frustum_ready = false;
     fxl_view_frustum_from_lens(lens, &view->view_frustum);
+    fxl_projection_from_lens(lens, &view->projection);
 }
 
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)

@@ -4,11 +4,13 @@
 #define FXL_VIEW_H
 
 #include "fixel/frustum.h"
+#include "fixel/project.h"
 
 /* The caller owns it. Set up by the functions below, first the lens. */
 typedef struct {
     fxl_camera camera;
     fxl_lens lens;
+    fxl_projection projection;
     fxl_view_frustum view_frustum;
     fxl_frustum frustum; /* the same in the world: ask fxl_view_world_frustum */
     bool frustum_ready;
