@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "face.h"
 #include "tiny.h"
 
 static int64_t side_of(const fxl_face *face, const fxl_point *first, const fxl_point *eye)

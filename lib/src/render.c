@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "fixel/cull.h"
+#include "face.h"
 #include "fixel/fill.h"
 
 #ifdef __arm__
@@ -89,17 +89,20 @@ static bool take_face(const walk *on, const fxl_placed *placed, const fxl_face *
 /* A convex object: its faces hide none of each other, so any order will do. */
 static bool walk_convex(const walk *on, const fxl_placed *placed, const fxl_model *model)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->faces < model->face_count; on->place->faces++) {
-        const fxl_face *face = &scene->faces[model->first_face + on->place->faces];
-        if (!fxl_placed_face_is_front(placed, face)) {
-            on->counters->backfacing += 1;
-        } else if (!take_face(on, placed, face)) {
-            return false;
+    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
+    const uint32_t first = on->place->faces;
+    uint32_t number, backfacing = 0;
+    for (number = first; number < model->face_count; number++) {
+        if (!fxl_placed_face_is_front(placed, &faces[number])) {
+            backfacing++;
+        } else if (!take_face(on, placed, &faces[number])) {
+            break;
         }
-        on->counters->in += 1;
     }
-    return true;
+    on->place->faces = (uint16_t)number;
+    on->counters->in += number - first;
+    on->counters->backfacing += backfacing;
+    return number == model->face_count;
 }
 
 /* The faces that face the eye, in their order; then the others are counted. */

@@ -12,9 +12,6 @@
 bool fxl_face_is_front(const fxl_scene *scene, const fxl_object *object, const fxl_face *face,
                        const fxl_point *eye);
 
-/* The same for a face of a placed object. */
-bool fxl_placed_face_is_front(const fxl_placed *placed, const fxl_face *face);
-
 /* A face of a placed object in the world, without texture. Exact. */
 void fxl_face_to_polygon(const fxl_placed *placed, const fxl_face *face, fxl_polygon *polygon);
 
