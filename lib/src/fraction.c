@@ -50,7 +50,7 @@ static uint32_t reciprocal_of_two(uint64_t divisor)
         }
         left -= high;
     }
-    uint64_t product = (uint64_t)inverse * low;
+    uint64_t product = fxl_multiply_u32(inverse, low);
     uint32_t carried = (uint32_t)(product >> 32);
     left += carried;
     if (left < carried) {
@@ -66,9 +66,10 @@ static uint32_t reciprocal_of_two(uint64_t divisor)
  * are those of the paper, modulo B^2; the quotient is corrected twice at most. */
 static uint32_t divide_digit(uint64_t *rest, uint64_t divisor, uint32_t inverse)
 {
-    uint64_t estimate = (*rest >> 32) * inverse + *rest;
+    uint64_t estimate = fxl_multiply_u32((uint32_t)(*rest >> 32), inverse) + *rest;
     uint32_t quotient = (uint32_t)(estimate >> 32);
-    uint64_t left = (*rest << 32) - quotient * divisor - divisor;
+    uint64_t taken = (uint64_t)fxl_multiply_s64(quotient, (int64_t)divisor);
+    uint64_t left = (*rest << 32) - taken - divisor;
     quotient += 1;
     if ((uint32_t)(left >> 32) >= (uint32_t)estimate) {
         quotient -= 1;
