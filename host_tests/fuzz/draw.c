@@ -134,8 +134,8 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     free_renderer(renderer);
 }
 
-/* The same frame with radii so large that no object is left out. What was drawn
- * was drawn all the same. */
+/* The same frame with radii so large that no object is left out, and without keys.
+ * What was drawn was drawn all the same. */
 static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
                              bool by_world)
 {
@@ -145,8 +145,10 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
     memcpy(models, scene.models, scene.model_count * sizeof *models);
     for (uint32_t i = 0; i < scene.model_count; i++) {
         models[i].radius = FXL_RADIUS_MAX;
+        models[i].first_key = 0;
     }
     scene.models = models;
+    scene.keys = NULL;
     fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, by_world, 0);
     fxl_band band = make_band(&first->view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);

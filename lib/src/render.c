@@ -30,10 +30,10 @@ static void paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32
                   uint8_t colour, const fxl_band *band)
 {
     fxl_scan *scan = &renderer->work.scan;
-    fxl_span span;
+    const fxl_trapezoid *trapezoid;
     fxl_scan_outline(points, count, band, scan);
-    while (fxl_scan_next(scan, &span)) {
-        fxl_fill_span(band, &span, colour);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_fill_trapezoid(band, trapezoid, colour);
     }
 }
 
