@@ -15,7 +15,9 @@
     uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
     uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
-    unsigned side##leading_zeros(uint32_t value);
+    unsigned side##leading_zeros(uint32_t value); \
+    unsigned side##edge_divide(uint32_t height, int32_t dividend, int32_t *whole, \
+                               uint32_t *fraction);
 
 SIDES(core_)
 SIDES(portable_)
@@ -24,5 +26,7 @@ uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t 
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
 fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,
                                  fxl_screen_point *screen);
+
+void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 
 #endif

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "equality.h"
 #include "divisions.h"
+#include "edges.h"
+#include "fill.h"
 #include "products.h"
 #include "project.h"
 
@@ -16,5 +18,7 @@ const equality_test equality_tests[] = {
     {"divide-wide", test_divide_wide},
     {"fraction", test_fraction},
     {"project", test_project},
+    {"edge-divide", test_edge_divide},
+    {"fill", test_fill},
     {NULL, NULL},
 };
