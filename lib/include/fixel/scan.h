@@ -16,7 +16,7 @@
 
 /* One way down an outline, from its top to its bottom. */
 typedef struct {
-    uint8_t vertex;  /* where the edge begins that is being walked */
+    uint8_t vertex;  /* where the next edge begins that will be set up */
     uint8_t onward;  /* how much further the next vertex is, modulo the count */
     int16_t end_row; /* one past the last row that the trapezoid's edge is good for */
 } fxl_chain;
@@ -49,8 +49,8 @@ typedef struct {
     uint8_t count;
     bool by_chains;  /* else by crossings */
     int16_t end_row; /* one past the last row, of both ways */
-    int16_t row;     /* the row that the next span is for */
     fxl_chain chains[2];
+    int16_t row; /* the row that the next span is for */
     fxl_trapezoid trapezoid;
     fxl_crossings crossings;
 } fxl_scan;
