@@ -15,6 +15,10 @@
     uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
     uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
+    uint32_t side##edge_height_max(void); \
+    int32_t side##edge_dividend_max(void); \
+    unsigned side##edge_divide(uint32_t height, int32_t dividend, int32_t *whole, \
+                               uint32_t *fraction); \
     unsigned side##leading_zeros(uint32_t value);
 
 SIDES(core_)
@@ -22,6 +26,7 @@ SIDES(portable_)
 
 uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
+void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,
                                  fxl_screen_point *screen);
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
+#include "edges.h"
 #include "equality.h"
+#include "fill.h"
 #include "divisions.h"
 #include "products.h"
 #include "project.h"
@@ -15,6 +17,8 @@ const equality_test equality_tests[] = {
     {"divide-half", test_divide_half},
     {"divide-wide", test_divide_wide},
     {"fraction", test_fraction},
+    {"edge-divide", test_edge_divide},
     {"project", test_project},
+    {"fill", test_fill},
     {NULL, NULL},
 };
