@@ -14,6 +14,7 @@ BOARD_BENCH := m55
 BOARD_BAND_BYTES := 131072
 BOARD_ORDER_ENTRIES := 16384
 BOARD_LIST_BYTES := 65536
+BOARD_CACHE_ENTRIES := 1024
 
 # The watchdog on the NMI counts the board's slow clock.
 BOARD_UNIT_OMIT := test_scene_placed

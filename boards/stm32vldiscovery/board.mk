@@ -10,7 +10,8 @@ BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 # How 8192 bytes are shared out: see memory.ld for the stacks.
 BOARD_BAND_BYTES := 1024
 BOARD_ORDER_ENTRIES := 176
-BOARD_LIST_BYTES := 512
+BOARD_LIST_BYTES := 480
+BOARD_CACHE_ENTRIES := 0
 
 BOARD_UNIT_OMIT := test_clip test_clip_view test_clip_view_bounds test_clipper test_left_out test_order test_render test_scan \
     test_scene test_scene_placed test_watertight

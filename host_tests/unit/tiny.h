@@ -23,6 +23,7 @@ typedef struct {
     fxl_face faces[12];
     fxl_model models[2];
     fxl_object objects[TINY_OBJECTS];
+    fxl_face_key keys[6]; /* of the second model */
     fxl_scene scene;
 } tiny_scene;
 
@@ -56,7 +57,8 @@ enum {
     AT_OBJECTS = 120,
     AT_PATH = 128,
     AT_FRAMES = 136,
-    AT_RESERVED = 140,
+    AT_KEYS = 140,
+    AT_RESERVED = 148,
     HEADER_SIZE = 160
 };
 
