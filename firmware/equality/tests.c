@@ -2,6 +2,7 @@
 #include "edges.h"
 #include "equality.h"
 #include "fill.h"
+#include "look_at.h"
 #include "divisions.h"
 #include "products.h"
 #include "project.h"
@@ -18,6 +19,7 @@ const equality_test equality_tests[] = {
     {"divide-wide", test_divide_wide},
     {"fraction", test_fraction},
     {"edge-divide", test_edge_divide},
+    {"look-at", test_look_at},
     {"project", test_project},
     {"fill", test_fill},
     {NULL, NULL},
