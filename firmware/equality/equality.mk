@@ -4,23 +4,25 @@
 # bench/bench.mk included first; a core runs where the bench runs it.
 
 EQUALITY_OUT := $(BUILD)/equality
-# What a kernel of lib/kernels/portable gives to the linker: fxl_X becomes portable_X.
-EQUALITY_RENAMED := project_seen
+# What is compiled once more, with the portable kernels, and what it gives to the
+# linker: fxl_X becomes portable_X.
+EQUALITY_PORTABLE := $(wildcard lib/kernels/portable/*.c) lib/src/divide_wide.c lib/src/fraction.c
+EQUALITY_RENAMED := look_at project_seen fill_trapezoid divide_u64 fraction
 EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcard firmware/equality/*.c)))) \
-    core.o portable.o $(EQUALITY_RENAMED:%=portable/%.o)
+    core.o portable.o $(EQUALITY_PORTABLE:%.c=portable/%.o)
 EQUALITY_CORES := $(BENCH_CORES_HERE)
 
 define EQUALITY_RULES
 EQUALITY_CC.$(1) := $(BENCH_CC.$(1)) -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK \
     $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),-mgeneral-regs-only)
-EQUALITY_PORTABLE.$(1) := $(call LIB_FAMILY_CFLAGS,portable)
+EQUALITY_PORTABLE_CFLAGS.$(1) := $(call LIB_FAMILY_CFLAGS,portable)
 
 $(EQUALITY_OUT)/$(1)/core.o: firmware/equality/sides.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -DSIDE=core_)
 $(EQUALITY_OUT)/$(1)/portable.o: firmware/equality/sides.c firmware/equality/equality.mk
-	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE.$(1)) -DSIDE=portable_)
-$(EQUALITY_OUT)/$(1)/portable/%.o: lib/kernels/portable/%.c firmware/equality/equality.mk
-	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE.$(1)) $(foreach name,$(EQUALITY_RENAMED),-Dfxl_$(name)=portable_$(name)))
+	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1)) -DSIDE=portable_)
+$(EQUALITY_OUT)/$(1)/portable/%.o: %.c firmware/equality/equality.mk
+	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1)) $(foreach name,$(EQUALITY_RENAMED),-Dfxl_$(name)=portable_$(name)))
 $(EQUALITY_OUT)/$(1)/%.o: firmware/equality/%.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)))
 
@@ -33,4 +35,4 @@ $(foreach core,$(EQUALITY_CORES),$(eval $(call EQUALITY_RULES,$(core))))
 
 EQUALITY_PROGRAMS := $(EQUALITY_CORES:%=$(EQUALITY_OUT)/%.elf)
 
--include $(wildcard $(EQUALITY_OUT)/*/*.d $(EQUALITY_OUT)/*/*/*.d)
+-include $(shell find $(EQUALITY_OUT) -name '*.d' 2>/dev/null)

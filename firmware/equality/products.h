@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 void test_products(uint32_t rounds);
+void test_short_products(uint32_t rounds);
 void test_wide_products(uint32_t rounds);
 void test_leading_zeros(uint32_t rounds);
 

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "edges.h"
 #include "equality.h"
+#include "fill.h"
+#include "look_at.h"
+#include "divisions.h"
 #include "products.h"
 #include "project.h"
 
@@ -7,8 +11,16 @@
 
 const equality_test equality_tests[] = {
     {"multiply", test_products},
+    {"multiply-short", test_short_products},
     {"multiply-wide", test_wide_products},
     {"leading-zeros", test_leading_zeros},
+    {"divide", test_divide},
+    {"divide-half", test_divide_half},
+    {"divide-wide", test_divide_wide},
+    {"fraction", test_fraction},
+    {"edge-divide", test_edge_divide},
+    {"look-at", test_look_at},
     {"project", test_project},
+    {"fill", test_fill},
     {NULL, NULL},
 };

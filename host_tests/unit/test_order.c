@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "tiny.h"
 
-enum {
-    MANY = 600
-};
+#ifdef UNIT_ON_TARGET
+#define MANY 250
+#else
+#define MANY 600
+#endif
 
 static fxl_order_entry entries[MANY];
 

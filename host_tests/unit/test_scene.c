@@ -62,7 +62,7 @@ void test_null_is_refused(void)
 
 void test_misaligned_memory_is_refused(void)
 {
-    static uint32_t room[1025];
+    static uint32_t room[TINY_WORDS + 1];
     tiny_image *image = tiny_image_make(false);
     for (uint32_t shift = 1; shift < 4; shift++) {
         memcpy((uint8_t *)room + shift, image->words, image->size);

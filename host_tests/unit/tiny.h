@@ -59,11 +59,12 @@ enum {
     AT_FRAMES = 136,
     AT_KEYS = 140,
     AT_RESERVED = 148,
-    HEADER_SIZE = 160
+    HEADER_SIZE = 160,
+    TINY_WORDS = 512
 };
 
 typedef struct {
-    uint32_t words[1024]; /* aligned to four bytes */
+    uint32_t words[TINY_WORDS]; /* aligned to four bytes */
     uint32_t size;
 } tiny_image;
 

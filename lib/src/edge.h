@@ -5,6 +5,8 @@
 #define FXL_EDGE_H
 
 #include "arith.h"
+#include "edge_divide.h"
+#include "multiply.h"
 
 #define FXL_HALF_PIXEL 32768
 
@@ -24,28 +26,37 @@ typedef struct {
     uint32_t height;     /* in 1/65536 pixel */
 } fxl_slope;
 
-/* The edge from top to bottom, which crosses `first_row` first of all rows:
- * that row's centre is less than a pixel below the top.
+/* What is divided by the height for the first pixel of an edge's first row: the
+ * first whose centre is at or below the top, which is t < 65536 above it.
  *
- * The edge's x there is top.x + dx t / height, t the distance of the row's
- * centre from the top, and the first pixel is ceil(x - 1/2). With
- * top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
+ * The edge's x there is top.x + dx t / height, and the first pixel is
+ * ceil(x - 1/2). With start = top.x - 1/2 = 65536 whole + part (0 <= part <
+ * 65536) that is
  *   whole + ceil((part height + dx t) / (65536 height)),
  * and ceil(n / m) = floor((n - 1) / m) + 1, and a floor of a floor is the floor
  * of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
- * below 2^46 and, without its low 16 bits, below 2^30. A row further down adds
- * 65536 dx to the sum, so dx to what is divided by height. Exact. */
+ * below 2^46 and, without its low 16 bits, below 2^30. Exact. */
+static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
+                                              int32_t top_y)
+{
+    int32_t t = (FXL_HALF_PIXEL - top_y) & 65535;
+    uint32_t part = (uint32_t)start & 65535;
+    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
+    return (int32_t)((sum - 1) >> 16);
+}
+
+/* The edge from top to bottom on its first row. A row further down adds 65536
+ * dx to the sum above, so dx to what is divided by height. Exact. */
 static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
-                                 int32_t first_row, fxl_slope *slope)
+                                 fxl_slope *slope)
 {
     int32_t dx = bottom->x - top->x;
     int32_t height = bottom->y - top->y;
     int32_t start = top->x - FXL_HALF_PIXEL;
-    int32_t t = first_row * 65536 + FXL_HALF_PIXEL - top->y;
-    FXL_ASSERT(height > 0 && t >= 0 && t < 65536);
-    int64_t sum = (int64_t)(start & 65535) * height + (int64_t)dx * t;
+    FXL_ASSERT(height > 0);
     int32_t error, error_step;
-    int32_t quotient = fxl_divide_floor((int32_t)((sum - 1) >> 16), height, &error);
+    int32_t quotient =
+        fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &error);
     slope->x = (start >> 16) + quotient + 1;
     slope->error = (uint32_t)error;
     slope->step = fxl_divide_floor(dx, height, &error_step);
@@ -59,10 +70,10 @@ static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_p
 static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
 {
     FXL_ASSERT(rows > 0 && rows < 8192);
-    uint64_t error = slope->error + (uint64_t)(uint32_t)rows * slope->error_step;
+    uint64_t error = slope->error + fxl_multiply_u32((uint32_t)rows, slope->error_step);
     int32_t carries = 0;
     for (int32_t bit = 4096; bit != 0; bit >>= 1) {
-        uint64_t part = (uint64_t)slope->height * (uint32_t)bit;
+        uint64_t part = fxl_multiply_u32(slope->height, (uint32_t)bit);
         if (error >= part) {
             error -= part;
             carries += bit;
@@ -72,43 +83,49 @@ static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
     slope->error = (uint32_t)error;
 }
 
-/* 2^64 / divisor - 2^32 for 2^31 <= divisor < 2^32, off by -3.3 to +2.0 times
- * 2^32 / divisor (every divisor tried). One division of 32 bits gives 16 bits,
- * one step after Newton the rest; what is subtracted from its numerator shares
- * the first error out to both sides. */
-static inline uint32_t fxl_edge_reciprocal(uint32_t divisor)
-{
-    FXL_ASSERT(divisor >> 31 != 0);
-    uint32_t rough = (0xFFFF7FFFu / (divisor >> 16)) << 15; /* 2^63 / divisor */
-    uint32_t product = (uint32_t)(((uint64_t)rough * divisor) >> 32);
-    return (uint32_t)(((uint64_t)rough * (0u - product)) >> 30);
-}
-
-/* 2^32 error / height, up to 7 too large, never too small: scaled is error
- * 2^shift, below the divisor height 2^shift. The product loses less than 1 and
- * the reciprocal brings -3.3 to +2.0, so 5 more is too large by 0.7 to 7. As
- * height is below 2^29, error / height is at least 8 units below 1. */
-static inline uint32_t fxl_edge_fraction(uint32_t scaled, uint32_t reciprocal)
-{
-    return scaled + (uint32_t)(((uint64_t)scaled * reciprocal) >> 32) + 5;
-}
-
-/* A slope as an edge; answers for how many rows it is good, 1 at least.
+/* Places the edge from top to bottom on `row`, which it crosses, for that and
+ * the rows - 1 below it; answers for how many of these it is good, 1 at least.
+ * Requires a height of FXL_EDGE_HEIGHT_MAX and |dx| <= 1025 pixels at most.
  *
- * Row k's first pixel is x + k step + floor((error + k error_step) / height).
- * That quotient's fraction is 1 - 1/height at most, and the edge's is larger by
- * at most 7 (k + 1) 2^-32; so the floors are the same while 7 (k + 1) height
- * is below 2^32. height is below 2^(32 - shift). */
-static inline int32_t fxl_slope_to_edge(const fxl_slope *slope, fxl_edge *edge)
+ * Row k's first pixel is x + k step + floor((error + k error_step) / height), as
+ * in fxl_slope. That quotient's fraction is 1 - 1/height at most, and the
+ * edge's is larger by at most (k + 1) 2^-32; so the floors are the same while
+ * (k + 1) height is below 2^32, k + 1 <= 2^shift. */
+int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
+                         int32_t rows, fxl_edge *edge);
+
+/* Moves an edge down by 0 <= rows <= FXL_SCREEN_MAX rows. */
+static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
 {
-    unsigned shift = (unsigned)__builtin_clz(slope->height);
-    uint32_t reciprocal = fxl_edge_reciprocal(slope->height << shift);
-    FXL_ASSERT(shift >= 3);
-    edge->x = slope->x;
-    edge->fraction = fxl_edge_fraction(slope->error << shift, reciprocal);
-    edge->step = slope->step;
-    edge->step_fraction = fxl_edge_fraction(slope->error_step << shift, reciprocal);
-    return (int32_t)(1u << (shift - 3));
+    uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);
+    edge->fraction = (uint32_t)fraction;
+    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
+}
+
+/* The dividends are dx, for a step, and fxl_slope_set's, for the first row;
+ * that is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. */
+static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
+                                   int32_t row, int32_t rows, fxl_edge *edge)
+{
+    int32_t dx = bottom->x - top->x;
+    int32_t height = bottom->y - top->y;
+    int32_t start = top->x - FXL_HALF_PIXEL;
+    int32_t above = row - fxl_first_centre_from(top->y);
+    FXL_ASSERT(height > 0 && height <= FXL_EDGE_HEIGHT_MAX && above >= 0 && rows > 0);
+    FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
+    fxl_edge_divider divider = fxl_edge_divider_of((uint32_t)height);
+    if ((uint32_t)(above + rows) > 1u << fxl_edge_divider_shift(&divider)) {
+        return fxl_edge_set_far(top, bottom, row, rows, edge);
+    }
+    int32_t x;
+    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x,
+                    &edge->fraction);
+    edge->x = (start >> 16) + x + 1;
+    fxl_edge_divide(&divider, dx, &edge->step, &edge->step_fraction);
+    if (above > 0) {
+        fxl_edge_advance(edge, (uint32_t)above);
+    }
+    return rows;
 }
 
 #endif

@@ -18,7 +18,7 @@ _Static_assert(offsetof(fxl_projection, depth_min) == 4 &&
 /* Where a view point's depth is brought to: depth = z 2^-shift, rounded, from
  * 2^30 to 2^31. z below 2^61 and at least 2^37 keeps shift within 7..30. */
 typedef struct {
-    int64_t depth;
+    uint32_t depth;
     unsigned shift;
 } scaled_depth;
 
@@ -26,7 +26,7 @@ static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;
     scaled.shift = fxl_bit_length((uint64_t)z) - 31u;
-    scaled.depth = fxl_round_shift(z, scaled.shift);
+    scaled.depth = (uint32_t)fxl_round_shift(z, scaled.shift);
     return scaled;
 }
 
@@ -36,12 +36,12 @@ static scaled_depth scale_depth(fxl_q18_46 z)
  * is below 2^61, and 2^32 (focal high) is divisible by 2^shift. */
 static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
 {
-    int64_t high = focal * (side >> 32);
-    int64_t low = focal * (int64_t)(uint32_t)side;
+    int64_t high = fxl_multiply_s32(focal, (int32_t)(side >> 32));
+    int64_t low = fxl_multiply_su32(focal, (uint32_t)side);
     if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
         return false;
     }
-    *product = high * ((int64_t)1 << (32 - shift)) + (low >> shift);
+    *product = (int64_t)((uint64_t)high << (32 - shift)) + (low >> shift);
     return true;
 }
 
@@ -53,11 +53,12 @@ static bool offset_from_centre(fxl_q16_16 focal, fxl_q18_46 side, const scaled_d
                                int32_t low, int32_t high, int32_t *offset)
 {
     int64_t product;
-    if (!scale_product(focal, side, scaled->shift, &product) || product < low * scaled->depth ||
-        product > high * scaled->depth) {
+    if (!scale_product(focal, side, scaled->shift, &product) ||
+        product < fxl_multiply_su32(low, scaled->depth) ||
+        product > fxl_multiply_su32(high, scaled->depth)) {
         return false;
     }
-    *offset = (int32_t)fxl_divide_round(product, scaled->depth);
+    *offset = fxl_divide_round(product, scaled->depth);
     return true;
 }
 

@@ -6,11 +6,10 @@
 
 /* What a look at every vertex tells of an outline. */
 typedef struct {
-    uint32_t top;      /* a vertex that none is above */
-    int32_t top_row;   /* the first row whose centre is at or below it */
-    int32_t end_row;   /* the same of the lowest vertex: no row from here on is crossed */
-    bool two_chains;   /* the rows go down once and up once on the way round */
-    bool within_sides; /* every edge's x is within 0..width on every row */
+    uint32_t top;    /* a vertex that none is above */
+    int32_t top_row; /* the first row whose centre is at or below it */
+    int32_t end_row; /* the same of the lowest vertex: no row from here on is crossed */
+    bool by_chains;  /* as survey says */
 } outline;
 
 static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
@@ -34,39 +33,46 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
-/* The rows that an outline walks downward add up to its height exactly if it
- * never goes down again after going up. Then each row between its top and its
- * bottom is crossed by two edges only, one of either chain, and with opposite
- * windings: what is covered lies between the two.
- *
- * An edge's first pixel ceil(x - 1/2) lies between its ends' own, so that of x
- * in -1/2 < x <= width + 1/2 is within 0..width: these are the x for which
- * x + 1/2 - 2^-16 is in 0..width + 1 - 2^-16. */
+/* An outline is scanned between two chains where
+ * - the rows that it walks downward add up to its height: it never goes down
+ *   again after going up. Then each row between its top and its bottom is
+ *   crossed by two edges only, one of either chain, and with opposite windings:
+ *   what is covered lies between the two;
+ * - every edge's x is within 0..width on every row. An edge's first pixel
+ *   ceil(x - 1/2) lies between its ends' own, so that of x in
+ *   -1/2 < x <= width + 1/2 will do: these are the x for which x + 1/2 - 2^-16
+ *   is in 0..width + 1 - 2^-16;
+ * - no edge is higher than FXL_EDGE_HEIGHT_MAX: rows that are 1022 apart have
+ *   centres that are, and vertices less than 2 pixels more. */
 static void survey(const fxl_screen_point *points, uint32_t count, int32_t width, outline *found)
 {
     const uint32_t places = (uint32_t)(width + 1) << 16;
     int32_t top_row = INT16_MAX, end_row = INT16_MIN, down = 0;
     int32_t before = fxl_first_centre_from(points[count - 1].y);
+    uint32_t farthest = 0;
     found->top = 0;
-    found->within_sides = true;
-    for (uint32_t i = 0; i < count; i++) {
+    uint32_t i = 0;
+    do {
         FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
                    fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
-        if ((uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1)) >= places) {
-            found->within_sides = false;
-        }
+        uint32_t place = (uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1));
         int32_t row = fxl_first_centre_from(points[i].y);
+        farthest = place > farthest ? place : farthest;
         if (row < top_row) {
             top_row = row;
             found->top = i;
         }
         end_row = row > end_row ? row : end_row;
-        down += row > before ? row - before : 0;
+        if (row > before) {
+            down += row - before;
+        }
         before = row;
-    }
+        i += 1;
+    } while (i < count);
     found->top_row = top_row;
     found->end_row = end_row;
-    found->two_chains = down == end_row - top_row;
+    found->by_chains =
+        down == end_row - top_row && farthest < places && down < FXL_EDGE_HEIGHT_MAX >> 16;
 }
 
 static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *band)
@@ -104,7 +110,7 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
     survey(points, count, band->width, &found);
     scan->points = points;
     scan->count = (uint8_t)count;
-    scan->by_chains = found.two_chains && found.within_sides;
+    scan->by_chains = found.by_chains;
     if (scan->by_chains) {
         begin_chains(scan, &found, band);
     } else {
@@ -147,38 +153,18 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
 /* Goes down a chain to the edge that crosses a row, and places it there. */
 static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
 {
-    uint32_t vertex = chain->vertex;
-    const fxl_screen_point *top = &scan->points[vertex];
-    const fxl_screen_point *bottom;
+    const fxl_screen_point *points = scan->points;
+    uint32_t vertex, next = chain->vertex, count = scan->count;
     int32_t end_row;
-    for (;;) {
-        uint32_t next = vertex + chain->onward;
-        next -= next >= scan->count ? scan->count : 0u;
-        bottom = &scan->points[next];
-        end_row = fxl_first_centre_from(bottom->y);
-        if (end_row > row) {
-            break;
-        }
+    do {
         vertex = next;
-        top = bottom;
-    }
+        next += chain->onward;
+        next -= next >= count ? count : 0u;
+        end_row = fxl_first_centre_from(points[next].y);
+    } while (end_row <= row);
     chain->vertex = (uint8_t)vertex;
-    int32_t first_row = fxl_first_centre_from(top->y);
-    fxl_slope slope;
-    fxl_slope_set(top, bottom, first_row, &slope);
-    if (first_row < row) {
-        fxl_slope_skip(&slope, row - first_row);
-    }
-    int32_t good_end = row + fxl_slope_to_edge(&slope, edge);
-    chain->end_row = (int16_t)(good_end < end_row ? good_end : end_row);
-}
-
-/* Moves an edge down by whole rows: 32.32 by at most 2^10 rows. */
-static void advance(fxl_edge *edge, uint32_t rows)
-{
-    uint64_t fraction = edge->fraction + (uint64_t)edge->step_fraction * rows;
-    edge->fraction = (uint32_t)fraction;
-    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
+    int32_t good = fxl_edge_set(&points[vertex], &points[next], row, end_row - row, edge);
+    chain->end_row = (int16_t)(row + good);
 }
 
 static const fxl_trapezoid *next_between_chains(fxl_scan *scan)
@@ -192,7 +178,7 @@ static const fxl_trapezoid *next_between_chains(fxl_scan *scan)
     for (int side = 0; side < 2; side++) {
         fxl_chain *chain = &scan->chains[side];
         if (chain->end_row > row) {
-            advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
+            fxl_edge_advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
         } else {
             begin_edge(scan, chain, row, &trapezoid->edges[side]);
         }
@@ -228,8 +214,8 @@ static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
     fxl_trapezoid *trapezoid = &scan->trapezoid;
     for (;;) {
         if (scan->row < trapezoid->end_row) {
-            advance(&trapezoid->edges[0], 1);
-            advance(&trapezoid->edges[1], 1);
+            fxl_edge_advance(&trapezoid->edges[0], 1);
+            fxl_edge_advance(&trapezoid->edges[1], 1);
             trapezoid->first_row = scan->row;
         } else if (next_between_chains(scan) == NULL) {
             return false;

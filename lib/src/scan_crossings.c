@@ -28,7 +28,7 @@ static bool set_up_edge(const fxl_screen_point *a, const fxl_screen_point *b, co
         return false;
     }
     fxl_slope slope;
-    fxl_slope_set(top, bottom, first_row, &slope);
+    fxl_slope_set(top, bottom, &slope);
     if (first_row < band->first_row) {
         fxl_slope_skip(&slope, band->first_row - first_row);
         first_row = band->first_row;

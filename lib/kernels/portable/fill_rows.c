@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "fill_rows.h"
+#include "fixel/fill.h"
+
+#include "arith.h"
 
 typedef uint32_t __attribute__((may_alias)) word;
 
@@ -33,9 +35,13 @@ static void step(fxl_edge *edge)
     edge->x += edge->step + (int32_t)(fraction >> 32);
 }
 
-void fxl_fill_rows(uint8_t *row, size_t stride, const fxl_trapezoid *trapezoid, uint8_t colour)
+void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour)
 {
+    FXL_ASSERT(trapezoid->first_row >= band->first_row &&
+               trapezoid->first_row < trapezoid->end_row &&
+               trapezoid->end_row <= band->first_row + band->rows);
     const uint32_t four = colour * 0x01010101u;
+    uint8_t *row = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * band->stride;
     fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
     for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
         if (a.x <= b.x) {
@@ -45,6 +51,6 @@ void fxl_fill_rows(uint8_t *row, size_t stride, const fxl_trapezoid *trapezoid, 
         }
         step(&a);
         step(&b);
-        row += stride;
+        row += band->stride;
     }
 }

@@ -24,9 +24,10 @@
 static uint32_t scale_of(const fxl_projection *projection, uint32_t depth)
 {
     uint32_t divisor = depth >> 15;
-    uint32_t upper = projection->factor_2 / divisor;
+    uint32_t upper = fxl_divide_half(projection->factor_2, divisor);
     int32_t rest = (int32_t)(projection->factor_17 - upper * depth);
-    return (upper << 15) + (uint32_t)(rest / (int32_t)divisor);
+    uint32_t lower = fxl_divide_half(rest < 0 ? 0u - (uint32_t)rest : (uint32_t)rest, divisor);
+    return (upper << 15) + (rest < 0 ? 0u - lower : lower);
 }
 
 typedef struct {

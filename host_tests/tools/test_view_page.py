@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The live window as its user has it: the commands, the page in a headless browser, keys, Ctrl-C.
+"""The live window's page in a headless browser: frames, figures, keys, what is shown beside.
 
 A machine that runs other tests meanwhile may be slow: nothing here is timed, only waited for.
 build/view/<board>.png is how the page looked.
@@ -7,29 +7,18 @@ build/view/<board>.png is how the page looked.
 
 import base64
 import io
-import os
-import pathlib
-import pty
 import re
-import shutil
-import signal
 import socket
-import subprocess
-import termios
 import time
 
 import numpy
 import pytest
 from PIL import Image
-from conftest import CHECKOUT, assert_one_sentence, environment, run_cli
+from conftest import assert_one_sentence, run_cli
 
-from board_programs import built
 from fixel import browser
+from viewers import BOARDS, HEIGHT, PATIENCE, WIDTH, left, own_build, plaza, port_of, ready
 
-BOARDS = ("mps2-an385", "lm3s6965evb")
-SCENE = CHECKOUT / "scenes" / "plaza.toml"
-WIDTH, HEIGHT = 1280, 800
-PATIENCE = 60           # seconds for anything to happen
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
 LINE = (255, 211, 77)   # of an outline
 FIGURES = ("x", "y", "z", "yaw", "pitch", "roll")
@@ -41,23 +30,19 @@ SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32
 
 
 @pytest.fixture(scope="module")
-def chromium():
-    with browser.chromium() as opened:
-        yield opened
+def scene(tmp_path_factory):
+    return plaza(tmp_path_factory.mktemp("plaza"))
 
 
 @pytest.fixture(scope="module", params=BOARDS)
 def board(request, build):
-    """A board with its programs built."""
-    built(f"{request.param}/walk.elf")
-    assert (build / "host" / "live").exists(), "make all builds it"
-    return request.param
+    return ready(request.param, build)
 
 
 @pytest.fixture(scope="module")
-def window(board, chromium, build):
+def window(board, scene, chromium, build):
     """(its process, its address, its page), live."""
-    with browser.viewing(board, SCENE, build) as (process, address), \
+    with browser.viewing(board, scene, build) as (process, address), \
             browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.set_default_timeout(1000 * PATIENCE)
         page.wait_for_function("() => document.getElementById('board-rate').textContent !== '–'")
@@ -111,7 +96,7 @@ def around(degrees):
 
 def test_frames_and_figures(page, board):
     wait_for_frames(page, 5)
-    assert page.inner_text("#board") == board and "plaza.toml, 320 × 240" in page.inner_text("#scene")
+    assert page.inner_text("#board") == board and "plaza.fxls, 320 × 240" in page.inner_text("#scene")
     assert figure(page, "board-rate") > 0 and figure(page, "page-rate") > 0
     assert 1e5 < figure(page, "instructions") < 1e8
     assert stand_still(page)["z"] == -32
@@ -238,163 +223,31 @@ def test_another_tab_sees_and_walks_the_same(window, chromium):
 
 
 def test_it_listens_on_this_machine_alone(window):
-    port = int(re.search(r":(\d+)/", window[1])[1])
+    port = port_of(window[1])
     socket.create_connection(("127.0.0.1", port), PATIENCE).close()
     with pytest.raises(ConnectionRefusedError):
         socket.create_connection(("127.0.0.2", port), PATIENCE)
 
 
-def test_another_viewer_has_a_port_of_its_own(window, board, build):
-    with browser.viewing(board, SCENE, build) as (_, address):
+def test_another_viewer_has_a_port_of_its_own(window, board, scene, build):
+    with browser.viewing(board, scene, build) as (_, address):
         assert address != window[1]
 
 
-def test_a_port_in_use_is_refused(window, board, build):
-    folders, port = left(build), re.search(r":(\d+)/", window[1])[1]
-    refused = run_cli("view", "--board", board, "--scene", SCENE, "--build", build, "--port", port)
+def test_a_port_in_use_is_refused(window, board, scene, build, tmp_path):
+    port, programs = port_of(window[1]), own_build(build, tmp_path)
+    refused = run_cli("view", "--board", board, "--scene", scene, "--build", programs, "--port", port)
     assert_one_sentence(refused, f"port {port} of 127.0.0.1", "PORT=")
-    assert left(build) == folders
+    assert not left(programs)
     wait_for_frames(window[2], 1)
-
-
-# --- its end ------------------------------------------------------------------------
-
-def left(build):
-    """The folders of viewers that have not ended."""
-    return {path.name for path in build.glob(".view-*")}
-
-
-def children(process):
-    """{number: command} of all that a process started, and what those started."""
-    parents, commands = {}, {}
-    for path in pathlib.Path("/proc").glob("[0-9]*"):
-        try:
-            parents[int(path.name)] = int((path / "stat").read_text().rpartition(")")[2].split()[1])
-            commands[int(path.name)] = (path / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
-        except OSError:
-            pass    # it has just ended
-    found, new = {}, {process}
-    while new:
-        new = {number for number, parent in parents.items() if parent in new}
-        found |= {number: commands[number] for number in new}
-    return found
-
-
-def assert_gone(numbers):
-    deadline = time.monotonic() + PATIENCE
-    while any(pathlib.Path(f"/proc/{number}").exists() for number in numbers):
-        assert time.monotonic() < deadline, "something still runs"
-        time.sleep(0.05)
-
-
-def assert_started(found):
-    for name in ("qemu-system-arm", "host/live"):
-        assert any(name in command for command in found.values()), found
-
-
-def assert_refuses(address):
-    with pytest.raises(ConnectionRefusedError):
-        socket.create_connection(("127.0.0.1", int(re.search(r":(\d+)/", address)[1])), PATIENCE)
-
-
-def read_until(terminal, pattern):
-    text = ""
-    while (found := re.search(pattern, text)) is None:
-        text += os.read(terminal, 4096).decode(errors="replace")
-    return found
-
-
-def test_ctrl_c_ends_everything(board, build, chromium):
-    """make view in a terminal of its own, with a page that looks on and a key down; impatiently."""
-    before, (ours, theirs) = left(build), pty.openpty()
-    sane = termios.tcgetattr(theirs)
-    process = subprocess.Popen(["make", "--no-print-directory", "view", f"BOARD={board}"], cwd=CHECKOUT,
-                               stdin=theirs, stdout=theirs, stderr=theirs, env=environment(),
-                               preexec_fn=lambda: os.login_tty(os.dup(theirs)))
-    try:
-        address = read_until(ours, browser.ADDRESS)[0]
-        with browser.page(chromium, address, WIDTH, HEIGHT) as page:
-            page.keyboard.down("ArrowUp")
-            found = children(process.pid)
-            assert_started(found)
-            assert len(left(build) - before) == 1
-            for _ in range(3):
-                os.write(ours, b"\x03")
-                time.sleep(0.05)
-            page.wait_for_selector("#state.ended")
-            assert page.inner_text("#banner") == "The view was ended."
-        assert process.wait(PATIENCE) in (0, -signal.SIGINT, 128 + signal.SIGINT)
-        assert_gone(found)
-        assert left(build) == before
-        assert_refuses(address)
-        assert termios.tcgetattr(theirs) == sane
-    finally:
-        process.kill()
-        process.wait()
-        os.close(ours)
-        os.close(theirs)
-
-
-@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_other_endings(build, ending):
-    built("mps2-an385/walk.elf")
-    before = left(build)
-    with browser.viewing("mps2-an385", SCENE, build) as (process, address):
-        found = children(process.pid)
-        assert_started(found)
-        process.send_signal(ending)
-        assert process.wait(PATIENCE) == 0 and "error" not in process.stderr.read()
-        assert_gone(found)
-    assert left(build) == before
-    assert_refuses(address)
-
-
-def test_killed_it_leaves_nothing_running(board, build):
-    before = left(build)
-    with browser.viewing(board, SCENE, build) as (process, address):
-        found = children(process.pid)
-        assert_started(found)
-        process.kill()
-        assert_gone(found)
-    assert_refuses(address)
-    for name in left(build) - before:   # nobody was there to remove it
-        shutil.rmtree(build / name)
-
-
-def test_a_board_that_ends_is_an_error_on_the_page_and_in_the_terminal(board, build, chromium):
-    before = left(build)
-    with browser.viewing(board, SCENE, build) as (process, address), \
-            browser.page(chromium, address, WIDTH, HEIGHT) as page:
-        (qemu,) = [number for number, command in children(process.pid).items() if "qemu-system-arm" in command]
-        os.kill(qemu, signal.SIGKILL)
-        page.wait_for_selector("#state.ended")
-        assert f"board {board} ended" in page.inner_text("#banner")
-        assert process.wait(PATIENCE) not in (0, None)
-        words = process.stderr.read()
-        assert f"\nerror: board {board} ended: it was ended by signal 9\n" in words and "Traceback" not in words
-    assert left(build) == before
-
-
-# --- what is refused ----------------------------------------------------------------
-
-@pytest.mark.parametrize("options, words", [
-    (("--board", "host"), "host has no live window"), (("--port", "web"), "PORT is 'web'"),
-    (("--port", "65536"), "from 1 to 65535"), (("--port", "0"), "from 1 to 65535"),
-    (("--scene", "none.toml"), "none.toml"), (("--scene", "scene.fxls", "--screen", "128x64"), "scene.fxls"),
-    (("--screen", "0x0"), "0x0"), (("--build", "/nowhere/at/all"), "/nowhere/at/all")])
-def test_refused(build, options, words):
-    before = left(build)
-    start = ["--board", "mps2-an385", "--scene", SCENE, "--build", build]
-    assert_one_sentence(run_cli("view", *start, *options), words)
-    assert left(build) == before
 
 
 # --- the recording ------------------------------------------------------------------
 
-def test_the_recording(build, tmp_path):
-    built("mps2-an385/walk.elf")
+def test_the_recording(scene, build, tmp_path):
+    ready("mps2-an385", build)
     file = tmp_path / "window.gif"
-    done = run_cli("record", "--board", "mps2-an385", "--scene", SCENE, "--build", build, "--out", file)
+    done = run_cli("record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file)
     assert done.returncode == 0, done.stderr
     with Image.open(file) as recording:
         frames = []
