@@ -13,6 +13,8 @@ static union {
     uint32_t codes[KERNEL_COUNT];
     fxl_view_point seen[KERNEL_COUNT];
     fxl_screen_point screen[KERNEL_COUNT];
+    fxl_view_frustum frustums[KERNEL_COUNT];
+    fxl_seen_vertex vertices[KERNEL_COUNT];
     struct {
         fxl_view_polygon out;
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -61,24 +63,38 @@ static void sine(const kernel_inputs *in)
     }
 }
 
+/* Two roots each. */
+static void root(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_view_frustum_from_lens(&in->view.lens, &results.frustums[i]);
+    }
+}
+
 static void transform(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_transform_point(&in->camera, &in->points[i], &results.seen[i]);
+        fxl_transform_point(&in->view.camera, &in->points[i], &results.seen[i]);
     }
 }
 
-/* On which side of the six planes a vertex lies. */
 static void outcode(const kernel_inputs *in)
 {
     EACH(i)
     {
-        uint32_t code = 0;
-        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-            code |= (uint32_t)(fxl_view_distance(&in->frustum, plane, &in->seen[i]) < 0) << plane;
-        }
-        results.codes[i] = code;
+        results.codes[i] = fxl_outcode(&in->view.view_frustum, FXL_PLANES_ALL, &in->seen[i]);
+    }
+}
+
+/* A vertex of a placed object into the cache: all that clip and project want to
+ * know of it. */
+static void transform_outcode(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_look_at(&in->placed, i, &results.vertices[i]);
     }
 }
 
@@ -86,7 +102,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_seen(&in->projection, &in->seen[i], &results.screen[i]);
+        fxl_project_seen(&in->view.projection, &in->seen[i], &results.screen[i]);
     }
 }
 
@@ -95,7 +111,7 @@ static void clip(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->across[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
+        fxl_clip_view_to_plane(&in->across[i], &in->view.view_frustum, FXL_PLANE_LEFT, &results.clip.out,
                                results.clip.distances);
     }
 }
@@ -105,7 +121,7 @@ static void clip_inside(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->inside[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
+        fxl_clip_view_to_plane(&in->inside[i], &in->view.view_frustum, FXL_PLANE_LEFT, &results.clip.out,
                                results.clip.distances);
     }
 }
@@ -145,8 +161,10 @@ const bench_kernel kernel_list[] = {
     {"multiply", multiply, KERNEL_COUNT},
     {"divide", divide, KERNEL_COUNT},
     {"sine", sine, KERNEL_COUNT},
+    {"root", root, 2u * KERNEL_COUNT},
     {"transform", transform, KERNEL_COUNT},
     {"outcode", outcode, KERNEL_COUNT},
+    {"transform-outcode", transform_outcode, KERNEL_COUNT},
     {"project", project, KERNEL_COUNT},
     {"clip", clip, KERNEL_COUNT},
     {"clip-inside", clip_inside, KERNEL_COUNT},

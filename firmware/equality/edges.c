@@ -38,6 +38,8 @@ static void boundaries(uint32_t height)
 
 void test_edge_divide(uint32_t rounds)
 {
+    equality_case(core_edge_height_max() == portable_edge_height_max() &&
+                  core_edge_dividend_max() == portable_edge_dividend_max());
     for (uint32_t i = 0; i < BOUNDARY_32_COUNT; i++) {
         uint32_t height = boundary_32(i);
         if (height >= 1 && height <= FXL_EDGE_HEIGHT_MAX) {

@@ -14,6 +14,9 @@ UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
 UNIT_PARTS := boards/parts/grey.c boards/parts/keys.c
 
 BOARD_TESTS := $(patsubst host_tests/unit/%.c,%,$(wildcard host_tests/unit/test_*.c))
+# A name that is none, misspelt or of a test long gone, would pass for a test left out.
+$(foreach board,$(BOARDS),$(foreach test,$(filter-out $(BOARD_TESTS),$(BOARD_UNIT_OMIT.$(board))),\
+    $(error boards/$(board)/board.mk leaves out $(test), which is no test of host_tests/unit)))
 BOARD_UNITS_OF = $(patsubst %,$(FIRMWARE_OUT)/$(1)/unit/%.elf,$(filter-out $(BOARD_UNIT_OMIT.$(1)),$(BOARD_TESTS)))
 
 BOARD_TEST_SOURCES := $(wildcard host_tests/unit/*.c firmware/unittest/*.c)
