@@ -3,7 +3,6 @@
  * them must be the same. */
 #include "chain_walks.h"
 
-#include "chains.h"
 #include "equality.h"
 #include "sides.h"
 
@@ -36,8 +35,8 @@ static bool compare(const fxl_screen_point *points, uint32_t count, const fxl_ba
         return false;
     }
     for (uint32_t trapezoids = 0; trapezoids < 2000; trapezoids++) {
-        const fxl_trapezoid *by_core = fxl_chains_next(&core);
-        const fxl_trapezoid *by_portable = portable_chains_next(&portable);
+        const fxl_trapezoid *by_core = fxl_scan_next_trapezoid(&core);
+        const fxl_trapezoid *by_portable = portable_scan_next_trapezoid(&portable);
         equality_case((by_core == NULL) == (by_portable == NULL) && same_scan(&core, &portable));
         if (by_core == NULL || by_portable == NULL) {
             return true;

@@ -8,6 +8,7 @@
 /* As the kernels of lib/kernels read it where pointers have 32 bits. */
 #ifdef __arm__
 _Static_assert(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4 &&
+                   offsetof(fxl_scan, by_chains) == 5 &&
                    offsetof(fxl_scan, end_row) == 6 && offsetof(fxl_scan, chains) == 8 &&
                    offsetof(fxl_scan, trapezoid) == 20 && sizeof(fxl_chain) == 4 &&
                    offsetof(fxl_chain, onward) == 1 && offsetof(fxl_chain, end_row) == 2,
@@ -121,9 +122,12 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
     scan->points = points;
     scan->count = (uint8_t)count;
     scan->by_chains = found.by_chains;
+    scan->outline_first = (int16_t)found.top_row;
+    scan->outline_end = (int16_t)found.end_row;
     if (scan->by_chains) {
         begin_chains(scan, &found, band);
     } else {
+        scan->end_row = INT16_MIN;
         fxl_crossings_begin(&scan->crossings, points, count, band);
     }
 }
@@ -161,7 +165,7 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
 }
 
 /* A span as a trapezoid of one row. */
-static const fxl_trapezoid *next_between_crossings(fxl_scan *scan)
+const fxl_trapezoid *fxl_scan_next_of_crossings(fxl_scan *scan)
 {
     fxl_span span;
     if (!fxl_crossings_next(&scan->crossings, &span)) {
@@ -174,11 +178,6 @@ static const fxl_trapezoid *next_between_crossings(fxl_scan *scan)
     return &scan->trapezoid;
 }
 
-const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
-{
-    return scan->by_chains ? fxl_chains_next(scan) : next_between_crossings(scan);
-}
-
 /* Rows are taken off the trapezoid's top, so that it is what is left of it. */
 static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
 {
@@ -188,7 +187,7 @@ static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
             fxl_edge_advance(&trapezoid->edges[0], 1);
             fxl_edge_advance(&trapezoid->edges[1], 1);
             trapezoid->first_row = scan->row;
-        } else if (fxl_chains_next(scan) == NULL) {
+        } else if (fxl_scan_next_trapezoid(scan) == NULL) {
             return false;
         }
         scan->row = (int16_t)(trapezoid->first_row + 1);

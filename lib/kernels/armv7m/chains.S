@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_chains_next for ARMv7-M and ARMv8-M Mainline; the contract is
- * lib/src/chains.h, the bits are those of lib/kernels/portable/chains.c. The
+/* fxl_scan_next_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
+ * lib/include/fixel/scan.h, the bits are those of lib/kernels/portable/chains.c. The
  * arithmetic, with its bounds, is that of edge.h and armv7m/edge_divide.h. */
 
     .syntax unified
@@ -9,6 +9,7 @@
 /* fxl_scan; scan.c holds these against the structure. */
 #define POINTS      0
 #define COUNT       4
+#define BY_CHAINS   5
 #define END_ROW     6
 #define VERTEX      8       /* of chain 0; chain 1 is 4 further on */
 #define ONWARD      9
@@ -17,13 +18,13 @@
 #define LAST_END    22
 #define EDGES       24      /* x, fraction, step, step_fraction; 16 bytes an edge */
 
-    .section .text.fxl_chains_next, "ax", %progbits
-    .global fxl_chains_next
-    .type fxl_chains_next, %function
+    .section .text.fxl_scan_next_trapezoid, "ax", %progbits
+    .global fxl_scan_next_trapezoid
+    .type fxl_scan_next_trapezoid, %function
     .thumb_func
 
 /* r0: scan, r2: end of the rows so far, r3: scan + 4 side, lr: the row's centre in 16.16 */
-fxl_chains_next:
+fxl_scan_next_trapezoid:
     ldrsh   r1, [r0, #LAST_END]
     ldrsh   r2, [r0, #END_ROW]
     cmp     r1, r2
@@ -63,8 +64,12 @@ fxl_chains_next:
     adds    r0, r0, #FIRST_ROW
     pop     {r3-r11, pc}
 .Lnone:
+    ldrb    r1, [r0, #BY_CHAINS]
+    cbz     r1, .Lcrossings
     movs    r0, #0
     bx      lr
+.Lcrossings:
+    b.w     fxl_scan_next_of_crossings
 
     /* Down the chain to the edge that ends below the row's centre. */
 .Lbegin:
@@ -181,4 +186,4 @@ fxl_chains_next:
     strb    r6, [r3, #VERTEX]
     b       .Lside_done
 
-    .size fxl_chains_next, . - fxl_chains_next
+    .size fxl_scan_next_trapezoid, . - fxl_scan_next_trapezoid

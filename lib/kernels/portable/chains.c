@@ -20,13 +20,13 @@ static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_
     chain->vertex = (uint8_t)(row + good == end_row ? next : vertex);
 }
 
-const fxl_trapezoid *fxl_chains_next(fxl_scan *scan)
+const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
 {
     fxl_trapezoid *trapezoid = &scan->trapezoid;
     int32_t row = trapezoid->end_row;
     int32_t end_row = scan->end_row;
     if (row >= end_row) {
-        return NULL;
+        return scan->by_chains ? NULL : fxl_scan_next_of_crossings(scan);
     }
     for (int side = 0; side < 2; side++) {
         fxl_chain *chain = &scan->chains[side];
