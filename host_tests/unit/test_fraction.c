@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
-#include "fraction.h"
+#include "divide_wide.h"
 #include "unit.h"
 #include "wide.h"
 

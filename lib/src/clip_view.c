@@ -2,7 +2,7 @@
 #include "fixel/clip_view.h"
 
 #include "arith.h"
-#include "fraction.h"
+#include "divide_wide.h"
 
 /* The upper 32 bits; by an unsigned shift, which compilers see through. */
 static inline int32_t upper(int64_t value)
