@@ -3,7 +3,6 @@
 
 #include "divide_wide.h"
 #include "equality.h"
-#include "fraction.h"
 #include "sides.h"
 
 static void compare(uint32_t numerator, uint32_t denominator)

@@ -200,8 +200,9 @@ fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_vi
     const fxl_view_polygon *current = in;
     uint32_t spare = in == &work->polygons[0] ? 1 : 0;
     fxl_clip_result all = FXL_CLIP_INSIDE;
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        if ((planes >> plane & 1) == 0) {
+    unsigned left = planes;
+    for (int plane = 0; left != 0; plane++, left >>= 1) {
+        if ((left & 1) == 0) {
             continue;
         }
         fxl_view_polygon *out = &work->polygons[spare];

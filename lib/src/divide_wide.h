@@ -9,4 +9,7 @@
  * 2^32. */
 uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
 
+/* floor(2^64 part / whole), part < whole < 2^63. */
+uint64_t fxl_fraction(uint64_t part, uint64_t whole);
+
 #endif

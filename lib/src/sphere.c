@@ -29,7 +29,7 @@
 /* The upper word of a product. */
 static int32_t scaled(fxl_q2_30 part, int32_t size)
 {
-    return (int32_t)(fxl_multiply_s32(part, size) >> 32);
+    return (int32_t)(fxl_multiply_s31(part, size) >> 32);
 }
 
 /* The two planes through the eye of one axis; the normal of low points along it.
