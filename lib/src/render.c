@@ -117,13 +117,16 @@ static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_obje
         renderer->front =
             (uint16_t)fxl_order_faces(scene, object, &renderer->view.camera.position, order);
     }
-    uint32_t front = renderer->front;
-    for (; on->place->faces < front; on->place->faces++) {
-        uint32_t number = order[on->place->faces].index;
-        if (!take_face(on, placed, &scene->faces[model->first_face + number])) {
-            return false;
-        }
-        on->counters->in += 1;
+    const fxl_face *faces = &scene->faces[model->first_face];
+    const uint32_t first = on->place->faces, front = renderer->front;
+    uint32_t number = first;
+    while (number < front && take_face(on, placed, &faces[order[number].index])) {
+        number++;
+    }
+    on->place->faces = (uint16_t)number;
+    on->counters->in += number - first;
+    if (number < front) {
+        return false;
     }
     on->counters->in += model->face_count - front;
     on->counters->backfacing += model->face_count - front;
