@@ -38,7 +38,7 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run view flash boot size screen bench profile
+NEEDS_run    := run view flash boot size screen bench profile equality
 NEEDS_report := report all
 NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
@@ -66,6 +66,7 @@ include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
 include bench/bench.mk
+include firmware/equality/equality.mk
 
 HOST_WALK := $(BOARD_WALK.host)
 WALK      := $(BOARD_WALK.$(BOARD))
@@ -78,7 +79,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 # --- commands ----------------------------------------------------------------
 
 .PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench bench-diff \
-    bench-baseline profile fuzz seeded-bugs size format clean
+    bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -184,6 +185,9 @@ PROFILE_RENDERER := $(or $(RENDERER),fixel)
 profile: $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE))) ## where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
 	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
 	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
+
+equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000]
+	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)')
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

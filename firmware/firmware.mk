@@ -7,6 +7,7 @@
 #   BOARD_BAND_BYTES        memory for a band of pixels
 #   BOARD_ORDER_ENTRIES     entries for the order of drawing
 #   BOARD_LIST_BYTES        memory for a frame's list of polygons
+#   BOARD_CACHE_ENTRIES     entries for vertices that faces share, 40 bytes each: 0 or a power of two
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
@@ -42,7 +43,7 @@ endef
 # --- settings ------------------------------------------------------------------
 
 # What a board.mk must set; what it may set; what it may leave empty.
-BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
+BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
 BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
@@ -65,7 +66,7 @@ CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsub
 BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
 
 FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
-LIB_OBJECTS_OF = $(patsubst lib/src/%.c,$(BOARD_CORE_OUT)/lib/%.o,$(wildcard lib/src/*.c))
+LIB_OBJECTS_OF = $(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o)
 
 # $(1): how to call the compiler, without the files.
 define FIRMWARE_COMPILE
@@ -74,22 +75,29 @@ $(FIRMWARE_SAY) CC $@
 $(FIRMWARE_QUIET)$(1) -c $< -o $@
 endef
 
+# $(1): a core's name, $(2): a pattern of the library's sources.
+define CORE_LIB_RULE
+$(CORE_OUT)/$(1)/lib/%.o: $(2) firmware/firmware.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))))
+
+endef
+
 # $(1): the first board with this core.
 define CORE_RULES
+CORE_FAMILY.$(call CORE_NAME,$(1)) := $(call LIB_FAMILY,$(BOARD_CORE.$(1)))
 CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
-
-$(BOARD_CORE_OUT)/lib/%.o: lib/src/%.c firmware/firmware.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Ilib/include)
 endef
 
 CORES_READ :=
 $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)),,\
     $(eval CORES_READ += $(call CORE_NAME,$(board)))$(eval $(call CORE_RULES,$(board)))))
+$(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core))),\
+    $(eval $(call CORE_LIB_RULE,$(core),$(pattern)))))
 
 # --- boards --------------------------------------------------------------------
 
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
-    -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
+    -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) -DWALK_CACHE_ENTRIES=$(BOARD_CACHE_ENTRIES.$(1)) \
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
     -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
     -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \

@@ -10,6 +10,7 @@
 
 typedef struct {
     fxl_lens lens; /* 320x240, 90 degrees */
+    fxl_projection projection;
     fxl_view_frustum frustum;
     fxl_camera camera;
     fxl_angle angles[KERNEL_COUNT];

@@ -54,7 +54,7 @@ static void divide(const kernel_inputs *in)
 {
     EACH(i)
     {
-        results.quotients[i] = fxl_divide_round(in->numerators[i], in->depths[i]);
+        results.quotients[i] = fxl_divide_round(in->numerators[i], (uint32_t)in->depths[i]);
     }
 }
 
@@ -117,7 +117,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_point(&in->lens, &in->seen[i], &results.screen[i]);
+        fxl_project_seen(&in->projection, &in->seen[i], &results.screen[i]);
     }
 }
 

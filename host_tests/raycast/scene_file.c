@@ -11,7 +11,7 @@ enum {
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
-    MODEL = 24,
+    MODEL = 28,
     OBJECT = 16
 };
 

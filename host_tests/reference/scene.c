@@ -90,7 +90,7 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     const uint8_t *vertices = table_at(bytes, size, 88, 12, 1000000, &scene->vertex_count);
     const uint8_t *corners = table_at(bytes, size, 96, 2, 4000000, &scene->corner_count);
     const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
-    const uint8_t *models = table_at(bytes, size, 112, 24, 65535, &scene->model_count);
+    const uint8_t *models = table_at(bytes, size, 112, 28, 65535, &scene->model_count);
     const uint8_t *objects = table_at(bytes, size, 120, 16, 65535, &scene->object_count);
     if (!vertices || !corners || !faces || !models || !objects) {
         return false;
@@ -115,7 +115,7 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
             (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)}, ref_u32(p + 12), p[16], p[17]};
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
-        const uint8_t *p = models + 24 * (size_t)i;
+        const uint8_t *p = models + 28 * (size_t)i;
         scene->models[i] = (ref_model){ref_u32(p),      ref_u32(p + 4), ref_u32(p + 8),
                                        ref_u32(p + 12), p[16],          ref_i32(p + 20)};
     }

@@ -142,6 +142,34 @@ def test_the_radius_stands_in_the_model():
     image.unpack(patched(blob, at, struct.pack("<i", image.RADIUS_MAX)))
 
 
+def test_sorted_models_have_keys():
+    made = scene()
+    made.models = [*made.models, Model(list(SQUARE), [Face(UP, (1, 2, 3), 7), Face(UP, (0, 1, 2, 3), 8)],
+                                       image.SORTED)]
+    blob = image.pack(made)
+    assert image.unpack(blob) == made
+    offset, count = struct.unpack_from("<II", blob, 140)
+    assert count == 2 and offset + 40 == len(blob)
+    # Heights over the origin and the doubled middles of the boxes: the square is in y = 0.
+    assert struct.unpack_from("<q3i", blob, offset) == (0, 0, 0, 0)
+    for data, at, status in ((b"\1", offset, "key"), (b"\1", offset + 39, "key"), (b"\1", 144, "index"),
+                             (b"\3", 144, "offset"), (b"\1", table(blob, 4)[0] + 24, "reserved"),
+                             (b"\1", table(blob, 4)[0] + 28 + 24, "index"),
+                             (b"\0", table(blob, 4)[0] + 28 + 16, "count"), (b"\0", 144, "offset")):
+        refused(patched(blob, at, data), status)
+    # They may be left out.
+    assert image.unpack(patched(blob, 140, bytes(8))) == made
+
+
+@given(st.lists(st.tuples(*[st.integers(-2 * image.COORDINATE_MAX, 2 * image.COORDINATE_MAX)] * 3),
+                min_size=3, max_size=6), st.tuples(*[st.integers(-(1 << 30), 1 << 30)] * 3))
+def test_a_key_is_the_plane_and_the_box(vertices, normal):
+    corners = tuple(range(len(vertices)))
+    height, *box = image.key_of(Model(vertices, []), Face(normal, corners, 0))
+    assert height == sum(n * c for n, c in zip(normal, vertices[0]))
+    assert box == [min(v[i] for v in vertices) + max(v[i] for v in vertices) for i in range(3)]
+
+
 def test_pack_refuses_what_a_loader_would():
     with pytest.raises(ToolError, match="^range:"):
         image.pack(scene(objects=[Object((image.COORDINATE_MAX, 0, 0), 0)]))

@@ -23,6 +23,7 @@ typedef struct {
     fxl_face faces[12];
     fxl_model models[2];
     fxl_object objects[TINY_OBJECTS];
+    fxl_face_key keys[6]; /* of the second model */
     fxl_scene scene;
 } tiny_scene;
 
@@ -56,12 +57,14 @@ enum {
     AT_OBJECTS = 120,
     AT_PATH = 128,
     AT_FRAMES = 136,
-    AT_RESERVED = 140,
-    HEADER_SIZE = 160
+    AT_KEYS = 140,
+    AT_RESERVED = 148,
+    HEADER_SIZE = 160,
+    TINY_WORDS = 512
 };
 
 typedef struct {
-    uint32_t words[1024]; /* aligned to four bytes */
+    uint32_t words[TINY_WORDS]; /* aligned to four bytes */
     uint32_t size;
 } tiny_image;
 

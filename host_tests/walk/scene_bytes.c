@@ -86,7 +86,7 @@ static void put_model(scene_bytes *scene)
     put_point(scene, at, 0, 0, -FXL_Q2_30_ONE);
     bytes(scene)[at + 16] = 4;
     bytes(scene)[at + 17] = SCENE_COLOUR;
-    at = add_table(scene, 112, 1, 24);
+    at = add_table(scene, 112, 1, 28);
     put32(scene, at + 4, 4);
     put32(scene, at + 12, 1);
     put32(scene, at + 20, 2 * UNIT);

@@ -28,6 +28,8 @@
 #include "fixel/lens.h"
 #include "fixel/list.h"
 #include "fixel/order.h"
+#include "fixel/outcode.h"
+#include "fixel/placed.h"
 #include "fixel/plane.h"
 #include "fixel/project.h"
 #include "fixel/record.h"
@@ -37,6 +39,7 @@
 #include "fixel/sphere.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
+#include "fixel/view.h"
 #include "fixel/viewer.h"
 
 #endif

@@ -2,6 +2,7 @@
 #include "fixel/order.h"
 
 #include "arith.h"
+#include "face_key.h"
 
 /* Below 2^62 for |value| < 2^31. */
 static inline uint64_t square(int32_t value)
@@ -15,39 +16,14 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
     return square(point->x - eye->x) + square(point->y - eye->y) + square(point->z - eye->z);
 }
 
-/* Lets [*low, *high] hold the value. */
-static inline void widen(int32_t value, int32_t *low, int32_t *high)
+/* The key of a face whose box and whose eye are relative to the same point: of
+ * box - 2 eye. The difference of two points of the world is below 2^30, so each
+ * coordinate is below 2^31; what wraps on the way cancels. */
+static inline uint64_t box_distance(int32_t x, int32_t y, int32_t z, const fxl_point *eye)
 {
-    if (value < *low) {
-        *low = value;
-    }
-    if (value > *high) {
-        *high = value;
-    }
-}
-
-/* low + high - 2 eye. The difference of two points of the world is below 2^30, so
- * what comes out is below 2^31; what wraps on the way cancels. */
-static inline uint64_t doubled_square(int32_t low, int32_t high, int32_t eye)
-{
-    return square((int32_t)((uint32_t)low + (uint32_t)high - 2 * (uint32_t)eye));
-}
-
-/* The key of a face whose vertices and whose eye are relative to the same point. */
-static inline uint64_t box_distance(const fxl_point *vertices, const uint16_t *corners,
-                                    uint32_t count, const fxl_point *eye)
-{
-    const uint16_t *end = corners + count;
-    fxl_point low = vertices[*corners];
-    fxl_point high = low;
-    while (++corners < end) {
-        const fxl_point *vertex = &vertices[*corners];
-        widen(vertex->x, &low.x, &high.x);
-        widen(vertex->y, &low.y, &high.y);
-        widen(vertex->z, &low.z, &high.z);
-    }
-    return doubled_square(low.x, high.x, eye->x) + doubled_square(low.y, high.y, eye->y) +
-           doubled_square(low.z, high.z, eye->z);
+    return square((int32_t)((uint32_t)x - 2 * (uint32_t)eye->x)) +
+           square((int32_t)((uint32_t)y - 2 * (uint32_t)eye->y)) +
+           square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
 }
 
 /* The eye as a model sees it. Both within FXL_COORDINATE_MAX: below 2^30. */
@@ -61,62 +37,41 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
                                    const fxl_object *object, const fxl_face *face)
 {
     fxl_point relative = relative_to(eye, &object->centre);
-    return box_distance(&scene->vertices[scene->models[object->model].first_vertex],
-                        &scene->corners[face->first_corner], face->count, &relative);
+    fxl_point box = fxl_face_box(&scene->vertices[scene->models[object->model].first_vertex],
+                                 &scene->corners[face->first_corner], face->count);
+    return box_distance(box.x, box.y, box.z, &relative);
 }
 
 /* Whether a is drawn before b. */
 static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
-    if (a->layer != b->layer) {
-        return a->layer < b->layer;
-    }
     uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
-    return from_a == from_b ? a->index < b->index : from_a > from_b;
+    if (a->layer == b->layer) {
+        if (from_a > from_b) {
+            return true;
+        }
+        return from_a == from_b && a->index < b->index;
+    }
+    return a->layer < b->layer;
 }
 
-/* Puts an entry into the heap below root, where a place is free: first down to
- * the lowest place along the later of two children, with one comparison a level,
- * then up to where it belongs, which for an entry from the end of the heap is
- * near (Wegener 1993). */
-static void sift(fxl_order_entry *entries, uint32_t root, uint32_t count,
-                 const fxl_order_entry *entry)
-{
-    uint32_t free = root, child;
-    while ((child = 2 * free + 2) < count) {
-        if (before(&entries[child], &entries[child - 1])) {
-            child -= 1;
-        }
-        entries[free] = entries[child];
-        free = child;
-    }
-    if (child == count) {
-        entries[free] = entries[child - 1];
-        free = child - 1;
-    }
-    while (free > root) {
-        uint32_t parent = (free - 1) / 2;
-        if (!before(&entries[parent], entry)) {
-            break;
-        }
-        entries[free] = entries[parent];
-        free = parent;
-    }
-    entries[free] = *entry;
-}
-
-/* Heapsort, bottom up: in place, without recursion, and no order of input makes
- * it slow. */
+/* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place,
+ * without recursion, and whatever the input, of order count^(4/3) at most. Few
+ * objects are in sight: what counts is that short arrays are cheap. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
 {
-    for (uint32_t root = count / 2; root-- > 0;) {
-        fxl_order_entry entry = entries[root];
-        sift(entries, root, count, &entry);
-    }
-    for (uint32_t end = count; end-- > 1;) {
-        fxl_order_entry entry = entries[end];
-        entries[end] = entries[0];
-        sift(entries, 0, end, &entry);
+    static const uint16_t gaps[] = {16577, 4193, 1073, 281, 77, 23, 8, 1};
+    for (uint32_t g = 0; g < sizeof gaps / sizeof gaps[0]; g++) {
+        uint32_t gap = gaps[g];
+        for (uint32_t i = gap; i < count; i++) {
+            const fxl_order_entry entry = entries[i];
+            fxl_order_entry *place = &entries[i];
+            while (place >= &entries[gap] && before(&entry, place - gap)) {
+                *place = *(place - gap);
+                place -= gap;
+            }
+            *place = entry;
+        }
     }
 }
 
@@ -251,30 +206,61 @@ uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
-/* A face is turned to the eye as fxl_face_is_front says, with the eye as the
- * model sees it: the differences, and so the sum, are the same. */
+/* Puts down a face; answers where the next one goes. */
+static inline fxl_order_entry *put(fxl_order_entry *entry, uint64_t distance, uint32_t index)
+{
+    entry->distance_low = (uint32_t)distance;
+    entry->distance_high = (uint32_t)(distance >> 32);
+    entry->index = (uint16_t)index;
+    return entry + 1;
+}
+
+/* The faces of a model that are turned to an eye which the model sees at `from`:
+ * where normal . from > normal . first vertex. Both sums are below 2^61, and their
+ * difference is what fxl_face_is_front takes the sign of. Answers behind the last
+ * entry. */
+static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
+                                   const fxl_point *from, fxl_order_entry *entry)
+{
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const fxl_face *faces = &scene->faces[model->first_face];
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const uint16_t *corners = &scene->corners[faces[i].first_corner];
+        if (fxl_dot(&faces[i].normal, from->x, from->y, from->z) >
+            fxl_face_height(vertices, corners, &faces[i])) {
+            fxl_point box = fxl_face_box(vertices, corners, faces[i].count);
+            entry = put(entry, box_distance(box.x, box.y, box.z, from), i);
+        }
+    }
+    return entry;
+}
+
+/* The same by the scene's keys, which the loader has found to be the same numbers. */
+static fxl_order_entry *find_front_by_keys(const fxl_scene *scene, const fxl_model *model,
+                                           const fxl_point *from, fxl_order_entry *entry)
+{
+    const fxl_point eye = *from;
+    const fxl_face *face = &scene->faces[model->first_face];
+    const fxl_face_key *first = &scene->keys[model->first_key];
+    const fxl_face_key *end = first + model->face_count;
+    for (const fxl_face_key *key = first; key < end; key++, face++) {
+        if (fxl_dot(&face->normal, eye.x, eye.y, eye.z) > fxl_face_key_height(key)) {
+            uint64_t distance = box_distance(key->box_x, key->box_y, key->box_z, &eye);
+            entry = put(entry, distance, (uint32_t)(key - first));
+        }
+    }
+    return entry;
+}
+
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,
                          fxl_order_entry *entries)
 {
     const fxl_model *model = &scene->models[object->model];
-    const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    const uint16_t *all_corners = scene->corners;
-    const fxl_face *first_face = &scene->faces[model->first_face];
-    const fxl_face *end = first_face + model->face_count;
     const fxl_point from = relative_to(eye, &object->centre);
-    fxl_order_entry *entry = entries;
-    for (const fxl_face *face = first_face; face < end; face++) {
-        const uint16_t *corners = &all_corners[face->first_corner];
-        const fxl_point *first = &vertices[corners[0]];
-        if (fxl_dot(&face->normal, from.x - first->x, from.y - first->y, from.z - first->z) > 0) {
-            uint64_t distance = box_distance(vertices, corners, face->count, &from);
-            entry->distance_low = (uint32_t)distance;
-            entry->distance_high = (uint32_t)(distance >> 32);
-            entry->index = (uint16_t)(face - first_face);
-            entry++;
-        }
-    }
-    uint32_t count = (uint32_t)(entry - entries);
+    const fxl_order_entry *end = scene->keys != NULL
+                                     ? find_front_by_keys(scene, model, &from, entries)
+                                     : find_front(scene, model, &from, entries);
+    uint32_t count = (uint32_t)(end - entries);
     fxl_order_sort_faces(entries, count);
     return count;
 }

@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The records between the stages: the treaty that every stage signs.
  *
- *   scene -> cull -> fxl_polygon -> transform -> fxl_view_polygon -> clip ->
- *   fxl_view_polygon -> project -> fxl_screen_polygon -> list -> scan ->
- *   fxl_span -> fill -> fxl_band
+ *   scene -> cull -> transform -> fxl_seen_vertex -> clip -> fxl_view_polygon ->
+ *   project -> fxl_screen_polygon -> list -> scan -> fxl_trapezoid -> fill ->
+ *   fxl_band
  *
- * The chapter's clipper stands before transform instead: fxl_polygon -> clip
- * -> fxl_polygon -> transform. clipper.h is the treaty that covers both ways.
+ * What decides by span what is seen takes from scan the same pixels as
+ * fxl_span instead, and hands spans to fill.
+ *
+ * A face whose vertices are all inside goes from its vertices to the screen at
+ * once. The chapter's clipper stands before transform instead: cull ->
+ * fxl_polygon -> clip -> fxl_polygon -> transform. clipper.h is the treaty that
+ * covers every way from a face to the screen.
  *
  * Axes: x right, y up, z forward, left-handed, in the world and in the view.
  * On the screen x goes right and y goes DOWN; pixel (i, j) covers
@@ -49,10 +54,11 @@ typedef struct {
     fxl_q16_16 u, v;
 } fxl_vertex;
 
-/* A polygon of the world: what cull hands to clip, and clip to transform. */
+/* A polygon of the world: what a clipper in the world cuts. */
 typedef struct {
     uint8_t colour; /* palette index */
     uint8_t count;  /* 3..FXL_POLYGON_CAPACITY */
+    bool textured;  /* else u and v mean nothing, and cost nothing */
     fxl_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_polygon;
 
@@ -67,11 +73,11 @@ typedef struct {
     fxl_q16_16 u, v;
 } fxl_view_vertex;
 
-/* A polygon of the view: what transform and clip hand to each other, and to
- * project. */
+/* A polygon of the view: what a clipper in the view cuts, and hands to project. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
+    bool textured;
     fxl_view_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_view_polygon;
 
@@ -92,8 +98,27 @@ typedef struct {
     uint16_t first, end;
 } fxl_rows;
 
-/* Pixels x0 <= x < x1 of row y: what scan hands to fill. Never empty, never
- * outside the band. */
+/* An edge where it meets a row's line of centres, and how it goes on from row
+ * to row: 32.32 numbers, of which x is the row's first pixel whose centre is
+ * not left of the edge. Good for the rows of its trapezoid, and exact there. */
+typedef struct {
+    int32_t x;
+    uint32_t fraction;
+    int32_t step; /* a row */
+    uint32_t step_fraction;
+} fxl_edge;
+
+/* What scan hands to fill: rows first_row .. end_row - 1 between two edges, on
+ * each the pixels from the lesser x to the greater, the latter not included.
+ * Which of the two is the lesser may change from row to row; both lie within
+ * 0..width of the band on every row. */
+typedef struct {
+    int16_t first_row, end_row; /* first_row < end_row, within the band */
+    fxl_edge edges[2];          /* as they are on first_row */
+} fxl_trapezoid;
+
+/* Pixels x0 <= x < x1 of row y: a trapezoid's row. Never empty, never outside
+ * the band. */
 typedef struct {
     int16_t y, x0, x1;
 } fxl_span;
