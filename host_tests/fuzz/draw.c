@@ -131,8 +131,9 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     memory.list_capacity = list_words;
     memory.list = malloc(list_words * sizeof *memory.list + 1);
     memory.cache_capacity = cache_entries;
-    memory.cache = malloc(cache_entries * sizeof *memory.cache + 1);
-    DEMAND(renderer != NULL && memory.order != NULL && memory.list != NULL && memory.cache != NULL);
+    memory.cache = cache_entries > 0 ? malloc(cache_entries * sizeof *memory.cache) : NULL;
+    DEMAND(renderer != NULL && memory.order != NULL && memory.list != NULL);
+    DEMAND(memory.cache != NULL || cache_entries == 0);
     memset(renderer, GAP, sizeof *renderer);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
     renderer->clipper = by_world ? checked_by_world : checked_by_view;
