@@ -59,11 +59,14 @@ static void screen_quad(fxl_screen_polygon *quad)
 void kernel_inputs_make(kernel_inputs *inputs)
 {
     fxl_pose pose = {{-23592, -1966, 19660}, 0x23456789u, 0xF3456789u, 0};
-    fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT,
-                      &inputs->lens);
-    fxl_projection_from_lens(&inputs->lens, &inputs->projection);
-    fxl_view_frustum_from_lens(&inputs->lens, &inputs->frustum);
-    fxl_camera_from_pose(&pose, &inputs->camera);
+    fxl_lens lens;
+    fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT, &lens);
+    fxl_view_set_lens(&inputs->view, &lens);
+    fxl_view_set_pose(&inputs->view, &pose);
+    inputs->placed.view = &inputs->view;
+    inputs->placed.vertices = inputs->points;
+    inputs->placed.planes = FXL_PLANES_ALL;
+    inputs->placed.offset = (fxl_point){-pose.position.x, -pose.position.y, -pose.position.z};
     for (uint32_t i = 0; i < KERNEL_COUNT; i++) {
         inputs->angles[i] = (fxl_angle)any();
         inputs->wide[i] = any();

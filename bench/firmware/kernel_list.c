@@ -14,10 +14,7 @@ static union {
     fxl_view_point seen[KERNEL_COUNT];
     fxl_screen_point screen[KERNEL_COUNT];
     fxl_view_frustum frustums[KERNEL_COUNT];
-    struct {
-        fxl_view_point seen;
-        uint32_t code, exponent;
-    } vertices[KERNEL_COUNT];
+    fxl_seen_vertex vertices[KERNEL_COUNT];
     struct {
         fxl_view_polygon out;
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -71,7 +68,7 @@ static void root(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_view_frustum_from_lens(&in->lens, &results.frustums[i]);
+        fxl_view_frustum_from_lens(&in->view.lens, &results.frustums[i]);
     }
 }
 
@@ -79,37 +76,25 @@ static void transform(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_transform_point(&in->camera, &in->points[i], &results.seen[i]);
+        fxl_transform_point(&in->view.camera, &in->points[i], &results.seen[i]);
     }
-}
-
-/* On which side of the six planes a vertex lies. */
-static uint32_t sides(const kernel_inputs *in, const fxl_view_point *seen)
-{
-    uint32_t code = 0;
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        code |= (uint32_t)(fxl_view_distance(&in->frustum, plane, seen) < 0) << plane;
-    }
-    return code;
 }
 
 static void outcode(const kernel_inputs *in)
 {
     EACH(i)
     {
-        results.codes[i] = sides(in, &in->seen[i]);
+        results.codes[i] = fxl_outcode(&in->view.view_frustum, FXL_PLANES_ALL, &in->seen[i]);
     }
 }
 
-/* All that clip and project want to know of a vertex. */
+/* A vertex of a placed object into the cache: all that clip and project want to
+ * know of it. */
 static void transform_outcode(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_view_point *seen = &results.vertices[i].seen;
-        fxl_transform_point(&in->camera, &in->points[i], seen);
-        results.vertices[i].code = sides(in, seen);
-        results.vertices[i].exponent = fxl_bit_length(fxl_magnitude(seen->z));
+        fxl_look_at(&in->placed, i, &results.vertices[i]);
     }
 }
 
@@ -117,7 +102,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_seen(&in->projection, &in->seen[i], &results.screen[i]);
+        fxl_project_seen(&in->view.projection, &in->seen[i], &results.screen[i]);
     }
 }
 
@@ -126,7 +111,7 @@ static void clip(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->across[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
+        fxl_clip_view_to_plane(&in->across[i], &in->view.view_frustum, FXL_PLANE_LEFT, &results.clip.out,
                                results.clip.distances);
     }
 }
@@ -136,7 +121,7 @@ static void clip_inside(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->inside[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
+        fxl_clip_view_to_plane(&in->inside[i], &in->view.view_frustum, FXL_PLANE_LEFT, &results.clip.out,
                                results.clip.distances);
     }
 }
