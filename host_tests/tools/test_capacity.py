@@ -37,6 +37,10 @@ int main(void)
 """
 
 
+PLACES = (ROOT / "lib/src", ROOT / "lib/kernels/portable")
+INCLUDES = [f"-I{folder}" for folder in (ROOT / "lib/include", *PLACES)]
+
+
 def gcc(*arguments, compiler="gcc", cwd=ROOT):
     return subprocess.run([compiler, *map(str, arguments)], cwd=cwd, text=True, capture_output=True,
                           check=False)
@@ -47,9 +51,8 @@ def libraries(tmp_path_factory):
     """The library for the host, by capacity."""
     def build(capacity):
         folder = tmp_path_factory.mktemp(f"capacity{capacity}")
-        sources = sorted((ROOT / "lib/src").glob("*.c"))
-        done = gcc(*STRICT, f"-DFXL_POLYGON_CAPACITY={capacity}", f"-I{ROOT / 'lib/include'}", "-c",
-                   *sources, cwd=folder)
+        sources = sorted(file for place in PLACES for file in place.glob("*.c"))
+        done = gcc(*STRICT, f"-DFXL_POLYGON_CAPACITY={capacity}", *INCLUDES, "-c", *sources, cwd=folder)
         assert done.returncode == 0, done.stderr
         return sorted(folder.glob("*.o"))
     return {capacity: build(capacity) for capacity in (SMALL, USUAL)}
@@ -57,7 +60,7 @@ def libraries(tmp_path_factory):
 
 def link(folder, source, objects, *options):
     (folder / "program.c").write_text(source, encoding="utf-8")
-    return gcc(folder / "program.c", *objects, f"-I{ROOT / 'lib/include'}", *options, "-o",
+    return gcc(folder / "program.c", *objects, *INCLUDES, *options, "-o",
                folder / "program")
 
 
@@ -92,7 +95,7 @@ def test_a_face_that_is_too_much_is_refused_and_named(tmp_path, capacity, code):
 
 @pytest.mark.parametrize("capacity", [11, 33, "4"])
 def test_a_capacity_out_of_range_does_not_compile(capacity):
-    done = gcc("-std=c11", "-fsyntax-only", f"-DFXL_POLYGON_CAPACITY={capacity}", "-Ilib/include",
+    done = gcc("-std=c11", "-fsyntax-only", f"-DFXL_POLYGON_CAPACITY={capacity}", *INCLUDES,
                "lib/src/list.c")
     assert done.returncode != 0 and "static assertion failed" in done.stderr
 
@@ -110,6 +113,6 @@ def test_a_renderer_is_as_large_as_its_header_says(tmp_path, core, capacity):
     source.write_text("#include <fixel.h>\n"
                       f"_Static_assert(sizeof(fxl_renderer) == {size}, \"renderer\");\n"
                       "_Static_assert(sizeof(fxl_order_entry) == 12, \"entry\");\n", encoding="utf-8")
-    done = gcc("-std=c11", "-fsyntax-only", f"-mcpu={core}", "-mthumb", "-Ilib/include",
+    done = gcc("-std=c11", "-fsyntax-only", f"-mcpu={core}", "-mthumb", *INCLUDES,
                f"-DFXL_POLYGON_CAPACITY={capacity}", source, compiler="arm-none-eabi-gcc")
     assert done.returncode == 0, done.stderr
