@@ -11,6 +11,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 SMALL, USUAL = 12, 32
 STRICT = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror", "-O1"]
+KERNELS = ROOT / "lib/kernels/portable"
+INCLUDES = [f"-I{folder}" for folder in (ROOT / "lib/include", ROOT / "lib/src", KERNELS)]
 PROGRAM = re.search(r"```c\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"),
                     re.DOTALL).group(1)
 
@@ -47,9 +49,8 @@ def libraries(tmp_path_factory):
     """The library for the host, by capacity."""
     def build(capacity):
         folder = tmp_path_factory.mktemp(f"capacity{capacity}")
-        sources = sorted((ROOT / "lib/src").glob("*.c"))
-        done = gcc(*STRICT, f"-DFXL_POLYGON_CAPACITY={capacity}", f"-I{ROOT / 'lib/include'}", "-c",
-                   *sources, cwd=folder)
+        sources = [*sorted((ROOT / "lib/src").glob("*.c")), *sorted(KERNELS.glob("*.c"))]
+        done = gcc(*STRICT, f"-DFXL_POLYGON_CAPACITY={capacity}", *INCLUDES, "-c", *sources, cwd=folder)
         assert done.returncode == 0, done.stderr
         return sorted(folder.glob("*.o"))
     return {capacity: build(capacity) for capacity in (SMALL, USUAL)}
@@ -57,7 +58,7 @@ def libraries(tmp_path_factory):
 
 def link(folder, source, objects, *options):
     (folder / "program.c").write_text(source, encoding="utf-8")
-    return gcc(folder / "program.c", *objects, f"-I{ROOT / 'lib/include'}", *options, "-o",
+    return gcc(folder / "program.c", *objects, *INCLUDES, *options, "-o",
                folder / "program")
 
 
@@ -92,7 +93,7 @@ def test_a_face_that_is_too_much_is_refused_and_named(tmp_path, capacity, code):
 
 @pytest.mark.parametrize("capacity", [11, 33, "4"])
 def test_a_capacity_out_of_range_does_not_compile(capacity):
-    done = gcc("-std=c11", "-fsyntax-only", f"-DFXL_POLYGON_CAPACITY={capacity}", "-Ilib/include",
+    done = gcc("-std=c11", "-fsyntax-only", f"-DFXL_POLYGON_CAPACITY={capacity}", *INCLUDES,
                "lib/src/list.c")
     assert done.returncode != 0 and "static assertion failed" in done.stderr
 
