@@ -57,7 +57,8 @@ def check_pictures(pictures):
 
 
 def draw_all(plan, cores, folder):
-    """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and the stages' shares."""
+    """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and {(core, workload): (Profile,
+    frames)} of those whose stages the plan asks for."""
     images, units = {}, {}
     for name, workload in plan.workloads.items():
         images[name], scene = bench_plan.compile_scene(workload, folder)
@@ -65,15 +66,14 @@ def draw_all(plan, cores, folder):
     jobs = {key: (bench_run.draw, plan, key[0], key[2], images[key[1]]) for key in plan.runs(cores)}
     profiles = {(core, name): (bench_run.profile, plan, core, "fixel", images[name])
                 for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
-    return in_parallel("drawing the workloads", jobs), units, \
-        bench_rows.stages(in_parallel("looking where it goes", profiles))
+    return in_parallel("drawing the workloads", jobs), units, in_parallel("looking where it goes", profiles)
 
 
 def measure(plan, cores, left_out):
     """bench.json."""
     rows, limits, growth = [], [], []
     with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
-        drawn, units, stages = draw_all(plan, cores, folder)
+        drawn, units, profiles = draw_all(plan, cores, folder)
         pictures = bench_rows.pictures(drawn)
         check_pictures(pictures)
         for (core, workload, renderer), each in drawn.items():
@@ -94,8 +94,8 @@ def measure(plan, cores, left_out):
     bench_rows.add_sizes(rows, sizes)
     result = {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
               "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
-              "rows": rows, "limits": limits, "sizes": sizes, "stages": stages, "growth": growth,
-              "pictures": pictures}
+              "rows": rows, "limits": limits, "sizes": sizes, "stages": bench_rows.stages(profiles),
+              "cycles_estimate": bench_rows.estimates(profiles), "growth": growth, "pictures": pictures}
     return {**result, "goals": bench_goals.measure(result)}
 
 

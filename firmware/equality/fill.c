@@ -1,94 +1,112 @@
 /* SPDX-License-Identifier: MIT */
-/* Both sides fill the same trapezoid into memory of their own; every byte of it,
- * also those that belong to nobody, must then be the same. */
+/* The kernels of fill, each into memory of its own; all of it must be the same,
+ * what lies about the band included. */
 #include "fill.h"
 
 #include "equality.h"
 #include "fixel/fill.h"
 #include "sides.h"
 
-#define WIDTH_MAX 400u
-#define ROWS_MAX  8u
-#define WORDS     ((WIDTH_MAX + 8u) * (ROWS_MAX + 1u) / 4u)
+#define WIDTH_MAX FXL_SCREEN_MAX
+#define ROWS_MAX  4
+#define WORDS     (((WIDTH_MAX + 8) * ROWS_MAX + 16) / 4)
 
 static uint32_t by_core[WORDS], by_portable[WORDS];
 
-/* The words of the rows, and one before and after. */
-static void compare(const fxl_band *band, const fxl_trapezoid *trapezoid, uint32_t offset)
+/* A band of width pixels, which begins `offset` bytes off a word; rows begin on
+ * all four offsets where the stride is odd. */
+typedef struct {
+    uint32_t width, stride, offset, rows;
+} shape;
+
+/* Draws on both sides. What was drawn before stays: it was the same. */
+static void compare(const shape *of, const fxl_trapezoid *trapezoid)
 {
-    fxl_band mine = *band, theirs = *band;
-    uint32_t words = ((uint32_t)band->stride * band->rows + offset + 15u) / 4u;
+    static uint8_t colour;
+    fxl_band band = {(uint8_t *)by_core + 4 + of->offset, (uint16_t)of->width, (uint16_t)of->stride,
+                     7, (uint16_t)of->rows};
+    colour = (uint8_t)(colour + 1);
+    fxl_fill_trapezoid(&band, trapezoid, colour);
+    band.pixels = (uint8_t *)by_portable + 4 + of->offset;
+    portable_fill_trapezoid(&band, trapezoid, colour);
+    uint32_t words = (8 + of->offset + of->stride * of->rows) / 4 + 1;
     bool same = true;
-    for (uint32_t i = 0; i < words; i++) {
-        by_core[i] = by_portable[i] = 0xC3A5F096u;
-    }
-    mine.pixels = (uint8_t *)by_core + 4 + offset;
-    theirs.pixels = (uint8_t *)by_portable + 4 + offset;
-    uint8_t colour = (uint8_t)any_32();
-    fxl_fill_trapezoid(&mine, trapezoid, colour);
-    portable_fill_trapezoid(&theirs, trapezoid, colour);
     for (uint32_t i = 0; i < words; i++) {
         same &= by_core[i] == by_portable[i];
     }
     equality_case(same);
 }
 
-/* From one place of 0..width to another within 2^halvings rows. */
-static void set_edge(uint32_t from, uint32_t from_fraction, uint32_t to, uint32_t halvings,
-                     fxl_edge *edge)
+/* Rows that all are pixels x .. x + length - 1. */
+static void compare_upright(const shape *of, uint32_t x, uint32_t length)
 {
-    int64_t first = (int64_t)from << 32 | from_fraction, last = (int64_t)to << 32;
-    int64_t step = (last - first) >> halvings;
-    edge->x = (int32_t)from;
-    edge->fraction = from_fraction;
-    edge->step = (int32_t)(step >> 32);
-    edge->step_fraction = (uint32_t)step;
-}
-
-static void any_trapezoid(uint32_t width, uint32_t rows, uint32_t offset)
-{
-    fxl_band band = {0};
-    fxl_trapezoid trapezoid;
-    band.width = (uint16_t)width;
-    band.stride = (uint16_t)(width + (any_32() >> 8 & 7u));
-    band.first_row = (uint16_t)(any_32() >> 12 & 63u);
-    band.rows = (uint16_t)rows;
-    trapezoid.first_row = (int16_t)(band.first_row + (any_32() >> 6) % rows);
-    trapezoid.end_row = (int16_t)(band.first_row + rows);
-    for (uint32_t i = 0; i < 2; i++) {
-        uint32_t from = (any_32() >> 3) % (width + 1u), to = (any_32() >> 3) % (width + 1u);
-        set_edge(from, from == width ? 0 : any_32(), to, 3, &trapezoid.edges[i]);
+    const int32_t ends[] = {(int32_t)x, (int32_t)(x + length)};
+    fxl_trapezoid trapezoid = {7, (int16_t)(7 + (int32_t)of->rows), {{0, 0, 0, 0}, {0, 0, 0, 0}}};
+    for (uint32_t side = 0; side < 2; side++) {
+        trapezoid.edges[side].x = ends[side];
+        trapezoid.edges[1 - side].x = ends[1 - side];
+        compare(of, &trapezoid);
+        for (uint32_t i = 0; i < 2; i++) {
+            trapezoid.edges[i].step_fraction = 1;
+            trapezoid.edges[i].fraction = any_32() >> 1;
+        }
+        compare(of, &trapezoid);
+        const int32_t swapped = trapezoid.edges[0].x;
+        trapezoid.edges[0].x = trapezoid.edges[1].x;
+        trapezoid.edges[1].x = swapped;
     }
-    compare(&band, &trapezoid, offset);
+    /* A carry on a late row, which makes it no upright one. */
+    if (length >= 1) {
+        trapezoid.edges[0] = (fxl_edge){ends[0], 0u - (any_32() >> 7) % 6u, 0, 1};
+        trapezoid.edges[1] = (fxl_edge){ends[1] - 1, 0u - (any_32() >> 7) % 6u, 0, 1};
+        compare(of, &trapezoid);
+    }
 }
 
-/* Every span of a row of 80 pixels, however it begins beside a word. */
-static void every_span(void)
+/* Every length at every offset, up to several times what a kernel treats by itself. */
+static void boundaries(void)
 {
-    fxl_band band = {0};
-    fxl_trapezoid trapezoid;
-    band.width = 80;
-    band.stride = 80;
-    band.rows = 1;
-    trapezoid.first_row = 0;
-    trapezoid.end_row = 1;
-    for (uint32_t x0 = 0; x0 <= 80; x0++) {
-        for (uint32_t x1 = 0; x1 <= 80; x1++) {
-            set_edge(x0, 0, x0, 0, &trapezoid.edges[0]);
-            set_edge(x1, 0, x1, 0, &trapezoid.edges[1]);
-            for (uint32_t offset = 0; offset < 4; offset++) {
-                compare(&band, &trapezoid, offset);
+    for (uint32_t length = 0; length <= 200; length++) {
+        for (uint32_t offset = 0; offset < 4; offset++) {
+            for (uint32_t stride = 204; stride <= 207; stride++) {
+                const shape narrow = {204, stride, offset, 3};
+                compare_upright(&narrow, 0, length);
+                compare_upright(&narrow, 3, length);
             }
+        }
+    }
+    for (uint32_t length = WIDTH_MAX - 40; length <= WIDTH_MAX; length++) {
+        for (uint32_t offset = 0; offset < 4; offset++) {
+            const shape wide = {WIDTH_MAX, WIDTH_MAX + offset, offset, 2};
+            compare_upright(&wide, 0, length);
+            compare_upright(&wide, WIDTH_MAX - length, length);
         }
     }
 }
 
+/* An edge that stays within 0..width. */
+static fxl_edge any_edge(const shape *of)
+{
+    uint32_t width = of->width, rows = of->rows;
+    uint32_t from = any_32() % (width + 1u), to = any_32() % (width + 1u);
+    int32_t step = ((int32_t)to - (int32_t)from) / (int32_t)rows;
+    fxl_edge edge = {(int32_t)from, any_32(), step, any_32()};
+    if (from + (uint32_t)((int32_t)(rows - 1u) * (step + 1)) >= width) {
+        edge.step_fraction = 0;
+        edge.fraction >>= any_32() & 7u;
+    }
+    return edge;
+}
+
 void test_fill(uint32_t rounds)
 {
-    every_span();
+    boundaries();
     for (uint32_t i = 0; i < rounds; i++) {
-        uint32_t width = (i & 63u) == 0 ? WIDTH_MAX : 1u + (any_32() >> 5) % 72u;
-        any_trapezoid(width, 1u + (any_32() >> 9) % ((i & 63u) == 0 ? ROWS_MAX : 3u),
-                      any_32() & 3u);
+        uint32_t length = 1u + (any_32() >> 5) % ((any_32() & 15u) == 0 ? 300u : 75u);
+        const shape any = {length, length + (any_32() >> 9 & 7u), any_32() >> 11 & 3u,
+                           1u + (any_32() >> 13 & 3u)};
+        fxl_trapezoid trapezoid = {
+            7, (int16_t)(7 + (int32_t)any.rows), {any_edge(&any), any_edge(&any)}};
+        compare(&any, &trapezoid);
     }
 }

@@ -5,6 +5,7 @@
 #ifndef SIDES_H
 #define SIDES_H
 
+#include "fixel/scan.h"
 #include "fixel/placed.h"
 
 #define SIDES(side) \
@@ -26,6 +27,7 @@ SIDES(portable_)
 
 uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
+const fxl_trapezoid *portable_scan_next_trapezoid(fxl_scan *scan);
 void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 void portable_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry);
 fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "chain_walks.h"
 #include "edges.h"
 #include "equality.h"
 #include "fill.h"
@@ -21,6 +22,7 @@ const equality_test equality_tests[] = {
     {"edge-divide", test_edge_divide},
     {"look-at", test_look_at},
     {"project", test_project},
+    {"chains", test_chains},
     {"fill", test_fill},
     {NULL, NULL},
 };

@@ -34,7 +34,7 @@ def built(name):
     return made(pathlib.Path("build") / "boards" / name, f"BOARD={name.split('/')[0]}")
 
 
-def scene_bytes(size=400, version=1):
+def scene_bytes(size=400, version=2):
     """Bytes that the flash tool takes for a scene image; no loader would."""
     body = struct.pack("<4sHHI", b"FXLS", version, 160, size)
     rest = bytes((7 * i) & 255 for i in range(size - 16))

@@ -138,6 +138,10 @@ class Debug:
     files = {"outer": "lib/src/project.c", "small": "lib/src/arith.h", "helper": "libgcc/div.c"}
 
     @staticmethod
+    def file_of(name, address):
+        return None
+
+    @staticmethod
     def inlined(address):
         return ["small"] if address == 0x102 else []
 
@@ -201,12 +205,22 @@ def test_debug_information_knows_lines_and_inlined_functions():
     inside = [address for address, _ in code.each_instruction() if function.start <= address < function.end]
     assert all(re.fullmatch(r"lib/(src|include/fixel)/\w+\.[ch]:\d+", debug.line(address)) for address in inside)
     assert debug.files["fxl_frame_begin"] == "lib/src/render.c"
+    assert debug.files.get("bench_begin") == "bench/firmware/region.c"
     tool = subprocess.run([f"{CROSS}addr2line", "-i", "-f", "-e", str(elf), *map(hex, inside)], capture_output=True,
                           text=True, check=True).stdout.splitlines()
     inlined = set().union(*(debug.inlined(address) for address in inside))
     assert inlined == set(tool[0::2]) - {"fxl_frame_begin"}
     assert {debug.line(address).split("/")[-1] for address in inside} <= \
         {re.sub(r" \(.*", "", place).split("/")[-1] for place in tool[1::2]}
+
+
+def test_functions_of_assembly_stand_in_the_file_that_their_lines_name(tmp_path):
+    (tmp_path / "rows.S").write_text(".syntax unified\n.thumb\n.text\n.global f\n.type f, %function\n.thumb_func\nf: bx lr\n")
+    subprocess.run([f"{CROSS}gcc", "-mcpu=cortex-m3", "-mthumb", "-g", "-nostdlib", "-Wl,-Ttext=0x100,-e,f", "rows.S",
+                    "-o", "code.elf"], cwd=tmp_path, check=True)
+    debug = DebugLines(tmp_path / "code.elf")
+    assert "f" not in debug.files
+    assert debug.file_of("f", 0x100).endswith("rows.S") and debug.file_of("g", 0x900) == ""
 
 
 # --- the flame graph ----------------------------------------------------------------

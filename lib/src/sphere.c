@@ -51,7 +51,7 @@ static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int
 /* Exact but for the floor. */
 static int32_t along_axis(const fxl_direction *axis, int32_t dx, int32_t dy, int32_t dz)
 {
-    return (int32_t)(fxl_dot(axis, dx, dy, dz) >> 32);
+    return (int32_t)((uint64_t)fxl_dot(axis, dx, dy, dz) >> 32);
 }
 
 uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,

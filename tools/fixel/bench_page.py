@@ -3,7 +3,7 @@
 
 import re
 
-from fixel import places
+from fixel import cycles, places
 from fixel.bench_plan import NAMES
 from fixel.errors import ToolError
 from fixel.table import coloured, table
@@ -222,6 +222,28 @@ def _share(part, whole):
     return f"{round(part):,} ({100 * part / whole:.1f} %)"
 
 
+def estimates_markdown(_, result):
+    """An ESTIMATE of cycles of a mean frame."""
+    rows = [[f"{row['workload']}, code for {NAMES[row['core']]}", row["title"], f"{row['least']:,} to {row['most']:,}"]
+            for row in result["cycles_estimate"]]
+    return _markdown_table(["a frame", "on", "ESTIMATE of cycles"], rows, left=(0, 1))
+
+
+def costs_markdown(_, __):
+    """What an instruction costs in the ESTIMATE."""
+    titles, kinds = cycles.costs()
+    return _markdown_table(["instruction", *titles],
+                           [[kind, *map(_cost, costs)] for kind, costs in kinds.items()])
+
+
+def _cost(cost):
+    if cost is None:
+        return "-"
+    least, most, *each = cost
+    text = f"{least}" if least == most else f"{least} to {most}"
+    return text + (f" + {each[0]} a register" if each else "")
+
+
 def growth_markdown(_, result):
     """How a frame of W1 grows."""
     if not result["growth"]:
@@ -253,7 +275,7 @@ def tools_markdown(_, result):
 
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
             "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "files": files_markdown, "growth": growth_markdown,
-            "pictures": pictures_markdown}
+            "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 
 
 def markdown(plan, result):

@@ -80,6 +80,16 @@ def stages(profiles):
             for stage in places.in_order(taken.pipeline, taken.stages)]
 
 
+def estimates(profiles):
+    """[{core, workload, model, title, least, most}]: an ESTIMATE of cycles of a mean frame, on each
+    model by the code of the nearest core that was profiled."""
+    cores = {core for core, _ in profiles}
+    return [{"core": core, "workload": workload, "model": name, "title": model.title,
+             "least": round(taken.total.cycles[name][0] / frames), "most": round(taken.total.cycles[name][1] / frames)}
+            for (core, workload), (taken, frames) in profiles.items() for name, model in taken.models.items()
+            if core == next(each for each in model.code if each in cores)]
+
+
 def _functions(taken, stage):
     """What each function took in a stage, the most first."""
     found = [(number, name) for (where, name), number in taken.staged.items() if where == stage]

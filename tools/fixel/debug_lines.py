@@ -66,6 +66,13 @@ class DebugLines:
             return None
         return self.rows[place][2]
 
+    def file_of(self, name, address):
+        """The file of a function that begins at an address; assembly has lines, but says no names."""
+        if name not in self.files:
+            line = self.line(address)
+            self.files[name] = line.rsplit(":", 1)[0] if line else ""
+        return self.files[name]
+
     def inlined(self, address):
         """The functions that were inlined about an instruction, outermost first."""
         around = [(depth, name) for low, high, depth, name in self.scopes if low <= address < high]

@@ -87,6 +87,8 @@ class Profile:
         self.scopes = {}
         self.starts = {function.start for function in code.functions}
         self.entered = collections.Counter()
+        for function in code.functions:
+            lines.file_of(function.name, function.start)
         paths = self._paths(counts)
         for node, block, times, left in counts.visits:
             self._add_block(paths[node], counts.blocks[block], times, left)
