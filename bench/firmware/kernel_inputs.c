@@ -59,16 +59,18 @@ static void screen_quad(fxl_screen_polygon *quad)
 void kernel_inputs_make(kernel_inputs *inputs)
 {
     fxl_pose pose = {{-23592, -1966, 19660}, 0x23456789u, 0xF3456789u, 0};
-    fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT,
-                      &inputs->lens);
-    fxl_projection_from_lens(&inputs->lens, &inputs->projection);
-    fxl_view_frustum_from_lens(&inputs->lens, &inputs->frustum);
-    fxl_camera_from_pose(&pose, &inputs->camera);
+    fxl_lens lens;
+    fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT, &lens);
+    fxl_view_set_lens(&inputs->view, &lens);
+    fxl_view_set_pose(&inputs->view, &pose);
+    inputs->offset = (fxl_point){-pose.position.x, -pose.position.y, -pose.position.z};
     for (uint32_t i = 0; i < KERNEL_COUNT; i++) {
         inputs->angles[i] = (fxl_angle)any();
         inputs->wide[i] = any();
         inputs->numerators[i] = (int64_t)any() >> 5;
         inputs->depths[i] = (int64_t)(((uint64_t)1 << 30) + (any() >> 34));
+        inputs->heights[i] = (uint32_t)between(20000, 60 * 65536);
+        inputs->dividends[i] = between(-60 * 65536, 60 * 65536);
         inputs->points[i] = (fxl_point){between(-524288, 524288), between(-524288, 524288),
                                         between(-524288, 524288)};
         inputs->seen[i] = view_point(between(-60000, 60000), between(-60000, 60000),

@@ -2,6 +2,7 @@
 #include "kernels.h"
 
 #include "arith.h"
+#include "edge_divide.h"
 
 #define EACH(i) for (uint32_t i = 0; i < KERNEL_COUNT; i++)
 
@@ -14,10 +15,11 @@ static union {
     fxl_view_point seen[KERNEL_COUNT];
     fxl_screen_point screen[KERNEL_COUNT];
     fxl_view_frustum frustums[KERNEL_COUNT];
+    fxl_seen_vertex vertices[KERNEL_COUNT];
     struct {
-        fxl_view_point seen;
-        uint32_t code, exponent;
-    } vertices[KERNEL_COUNT];
+        int32_t whole;
+        uint32_t fraction;
+    } divided[KERNEL_COUNT];
     struct {
         fxl_view_polygon out;
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -58,6 +60,17 @@ static void divide(const kernel_inputs *in)
     }
 }
 
+/* An edge's height, and a number that it divides. */
+static void reciprocal(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_edge_divider divider = fxl_edge_divider_of(in->heights[i]);
+        fxl_edge_divide(&divider, in->dividends[i], &results.divided[i].whole,
+                        &results.divided[i].fraction);
+    }
+}
+
 static void sine(const kernel_inputs *in)
 {
     EACH(i)
@@ -71,7 +84,7 @@ static void root(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_view_frustum_from_lens(&in->lens, &results.frustums[i]);
+        fxl_view_frustum_from_lens(&in->view.lens, &results.frustums[i]);
     }
 }
 
@@ -79,37 +92,33 @@ static void transform(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_transform_point(&in->camera, &in->points[i], &results.seen[i]);
+        fxl_transform_point(&in->view.camera, &in->points[i], &results.seen[i]);
     }
 }
 
-/* On which side of the six planes a vertex lies. */
-static uint32_t sides(const kernel_inputs *in, const fxl_view_point *seen)
-{
-    uint32_t code = 0;
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        code |= (uint32_t)(fxl_view_distance(&in->frustum, plane, seen) < 0) << plane;
-    }
-    return code;
-}
-
+/* Which of the six planes a vertex lies outside of. */
 static void outcode(const kernel_inputs *in)
 {
     EACH(i)
     {
-        results.codes[i] = sides(in, &in->seen[i]);
+        results.codes[i] = fxl_outcode(&in->view.view_frustum, FXL_PLANES_ALL, &in->seen[i]);
     }
 }
 
-/* All that clip and project want to know of a vertex. */
+/* A vertex of an object into the cache: to the eye, and outside of which planes. */
 static void transform_outcode(const kernel_inputs *in)
 {
+    /* Only read here. */
+    const fxl_placed placed = {.view = (fxl_view *)&in->view,
+                               .entries = results.vertices,
+                               .mask = KERNEL_COUNT - 1,
+                               .tag = 1,
+                               .vertices = in->points,
+                               .offset = in->offset,
+                               .planes = FXL_PLANES_ALL};
     EACH(i)
     {
-        fxl_view_point *seen = &results.vertices[i].seen;
-        fxl_transform_point(&in->camera, &in->points[i], seen);
-        results.vertices[i].code = sides(in, seen);
-        results.vertices[i].exponent = fxl_bit_length(fxl_magnitude(seen->z));
+        fxl_look_at(&placed, i, &results.vertices[i]);
     }
 }
 
@@ -117,7 +126,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_seen(&in->projection, &in->seen[i], &results.screen[i]);
+        fxl_project_seen(&in->view.projection, &in->seen[i], &results.screen[i]);
     }
 }
 
@@ -126,8 +135,8 @@ static void clip(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->across[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
-                               results.clip.distances);
+        fxl_clip_view_to_plane(&in->across[i], &in->view.view_frustum, FXL_PLANE_LEFT,
+                               &results.clip.out, results.clip.distances);
     }
 }
 
@@ -136,8 +145,8 @@ static void clip_inside(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->inside[i], &in->frustum, FXL_PLANE_LEFT, &results.clip.out,
-                               results.clip.distances);
+        fxl_clip_view_to_plane(&in->inside[i], &in->view.view_frustum, FXL_PLANE_LEFT,
+                               &results.clip.out, results.clip.distances);
     }
 }
 
@@ -175,6 +184,7 @@ const bench_kernel kernel_list[] = {
     {"call", call, KERNEL_COUNT},
     {"multiply", multiply, KERNEL_COUNT},
     {"divide", divide, KERNEL_COUNT},
+    {"reciprocal", reciprocal, KERNEL_COUNT},
     {"sine", sine, KERNEL_COUNT},
     {"root", root, 2u * KERNEL_COUNT},
     {"transform", transform, KERNEL_COUNT},
