@@ -22,8 +22,11 @@ LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/porta
 LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(filter-out portable,$(1)) $(LIB_BASES.$(1)) portable) lib/src
 LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
     $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
-# The kernels' own loops must not become calls of memset.
-LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns
+# The kernels' own loops must not become calls of memset. Code of the compiler's is
+# arranged as for a Cortex-M3, whose pipeline a Cortex-M4 shares: as it is for the
+# others it takes 1 % more instructions.
+LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
+    $(if $(filter armv7em armv81m,$(1)),-mtune=cortex-m3)
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 

@@ -109,9 +109,9 @@ def row(board, options, scenes, answers):
 
 
 def per_million(walk):
-    """Frames in a million instructions."""
+    """Frames in a million instructions, to three digits."""
     count = walk["instructions_per_frame"]
-    return round(1e6 / count, 2) if count else None
+    return float(f"{1e6 / count:.3g}") if count else None
 
 
 def print_rows(rows, scenes):

@@ -28,8 +28,9 @@ def results(text):
     return [(name, int(cases), int(wrong)) for name, cases, wrong in LINE.findall(text)]
 
 
-def run(elf, thousands):
-    """All kernels of a core: [(kernel, cases, differences)]; a ToolError where the program failed."""
+def run(elf, thousands, show, timeout=TIMEOUT):
+    """All kernels of a core: [(kernel, cases, differences)], each shown as show(core, kernel, cases,
+    differences) when it ends; a ToolError where the program failed."""
     core = pathlib.Path(elf).stem
     program = firmware.load(elf)
     options = [*qemu.semihosting(["equality", f"frames={thousands}"]),
@@ -47,7 +48,7 @@ def run(elf, thousands):
             shown = len(done)
             return shown, None
 
-        ending = emulator.emulate(program, options, folder, TIMEOUT, watch)
+        ending = emulator.emulate(program, options, folder, timeout, watch)
     done = results(ending.output)
     for name, cases, wrong in done[shown:]:
         show(core, name, cases, wrong)
@@ -57,7 +58,16 @@ def run(elf, thousands):
     return done
 
 
-def show(core, name, cases, wrong):
+def first_difference(elf, thousands, timeout):
+    """None if no kernel of a core differs, else words that say which does."""
+    try:
+        wrong = [name for name, _, wrong in run(elf, thousands, lambda *_: None, timeout) if wrong]
+    except ToolError as error:
+        return str(error)
+    return f"{wrong[0]} differs" if wrong else None
+
+
+def print_line(core, name, cases, wrong):
     with PRINTING:
         print(f"{core:5} {name:16} {cases:12,} inputs  {wrong:,} differ", flush=True)
 
@@ -70,7 +80,7 @@ def main(argv):
     if not 1 <= options.thousands <= 1000000:
         raise ToolError("--thousands is 1 to 1,000,000")
     with concurrent.futures.ThreadPoolExecutor(min(len(options.elf), os.cpu_count() or 1)) as pool:
-        done = list(pool.map(lambda elf: run(elf, options.thousands), options.elf))
+        done = list(pool.map(lambda elf: run(elf, options.thousands, print_line), options.elf))
     cases = sum(each[1] for core in done for each in core)
     wrong = sum(each[2] for core in done for each in core)
     print(f"{cases:,} inputs on {len(done)} cores, {wrong:,} differ")

@@ -21,6 +21,7 @@ import sys
 import threading
 import tomllib
 
+import equality
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
@@ -28,8 +29,11 @@ from fixel.table import coloured, table
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
 # What make needs to build the library's tests.
-COPIED = ("Makefile", "lib", "boards", "firmware", "bench", "host_tests")
+COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests")
 TEST_TIMEOUT = 120      # seconds; a bug that never ends is caught too
+# A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
+EQUALITY = ("equality/m0", "equality/m3")
+EQUALITY_THOUSANDS = 20
 FIELDS = {"name": str, "kind": str, "file": str, "find": str, "replace": str, "why": str,
           "tests": list}
 
@@ -97,8 +101,13 @@ def seeded_text(root, bug):
 # --- a copy, built and run -----------------------------------------------------
 
 def all_tests(root):
-    """Names of the library's Unity programs."""
-    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c"))
+    """Names of the library's Unity programs, and of the comparisons of kernels."""
+    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + list(EQUALITY)
+
+
+def target(test):
+    """The program of a test, as make knows it."""
+    return f"build/{test}.elf" if test in EQUALITY else f"build/host/unit/{test}"
 
 
 def make_copy(root, folder):
@@ -117,7 +126,7 @@ def build_tests(folder, tests, jobs):
     """Builds tests in a copy; what the compiler said, or None if all went well."""
     environment = {name: value for name, value in os.environ.items()
                    if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
-    done = subprocess.run(["make", "-s", f"-j{jobs}", *[f"build/host/unit/{test}" for test in tests]],
+    done = subprocess.run(["make", "-s", f"-j{jobs}", *map(target, tests)],
                           cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
                           env=environment)
@@ -126,8 +135,10 @@ def build_tests(folder, tests, jobs):
 
 def run_test(folder, test):
     """None if the program passes, else its first words of failure."""
+    if test in EQUALITY:
+        return equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_TIMEOUT)
     try:
-        done = subprocess.run([f"build/host/unit/{test}"], cwd=folder, stdin=subprocess.DEVNULL,
+        done = subprocess.run([target(test)], cwd=folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               errors="replace", timeout=TEST_TIMEOUT, check=False)
     except subprocess.TimeoutExpired:

@@ -37,11 +37,11 @@ async def serve(board, twin_program, scene_image, options):
                 loop.call_soon_threadsafe(getattr(hub, name), argument)
         return call
 
+    hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette), board.hold,
+              lambda frame, wants: twin.ask(frame, wants), lambda rate: pump.set_rate(rate))
     with contextlib.ExitStack() as stack:
         twin = stack.enter_context(contextlib.closing(
             Twin(twin_program, scene_image, later("compare"), later("end"))))
-        hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette),
-                  board.hold, twin.ask, lambda rate: pump.set_rate(rate))
         pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
         for each in ENDINGS:
             loop.add_signal_handler(each, hub.end)

@@ -63,7 +63,10 @@ void kernel_inputs_make(kernel_inputs *inputs)
     fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT, &lens);
     fxl_view_set_lens(&inputs->view, &lens);
     fxl_view_set_pose(&inputs->view, &pose);
-    inputs->offset = (fxl_point){-pose.position.x, -pose.position.y, -pose.position.z};
+    inputs->placed.view = &inputs->view;
+    inputs->placed.vertices = inputs->points;
+    inputs->placed.planes = FXL_PLANES_ALL;
+    inputs->placed.offset = (fxl_point){-pose.position.x, -pose.position.y, -pose.position.z};
     for (uint32_t i = 0; i < KERNEL_COUNT; i++) {
         inputs->angles[i] = (fxl_angle)any();
         inputs->wide[i] = any();

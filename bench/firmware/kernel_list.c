@@ -105,20 +105,13 @@ static void outcode(const kernel_inputs *in)
     }
 }
 
-/* A vertex of an object into the cache: to the eye, and outside of which planes. */
+/* A vertex of a placed object into the cache: all that clip and project want to
+ * know of it. */
 static void transform_outcode(const kernel_inputs *in)
 {
-    /* Only read here. */
-    const fxl_placed placed = {.view = (fxl_view *)&in->view,
-                               .entries = results.vertices,
-                               .mask = KERNEL_COUNT - 1,
-                               .tag = 1,
-                               .vertices = in->points,
-                               .offset = in->offset,
-                               .planes = FXL_PLANES_ALL};
     EACH(i)
     {
-        fxl_look_at(&placed, i, &results.vertices[i]);
+        fxl_look_at(&in->placed, i, &results.vertices[i]);
     }
 }
 

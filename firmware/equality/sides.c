@@ -3,6 +3,7 @@
 #include "sides.h"
 
 #include "divide.h"
+#include "edge_divide.h"
 #include "leading_zeros.h"
 #include "multiply.h"
 
@@ -48,4 +49,22 @@ uint32_t NAME(divide_u32)(uint32_t numerator, uint32_t denominator, uint32_t *re
 uint32_t NAME(divide_half)(uint32_t numerator, uint32_t denominator)
 {
     return fxl_divide_half(numerator, denominator);
+}
+
+uint32_t NAME(edge_height_max)(void)
+{
+    return FXL_EDGE_HEIGHT_MAX;
+}
+
+int32_t NAME(edge_dividend_max)(void)
+{
+    return FXL_EDGE_DIVIDEND_MAX;
+}
+
+/* Answers the divider's shift. */
+unsigned NAME(edge_divide)(uint32_t height, int32_t dividend, int32_t *whole, uint32_t *fraction)
+{
+    fxl_edge_divider divider = fxl_edge_divider_of(height);
+    fxl_edge_divide(&divider, dividend, whole, fraction);
+    return fxl_edge_divider_shift(&divider);
 }

@@ -5,7 +5,8 @@
 #ifndef SIDES_H
 #define SIDES_H
 
-#include "fixel/project.h"
+#include "fixel/scan.h"
+#include "fixel/placed.h"
 
 #define SIDES(side) \
     uint64_t side##multiply_u32(uint32_t a, uint32_t b); \
@@ -15,6 +16,10 @@
     uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
     uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
+    uint32_t side##edge_height_max(void); \
+    int32_t side##edge_dividend_max(void); \
+    unsigned side##edge_divide(uint32_t height, int32_t dividend, int32_t *whole, \
+                               uint32_t *fraction); \
     unsigned side##leading_zeros(uint32_t value);
 
 SIDES(core_)
@@ -22,6 +27,9 @@ SIDES(portable_)
 
 uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
+const fxl_trapezoid *portable_scan_next_trapezoid(fxl_scan *scan);
+void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
+void portable_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry);
 fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,
                                  fxl_screen_point *screen);
 

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "chain_walks.h"
+#include "edges.h"
 #include "equality.h"
+#include "fill.h"
+#include "look_at.h"
 #include "divisions.h"
 #include "products.h"
 #include "project.h"
@@ -15,6 +19,10 @@ const equality_test equality_tests[] = {
     {"divide-half", test_divide_half},
     {"divide-wide", test_divide_wide},
     {"fraction", test_fraction},
+    {"edge-divide", test_edge_divide},
+    {"look-at", test_look_at},
     {"project", test_project},
+    {"chains", test_chains},
+    {"fill", test_fill},
     {NULL, NULL},
 };

@@ -16,22 +16,25 @@ EVERY_BOARD = sorted(path.parent.name for path in (ROOT / "boards").glob("*/boar
                      if path.parent.name != "host")
 
 
-def built(name):
-    """A file under build/boards, made by make if it is not new enough."""
-    board = name.split("/")[0]
-    target = pathlib.Path("build") / "boards" / name
+def made(target, *settings):
+    """A file of this make, made if it is not new enough."""
     (ROOT / "build").mkdir(exist_ok=True)
     with open(ROOT / "build" / ".board-tests.lock", "w", encoding="ascii") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # several test files run at a time
         environment = {key: value for key, value in os.environ.items()
                        if key not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
-        done = subprocess.run(["make", "--no-print-directory", f"BOARD={board}", str(target)], cwd=ROOT,
+        done = subprocess.run(["make", "--no-print-directory", *settings, str(target)], cwd=ROOT,
                               env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return ROOT / target
 
 
-def scene_bytes(size=400, version=1):
+def built(name):
+    """A file under build/boards, made by make if it is not new enough."""
+    return made(pathlib.Path("build") / "boards" / name, f"BOARD={name.split('/')[0]}")
+
+
+def scene_bytes(size=400, version=2):
     """Bytes that the flash tool takes for a scene image; no loader would."""
     body = struct.pack("<4sHHI", b"FXLS", version, 160, size)
     rest = bytes((7 * i) & 255 for i in range(size - 16))

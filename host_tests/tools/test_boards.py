@@ -68,6 +68,11 @@ def test_the_table_has_a_line_for_each_board(everything):
     for board in target_boards():
         row, = [line for line in lines if re.match(rf"{re.escape(board)} +cortex-m", line)]
         assert " yes " in row
+        figures, = [each for each in everything[1]["boards"] if each["name"] == board]
+        for walk in figures["scenes"]:
+            speed = 1e6 / walk["instructions_per_frame"]
+            assert any(abs(float(word) - speed) <= 0.005 * speed for word in row.split()
+                       if re.fullmatch(r"[0-9.]+", word)), (row, speed)
 
 
 def test_the_host_is_no_board_of_the_table(everything):

@@ -158,7 +158,7 @@ def test_a_host_that_takes_only_part_of_the_dump(image, walk, dump, tmp_path, mo
 @pytest.mark.parametrize("spoil, words", [
     (lambda data: data[:-8] + b"\xff" * 8, "check"),
     (lambda data: data[:200] + bytes([data[200] ^ 1]) + data[201:], "check"),
-    (lambda data: data[:4] + b"\x02" + data[5:], "version"),
+    (lambda data: data[:4] + b"\x01" + data[5:], "version"),
     (lambda data: b"\xff" * len(data), "scene image"),
     (lambda data: data[:8] + struct.pack("<I", 0x7FFFFFFC) + data[12:], ""),
 ])

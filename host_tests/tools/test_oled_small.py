@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The second display, an SSD0303 on mps2-an385: the middle of the frame, dark and light."""
 
+import types
+
 import numpy
 import pytest
 
-from fixel import dump, emulator, grey, oled
+from fixel import dump, emulator, grey, oled, session
 from fixel.errors import ToolError
 from screens import flashed, screen_after
 
@@ -67,3 +69,24 @@ def test_at_another_address_it_does_not_answer(exact, tmp_path):
     picture, drawn = screen_after(exact, 2, tmp_path, "small", ("-device", "ssd0303,address=0x3c,id=small"))
     assert not numpy.asarray(picture).any()
     assert len(drawn.frames) == 2
+
+
+@pytest.mark.parametrize("kinds, shows", [
+    ([("qemu-console", "/machine/oled")], True),                                        # QEMU 7.2
+    ([("qemu-console", ""), ("qemu-console", "")], False),
+    ([("qemu-fixed-text-console", None), ("qemu-graphic-console", "/machine/oled")], True),    # QEMU 10
+    ([("qemu-fixed-text-console", None), ("qemu-text-console", None)], False),
+])
+def test_what_counts_as_a_screen(kinds, shows):
+    """A console for text is none, and in QEMU 10 has no device to ask for."""
+    def execute(command, path, **arguments):
+        if command == "qom-list":
+            return [{"name": "type", "type": "string"}] + \
+                [{"name": f"console[{number}]", "type": f"child<{kind}>"} for number, (kind, _) in enumerate(kinds)]
+        device = kinds[int(path.split("[")[1][:-1])][1]
+        if device is None:
+            raise ToolError(f"QEMU refuses '{command}': no property {arguments['property']}")
+        return device
+
+    machine = types.SimpleNamespace(machine=types.SimpleNamespace(execute=execute))
+    assert session.Session._has_screen(machine) == shows

@@ -243,7 +243,7 @@ BAD_IMAGES = {
     "bit flipped in a table": lambda data: flip(data, (len(data) - 9) * 8),
     "oversized": lambda data: data + bytes(64),
     "says 4 GB": lambda data: data[:8] + b"\xfc\xff\xff\xff" + data[12:],
-    "wrong version": lambda data: with_version(data, 2),
+    "wrong version": lambda data: with_version(data, 3),
     "version 0": lambda data: with_version(data, 0),
     "offset outside": lambda data: with_checksum(data[:88] + b"\xf0\xff\xff\x7f" + data[92:]),
     "no frames": lambda data: with_checksum(data[:136] + bytes(4) + data[140:]),

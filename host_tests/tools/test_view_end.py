@@ -6,6 +6,7 @@ import pty
 import re
 import signal
 import subprocess
+import sys
 import termios
 import time
 
@@ -82,6 +83,30 @@ def test_other_endings(scene, build, programs, ending):
         assert_gone(found)
     assert not left(programs)
     assert_refuses(address)
+
+
+@pytest.mark.parametrize("sign", [".view-", "qemu-system-arm", "host/live"])
+@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+def test_ended_while_it_starts(scene, build, programs, ending, sign):
+    """As soon as the first sign of what it starts is seen."""
+    ready("mps2-an385", build)
+    process = subprocess.Popen([sys.executable, str(browser.VIEW), "--board", "mps2-an385", "--scene", str(scene),
+                                "--build", str(programs)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+    try:
+        deadline = time.monotonic() + PATIENCE
+        while not any(sign in each for each in [*left(programs), *children(process.pid).values()]):
+            assert time.monotonic() < deadline, f"{sign} does not come"
+            time.sleep(0.005)
+        found = children(process.pid)
+        process.send_signal(ending)
+        _, words = process.communicate(timeout=PATIENCE)
+        assert process.returncode in (0, 130) and "Traceback" not in words, words
+        assert_gone(found)
+        assert not left(programs)
+    finally:
+        process.kill()
+        process.communicate()
 
 
 def test_killed_it_leaves_nothing_running(board, scene, programs):

@@ -27,7 +27,7 @@ static fxl_q1_31 crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 static fxl_q16_16 interpolate(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction)
 {
     int64_t extent = (int64_t)to - from;
-    return (fxl_q16_16)(from + fxl_round_shift(extent * (int64_t)fraction, 31));
+    return (fxl_q16_16)(from + fxl_round_shift(fxl_multiply_s64(extent, fraction), 31));
 }
 
 /* Where the edge from an inside to an outside vertex crosses the plane. Always

@@ -110,17 +110,13 @@ static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *o
 static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum, int plane,
                         fxl_q18_46 *distances)
 {
+    const bool is_side = plane >= FXL_PLANE_LEFT;
+    const side_plane side = side_plane_of(frustum, is_side ? plane : FXL_PLANE_LEFT);
     uint32_t inside_count = 0;
-    if (plane == FXL_PLANE_NEAR || plane == FXL_PLANE_FAR) {
-        for (uint32_t i = 0; i < polygon->count; i++) {
-            distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
-            inside_count += distances[i] >= 0;
-        }
-        return inside_count;
-    }
-    const side_plane side = side_plane_of(frustum, plane);
     for (uint32_t i = 0; i < polygon->count; i++) {
-        distances[i] = side_distance(&side, &polygon->vertices[i].position);
+        const fxl_view_point *point = &polygon->vertices[i].position;
+        distances[i] =
+            is_side ? side_distance(&side, point) : fxl_view_distance(frustum, plane, point);
         inside_count += distances[i] >= 0;
     }
     return inside_count;
@@ -204,8 +200,9 @@ fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_vi
     const fxl_view_polygon *current = in;
     uint32_t spare = in == &work->polygons[0] ? 1 : 0;
     fxl_clip_result all = FXL_CLIP_INSIDE;
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        if ((planes >> plane & 1) == 0) {
+    unsigned left = planes;
+    for (int plane = 0; left != 0; plane++, left >>= 1) {
+        if ((left & 1) == 0) {
             continue;
         }
         fxl_view_polygon *out = &work->polygons[spare];

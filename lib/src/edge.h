@@ -114,7 +114,7 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     FXL_ASSERT(height > 0 && height <= FXL_EDGE_HEIGHT_MAX && above >= 0 && rows > 0);
     FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
     fxl_edge_divider divider = fxl_edge_divider_of((uint32_t)height);
-    if ((uint32_t)(above + rows) > 1u << fxl_edge_divider_shift(&divider)) {
+    if ((uint32_t)(above + rows) >> fxl_edge_divider_shift(&divider) != 0) {
         return fxl_edge_set_far(top, bottom, row, rows, edge);
     }
     int32_t x;

@@ -7,7 +7,7 @@
 /* Below 2^62 for |value| < 2^31. */
 static inline uint64_t square(int32_t value)
 {
-    return (uint64_t)((int64_t)value * value);
+    return (uint64_t)fxl_multiply_s32(value, value);
 }
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)

@@ -17,7 +17,7 @@ unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
  * 1, side at most 2^30. */
 static inline int32_t fxl_upper_term(fxl_q2_30 side, fxl_q18_46 across)
 {
-    return (int32_t)(fxl_multiply_s32(side, (int32_t)((uint64_t)across >> 32)) >> 32);
+    return (int32_t)(fxl_multiply_s31(side, (int32_t)((uint64_t)across >> 32)) >> 32);
 }
 
 /* Whether an upper distance leaves the sign open. */

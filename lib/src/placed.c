@@ -1,13 +1,27 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/placed.h"
 
-#include "outside.h"
-#include "rotate.h"
+#include "arith.h"
 
 /* What a tag counts objects by: below it is the vertex's number. */
 #define TAG_OBJECT ((uint32_t)1 << 16)
 
 _Static_assert(FXL_MODEL_VERTICES_MAX < TAG_OBJECT, "a number fits a tag");
+
+/* The kernels in assembly know where members lie. */
+#ifdef __arm__
+_Static_assert(offsetof(fxl_placed, tag) == 12 && offsetof(fxl_placed, vertices) == 16 &&
+                   offsetof(fxl_placed, offset) == 24 && offsetof(fxl_placed, planes) == 36,
+               "lib/kernels: placed");
+_Static_assert(offsetof(fxl_view, camera.right) == 12 && offsetof(fxl_view, view_frustum) == 96 &&
+                   offsetof(fxl_view_frustum, y_side) == 8 &&
+                   offsetof(fxl_view_frustum, near) == 16 &&
+                   offsetof(fxl_view_frustum, far) == 24 && offsetof(fxl_view_frustum, inset) == 32,
+               "lib/kernels: view");
+_Static_assert(offsetof(fxl_seen_vertex, state) == 4 && offsetof(fxl_seen_vertex, position) == 16 &&
+                   FXL_SEEN_UNPROJECTED == 0x80u,
+               "lib/kernels: seen vertex");
+#endif
 
 static void forget_all(fxl_vertex_cache *cache)
 {
@@ -50,19 +64,4 @@ void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_obje
     placed->offset.z = object->centre.z - eye->z;
     placed->tag = cache->count;
     placed->planes = planes;
-}
-
-void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry)
-{
-    const fxl_view *view = placed->view;
-    fxl_point from_eye = fxl_placed_vertex(placed, number);
-    fxl_view_point seen;
-    fxl_rotate(&view->camera, &from_eye, &seen);
-    entry->position = seen;
-    entry->tag = placed->tag + number;
-    unsigned outside = 0;
-    if (placed->planes != 0) {
-        outside = fxl_outside(&view->view_frustum, placed->planes, &entry->position);
-    }
-    entry->state = (uint8_t)(outside | FXL_SEEN_UNPROJECTED);
 }

@@ -24,13 +24,10 @@ static fxl_rows rows_of(const fxl_band *band)
     return rows;
 }
 
-/* scan -> fill */
-static void paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
-                  uint8_t colour, const fxl_band *band)
+/* scan -> fill, for a scan that was begun. */
+static void paint(fxl_scan *scan, uint8_t colour, const fxl_band *band)
 {
-    fxl_scan *scan = &renderer->work.scan;
     const fxl_trapezoid *trapezoid;
-    fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
         fxl_fill_trapezoid(band, trapezoid, colour);
     }
@@ -41,17 +38,16 @@ static void paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32
 static bool deliver(const walk *on)
 {
     const fxl_screen_polygon *screen = &on->renderer->screen;
-    fxl_rows rows = fxl_scan_rows(screen, on->renderer->view.lens.height);
-    if (rows.first == rows.end) {
-        return true;
-    }
+    uint16_t height = on->renderer->view.lens.height;
     if (on->band == NULL) {
-        return fxl_list_append(&on->renderer->list, screen, rows);
+        fxl_rows rows = fxl_scan_rows(screen, height);
+        return rows.first == rows.end || fxl_list_append(&on->renderer->list, screen, rows);
     }
-    on->counters->spilled += 1;
-    fxl_rows wanted = rows_of(on->band);
-    if (rows.first < wanted.end && wanted.first < rows.end) {
-        paint(on->renderer, screen->points, screen->count, screen->colour, on->band);
+    fxl_scan *scan = &on->renderer->work.scan;
+    fxl_scan_outline(screen->points, screen->count, on->band, scan);
+    if (fxl_scan_is_on_screen(scan, height)) {
+        on->counters->spilled += 1;
+        paint(scan, screen->colour, on->band);
     }
     return true;
 }
@@ -117,13 +113,16 @@ static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_obje
         renderer->front =
             (uint16_t)fxl_order_faces(scene, object, &renderer->view.camera.position, order);
     }
-    uint32_t front = renderer->front;
-    for (; on->place->faces < front; on->place->faces++) {
-        uint32_t number = order[on->place->faces].index;
-        if (!take_face(on, placed, &scene->faces[model->first_face + number])) {
-            return false;
-        }
-        on->counters->in += 1;
+    const fxl_face *faces = &scene->faces[model->first_face];
+    const uint32_t first = on->place->faces, front = renderer->front;
+    uint32_t number = first;
+    while (number < front && take_face(on, placed, &faces[order[number].index])) {
+        number++;
+    }
+    on->place->faces = (uint16_t)number;
+    on->counters->in += number - first;
+    if (number < front) {
+        return false;
     }
     on->counters->in += model->face_count - front;
     on->counters->backfacing += model->face_count - front;
@@ -157,7 +156,8 @@ static void play_list(fxl_renderer *renderer, const fxl_band *band)
     fxl_list_record record;
     uint32_t place = 0;
     while (fxl_list_next(&renderer->list, wanted, &place, &record)) {
-        paint(renderer, record.points, record.count, record.colour, band);
+        fxl_scan_outline(record.points, record.count, band, &renderer->work.scan);
+        paint(&renderer->work.scan, record.colour, band);
     }
 }
 

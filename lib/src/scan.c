@@ -1,8 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/scan.h"
 
+#include "chains.h"
 #include "edge.h"
 #include "scan_crossings.h"
+
+/* As the kernels of lib/kernels read it where pointers have 32 bits. */
+#ifdef __arm__
+_Static_assert(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4 &&
+                   offsetof(fxl_scan, by_chains) == 5 &&
+                   offsetof(fxl_scan, end_row) == 6 && offsetof(fxl_scan, chains) == 8 &&
+                   offsetof(fxl_scan, trapezoid) == 20 && sizeof(fxl_chain) == 4 &&
+                   offsetof(fxl_chain, onward) == 1 && offsetof(fxl_chain, end_row) == 2,
+               "chains.S");
+#endif
 
 /* What a look at every vertex tells of an outline. */
 typedef struct {
@@ -111,9 +122,12 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
     scan->points = points;
     scan->count = (uint8_t)count;
     scan->by_chains = found.by_chains;
+    scan->outline_first = (int16_t)found.top_row;
+    scan->outline_end = (int16_t)found.end_row;
     if (scan->by_chains) {
         begin_chains(scan, &found, band);
     } else {
+        scan->end_row = INT16_MIN;
         fxl_crossings_begin(&scan->crossings, points, count, band);
     }
 }
@@ -150,47 +164,8 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
     return rows;
 }
 
-/* Goes down a chain to the edge that crosses a row, and places it there. */
-static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
-{
-    const fxl_screen_point *points = scan->points;
-    uint32_t vertex, next = chain->vertex, count = scan->count;
-    int32_t end_row;
-    do {
-        vertex = next;
-        next += chain->onward;
-        next -= next >= count ? count : 0u;
-        end_row = fxl_first_centre_from(points[next].y);
-    } while (end_row <= row);
-    chain->vertex = (uint8_t)vertex;
-    int32_t good = fxl_edge_set(&points[vertex], &points[next], row, end_row - row, edge);
-    chain->end_row = (int16_t)(row + good);
-}
-
-static const fxl_trapezoid *next_between_chains(fxl_scan *scan)
-{
-    fxl_trapezoid *trapezoid = &scan->trapezoid;
-    int32_t row = trapezoid->end_row;
-    int32_t end_row = scan->end_row;
-    if (row >= end_row) {
-        return NULL;
-    }
-    for (int side = 0; side < 2; side++) {
-        fxl_chain *chain = &scan->chains[side];
-        if (chain->end_row > row) {
-            fxl_edge_advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
-        } else {
-            begin_edge(scan, chain, row, &trapezoid->edges[side]);
-        }
-        end_row = chain->end_row < end_row ? chain->end_row : end_row;
-    }
-    trapezoid->first_row = (int16_t)row;
-    trapezoid->end_row = (int16_t)end_row;
-    return trapezoid;
-}
-
 /* A span as a trapezoid of one row. */
-static const fxl_trapezoid *next_between_crossings(fxl_scan *scan)
+const fxl_trapezoid *fxl_scan_next_of_crossings(fxl_scan *scan)
 {
     fxl_span span;
     if (!fxl_crossings_next(&scan->crossings, &span)) {
@@ -203,11 +178,6 @@ static const fxl_trapezoid *next_between_crossings(fxl_scan *scan)
     return &scan->trapezoid;
 }
 
-const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
-{
-    return scan->by_chains ? next_between_chains(scan) : next_between_crossings(scan);
-}
-
 /* Rows are taken off the trapezoid's top, so that it is what is left of it. */
 static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
 {
@@ -217,7 +187,7 @@ static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
             fxl_edge_advance(&trapezoid->edges[0], 1);
             fxl_edge_advance(&trapezoid->edges[1], 1);
             trapezoid->first_row = scan->row;
-        } else if (next_between_chains(scan) == NULL) {
+        } else if (fxl_scan_next_trapezoid(scan) == NULL) {
             return false;
         }
         scan->row = (int16_t)(trapezoid->first_row + 1);

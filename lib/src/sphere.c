@@ -29,7 +29,7 @@
 /* The upper word of a product. */
 static int32_t scaled(fxl_q2_30 part, int32_t size)
 {
-    return (int32_t)((int64_t)part * size >> 32);
+    return (int32_t)(fxl_multiply_s31(part, size) >> 32);
 }
 
 /* The two planes through the eye of one axis; the normal of low points along it.
@@ -51,7 +51,7 @@ static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int
 /* Exact but for the floor. */
 static int32_t along_axis(const fxl_direction *axis, int32_t dx, int32_t dy, int32_t dz)
 {
-    return (int32_t)(fxl_dot(axis, dx, dy, dz) >> 32);
+    return (int32_t)((uint64_t)fxl_dot(axis, dx, dy, dz) >> 32);
 }
 
 uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,

@@ -32,6 +32,13 @@ logging.getLogger("qemu.qmp").addHandler(logging.NullHandler())
 logging.getLogger("qemu.qmp").propagate = False
 
 
+def _complain(loop, context):
+    """Says what nobody waited for, but for what close() cancelled: since Python 3.13 the package
+    leaves that behind."""
+    if not isinstance(context.get("exception"), asyncio.CancelledError):
+        loop.default_exception_handler(context)
+
+
 class Channel:
     """The wire between this process and a QEMU that is about to be started."""
 
@@ -72,6 +79,7 @@ class Machine:
     def __init__(self, connection, timeout=TIMEOUT):
         self.timeout = timeout
         self._loop = asyncio.new_event_loop()
+        self._loop.set_exception_handler(_complain)
         self._thread = threading.Thread(target=self._loop.run_forever, name="qmp", daemon=True)
         self._thread.start()
         self._client = None

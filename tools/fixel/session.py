@@ -86,9 +86,10 @@ class Session:
             return numpy.asarray(picture.convert("RGB"))
 
     def _has_screen(self):
-        """Whether a device shows something: without one QEMU gives a picture that says so."""
+        """Whether a device shows something: without one QEMU gives a picture that says so. Consoles
+        for text are of a kind of their own since QEMU 8, which has no device to ask for."""
         consoles = [entry["name"] for entry in self.machine.execute("qom-list", path="/backend")
-                    if entry["name"].startswith("console[")]
+                    if entry["name"].startswith("console[") and "text" not in entry["type"]]
         return any(self.machine.execute("qom-get", path=f"/backend/{name}", property="device") for name in consoles)
 
     def close(self):

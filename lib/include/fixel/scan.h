@@ -16,7 +16,7 @@
 
 /* One way down an outline, from its top to its bottom. */
 typedef struct {
-    uint8_t vertex;  /* where the edge begins that is being walked */
+    uint8_t vertex;  /* where the next edge begins that will be set up */
     uint8_t onward;  /* how much further the next vertex is, modulo the count */
     int16_t end_row; /* one past the last row that the trapezoid's edge is good for */
 } fxl_chain;
@@ -48,10 +48,11 @@ typedef struct {
     const fxl_screen_point *points;
     uint8_t count;
     bool by_chains;  /* else by crossings */
-    int16_t end_row; /* one past the last row, of both ways */
-    int16_t row;     /* the row that the next span is for */
+    int16_t end_row; /* one past the last row by chains; above all rows by crossings */
     fxl_chain chains[2];
+    int16_t row; /* the row that the next span is for */
     fxl_trapezoid trapezoid;
+    int16_t outline_first, outline_end; /* the rows of all of the outline, see fxl_scan_rows */
     fxl_crossings crossings;
 } fxl_scan;
 
@@ -69,6 +70,14 @@ fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *ban
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan);
 
+/* Whether the outline reaches a row of a screen of height rows; its band may hold
+ * none of them. Exact. Requires a scan that was begun with an outline. */
+static inline bool fxl_scan_is_on_screen(const fxl_scan *scan, uint16_t height)
+{
+    return scan->outline_first < scan->outline_end && scan->outline_end > 0 &&
+           scan->outline_first < height;
+}
+
 /* The rows, of a screen of height rows, that hold every centre which the
  * polygon may cover: those from its highest to its lowest vertex. Exact: scan
  * finds an edge on each of them, and none on others.
@@ -77,7 +86,8 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
 
 /* The next trapezoid, rows downward, left to right within a row; no pixel is
  * in two of them. It belongs to scan and is good until the next call. Null
- * when there are no more. */
+ * when there are no more. A kernel: one for each family of cores (lib/kernels),
+ * all with the same bits. */
 const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan);
 
 /* The same pixels a span at a time, for what decides by span: spans of a row

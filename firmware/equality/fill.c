@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernels of fill, each into memory of its own; all of it must be the same,
+ * what lies about the band included. */
+#include "fill.h"
+
+#include "equality.h"
+#include "fixel/fill.h"
+#include "sides.h"
+
+#define WIDTH_MAX FXL_SCREEN_MAX
+#define ROWS_MAX  4
+#define WORDS     (((WIDTH_MAX + 8) * ROWS_MAX + 16) / 4)
+
+static uint32_t by_core[WORDS], by_portable[WORDS];
+
+/* A band of width pixels, which begins `offset` bytes off a word; rows begin on
+ * all four offsets where the stride is odd. */
+typedef struct {
+    uint32_t width, stride, offset, rows;
+} shape;
+
+/* Draws on both sides. What was drawn before stays: it was the same. */
+static void compare(const shape *of, const fxl_trapezoid *trapezoid)
+{
+    static uint8_t colour;
+    fxl_band band = {(uint8_t *)by_core + 4 + of->offset, (uint16_t)of->width, (uint16_t)of->stride,
+                     7, (uint16_t)of->rows};
+    colour = (uint8_t)(colour + 1);
+    fxl_fill_trapezoid(&band, trapezoid, colour);
+    band.pixels = (uint8_t *)by_portable + 4 + of->offset;
+    portable_fill_trapezoid(&band, trapezoid, colour);
+    uint32_t words = (8 + of->offset + of->stride * of->rows) / 4 + 1;
+    bool same = true;
+    for (uint32_t i = 0; i < words; i++) {
+        same &= by_core[i] == by_portable[i];
+    }
+    equality_case(same);
+}
+
+/* Rows that all are pixels x .. x + length - 1. */
+static void compare_upright(const shape *of, uint32_t x, uint32_t length)
+{
+    const int32_t ends[] = {(int32_t)x, (int32_t)(x + length)};
+    fxl_trapezoid trapezoid = {7, (int16_t)(7 + (int32_t)of->rows), {{0, 0, 0, 0}, {0, 0, 0, 0}}};
+    for (uint32_t side = 0; side < 2; side++) {
+        trapezoid.edges[side].x = ends[side];
+        trapezoid.edges[1 - side].x = ends[1 - side];
+        compare(of, &trapezoid);
+        for (uint32_t i = 0; i < 2; i++) {
+            trapezoid.edges[i].step_fraction = 1;
+            trapezoid.edges[i].fraction = any_32() >> 1;
+        }
+        compare(of, &trapezoid);
+        const int32_t swapped = trapezoid.edges[0].x;
+        trapezoid.edges[0].x = trapezoid.edges[1].x;
+        trapezoid.edges[1].x = swapped;
+    }
+    /* A carry on a late row, which makes it no upright one. */
+    if (length >= 1) {
+        trapezoid.edges[0] = (fxl_edge){ends[0], 0u - (any_32() >> 7) % 6u, 0, 1};
+        trapezoid.edges[1] = (fxl_edge){ends[1] - 1, 0u - (any_32() >> 7) % 6u, 0, 1};
+        compare(of, &trapezoid);
+    }
+}
+
+/* Every length at every offset, up to several times what a kernel treats by itself. */
+static void boundaries(void)
+{
+    for (uint32_t length = 0; length <= 200; length++) {
+        for (uint32_t offset = 0; offset < 4; offset++) {
+            for (uint32_t stride = 204; stride <= 207; stride++) {
+                const shape narrow = {204, stride, offset, 3};
+                compare_upright(&narrow, 0, length);
+                compare_upright(&narrow, 3, length);
+            }
+        }
+    }
+    for (uint32_t length = WIDTH_MAX - 40; length <= WIDTH_MAX; length++) {
+        for (uint32_t offset = 0; offset < 4; offset++) {
+            const shape wide = {WIDTH_MAX, WIDTH_MAX + offset, offset, 2};
+            compare_upright(&wide, 0, length);
+            compare_upright(&wide, WIDTH_MAX - length, length);
+        }
+    }
+}
+
+/* An edge that stays within 0..width. */
+static fxl_edge any_edge(const shape *of)
+{
+    uint32_t width = of->width, rows = of->rows;
+    uint32_t from = any_32() % (width + 1u), to = any_32() % (width + 1u);
+    int32_t step = ((int32_t)to - (int32_t)from) / (int32_t)rows;
+    fxl_edge edge = {(int32_t)from, any_32(), step, any_32()};
+    if (from + (uint32_t)((int32_t)(rows - 1u) * (step + 1)) >= width) {
+        edge.step_fraction = 0;
+        edge.fraction >>= any_32() & 7u;
+    }
+    return edge;
+}
+
+void test_fill(uint32_t rounds)
+{
+    boundaries();
+    for (uint32_t i = 0; i < rounds; i++) {
+        uint32_t length = 1u + (any_32() >> 5) % ((any_32() & 15u) == 0 ? 300u : 75u);
+        const shape any = {length, length + (any_32() >> 9 & 7u), any_32() >> 11 & 3u,
+                           1u + (any_32() >> 13 & 3u)};
+        fxl_trapezoid trapezoid = {
+            7, (int16_t)(7 + (int32_t)any.rows), {any_edge(&any), any_edge(&any)}};
+        compare(&any, &trapezoid);
+    }
+}

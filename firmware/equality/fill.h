@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef EQUALITY_FILL_H
+#define EQUALITY_FILL_H
+
+#include <stdint.h>
+
+void test_fill(uint32_t rounds);
+
+#endif

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_scan_next_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
+ * lib/include/fixel/scan.h, the bits are those of lib/kernels/portable/chains.c. The
+ * arithmetic, with its bounds, is that of edge.h and armv7m/edge_divide.h. */
+
+    .syntax unified
+    .thumb
+
+/* fxl_scan; scan.c holds these against the structure. */
+#define POINTS      0
+#define COUNT       4
+#define BY_CHAINS   5
+#define END_ROW     6
+#define VERTEX      8       /* of chain 0; chain 1 is 4 further on */
+#define ONWARD      9
+#define CHAIN_END   10
+#define FIRST_ROW   20      /* of the trapezoid */
+#define LAST_END    22
+#define EDGES       24      /* x, fraction, step, step_fraction; 16 bytes an edge */
+
+    .section .text.fxl_scan_next_trapezoid, "ax", %progbits
+    .global fxl_scan_next_trapezoid
+    .type fxl_scan_next_trapezoid, %function
+    .thumb_func
+
+/* r0: scan, r2: end of the rows so far, r3: scan + 4 side, lr: the row's centre in 16.16 */
+fxl_scan_next_trapezoid:
+    ldrsh   r1, [r0, #LAST_END]
+    ldrsh   r2, [r0, #END_ROW]
+    cmp     r1, r2
+    bge     .Lnone
+    push    {r3-r11, lr}
+    lsl     lr, r1, #16
+    add     lr, lr, #32768
+    mov     r3, r0
+.Lside:
+    ldrsh   r5, [r3, #CHAIN_END]
+    cmp     r5, lr, asr #16
+    ble     .Lbegin
+    ldrsh   r6, [r0, #FIRST_ROW]
+    rsb     r6, r6, lr, asr #16
+.Ladvance:                          /* the edge by r6 rows */
+    sub     r7, r3, r0
+    add     r7, r0, r7, lsl #2
+    ldrd    r8, r9, [r7, #EDGES]
+    ldrd    r10, r11, [r7, #EDGES + 8]
+    mla     r8, r10, r6, r8
+    movs    r4, #0
+    umlal   r9, r4, r11, r6
+    add     r8, r8, r4
+    strd    r8, r9, [r7, #EDGES]
+.Lside_done:
+    cmp     r5, r2
+    it      lt
+    movlt   r2, r5
+    cmp     r3, r0
+    bne     .Lready
+    adds    r3, r3, #4
+    b       .Lside
+.Lready:
+    asr     lr, lr, #16
+    strh    lr, [r0, #FIRST_ROW]
+    strh    r2, [r0, #LAST_END]
+    adds    r0, r0, #FIRST_ROW
+    pop     {r3-r11, pc}
+.Lnone:
+    ldrb    r1, [r0, #BY_CHAINS]
+    cbz     r1, .Lcrossings
+    movs    r0, #0
+    bx      lr
+.Lcrossings:
+    b.w     fxl_scan_next_of_crossings
+
+    /* Down the chain to the edge that ends below the row's centre. */
+.Lbegin:
+    ldrb    r6, [r3, #VERTEX]
+    ldrb    r7, [r3, #ONWARD]
+    ldrb    r1, [r0, #COUNT]
+    ldr     r9, [r0, #POINTS]
+    b       .Lwalk
+.Lpassed:
+    mov     r6, r10
+.Lwalk:
+    add     r10, r6, r7
+    cmp     r10, r1
+    it      hs
+    subhs   r10, r10, r1
+    add     r8, r9, r10, lsl #3
+    ldrd    r11, r12, [r8]
+    cmp     r12, lr
+    ble     .Lpassed
+    strb    r10, [r3, #VERTEX]
+    sub     r12, r12, #1
+    add     r5, r12, #32768
+    asr     r5, r5, #16             /* the edge's end row */
+    strh    r5, [r3, #CHAIN_END]
+    add     r9, r9, r6, lsl #3
+    ldrd    r6, r7, [r9]
+    sub     r10, r12, r7
+    adds    r10, r10, #1            /* height */
+    sub     r11, r11, r6            /* dx */
+    sub     r7, lr, r7              /* from the top to the centre: rows, and t */
+    clz     r1, r10
+    sub     r12, r5, lr, asr #16
+    add     r12, r12, r7, lsr #16
+    lsrs    r12, r12, r1            /* more rows than the edge is good for */
+    bne     .Lfar
+    uxth    r12, r7
+    lsrs    r7, r7, #16
+    orr     r8, r1, r7, lsl #8      /* rows above; shift, the byte that shifts look at */
+    smull   r4, r5, r11, r12
+    sub     r6, r6, #32768          /* start */
+    uxth    r12, r6
+    umlal   r4, r5, r12, r10
+    subs    r4, r4, #1
+    sbc     r5, r5, #0
+    lsrs    r4, r4, #16
+    lsls    r4, r4, #2
+    orr     r4, r4, r5, lsl #18     /* the first row's dividend, four times */
+
+    lsl     r12, r10, r8
+    mvn     r1, #0x8000
+    lsr     r9, r12, #16
+    udiv    r9, r1, r9
+    lsl     r9, r9, #15
+    umull   r1, r5, r9, r12
+    negs    r5, r5
+    umull   r1, r9, r9, r5          /* the reciprocal */
+    mov     r12, #0x80000000
+    rsb     r5, r8, #32
+    lsr     r12, r12, r5
+    sub     r12, r12, #1            /* 2^(shift - 1) - 1 */
+
+/* dividend r: r4, whole: \whole, fraction: r1; r12: as above */
+    .macro  divide whole
+    smull   r1, \whole, r4, r9
+    lsl     r7, \whole, r8
+    lsr     r1, r1, r5
+    orrs    r1, r1, r7
+    asr     \whole, \whole, r5
+    subs    r1, r1, r12
+    sbc     \whole, \whole, #0
+    mls     r7, r1, r10, r10        /* what is left, half added */
+    udiv    r7, r7, r10
+    adds    r1, r1, r7
+    .endm
+
+    divide  r4
+    adc     r4, r4, r6, asr #16
+    adds    r4, r4, #1
+    sub     r7, r3, r0
+    add     r6, r0, r7, lsl #2
+    strd    r4, r1, [r6, #EDGES]
+    lsl     r4, r11, #2
+    divide  r4
+    adc     r4, r4, #0
+    strd    r4, r1, [r6, #EDGES + 8]
+    ldrsh   r5, [r3, #CHAIN_END]
+    lsrs    r6, r8, #8
+    beq     .Lside_done
+    b       .Ladvance
+
+    /* By its exact remainder: r8 bottom, r9 top, r5 end row. */
+.Lfar:
+    push    {r0, r2, r3, lr}
+    sub     r7, r3, r0
+    add     r7, r0, r7, lsl #2
+    add     r7, r7, #EDGES
+    str     r7, [sp, #-8]!
+    asr     r2, lr, #16
+    subs    r3, r5, r2
+    mov     r0, r9
+    mov     r1, r8
+    bl      fxl_edge_set_far
+    mov     r7, r0
+    add     sp, sp, #8
+    pop     {r0, r2, r3, lr}
+    add     r7, r7, lr, asr #16
+    cmp     r7, r5
+    beq     .Lside_done
+    mov     r5, r7                  /* the same edge again from there on */
+    strh    r5, [r3, #CHAIN_END]
+    ldr     r6, [r0, #POINTS]
+    sub     r6, r9, r6
+    lsrs    r6, r6, #3
+    strb    r6, [r3, #VERTEX]
+    b       .Lside_done
+
+    .size fxl_scan_next_trapezoid, . - fxl_scan_next_trapezoid
