@@ -5,16 +5,32 @@
 #include "text.h"
 
 #define ORDER_ENTRIES 2048u /* W1 with sixteen times its cubes takes 1606 */
-#define CACHE_ENTRIES 64u   /* as boards with little memory have */
+#define CACHE_ENTRIES 256u  /* at most */
 
 static fxl_order_entry order[ORDER_ENTRIES];
 static fxl_seen_vertex cache[CACHE_ENTRIES];
 static fxl_renderer renderer;
 static uint32_t order_needed;
+static uint32_t cache_used;
+
+/* Entries for the vertices of the scene's largest model, a power of two. */
+static uint32_t cache_entries(const fxl_scene *scene)
+{
+    uint32_t vertices = 1, entries = 1;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const uint32_t count = scene->models[i].vertex_count;
+        vertices = count > vertices ? count : vertices;
+    }
+    while (entries < vertices && entries < CACHE_ENTRIES) {
+        entries *= 2u;
+    }
+    return entries;
+}
 
 int draw_open(const fxl_scene_image *image)
 {
-    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0, cache, CACHE_ENTRIES};
+    cache_used = cache_entries(&image->scene);
+    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0, cache, cache_used};
 
     order_needed = image->scene.order_needed;
     if (order_needed > ORDER_ENTRIES) {
@@ -33,7 +49,8 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 
 uint32_t draw_memory(void)
 {
-    return (uint32_t)(sizeof renderer + sizeof cache + order_needed * sizeof order[0]);
+    return (uint32_t)(sizeof renderer + cache_used * sizeof cache[0] +
+                      order_needed * sizeof order[0]);
 }
 
 const fxl_counters *draw_counters(void)

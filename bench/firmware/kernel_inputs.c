@@ -72,6 +72,8 @@ void kernel_inputs_make(kernel_inputs *inputs)
         inputs->wide[i] = any();
         inputs->numerators[i] = (int64_t)any() >> 5;
         inputs->depths[i] = (int64_t)(((uint64_t)1 << 30) + (any() >> 34));
+        inputs->heights[i] = (uint32_t)between(20000, 60 * 65536);
+        inputs->dividends[i] = between(-60 * 65536, 60 * 65536);
         inputs->points[i] = (fxl_point){between(-524288, 524288), between(-524288, 524288),
                                         between(-524288, 524288)};
         inputs->seen[i] = view_point(between(-60000, 60000), between(-60000, 60000),

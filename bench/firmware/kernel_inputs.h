@@ -15,6 +15,8 @@ typedef struct {
     uint64_t wide[KERNEL_COUNT];            /* all 64 bits */
     int64_t numerators[KERNEL_COUNT];       /* as project divides: below 2^59 */
     int64_t depths[KERNEL_COUNT];           /* 2^30 to 2^31 */
+    uint32_t heights[KERNEL_COUNT];         /* of edges, up to 60 rows */
+    int32_t dividends[KERNEL_COUNT];        /* up to as many columns */
     fxl_point points[KERNEL_COUNT];         /* within 8 units of the origin */
     fxl_view_point seen[KERNEL_COUNT];      /* on the screen, 2 to 10 units away */
     fxl_view_polygon inside[KERNEL_COUNT];  /* quads on the screen */

@@ -2,6 +2,7 @@
 #include "kernels.h"
 
 #include "arith.h"
+#include "edge_divide.h"
 
 #define EACH(i) for (uint32_t i = 0; i < KERNEL_COUNT; i++)
 
@@ -15,6 +16,10 @@ static union {
     fxl_screen_point screen[KERNEL_COUNT];
     fxl_view_frustum frustums[KERNEL_COUNT];
     fxl_seen_vertex vertices[KERNEL_COUNT];
+    struct {
+        int32_t whole;
+        uint32_t fraction;
+    } divided[KERNEL_COUNT];
     struct {
         fxl_view_polygon out;
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -55,6 +60,17 @@ static void divide(const kernel_inputs *in)
     }
 }
 
+/* An edge's height, and a number that it divides. */
+static void reciprocal(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_edge_divider divider = fxl_edge_divider_of(in->heights[i]);
+        fxl_edge_divide(&divider, in->dividends[i], &results.divided[i].whole,
+                        &results.divided[i].fraction);
+    }
+}
+
 static void sine(const kernel_inputs *in)
 {
     EACH(i)
@@ -80,6 +96,7 @@ static void transform(const kernel_inputs *in)
     }
 }
 
+/* Which of the six planes a vertex lies outside of. */
 static void outcode(const kernel_inputs *in)
 {
     EACH(i)
@@ -111,8 +128,8 @@ static void clip(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->across[i], &in->view.view_frustum, FXL_PLANE_LEFT, &results.clip.out,
-                               results.clip.distances);
+        fxl_clip_view_to_plane(&in->across[i], &in->view.view_frustum, FXL_PLANE_LEFT,
+                               &results.clip.out, results.clip.distances);
     }
 }
 
@@ -121,8 +138,8 @@ static void clip_inside(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_clip_view_to_plane(&in->inside[i], &in->view.view_frustum, FXL_PLANE_LEFT, &results.clip.out,
-                               results.clip.distances);
+        fxl_clip_view_to_plane(&in->inside[i], &in->view.view_frustum, FXL_PLANE_LEFT,
+                               &results.clip.out, results.clip.distances);
     }
 }
 
@@ -160,6 +177,7 @@ const bench_kernel kernel_list[] = {
     {"call", call, KERNEL_COUNT},
     {"multiply", multiply, KERNEL_COUNT},
     {"divide", divide, KERNEL_COUNT},
+    {"reciprocal", reciprocal, KERNEL_COUNT},
     {"sine", sine, KERNEL_COUNT},
     {"root", root, 2u * KERNEL_COUNT},
     {"transform", transform, KERNEL_COUNT},

@@ -83,7 +83,7 @@ def test_kinds_of_what_the_assembler_makes(tmp_path, flags, text):
 
 def test_sizes_are_those_of_the_disassembler():
     elf = CHECKOUT / "build/bench/m3/fixel.elf"
-    text = subprocess.run([f"{CROSS}objdump", "-d", str(elf)], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run([f"{CROSS}objdump", "-dz", str(elf)], capture_output=True, text=True, check=True).stdout
     wanted = {int(address, 16): 2 if len(code.split()) == 1 else 4 for address, code in
               re.findall(r"^\s*([0-9a-f]+):\t([0-9a-f]{4}(?: [0-9a-f]{4})?) +\t(?!\.word|\.short|\.byte)", text, re.MULTILINE)}
     found = {address: each.size for address, each in MachineCode(elf).each_instruction()}
