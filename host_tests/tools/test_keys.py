@@ -7,8 +7,12 @@ the host, bit for bit, and the same walk by the double twin.
 """
 
 import dataclasses
+import fcntl
 import math
+import os
 import pathlib
+import threading
+import time
 
 import pytest
 
@@ -19,8 +23,9 @@ from fixel.session import Session, touch_keys
 from screens import flashed
 
 BOARD = "lm3s6965evb"
-FRAMES = 500
-PAUSE = 12              # frames for which a state of the keys lasts at least
+FRAMES = 800
+PAUSE = 24              # frames for which a state of the keys lasts at least
+PIPE_BYTES = 4096       # less than a frame
 UNIT = 65536
 TURN = 2 ** 32
 
@@ -49,10 +54,53 @@ SCRIPT = [
 ]
 
 
-def frames_written(file, each):
-    """How many frames of a dump have come so far."""
-    size = file.stat().st_size if file.exists() else 0
-    return max(0, size - dump.HEAD.size - dump.PALETTE_BYTES) // each
+class Gate:
+    """A board's dump on its way to a file: the board waits where nobody takes its
+    frames, so that it is hardly a frame ahead, however fast it is. QEMU waits with
+    it, and answers no question: so with a question the gate is open."""
+
+    def __init__(self, path, size, each):
+        self.file, self._each, self._written = path.with_suffix(".taken"), each, 0
+        self._head = dump.HEAD.size + dump.PALETTE_BYTES
+        self._until, self._moved = 0, threading.Condition()
+        os.mkfifo(path)
+        self._end = os.open(path, os.O_RDONLY | os.O_NONBLOCK)  # waits for no writer
+        os.set_blocking(self._end, True)
+        fcntl.fcntl(self._end, fcntl.F_SETPIPE_SZ, size)
+        self._thread = threading.Thread(target=self._take, daemon=True)
+        self._thread.start()
+
+    def frames(self):
+        """How many have come."""
+        return max(0, self._written - self._head) // self._each
+
+    def _take(self):
+        with self.file.open("wb") as to:
+            while True:
+                with self._moved:
+                    self._moved.wait_for(lambda: self.frames() < self._until)
+                data = os.read(self._end, 1 << 16)
+                if not data and self._written:
+                    return
+                if not data:
+                    time.sleep(0.005)   # no writer yet
+                with self._moved:
+                    to.write(data)
+                    to.flush()
+                    self._written += len(data)
+                    self._moved.notify_all()
+
+    def open(self, frames=1 << 30):
+        """Lets so many more frames pass."""
+        with self._moved:
+            self._until = self.frames() + frames
+            self._moved.notify_all()
+
+    def finish(self):
+        """Takes the rest, of a board that has ended."""
+        self.open()
+        self._thread.join(60)
+        os.close(self._end)
 
 
 def change(machine, released, pressed):
@@ -64,24 +112,29 @@ def change(machine, released, pressed):
 
 def play(scene, folder):
     """Walks live while the script's keys are pressed; the board's dump."""
-    file = pathlib.Path(folder) / emulator.DUMP_NAME
-    each = dump.frame_bytes(scene.host.width, scene.host.height)
+    gate = Gate(pathlib.Path(folder) / emulator.DUMP_NAME, PIPE_BYTES,
+                dump.frame_bytes(scene.host.width, scene.host.height))
     with Session(scene.program, scene.image, folder, [f"frames={FRAMES}", "live"]) as board:
 
         def let_pass(count):
-            until = frames_written(file, each) + count
-            board.wait_until(lambda: frames_written(file, each) >= until, 60, f"frame {until}")
+            until = gate.frames() + count
+            gate.open(count)
+            board.wait_until(lambda: gate.frames() >= until, 60, f"frame {until}")
 
         let_pass(2)
+        gate.open()
         touch_keys(board.machine)
         held = set()
         for keys, _ in SCRIPT:
+            gate.open()
             change(board.machine, held - set(keys), set(keys) - held)
             held = set(keys)
             let_pass(PAUSE)
+        gate.open()
         assert board.wait_for_end(120) == emulator.exit_code("DONE"), board.text()
-    dump_file.check(file, FRAMES)
-    return dump.read_dump(file)
+    gate.finish()
+    dump_file.check(gate.file, FRAMES)
+    return dump.read_dump(gate.file)
 
 
 def around(difference):
@@ -180,7 +233,7 @@ def test_the_host_walks_the_same_way_with_the_same_keys(scene, walked, tmp_path)
 def test_and_so_does_the_double_twin(build, scene, walked, tmp_path):
     folder, board, seen = walked
     scene_file = steps_image(scene, seen, tmp_path / "steps.fxls")
-    verdict = HostPrograms(build).judge(scene_file, folder / emulator.DUMP_NAME, tmp_path / "judge.json",
+    verdict = HostPrograms(build).judge(scene_file, (folder / emulator.DUMP_NAME).with_suffix(".taken"), tmp_path / "judge.json",
                                         tmp_path / "twin.fxld")
     walk = verdict["walk"]
     assert walk["frames"] == FRAMES and walk["frames_beyond_bound"] == 0
