@@ -89,7 +89,8 @@ void test_chains(uint32_t rounds)
         for (uint32_t first = 0; first < 1024; first = first == 0 ? 1 : 2 * first) {
             const fxl_band band = {NULL, FXL_SCREEN_MAX, FXL_SCREEN_MAX, (uint16_t)first,
                                    (uint16_t)(FXL_SCREEN_MAX - first)};
-            const int32_t end = (int32_t)(rows << 16) - (int32_t)(any_32() >> 17), width = 1024 << 16;
+            const int32_t end = (int32_t)(rows << 16) - (int32_t)(any_32() >> 17),
+                          width = 1024 << 16;
             const fxl_screen_point points[] = {
                 {0, 0}, {width, (int32_t)(any_32() & 1u) * end}, {width, end}, {0, end}};
             equality_case(compare(points, 4, &band));

@@ -18,7 +18,7 @@ static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
 static uint32_t list[WALK_LIST_BYTES / 4];
 #else
-static uint32_t *const list = NULL; /* every band walks the scene */
+static uint32_t *const list = NULL;         /* every band walks the scene */
 #endif
 #if WALK_CACHE_ENTRIES > 0
 static fxl_seen_vertex cache[WALK_CACHE_ENTRIES];

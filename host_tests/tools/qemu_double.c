@@ -31,23 +31,27 @@ static void (*translated)(uint64_t id, struct qemu_plugin_tb *block);
 static void (*exiting)(uint64_t id, void *data);
 static void *exiting_data;
 
-void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id, void (*callback)(uint64_t, struct qemu_plugin_tb *));
-void qemu_plugin_register_vcpu_tb_exec_cb(struct qemu_plugin_tb *block, void (*callback)(unsigned, void *),
-                                          int registers, void *data);
+void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id,
+                                           void (*callback)(uint64_t, struct qemu_plugin_tb *));
+void qemu_plugin_register_vcpu_tb_exec_cb(struct qemu_plugin_tb *block,
+                                          void (*callback)(unsigned, void *), int registers,
+                                          void *data);
 void qemu_plugin_register_atexit_cb(uint64_t id, void (*callback)(uint64_t, void *), void *data);
 size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *block);
 uint64_t qemu_plugin_tb_vaddr(const struct qemu_plugin_tb *block);
 struct qemu_plugin_insn *qemu_plugin_tb_get_insn(struct qemu_plugin_tb *block, size_t index);
 size_t qemu_plugin_insn_size(const struct qemu_plugin_insn *instruction);
 
-void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id, void (*callback)(uint64_t, struct qemu_plugin_tb *))
+void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id,
+                                           void (*callback)(uint64_t, struct qemu_plugin_tb *))
 {
     (void)id;
     translated = callback;
 }
 
-void qemu_plugin_register_vcpu_tb_exec_cb(struct qemu_plugin_tb *block, void (*callback)(unsigned, void *),
-                                          int registers, void *data)
+void qemu_plugin_register_vcpu_tb_exec_cb(struct qemu_plugin_tb *block,
+                                          void (*callback)(unsigned, void *), int registers,
+                                          void *data)
 {
     (void)registers;
     block->executed = callback;
@@ -135,8 +139,9 @@ int main(int argc, char **argv)
         return 3;
     }
     while (scanf("%15s %llx", word, &address) == 2) {
-        int bad = strcmp(word, "block") == 0 ? scanf("%63s", sizes) != 1 || translate(address, sizes)
-                                             : run(address);
+        int bad = strcmp(word, "block") == 0
+                      ? scanf("%63s", sizes) != 1 || translate(address, sizes)
+                      : run(address);
         if (bad) {
             return 4;
         }

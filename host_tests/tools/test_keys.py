@@ -103,13 +103,6 @@ class Gate:
         os.close(self._end)
 
 
-def change(machine, released, pressed):
-    """Keys let go and pressed, all at once."""
-    events = [{"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": code}}}
-              for codes, down in ((released, False), (pressed, True)) for code in sorted(codes)]
-    machine.execute("input-send-event", events=events)
-
-
 def play(scene, folder):
     """Walks live while the script's keys are pressed; the board's dump."""
     gate = Gate(pathlib.Path(folder) / emulator.DUMP_NAME, PIPE_BYTES,
@@ -127,7 +120,7 @@ def play(scene, folder):
         held = set()
         for keys, _ in SCRIPT:
             gate.open()
-            change(board.machine, held - set(keys), set(keys) - held)
+            board.machine.keys(held - set(keys), set(keys) - held)
             held = set(keys)
             let_pass(PAUSE)
         gate.open()

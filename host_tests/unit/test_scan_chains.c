@@ -106,6 +106,48 @@ void test_an_edge_is_exact_while_it_is_good(void)
     }
 }
 
+/* All at once as one by one, also where a carry leaves nothing over. */
+void test_rows_are_skipped_as_they_are_walked(void)
+{
+    for (uint32_t height = 1; height <= 9; height++) {
+        for (uint32_t errors = 0; errors < height * height; errors++) {
+            fxl_slope walked = {100, errors % height, -3, errors / height, height};
+            for (int32_t rows = 1; rows <= 20; rows++) {
+                fxl_slope skipped = {100, errors % height, -3, errors / height, height};
+                walked.error += walked.error_step;
+                walked.x += walked.step + (walked.error >= height);
+                walked.error -= walked.error >= height ? height : 0;
+                fxl_slope_skip(&skipped, rows);
+                TEST_ASSERT_EQUAL_INT32(walked.x, skipped.x);
+                TEST_ASSERT_EQUAL_UINT32(walked.error, skipped.error);
+            }
+        }
+    }
+}
+
+/* Upright edges through centres: the fraction on each row misses the next pixel by
+ * the least, and an edge walked for more rows than it is good for reaches it. */
+void test_upright_edges_stay_where_they_are(void)
+{
+    fxl_screen_polygon polygon = {.count = 4,
+                                  .points = {{Q16(10.5), -Q16(2)},
+                                             {Q16(14.5), -Q16(2)},
+                                             {Q16(14.5), Q16(1000.25)},
+                                             {Q16(10.5), Q16(1000.25)}}};
+    uint8_t pixel = 0; /* scan writes none */
+    fxl_band band = {&pixel, 20, 20, 0, 1000};
+    fxl_scan scan;
+    fxl_span span;
+    int32_t rows = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
+    while (fxl_scan_next(&scan, &span)) {
+        TEST_ASSERT_EQUAL_INT32(rows++, span.y);
+        TEST_ASSERT_EQUAL_INT32(10, span.x0);
+        TEST_ASSERT_EQUAL_INT32(14, span.x1);
+    }
+    TEST_ASSERT_EQUAL_INT32(1000, rows);
+}
+
 static int32_t compare(fxl_q16_16 a, fxl_q16_16 b)
 {
     return (a > b) - (a < b);

@@ -56,7 +56,7 @@ fxl_status fxl_viewer_step(fxl_viewer *viewer, uint32_t keys, const fxl_gait *ga
     pose->roll =
         turned(pose->roll, key_sign(keys, FXL_KEY_ROLL_LEFT, FXL_KEY_ROLL_RIGHT), gait->turn);
 
-    bool speed_held = false; /* the top speed is a setting, not a boundary of the world */
+    bool speed_held = false;        /* the top speed is a setting, not a boundary of the world */
     int32_t speed = viewer->speed + /* both within FXL_GAIT_MAX */
                     key_sign(keys, FXL_KEY_FORWARD, FXL_KEY_BACK) * gait->acceleration;
     viewer->speed = held_within(speed, gait->speed_max, &speed_held);

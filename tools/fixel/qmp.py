@@ -118,10 +118,15 @@ class Machine:
         """What QEMU answers to a line of its monitor for people, as text."""
         return self.execute("human-monitor-command", **{"command-line": line})
 
+    def keys(self, released, pressed):
+        """Releases and presses keys, all at the same moment: QKeyCodes such as "up", "ctrl", "a"."""
+        events = [{"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": code}}}
+                  for down, codes in ((False, released), (True, pressed)) for code in sorted(codes)]
+        self.execute("input-send-event", events=events)
+
     def key(self, code, down):
-        """Presses or releases a key: a QKeyCode such as "up", "ctrl", "a"."""
-        event = {"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": code}}}
-        self.execute("input-send-event", events=[event])
+        """Presses or releases a key."""
+        self.keys(*((), (code,)) if down else ((code,), ()))
 
     def screendump(self, path):
         """A picture of the emulated screen, as PNG."""

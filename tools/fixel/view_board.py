@@ -55,12 +55,12 @@ class Buttons:
                 self._machine.key(name, down)
 
     def _press(self, wanted):
-        for name in sorted(self._down.keys() - wanted):
-            time.sleep(max(0.0, self._down.pop(name) + PRESSED_MIN - time.monotonic()))
-            self._machine.key(name, False)
-        for name in sorted(wanted - self._down.keys()):
-            self._machine.key(name, True)
-            self._down[name] = time.monotonic()
+        # At the same moment: an arrow that is let go after Ctrl would walk a step.
+        released, pressed = self._down.keys() - wanted, wanted - self._down.keys()
+        if released or pressed:
+            time.sleep(max([0.0, *(self._down.pop(name) + PRESSED_MIN - time.monotonic() for name in released)]))
+            self._machine.keys(released, pressed)
+            self._down.update(dict.fromkeys(pressed, time.monotonic()))
 
     def hold(self, keys):
         wanted = {name for bit, names in self._names.items() if keys & bit for name in names}
