@@ -275,7 +275,7 @@ def test_a_reset_is_not_a_success(board):
 
 @pytest.mark.parametrize("script", [
     '"$REAL" "$@"; exit 0',                                         # all passed, but the agreed code is lost
-    '"$REAL" "$@" & sleep 0.1; kill -TERM $!; wait $!',             # SIGTERM: exit code 0
+    '"$REAL" -S "$@" & sleep 0.5; kill -TERM $!; wait $!',          # SIGTERM: exit code 0
     'printf "a.c:1:test_one:PASS\\nunittest: done\\n"; exit 0',     # never ran
     'printf "a.c:1:test_one:PASS\\n"; exit 93',                      # the code without the marker
 ])
