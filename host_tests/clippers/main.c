@@ -19,6 +19,11 @@ typedef struct {
 
 static clipper clippers[] = {
     {{.clipper = "normalised", .claimed = 1.25}, measure_normalised},
+    {{.clipper = "half_spaces", .claimed = 1.25}, measure_half_spaces},
+    {{.clipper = "near_and_guard", .claimed = 1.25}, measure_near_and_guard},
+    {{.clipper = "left_and_guard", .claimed = 1.25}, measure_left_and_guard},
+    {{.clipper = "line_by_planes", .claimed = 6}, measure_line_by_planes},
+    {{.clipper = "line_by_codes", .claimed = 6}, measure_line_by_codes},
 };
 
 enum {

@@ -31,6 +31,14 @@ typedef struct {
 
 /* Each counts one case. */
 void measure_normalised(clipper_tally *tally, const clipper_case *of);
+void measure_half_spaces(clipper_tally *tally, const clipper_case *of);
+void measure_near_and_guard(clipper_tally *tally, const clipper_case *of);
+void measure_left_and_guard(clipper_tally *tally, const clipper_case *of);
+
+/* Lines, in a lopsided frustum: outline is an end's distance from the line and at_all
+ * from the volume, both in units of 2^-46. */
+void measure_line_by_planes(clipper_tally *tally, const clipper_case *of);
+void measure_line_by_codes(clipper_tally *tally, const clipper_case *of);
 
 /* The vertices of a case, exact, along right, up and forward. The first three
  * numbers that ride along are the vertex's own place in the world. */
