@@ -17,8 +17,8 @@ typedef struct {
  * those worked out.
  * Error of a moved end: 1 unit of 2^-46 a coordinate from the line, and half a unit
  * of 2^-16 a number carried, for each plane that moved it; 3 units from the plane
- * that moved it last. A line that passes a corner of the volume by less may be
- * taken either way. */
+ * that moved it last. A line that passes a corner of the volume by less, or
+ * lies in a plane by less, may be taken either way. */
 bool fxl_line_by_planes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *intersections);
 
 /* The same by outcodes: a line with both ends outside of one plane is left out,
