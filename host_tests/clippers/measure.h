@@ -16,21 +16,24 @@ typedef struct {
 
 typedef struct {
     const char *clipper;
-    double claimed;    /* largest distance of outlines that SPEC.md allows */
-    uint64_t cut;      /* polygons that a plane cut and that are seen */
-    uint64_t beyond;   /* of those, outlines further apart than claimed */
-    uint64_t parallel; /* of those beyond: nearly parallel to a plane that cut them */
-    uint64_t verdicts; /* twin and library disagree about there being anything to see */
-    uint64_t refused;  /* by the capacity */
-    uint64_t crossings;
-    uint64_t made;  /* vertices of the results that are no vertex of the input */
-    double outline; /* largest distance, those nearly parallel left out */
-    double at_all;  /* largest distance */
-    double carried; /* what rides along, in 1/65536 */
+    double claimed;           /* largest distance of outlines that SPEC.md allows */
+    uint64_t cut;             /* polygons that a plane cut and that are seen */
+    uint64_t beyond;          /* of those, outlines further apart than claimed */
+    uint64_t parallel;        /* of those beyond: nearly parallel to a plane that cut them */
+    uint64_t verdicts;        /* twin and library disagree about there being anything to see */
+    uint64_t refused;         /* by the capacity */
+    uint64_t crossings, made; /* intersections; vertices that are none of the input's */
+    uint64_t plain_crossings, plain_made; /* the same where no corner is enclosed */
+    double outline;                       /* largest distance, those nearly parallel left out */
+    double at_all;                        /* largest distance */
+    double carried;                       /* what rides along, in 1/65536 */
 } clipper_tally;
 
 /* Each counts one case. */
 void measure_normalised(clipper_tally *tally, const clipper_case *of);
+/* A face is flat to within units, and so are its corners: a triangle is flat. */
+void measure_once(clipper_tally *tally, const clipper_case *of);
+void measure_once_triangle(clipper_tally *tally, const clipper_case *of);
 void measure_half_spaces(clipper_tally *tally, const clipper_case *of);
 void measure_near_and_guard(clipper_tally *tally, const clipper_case *of);
 void measure_left_and_guard(clipper_tally *tally, const clipper_case *of);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdlib.h>
 
 #include "clippers/measure.h"
 
@@ -25,16 +26,55 @@ static double carried_error(const clipper_case *of, const fxl_clip_vertex *verte
                               (double)at->z * 0x1p-46 * largest);
 }
 
-void measure_normalised(clipper_tally *tally, const clipper_case *of)
+/* Vertices that a plane made. */
+static uint64_t count_made(const fxl_clip_polygon *in, const fxl_clip_polygon *out)
+{
+    uint64_t made = 0;
+    for (int i = 0; i < out->count; i++) {
+        bool old = false;
+        for (int k = 0; k < in->count; k++) {
+            const fxl_view_point *a = &out->vertices[i].position, *b = &in->vertices[k].position;
+            old |= a->x == b->x && a->y == b->y && a->z == b->z;
+        }
+        made += !old;
+    }
+    return made;
+}
+
+/* Whether a vertex lies on two planes. */
+static bool has_corner(const fxl_normalised *frustum, const fxl_clip_polygon *out)
+{
+    bool any = false;
+    for (int i = 0; i < out->count; i++) {
+        int on = 0;
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            on += llabs(fxl_normalised_distance(frustum, plane, &out->vertices[i].position)) < 16;
+        }
+        any |= on > 1;
+    }
+    return any;
+}
+
+static void measure(clipper_tally *tally, const clipper_case *of, bool once)
 {
     static fxl_clip_room room;
+    static fxl_clip_once_room once_room;
     fxl_clip_polygon polygon;
     const fxl_clip_polygon *result;
     fxl_normalised frustum;
     fxl_normalised_from_camera(&of->camera, &of->lens, &frustum);
     load(of, &frustum, &polygon);
-    room.account = (fxl_clip_account){0, 0};
-    fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, &room, &result);
+    room.account = once_room.account = (fxl_clip_account){0, 0};
+    fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_room, &result)
+                               : fxl_clip_normalised(&polygon, &frustum, &room, &result);
+    if (cut == FXL_CLIP_CUT) {
+        uint32_t crossings = (once ? &once_room.account : &room.account)->intersections;
+        bool plain = !has_corner(&frustum, result);
+        tally->crossings += crossings;
+        tally->made += count_made(&polygon, result);
+        tally->plain_crossings += plain ? crossings : 0;
+        tally->plain_made += plain ? count_made(&polygon, result) : 0;
+    }
     tally->refused += cut == FXL_CLIP_CAPACITY;
 
     ref_half_space planes[REF_PLANE_COUNT];
@@ -50,10 +90,28 @@ void measure_normalised(clipper_tally *tally, const clipper_case *of)
                                                       &points[i]) != FXL_OK;
             tally->carried = fmax(tally->carried, carried_error(of, &result->vertices[i]));
         }
-        tally->crossings += room.account.intersections;
         got = outline_of_screen(points, result->count);
         case_compare(tally, &got, &expected, parallel);
     } else if (cut != FXL_CLIP_INSIDE) {
         case_compare(tally, NULL, &expected, parallel);
     }
+}
+
+void measure_normalised(clipper_tally *tally, const clipper_case *of)
+{
+    measure(tally, of, false);
+}
+
+void measure_once(clipper_tally *tally, const clipper_case *of)
+{
+    measure(tally, of, true);
+}
+
+void measure_once_triangle(clipper_tally *tally, const clipper_case *of)
+{
+    clipper_case triangle = *of;
+    triangle.polygon.count = 3;
+    triangle.polygon.vertices[1] = of->polygon.vertices[of->polygon.count / 3];
+    triangle.polygon.vertices[2] = of->polygon.vertices[of->polygon.count * 2 / 3];
+    measure(tally, &triangle, true);
 }

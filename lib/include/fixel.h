@@ -20,6 +20,7 @@
 #include "fixel/camera.h"
 #include "fixel/clip.h"
 #include "fixel/clip_view.h"
+#include "fixel/clip_once.h"
 #include "fixel/clip_record.h"
 #include "fixel/clipper.h"
 #include "fixel/cull.h"

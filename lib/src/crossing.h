@@ -27,6 +27,10 @@ void fxl_crossing_vertex(const fxl_clip_vertex *inside, const fxl_clip_vertex *o
 fxl_clip_result fxl_cut(const fxl_clip_polygon *in, const fxl_q18_46 *distances,
                         fxl_clip_account *account, fxl_clip_polygon *out);
 
+/* A bit for each vertex that counts as inside, by its distance and the sliver rule.
+ * Requires count <= 32. */
+uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver);
+
 /* A vertex without the numbers that are not used. */
 void fxl_copy_vertex(const fxl_clip_vertex *from, uint32_t carried, fxl_clip_vertex *to);
 

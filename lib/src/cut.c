@@ -4,11 +4,11 @@
 
 _Static_assert(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
 
-/* A bit for each vertex that counts as inside. By the sliver rule that depends
+/* By the sliver rule whether a vertex is inside depends
  * on the vertex before, all the way round: the walk begins after a vertex that
  * is outside, or inside by more than the rule minds; where there is none, all
  * are barely inside, and none of them after one that is out. */
-static uint32_t inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver)
+uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver)
 {
     uint32_t bits = 0, start = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -85,7 +85,7 @@ fxl_clip_result fxl_cut(const fxl_clip_polygon *in, const fxl_q18_46 *distances,
                         fxl_clip_account *account, fxl_clip_polygon *out)
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
-    uint32_t bits = inside_bits(distances, in->count, account->sliver);
+    uint32_t bits = fxl_inside_bits(distances, in->count, account->sliver);
     if (bits == UINT32_MAX >> (32u - in->count)) {
         return FXL_CLIP_INSIDE;
     }
