@@ -24,6 +24,7 @@ static clipper clippers[] = {
     {{.clipper = "half_spaces", .claimed = 1.25}, measure_half_spaces},
     {{.clipper = "near_and_guard", .claimed = 1.25}, measure_near_and_guard},
     {{.clipper = "left_and_guard", .claimed = 1.25}, measure_left_and_guard},
+    {{.clipper = "triangle", .claimed = 2}, measure_triangle},
     {{.clipper = "line_by_planes", .claimed = 6}, measure_line_by_planes},
     {{.clipper = "line_by_codes", .claimed = 6}, measure_line_by_codes},
 };

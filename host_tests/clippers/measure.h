@@ -38,6 +38,10 @@ void measure_half_spaces(clipper_tally *tally, const clipper_case *of);
 void measure_near_and_guard(clipper_tally *tally, const clipper_case *of);
 void measure_left_and_guard(clipper_tally *tally, const clipper_case *of);
 
+/* The pieces of a triangle against the screen's borders without their inset: no piece
+ * reaches further out, no corner is missed, and the areas are the same. */
+void measure_triangle(clipper_tally *tally, const clipper_case *of);
+
 /* Lines, in a lopsided frustum: outline is an end's distance from the line and at_all
  * from the volume, both in units of 2^-46. */
 void measure_line_by_planes(clipper_tally *tally, const clipper_case *of);

@@ -49,6 +49,30 @@ static long double one_way(const outline *from, const outline *to)
     return largest;
 }
 
+double outline_beyond(const outline *of, long double x, long double y)
+{
+    long double beyond = 0, sign = outline_area(of) < 0 ? 1 : -1;
+    for (int i = 0; i < of->count; i++) {
+        int k = (i + 1) % of->count;
+        long double dx = of->x[k] - of->x[i], dy = of->y[k] - of->y[i], length = hypotl(dx, dy);
+        if (length > 0x1p-8L) { /* shorter ones have no direction to speak of */
+            long double side = dx * (y - of->y[i]) - dy * (x - of->x[i]);
+            beyond = fmaxl(beyond, sign * side / length);
+        }
+    }
+    return 65536 * (double)beyond;
+}
+
+double outline_length(const outline *of)
+{
+    long double length = 0;
+    for (int i = 0; i < of->count; i++) {
+        int k = (i + 1) % of->count;
+        length += hypotl(of->x[k] - of->x[i], of->y[k] - of->y[i]);
+    }
+    return (double)length;
+}
+
 double outline_distance(const outline *a, const outline *b)
 {
     return 65536 * (double)fmaxl(one_way(a, b), one_way(b, a));

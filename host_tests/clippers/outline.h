@@ -26,6 +26,13 @@ outline outline_of_volume(const ref_volume_polygon *polygon, double half_width, 
  * in units of 1/65536 pixel. */
 double outline_distance(const outline *a, const outline *b);
 
+/* How far a point lies beyond the worst of a convex outline's edges, prolonged; in
+ * units. At the tip of a wedge that is less than to the outline. */
+double outline_beyond(const outline *of, long double x, long double y);
+
+/* In pixels. */
+double outline_length(const outline *of);
+
 /* In square pixels; negative where it goes the other way round. */
 double outline_area(const outline *of);
 

@@ -41,6 +41,7 @@
 #include "fixel/scene.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
+#include "fixel/triangle.h"
 #include "fixel/viewer.h"
 
 #endif

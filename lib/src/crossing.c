@@ -39,8 +39,8 @@ fxl_q18_46 fxl_crossing_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* To the nearest: half a unit. |to - from| is below 2^32. */
-static fxl_q16_16 carry(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
+/* |to - from| is below 2^32. */
+fxl_q16_16 fxl_crossing_carried(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 {
     int64_t extent = (int64_t)to - from;
     int64_t part = (int64_t)((fxl_multiply_high(fxl_magnitude(extent) << 1, fraction) + 1) >> 1);
@@ -56,7 +56,8 @@ void fxl_crossing_vertex(const fxl_clip_vertex *inside, const fxl_clip_vertex *o
     vertex->position.y = fxl_crossing_part(from->y, to->y, fraction);
     vertex->position.z = fxl_crossing_part(from->z, to->z, fraction);
     for (uint32_t i = 0; i < carried; i++) {
-        vertex->carried[i] = carry(inside->carried[i], outside->carried[i], fraction);
+        vertex->carried[i] =
+            fxl_crossing_carried(inside->carried[i], outside->carried[i], fraction);
     }
 }
 

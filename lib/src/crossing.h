@@ -14,6 +14,9 @@ uint64_t fxl_crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside);
  * less than one unit. */
 fxl_q18_46 fxl_crossing_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction);
 
+/* The same for a number that is carried, to the nearest: half a unit. */
+fxl_q16_16 fxl_crossing_carried(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction);
+
 /* The vertex at a fraction of the way from the inside to the outside end. Always
  * in this direction, so that both owners of an edge get the same bits.
  * Error: less than 1 unit of 2^-46 a coordinate, 0.51 unit of 2^-16 a number that
