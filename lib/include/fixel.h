@@ -38,6 +38,7 @@
 #include "fixel/record.h"
 #include "fixel/render.h"
 #include "fixel/scan.h"
+#include "fixel/scan_box.h"
 #include "fixel/scene.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
