@@ -94,6 +94,7 @@ void case_compare(clipper_tally *tally, const outline *got, const outline *expec
     }
     double distance = outline_distance(got, expected);
     tally->cut++;
+    tally->moved += distance;
     tally->at_all = fmax(tally->at_all, distance);
     if (distance > tally->claimed) {
         tally->beyond++;

@@ -21,6 +21,7 @@ static clipper clippers[] = {
     {{.clipper = "normalised", .claimed = 1.25}, measure_normalised},
     {{.clipper = "once", .claimed = 1.25}, measure_once},
     {{.clipper = "once_triangle", .claimed = 1.25}, measure_once_triangle},
+    {{.clipper = "normalised_without_slivers", .claimed = 1.25}, measure_sliver},
     {{.clipper = "half_spaces", .claimed = 1.25}, measure_half_spaces},
     {{.clipper = "near_and_guard", .claimed = 1.25}, measure_near_and_guard},
     {{.clipper = "left_and_guard", .claimed = 1.25}, measure_left_and_guard},
@@ -78,12 +79,13 @@ static void print(const clipper_tally *of, const char *end)
     printf("  {\"clipper\": \"%s\", \"cut\": %" PRIu64 ", \"max_outline_units\": %.6g, "
            "\"claimed_units\": %.6g, \"beyond\": %" PRIu64 ", \"beyond_and_parallel\": %" PRIu64
            ",\n   \"max_outline_units_at_all\": %.6g, \"max_carried_units\": %.6g, "
+           "\"mean_outline_units\": %.6g, "
            "\"verdicts\": %" PRIu64 ", \"refused\": %" PRIu64 ", \"crossings\": %" PRIu64
            ", \"made\": %" PRIu64 ", \"plain_crossings\": %" PRIu64 ", \"plain_made\": %" PRIu64
            "}%s\n",
            of->clipper, of->cut, of->outline, of->claimed, of->beyond, of->parallel, of->at_all,
-           of->carried, of->verdicts, of->refused, of->crossings, of->made, of->plain_crossings,
-           of->plain_made, end);
+           of->carried, of->cut ? of->moved / (double)of->cut : 0, of->verdicts, of->refused,
+           of->crossings, of->made, of->plain_crossings, of->plain_made, end);
 }
 
 static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed)

@@ -24,6 +24,7 @@ typedef struct {
     uint64_t refused;         /* by the capacity */
     uint64_t crossings, made; /* intersections; vertices that are none of the input's */
     uint64_t plain_crossings, plain_made; /* the same where no corner is enclosed */
+    double moved;                         /* the sum of all distances */
     double outline;                       /* largest distance, those nearly parallel left out */
     double at_all;                        /* largest distance */
     double carried;                       /* what rides along, in 1/65536 */
@@ -34,6 +35,8 @@ void measure_normalised(clipper_tally *tally, const clipper_case *of);
 /* A face is flat to within units, and so are its corners: a triangle is flat. */
 void measure_once(clipper_tally *tally, const clipper_case *of);
 void measure_once_triangle(clipper_tally *tally, const clipper_case *of);
+/* With the sliver rule at 1/256 of a unit: what it saves and what it moves. */
+void measure_sliver(clipper_tally *tally, const clipper_case *of);
 void measure_half_spaces(clipper_tally *tally, const clipper_case *of);
 void measure_near_and_guard(clipper_tally *tally, const clipper_case *of);
 void measure_left_and_guard(clipper_tally *tally, const clipper_case *of);

@@ -55,7 +55,7 @@ static bool has_corner(const fxl_normalised *frustum, const fxl_clip_polygon *ou
     return any;
 }
 
-static void measure(clipper_tally *tally, const clipper_case *of, bool once)
+static void measure(clipper_tally *tally, const clipper_case *of, bool once, fxl_q18_46 sliver)
 {
     static fxl_clip_room room;
     static fxl_clip_once_room once_room;
@@ -64,7 +64,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, bool once)
     fxl_normalised frustum;
     fxl_normalised_from_camera(&of->camera, &of->lens, &frustum);
     load(of, &frustum, &polygon);
-    room.account = once_room.account = (fxl_clip_account){0, 0};
+    room.account = once_room.account = (fxl_clip_account){sliver, 0};
     fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_room, &result)
                                : fxl_clip_normalised(&polygon, &frustum, &room, &result);
     if (cut == FXL_CLIP_CUT) {
@@ -99,12 +99,12 @@ static void measure(clipper_tally *tally, const clipper_case *of, bool once)
 
 void measure_normalised(clipper_tally *tally, const clipper_case *of)
 {
-    measure(tally, of, false);
+    measure(tally, of, false, 0);
 }
 
 void measure_once(clipper_tally *tally, const clipper_case *of)
 {
-    measure(tally, of, true);
+    measure(tally, of, true, 0);
 }
 
 void measure_once_triangle(clipper_tally *tally, const clipper_case *of)
@@ -113,5 +113,10 @@ void measure_once_triangle(clipper_tally *tally, const clipper_case *of)
     triangle.polygon.count = 3;
     triangle.polygon.vertices[1] = of->polygon.vertices[of->polygon.count / 3];
     triangle.polygon.vertices[2] = of->polygon.vertices[of->polygon.count * 2 / 3];
-    measure(tally, &triangle, true);
+    measure(tally, &triangle, true, 0);
+}
+
+void measure_sliver(clipper_tally *tally, const clipper_case *of)
+{
+    measure(tally, of, false, (fxl_q18_46)1 << (46 - 8));
 }

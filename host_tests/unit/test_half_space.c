@@ -198,3 +198,47 @@ void test_the_guard_band_keeps_the_screen_in_range(void)
     }
     TEST_ASSERT_TRUE(cut_count > UNIT_REPEAT / 200 && beyond > UNIT_REPEAT / 50);
 }
+
+static fxl_q16_16 rounded(fxl_q18_46 place)
+{
+    return (fxl_q16_16)((place + (1 << 29)) >> 30);
+}
+
+/* In the world, against the clipper that is made for it: the same verdicts, and the same
+ * vertices but for that one's rounding, which grows with the edge. */
+void test_planes_of_the_world(void)
+{
+    int cuts = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        static fxl_polygon polygon, other;
+        static fxl_clip_polygon in, out;
+        fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+        fxl_clip_account account = {0, 0};
+        fxl_direction normal = unit_direction();
+        fxl_point through = unit_point(Q16(1000));
+        fxl_plane plane = fxl_plane_from_point(&through, &normal, 0);
+        fxl_half_space half_space;
+        fxl_half_space_from_plane(&plane, &half_space);
+        polygon.count = in.count = 3;
+        in.carried = 1;
+        for (int k = 0; k < 3; k++) {
+            fxl_vertex *vertex = &polygon.vertices[k];
+            vertex->position = unit_point(FXL_COORDINATE_MAX);
+            vertex->u = unit_between(-Q16(16383), Q16(16383));
+            fxl_clip_place(&vertex->position, &in.vertices[k].position);
+            in.vertices[k].carried[0] = vertex->u;
+        }
+        fxl_clip_result cut = fxl_clip_to_half_space(&in, &half_space, &account, &out, distances);
+        TEST_ASSERT_EQUAL(fxl_clip_to_plane(&polygon, &plane, &other, distances), cut);
+        for (int k = 0; cut == FXL_CLIP_CUT && k < out.count; k++) {
+            const fxl_view_point *at = &out.vertices[k].position;
+            const fxl_vertex *expected = &other.vertices[k];
+            TEST_ASSERT_NEAR(rounded(at->x), expected->position.x, 4);
+            TEST_ASSERT_NEAR(rounded(at->y), expected->position.y, 4);
+            TEST_ASSERT_NEAR(rounded(at->z), expected->position.z, 4);
+            TEST_ASSERT_NEAR(out.vertices[k].carried[0], expected->u, 4);
+        }
+        cuts += cut == FXL_CLIP_CUT;
+    }
+    TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 100);
+}

@@ -96,6 +96,22 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
     return FXL_OK;
 }
 
+/* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's
+ * distance is below 2^62. */
+void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
+{
+    half_space->normal = plane->normal;
+    half_space->offset = -plane->distance;
+}
+
+void fxl_clip_place(const fxl_point *point, fxl_view_point *place)
+{
+    FXL_ASSERT(fxl_point_in_range(point));
+    place->x = point->x * (int64_t)FXL_Q2_30_ONE;
+    place->y = point->y * (int64_t)FXL_Q2_30_ONE;
+    place->z = point->z * (int64_t)FXL_Q2_30_ONE;
+}
+
 uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point)
 {
     uint32_t code = 0;

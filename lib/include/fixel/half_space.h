@@ -40,6 +40,13 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
                                   fxl_q16_16 top, fxl_q16_16 near, fxl_q16_16 far,
                                   fxl_volume *volume);
 
+/* A plane of the world for polygons whose vertices lie in the world: the same clipper
+ * serves there, on the same integers. Requires a plane made by its function. */
+void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space);
+
+/* A point of the world in units of 2^-46; below 2^59. Exact. Requires a point in range. */
+void fxl_clip_place(const fxl_point *point, fxl_view_point *place);
+
 /* The left side of the above, rounded downward to a unit of 2^-46: below 2^63, and
  * the sign cannot err. Requires |x|, |y|, |z| < 2^61. */
 fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point);
