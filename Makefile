@@ -38,9 +38,9 @@ endif
 # What the goals of this command line need. It runs while make reads this, so
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run view flash boot size screen pictures bench profile
+NEEDS_run    := run view flash boot size screen bench profile equality
 NEEDS_report := report all
-NEEDS_test   := test boards seeded-bugs
+NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
@@ -66,6 +66,7 @@ include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
 include bench/bench.mk
+include firmware/equality/equality.mk
 
 HOST_WALK := $(BOARD_WALK.host)
 WALK      := $(BOARD_WALK.$(BOARD))
@@ -78,7 +79,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 # --- commands ----------------------------------------------------------------
 
 .PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench bench-diff \
-    bench-baseline profile fuzz seeded-bugs size format clean
+    bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -90,9 +91,9 @@ all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
 run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
 
-view: $(WALK) $(BUILD)/host/live ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= PORT= OPEN=1]
+view: $(WALK) $(BUILD)/host/live ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= SCREEN= PORT= OPEN=1]
 	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
-	    $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
+	    $(SCREEN_OPTION) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
 flash: $(WALK) ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
 ifeq ($(filter %.fxls,$(SCENE)),)
@@ -128,11 +129,12 @@ screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCEN
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
 
-pictures: ## the README's pictures anew, from make run and make report
+pictures: $(WALK) $(BUILD)/host/live ## the README's pictures anew, from make run, make report and make view
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
 	@$(MAKE) --no-print-directory screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
+	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
 
@@ -150,7 +152,7 @@ size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float
 TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
 TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
 # What the tests of the bench run.
-BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3)
+BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
     $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
     $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) \
@@ -183,6 +185,9 @@ PROFILE_RENDERER := $(or $(RENDERER),fixel)
 profile: $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE))) ## where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
 	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
 	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
+
+equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000]
+	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)')
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

@@ -37,7 +37,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
 BENCH_PROGRAMS := calibration fixel listing-double listing-float memset kernels
-BENCH_LIB := $(patsubst lib/src/%.c,lib/%,$(wildcard lib/src/*.c))
+BENCH_LIB := $(LIB_NAMES:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel $(BENCH_FRAMES)
@@ -74,8 +74,6 @@ $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
     FLAGS_OF_FILE := -mgeneral-regs-only)
 BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
 
-$(BENCH_OUT)/$(1)/lib/%.o: lib/src/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
 $(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
@@ -83,14 +81,27 @@ $(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
 )
 $(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline))
 endef
-$(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core))))
+
+# $(1): the core, $(2): a pattern of the library's sources.
+define BENCH_LIB_RULES
+$(BENCH_OUT)/$(1)/lib/%.o: $(2) bench/bench.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding)
+$(BENCH_OUT)/$(1)/os/lib/%.o: $(2) bench/bench.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding)
+
+endef
+
+$(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
+    $(eval BENCH_FAMILY_CFLAGS.$(core) := $(call LIB_FAMILY_CFLAGS,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))))\
+    $(foreach pattern,$(call LIB_PATTERNS,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))),\
+    $(eval $(call BENCH_LIB_RULES,$(core),$(pattern)))))
 
 # --- sizes -----------------------------------------------------------------------
 
@@ -121,8 +132,6 @@ define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
 BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf))
 
-$(BENCH_OUT)/$(1)/os/lib/%.o: lib/src/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding)
 $(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(foreach real,double float,

@@ -65,7 +65,7 @@ CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsub
 BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
 
 FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
-LIB_OBJECTS_OF = $(patsubst lib/src/%.c,$(BOARD_CORE_OUT)/lib/%.o,$(wildcard lib/src/*.c))
+LIB_OBJECTS_OF = $(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o)
 
 # $(1): how to call the compiler, without the files.
 define FIRMWARE_COMPILE
@@ -74,17 +74,24 @@ $(FIRMWARE_SAY) CC $@
 $(FIRMWARE_QUIET)$(1) -c $< -o $@
 endef
 
+# $(1): a core's name, $(2): a pattern of the library's sources.
+define CORE_LIB_RULE
+$(CORE_OUT)/$(1)/lib/%.o: $(2) firmware/firmware.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))))
+
+endef
+
 # $(1): the first board with this core.
 define CORE_RULES
+CORE_FAMILY.$(call CORE_NAME,$(1)) := $(call LIB_FAMILY,$(BOARD_CORE.$(1)))
 CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
-
-$(BOARD_CORE_OUT)/lib/%.o: lib/src/%.c firmware/firmware.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Ilib/include)
 endef
 
 CORES_READ :=
 $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)),,\
     $(eval CORES_READ += $(call CORE_NAME,$(board)))$(eval $(call CORE_RULES,$(board)))))
+$(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core))),\
+    $(eval $(call CORE_LIB_RULE,$(core),$(pattern)))))
 
 # --- boards --------------------------------------------------------------------
 

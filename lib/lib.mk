@@ -1,17 +1,42 @@
 # SPDX-License-Identifier: MIT
 # The library: for the host's programs, and for somebody's own firmware.
 
-LIB_SOURCES := $(wildcard lib/src/*.c)
 LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h)
+
+# Kernels: one contract, a folder for each family of cores. A file there stands
+# in for the portable one of the same name; what a family lacks is taken from
+# the families that it builds on, and in the end from the portable ones.
+LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:cortex-m3 \
+    armv7em:cortex-m4,cortex-m7,cortex-m33,cortex-m35p armv81m:cortex-m55,cortex-m85
+LIB_BASES.armv7em := armv7m
+LIB_BASES.armv81m := armv7em armv7m
+comma := ,
+# A compiler's flags -> the family of the core that -mcpu names; portable for any other.
+LIB_FAMILY = $(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+    $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
+    $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
+
+# Every object of the library, whatever the family; its source is the first of
+# LIB_PATTERNS that there is: a makefile has a rule for each, in this order.
+LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/portable/*.c))))
+LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(filter-out portable,$(1)) $(LIB_BASES.$(1)) portable) lib/src
+LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
+    $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
+# The kernels' own loops must not become calls of memset.
+LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns
+
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 
 # --- build/host/libfixel.a, for the host's programs ---------------------------
 
-LIB_HOST_OBJECTS := $(LIB_SOURCES:lib/src/%.c=$(BUILD)/host/objects/lib/%.o)
+LIB_HOST_OBJECTS := $(LIB_NAMES:%=$(BUILD)/host/objects/lib/%.o)
 
-$(BUILD)/host/objects/lib/%.o: lib/src/%.c lib/lib.mk
-	@mkdir -p $(@D)
-	$(HOSTCC) $(LIB_CFLAGS) -O2 -g -c $< -o $@
+define LIB_HOST_RULE
+$(BUILD)/host/objects/lib/%.o: $(1) lib/lib.mk
+	@mkdir -p $$(@D)
+	$$(HOSTCC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,portable) -O2 -g -c $$< -o $$@
+endef
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call LIB_HOST_RULE,$(pattern))))
 
 $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 	@rm -f $@
@@ -26,7 +51,8 @@ LIB_FLAGS ?=
 LIB_CORE_FLAGS := $(if $(filter host,$(CORE)),,-mcpu=$(CORE) -mthumb)
 LIB_CC := $(if $(filter host,$(CORE)),$(HOSTCC),$(CROSS)gcc)
 LIB_AR := $(if $(filter host,$(CORE)),ar,$(CROSS)ar)
-LIB_OBJECTS := $(LIB_SOURCES:lib/src/%.c=$(LIB_OUT)/objects/%.o)
+LIB_KERNELS := $(call LIB_FAMILY,$(LIB_CORE_FLAGS))
+LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
 
 .PHONY: lib
 lib: $(LIB_OUT)/libfixel.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
@@ -38,11 +64,14 @@ $(LIB_OUT)/flags: FORCE
 	@echo '$(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
 	    echo '$(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
 
-$(LIB_OUT)/objects/%.o: lib/src/%.c $(LIB_OUT)/flags lib/lib.mk
-	@mkdir -p $(@D)
-	@printf '  %-4s %s\n' CC $@
-	@$(LIB_CC) $(LIB_CFLAGS) -O2 $(LIB_CORE_FLAGS) $(LIB_FLAGS) -ffunction-sections -fdata-sections \
-	    -fstack-usage -c $< -o $@
+define LIB_RULE
+$(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
+	@mkdir -p $$(@D)
+	@printf '  %-4s %s\n' CC $$@
+	@$$(LIB_CC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) -O2 $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) \
+	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
+endef
+$(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS)),$(eval $(call LIB_RULE,$(pattern))))
 
 $(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
 	@rm -f $@

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from fixel import bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, qemu
+from fixel import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, qemu
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 
@@ -92,10 +92,11 @@ def measure(plan, cores, left_out):
     sizes = bench_rows.sizes(plan, cores)
     bench_rows.add_ratios(plan, rows, limits)
     bench_rows.add_sizes(rows, sizes)
-    return {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
-            "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
-            "rows": rows, "limits": limits, "sizes": sizes, "stages": stages, "growth": growth,
-            "pictures": pictures}
+    result = {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
+              "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
+              "rows": rows, "limits": limits, "sizes": sizes, "stages": stages, "growth": growth,
+              "pictures": pictures}
+    return {**result, "goals": bench_goals.measure(result)}
 
 
 def main(argv):

@@ -34,14 +34,17 @@ def read_rows(path):
 
 
 def changes(before, after):
-    """[(key, measure, old, new, percent)] of all that differs, the worst first."""
-    found = []
+    """[(key, measure, old, new, percent)] of all that differs, the worst first. A renderer's code is
+    the same for all workloads, and stands here once."""
+    found = {}
     for key in before.keys() & after.keys():
         for measure in MEASURES:
             old, new = before[key][measure], after[key][measure]
             if old != new and None not in (old, new):
-                found.append((key, measure, old, new, 100 * (new / old - 1) if old else float("inf")))
-    return sorted(found, key=lambda change: (-change[4], change[0], change[1]))
+                named = ("all", *key[1:]) if measure == "text_bytes" else key
+                found[named, measure] = (old, new, 100 * (new / old - 1) if old else float("inf"))
+    return sorted(((*names, *figures) for names, figures in found.items()),
+                  key=lambda change: (-change[4], change[0], change[1]))
 
 
 def judge(found, missing, threshold):

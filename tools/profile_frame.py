@@ -48,12 +48,13 @@ def print_profile(data, models):
                   f"{100 * row['instructions'] / total:.1f} %"] for row in data["stages"]],
                 ["stage", "a frame", "share"]))
     first = next(iter(models), None)
-    header = ["function", "itself", "share", "with calls", "of itself inlined"] + \
+    header = ["function", "itself", "share", "with calls", "of itself inlined", "calls", "of each"] + \
         ([f"ESTIMATE of cycles, {first}"] if first else [])
     print()
     print(table([[row["function"], round(row["instructions"] / frames),
                   f"{100 * row['instructions'] / total:.1f} %", round(row["inclusive"] / frames),
-                  round(row["inlined"] / frames),
+                  round(row["inlined"] / frames), round(row["entered"] / frames, 1) or None,
+                  round(row["inclusive"] / row["entered"]) if row["entered"] else None,
                   *([estimate(row["cycles_estimate"].get(first), frames)] if first else [])]
                  for row in data["functions"][:ROWS]], header))
     print()

@@ -3,7 +3,9 @@
 
 import argparse
 import io
+import itertools
 import pathlib
+import time
 
 from PIL import Image
 
@@ -11,11 +13,12 @@ from fixel import browser, output
 from fixel.errors import ToolError, run_main
 from fixel.progress import steps
 
-WIDTH, HEIGHT = 1000, 700   # of the browser's window
+WIDTH, HEIGHT = 1280, 800   # of the browser's window
 SHOWN = 720                 # pixels of the recording's width
-COLOURS = 96
-MILLISECONDS = 120          # of a picture
-SIZE_MAX = 1_000_000        # bytes
+COLOURS, REFINED = 256, 3   # of the palette; turns of its refinement
+MILLISECONDS = 120          # between two pictures, and what taking one takes
+LAST = 1.0                  # seconds that the last picture stands
+SIZE_MAX = 1_500_000        # bytes
 # For each picture: what is pressed and what is let go before it ("1".."3" choose what is shown beside).
 SCRIPT = [[], ["+w"], [], [], [], [], ["+d"], [], ["-d", "+a"], [], ["-a"], [], [], ["-w", "1"], [], ["+q"], [],
           ["-q", "+e"], [], ["-e", "3"], [], ["+a"], [], [], ["-a", "+w"], [], [], ["-w", "2"], [], ["+d"], [], [],
@@ -33,38 +36,44 @@ def play(page, actions):
 
 
 def pictures(page, script):
-    """Pictures of the page as it plays."""
-    taken = []
+    """Pictures of the page as it plays, and for how many milliseconds it looked so."""
+    shots, times = [], []
     for actions in steps("recording", script):
         play(page, actions)
         page.wait_for_timeout(MILLISECONDS)
-        with Image.open(io.BytesIO(page.screenshot())) as shot:
-            height = round(SHOWN * shot.height / shot.width)
-            taken.append(shot.convert("RGB").resize((SHOWN, height), Image.Resampling.LANCZOS))
-    return taken
+        times.append(time.monotonic())
+        shots.append(page.screenshot())
+    times.append(times[-1] + LAST)
+    return [scaled(shot) for shot in shots], [round(1000 * (end - start)) for start, end in itertools.pairwise(times)]
 
 
-def animation(taken):
+def scaled(shot):
+    with Image.open(io.BytesIO(shot)) as picture:
+        size = SHOWN, round(SHOWN * picture.height / picture.width)
+        return picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+
+
+def animation(taken, lasting):
     """An endless GIF of pictures, with one palette for all."""
     sheet = Image.new("RGB", (taken[0].width, sum(each.height for each in taken[::6])))
     for place, each in enumerate(taken[::6]):
         sheet.paste(each, (0, place * each.height))
-    palette = sheet.quantize(COLOURS, Image.Quantize.MEDIANCUT)
+    palette = sheet.quantize(COLOURS, Image.Quantize.MEDIANCUT, kmeans=REFINED)
     small = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in taken]
     block = io.BytesIO()
-    small[0].save(block, "GIF", save_all=True, append_images=small[1:], loop=0, duration=MILLISECONDS)
+    small[0].save(block, "GIF", save_all=True, append_images=small[1:], loop=0, duration=lasting)
     return block.getvalue()
 
 
 def record(options):
     """The recording's bytes."""
     with browser.viewing(options.board, options.scene, options.build) as (_, address), \
-            browser.page(address, WIDTH, HEIGHT) as page:
+            browser.chromium() as chromium, browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.wait_for_timeout(1000)     # until the rates are measured
-        taken = pictures(page, SCRIPT)
+        taken, lasting = pictures(page, SCRIPT)
         if page.complaints:
             raise ToolError(f"the page complains: {page.complaints[0]}", exit_code=1)
-    data = animation(taken)
+    data = animation(taken, lasting)
     if len(data) > SIZE_MAX:
         raise ToolError(f"the recording takes {len(data):,} bytes; {SIZE_MAX:,} are allowed", exit_code=1)
     return data

@@ -21,6 +21,7 @@ from fixel.view_pump import IDLE_RATE, Pump
 from fixel.view_server import HOST, Hub, Server, hello
 from fixel.view_twin import Twin
 from run import elf_of, make_scene_image
+from scene import parse_screen
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -58,7 +59,14 @@ async def serve(board, twin_program, scene_image, options):
         return hub.error
 
 
+def interrupted(*_):
+    """An ending before there is a loop that would take it."""
+    raise KeyboardInterrupt
+
+
 def view(options):
+    for each in ENDINGS:
+        signal.signal(each, interrupted)
     elf = elf_of(options.board, options.build)
     program = firmware.load(elf, options.board)
     if program.hosted:
@@ -66,10 +74,14 @@ def view(options):
     pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".view-", dir=options.build) as name:
         folder = pathlib.Path(name).resolve()
-        scene_image = make_scene_image(options.scene, folder, None)
+        scene_image = make_scene_image(options.scene, folder, None, options.screen)
         flash.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:
-            error = asyncio.run(serve(board, pathlib.Path(options.build) / "host" / "live", scene_image, options))
+            try:
+                error = asyncio.run(serve(board, pathlib.Path(options.build) / "host" / "live", scene_image, options))
+            finally:
+                for each in ENDINGS:    # whoever is impatient now would leave something behind
+                    signal.signal(each, signal.SIG_IGN)
     if error:
         raise error
     return 0
@@ -86,10 +98,12 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
     parser.add_argument("--port", help="of 127.0.0.1 (8065, or any that is free)")
     parser.add_argument("--open", action="store_true", help="open the page in this machine's browser")
     parser.add_argument("--build", default="build", help="where make builds")
     options = parser.parse_args(argv)
+    options.screen = parse_screen(options.screen) if options.screen else None
     options.port = port_number(options.port) if options.port is not None else None
     return view(options)
 

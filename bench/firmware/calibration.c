@@ -9,8 +9,10 @@
 #include "start.h"
 #include "text.h"
 
-#define REGION(body) ".syntax unified\n\tpush {r4, lr}\n\tbl bench_begin\n\t" body "\n\tbl bench_end\n\tpop {r4, pc}\n\t"
-#define NAKED        __attribute__((naked, noinline)) static
+#define REGION(body) \
+    ".syntax unified\n\tpush {r4, lr}\n\tbl bench_begin\n\t" body \
+    "\n\tbl bench_end\n\tpop {r4, pc}\n\t"
+#define NAKED __attribute__((naked, noinline)) static
 
 /* Nothing at all. */
 NAKED void empty(void)

@@ -44,7 +44,7 @@ static uint32_t painted_over(volatile const uint32_t *here)
 
 /* One frame, as a region. *stack: the deepest so far. */
 static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const fxl_band *band,
-                                              uint32_t *stack)
+                                                     uint32_t *stack)
 {
     volatile uint32_t *here = paint_stack();
     uint32_t used;
@@ -57,7 +57,8 @@ static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const
     return drawn;
 }
 
-static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number, uint32_t *stack)
+static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number,
+                     uint32_t *stack)
 {
     const fxl_band band = {pixels, image->lens.width, image->lens.width, 0, image->lens.height};
 
@@ -122,7 +123,8 @@ static int run(void)
         return code;
     }
     frames = system_frames() != 0 ? system_frames() : image.frame_count;
-    if (!journal_open(frames) || !display_open(image.lens.width, image.lens.height, image.palette)) {
+    if (!journal_open(frames) ||
+        !display_open(image.lens.width, image.lens.height, image.palette)) {
         return SYSTEM_EXIT_DISPLAY;
     }
     code = all_frames(&image, frames);

@@ -62,6 +62,7 @@ void kernel_inputs_make(kernel_inputs *inputs)
     fxl_pose pose = {{-23592, -1966, 19660}, 0x23456789u, 0xF3456789u, 0};
     fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT,
                       &inputs->lens);
+    fxl_projection_from_lens(&inputs->lens, &inputs->projection);
     fxl_view_frustum_from_lens(&inputs->lens, &inputs->frustum);
     fxl_camera_from_pose(&pose, &inputs->camera);
     for (uint32_t i = 0; i < KERNEL_COUNT; i++) {
@@ -75,8 +76,7 @@ void kernel_inputs_make(kernel_inputs *inputs)
                                      between(2 * 65536, 10 * 65536));
         view_quad(between(-40000, 40000), between(-40000, 40000), between(2000, 20000),
                   &inputs->inside[i]);
-        view_quad(-65536 + between(-4000, 4000), between(-40000, 40000), 12000,
-                  &inputs->across[i]);
+        view_quad(-65536 + between(-4000, 4000), between(-40000, 40000), 12000, &inputs->across[i]);
         screen_quad(&inputs->quads[i]);
     }
 }

@@ -10,16 +10,17 @@
 
 typedef struct {
     fxl_lens lens; /* 320x240, 90 degrees */
+    fxl_projection projection;
     fxl_view_frustum frustum;
     fxl_camera camera;
     fxl_angle angles[KERNEL_COUNT];
-    uint64_t wide[KERNEL_COUNT];     /* all 64 bits */
-    int64_t numerators[KERNEL_COUNT]; /* as project divides: below 2^59 */
-    int64_t depths[KERNEL_COUNT];     /* 2^30 to 2^31 */
-    fxl_point points[KERNEL_COUNT];   /* within 8 units of the origin */
-    fxl_view_point seen[KERNEL_COUNT]; /* on the screen, 2 to 10 units away */
-    fxl_view_polygon inside[KERNEL_COUNT]; /* quads on the screen */
-    fxl_view_polygon across[KERNEL_COUNT]; /* quads that the left plane cuts */
+    uint64_t wide[KERNEL_COUNT];            /* all 64 bits */
+    int64_t numerators[KERNEL_COUNT];       /* as project divides: below 2^59 */
+    int64_t depths[KERNEL_COUNT];           /* 2^30 to 2^31 */
+    fxl_point points[KERNEL_COUNT];         /* within 8 units of the origin */
+    fxl_view_point seen[KERNEL_COUNT];      /* on the screen, 2 to 10 units away */
+    fxl_view_polygon inside[KERNEL_COUNT];  /* quads on the screen */
+    fxl_view_polygon across[KERNEL_COUNT];  /* quads that the left plane cuts */
     fxl_screen_polygon quads[KERNEL_COUNT]; /* on the screen, 20 to 60 rows high */
 } kernel_inputs;
 

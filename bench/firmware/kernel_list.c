@@ -13,6 +13,11 @@ static union {
     uint32_t codes[KERNEL_COUNT];
     fxl_view_point seen[KERNEL_COUNT];
     fxl_screen_point screen[KERNEL_COUNT];
+    fxl_view_frustum frustums[KERNEL_COUNT];
+    struct {
+        fxl_view_point seen;
+        uint32_t code, exponent;
+    } vertices[KERNEL_COUNT];
     struct {
         fxl_view_polygon out;
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -49,7 +54,7 @@ static void divide(const kernel_inputs *in)
 {
     EACH(i)
     {
-        results.quotients[i] = fxl_divide_round(in->numerators[i], in->depths[i]);
+        results.quotients[i] = fxl_divide_round(in->numerators[i], (uint32_t)in->depths[i]);
     }
 }
 
@@ -58,6 +63,15 @@ static void sine(const kernel_inputs *in)
     EACH(i)
     {
         results.sines[i] = fxl_sin(in->angles[i]);
+    }
+}
+
+/* Two roots each. */
+static void root(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_view_frustum_from_lens(&in->lens, &results.frustums[i]);
     }
 }
 
@@ -70,15 +84,32 @@ static void transform(const kernel_inputs *in)
 }
 
 /* On which side of the six planes a vertex lies. */
+static uint32_t sides(const kernel_inputs *in, const fxl_view_point *seen)
+{
+    uint32_t code = 0;
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        code |= (uint32_t)(fxl_view_distance(&in->frustum, plane, seen) < 0) << plane;
+    }
+    return code;
+}
+
 static void outcode(const kernel_inputs *in)
 {
     EACH(i)
     {
-        uint32_t code = 0;
-        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-            code |= (uint32_t)(fxl_view_distance(&in->frustum, plane, &in->seen[i]) < 0) << plane;
-        }
-        results.codes[i] = code;
+        results.codes[i] = sides(in, &in->seen[i]);
+    }
+}
+
+/* All that clip and project want to know of a vertex. */
+static void transform_outcode(const kernel_inputs *in)
+{
+    EACH(i)
+    {
+        fxl_view_point *seen = &results.vertices[i].seen;
+        fxl_transform_point(&in->camera, &in->points[i], seen);
+        results.vertices[i].code = sides(in, seen);
+        results.vertices[i].exponent = fxl_bit_length(fxl_magnitude(seen->z));
     }
 }
 
@@ -86,7 +117,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_point(&in->lens, &in->seen[i], &results.screen[i]);
+        fxl_project_seen(&in->projection, &in->seen[i], &results.screen[i]);
     }
 }
 
@@ -145,8 +176,10 @@ const bench_kernel kernel_list[] = {
     {"multiply", multiply, KERNEL_COUNT},
     {"divide", divide, KERNEL_COUNT},
     {"sine", sine, KERNEL_COUNT},
+    {"root", root, 2u * KERNEL_COUNT},
     {"transform", transform, KERNEL_COUNT},
     {"outcode", outcode, KERNEL_COUNT},
+    {"transform-outcode", transform_outcode, KERNEL_COUNT},
     {"project", project, KERNEL_COUNT},
     {"clip", clip, KERNEL_COUNT},
     {"clip-inside", clip_inside, KERNEL_COUNT},

@@ -110,8 +110,8 @@ static listing_object *sort_objects(listing_world *world, const listing_point *e
         subtract(&object->centre, eye, &away);
         object->distance = REAL(sqrt)(dot(&away, &away));
         while (*place != NULL &&
-               ((*place)->layer < object->layer || ((*place)->layer == object->layer &&
-                                                    object->distance < (*place)->distance))) {
+               ((*place)->layer < object->layer ||
+                ((*place)->layer == object->layer && object->distance < (*place)->distance))) {
             place = &(*place)->next;
         }
         object->next = *place;
@@ -133,7 +133,8 @@ static bool faces_viewer(const listing_polygon *polygon, const listing_point *ey
 }
 
 /* Sutherland and Hodgman: edge by edge. False where nothing is left. */
-static bool clip_to_plane(const listing_polygon *in, const listing_plane *plane, listing_polygon *out)
+static bool clip_to_plane(const listing_polygon *in, const listing_plane *plane,
+                          listing_polygon *out)
 {
     uint32_t count = 0;
     real current = dot(&in->vertices[0], &plane->normal);
@@ -161,7 +162,8 @@ static bool clip_to_plane(const listing_polygon *in, const listing_plane *plane,
     return count >= 3;
 }
 
-static bool clip_to_frustum(const listing_polygon *in, const listing_view *view, listing_polygon *out)
+static bool clip_to_frustum(const listing_polygon *in, const listing_view *view,
+                            listing_polygon *out)
 {
     listing_polygon between[2];
     const listing_polygon *current = in;
@@ -217,7 +219,8 @@ typedef struct {
 
 /* Goes on to the next edge in a direction (1 or count - 1) that reaches a row;
  * false where the polygon ends above it. */
-static bool next_edge(const screen_polygon *polygon, listing_edge *edge, uint32_t direction, int row)
+static bool next_edge(const screen_polygon *polygon, listing_edge *edge, uint32_t direction,
+                      int row)
 {
     for (uint32_t tried = 0; tried < polygon->count; tried++) {
         const screen_point *top = &polygon->points[edge->point];
@@ -243,7 +246,8 @@ static void fill_row(const listing_screen *screen, int row, real from, real to, 
     x0 = x0 < 0 ? 0 : x0;
     x1 = x1 > screen->width ? screen->width : x1;
     if (x0 < x1 && row >= 0) {
-        memset(screen->pixels + (size_t)row * (size_t)screen->width + x0, colour, (size_t)(x1 - x0));
+        memset(screen->pixels + (size_t)row * (size_t)screen->width + x0, colour,
+               (size_t)(x1 - x0));
     }
 }
 
@@ -274,7 +278,8 @@ static void fill(const screen_polygon *polygon, const listing_screen *screen)
 }
 
 static void draw_face(const listing_world *world, const listing_object *object,
-                      const listing_face *face, const listing_view *view, const listing_screen *screen)
+                      const listing_face *face, const listing_view *view,
+                      const listing_screen *screen)
 {
     listing_polygon moved, clipped, seen;
     screen_polygon drawn;

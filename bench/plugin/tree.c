@@ -17,9 +17,8 @@ static void *make(size_t size)
 static tree_node *child_of(tree_node *node, uint32_t function, uint32_t return_address, bool jumped)
 {
     tree_node *child = node->children;
-    while (child != NULL &&
-           (child->function != function || child->return_address != return_address ||
-            child->jumped != jumped)) {
+    while (child != NULL && (child->function != function ||
+                             child->return_address != return_address || child->jumped != jumped)) {
         child = child->next;
     }
     if (child == NULL) {

@@ -13,9 +13,11 @@ BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 1024
 BOARD_LIST_BYTES := 16384
 
+# Its table of the most objects there may be takes a megabyte.
+BOARD_UNIT_OMIT := test_scene_placed
+
 # After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
 # is number 18.
-BOARD_UNIT_OMIT := test_scene_placed
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u \
     CMSDK_WATCHDOG_INTERRUPT=18u
 

@@ -12,6 +12,7 @@ BOARD_BAND_BYTES := 2560
 BOARD_ORDER_ENTRIES := 200
 BOARD_LIST_BYTES := 4096
 
+# They take 25 KiB; the last a megabyte.
 BOARD_UNIT_OMIT := test_clipper test_render test_scene_placed
 
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u

@@ -15,8 +15,10 @@ BOARD_BAND_BYTES := 131072
 BOARD_ORDER_ENTRIES := 16384
 BOARD_LIST_BYTES := 65536
 
-# The watchdog on the NMI counts the board's slow clock.
+# Its table of the most objects there may be takes a megabyte.
 BOARD_UNIT_OMIT := test_scene_placed
+
+# The watchdog on the NMI counts the board's slow clock.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=32000000u CMSDK_WATCHDOG_BASE=0x5802E000u CMSDK_WATCHDOG_HZ=32768u
 
 BOARD_SOURCES := boards/mps3-an547/board.c \

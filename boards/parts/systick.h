@@ -19,10 +19,6 @@ void systick_nap(uint32_t ticks);
 /* Ticks from one wrap to the next. */
 uint32_t systick_period(void);
 
-/* Sleeps until that many ticks have passed, or any interrupt has come. They
- * count. Requires systick_start called, 1000 <= ticks <= SYSTICK_RELOAD_MAX. */
-void systick_nap(uint32_t ticks);
-
 /* Ticks since systick_start. Right at any moment, in handlers and across
  * wraps, provided that interrupts are not held off for a whole period. */
 uint64_t systick_ticks(void);

@@ -14,15 +14,18 @@ UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
 UNIT_PARTS := boards/parts/grey.c boards/parts/keys.c
 
 BOARD_TESTS := $(patsubst host_tests/unit/%.c,%,$(wildcard host_tests/unit/test_*.c))
+# A name that is none, misspelt or of a test long gone, would pass for a test left out.
+$(foreach board,$(BOARDS),$(foreach test,$(filter-out $(BOARD_TESTS),$(BOARD_UNIT_OMIT.$(board))),\
+    $(error boards/$(board)/board.mk leaves out $(test), which is no test of host_tests/unit)))
 BOARD_UNITS_OF = $(patsubst %,$(FIRMWARE_OUT)/$(1)/unit/%.elf,$(filter-out $(BOARD_UNIT_OMIT.$(1)),$(BOARD_TESTS)))
 
 BOARD_TEST_SOURCES := $(wildcard host_tests/unit/*.c firmware/unittest/*.c)
 # What every test program links beside its own two objects: of a core.
 BOARD_TEST_SHARED = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,$(filter-out host_tests/unit/test_%,$(BOARD_TEST_SOURCES))) \
-    $(BOARD_CORE_OUT)/unit/unity.o $(patsubst lib/src/%.c,$(BOARD_CORE_OUT)/unit/lib/%.o,$(wildcard lib/src/*.c))
+    $(BOARD_CORE_OUT)/unit/unity.o $(LIB_NAMES:%=$(BOARD_CORE_OUT)/unit/lib/%.o)
 
 # Unity asks for setjmp, and tests may print: these programs have a C library.
-BOARD_TEST_CC = $(filter-out -ffreestanding,$(CORE_CC.$(1))) -Ilib/include -Ilib/src -Iboards \
+BOARD_TEST_CC = $(filter-out -ffreestanding,$(CORE_CC.$(1))) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))) -Iboards \
     -I$(UNITY_DIR)/src -Ihost_tests/unit -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # All RAM that is left is their stack (linker/sections.ld).
 BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1
@@ -35,12 +38,15 @@ $(CORE_OUT)/runners/%_runner.c: host_tests/unit/%.c
 	$(FIRMWARE_SAY) RUBY $@
 	$(FIRMWARE_QUIET)ruby -W0 $(UNITY_DIR)/auto/generate_test_runner.rb --main_name=unittest_run $< $@
 
+# The library with its assertions on. $(1): a core's name, $(2): a pattern of its sources.
+define CORE_TEST_LIB_RULE
+$(CORE_OUT)/$(1)/unit/lib/%.o: $(2) firmware/firmware.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))) -DFXL_ASSERT_HOOK)
+
+endef
+
 # $(1): a core's name.
 define CORE_TEST_RULES
-# The library with its assertions on.
-$(CORE_OUT)/$(1)/unit/lib/%.o: lib/src/%.c firmware/firmware.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include -DFXL_ASSERT_HOOK)
-
 $(CORE_OUT)/$(1)/unit/%.o: %.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_CC,$(1)))
 
@@ -50,7 +56,8 @@ $(CORE_OUT)/$(1)/unit/%_runner.o: $(CORE_OUT)/runners/%_runner.c firmware/unitte
 $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_FOREIGN_CC,$(1)))
 endef
-$(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core))))
+$(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core)))\
+    $(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core))),$(eval $(call CORE_TEST_LIB_RULE,$(core),$(pattern)))))
 
 # Of those, what the board is not made of anyway.
 BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_SOURCES.$(1)),$(UNIT_PARTS)))

@@ -134,6 +134,37 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     free_renderer(renderer);
 }
 
+/* The same frame with radii so large that no object is left out, and without keys.
+ * What was drawn was drawn all the same. */
+static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
+                             bool by_world)
+{
+    fxl_scene scene = *first->scene;
+    fxl_model *models = malloc(scene.model_count * sizeof *models);
+    DEMAND(models != NULL);
+    memcpy(models, scene.models, scene.model_count * sizeof *models);
+    for (uint32_t i = 0; i < scene.model_count; i++) {
+        models[i].radius = FXL_RADIUS_MAX;
+        models[i].first_key = 0;
+    }
+    scene.models = models;
+    scene.keys = NULL;
+    fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, by_world, 0);
+    fxl_band band = make_band(&first->view.lens, 0, whole->first_row, whole->rows);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    for (uint32_t row = 0; row < whole->rows; row++) {
+        DEMAND(memcmp(band.pixels + (size_t)row * band.stride,
+                      whole->pixels + (size_t)row * whole->stride, band.width) == 0);
+    }
+    const fxl_counters *all = &renderer->counters, *some = &first->counters;
+    DEMAND(all->in == some->in && all->drawn == some->drawn && all->clipped == some->clipped &&
+           all->spilled == some->spilled && all->outside <= some->outside);
+    free(band.pixels);
+    free(models);
+    free_renderer(renderer);
+}
+
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in)
 {
@@ -147,6 +178,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_gaps_intact(&whole);
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->by_world, in);
+    draw_all_objects(renderer, pose, &whole, choice->by_world);
     free(whole.pixels);
     free_renderer(renderer);
 }

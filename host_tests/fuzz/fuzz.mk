@@ -10,7 +10,7 @@ FUZZ_CLANG = $(eval FUZZ_CLANG := $$(shell for name in clang-19 clang-18 clang-1
     clang-14 clang; do command -v $$$$name && break; done))$(FUZZ_CLANG)
 
 FUZZ_SANITIZERS := -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all
-FUZZ_CFLAGS := -std=c11 -g -Ilib/include -MMD -MP
+FUZZ_CFLAGS := -std=c11 -g -Ilib/include $(patsubst %,-I%,$(call LIB_FOLDERS,portable)) -MMD -MP
 # No silent wrap: in the library an unsigned one counts too, but where it is meant.
 FUZZ_WRAPS := -fsanitize=unsigned-integer-overflow -fsanitize-ignorelist=host_tests/fuzz/wraps.txt
 FUZZ_COVERAGE := -O1 -fprofile-instr-generate -fcoverage-mapping
@@ -19,13 +19,16 @@ FUZZ_SHARED := $(filter-out fuzz_scene fuzz_pipeline mutate_scene replay,\
     $(basename $(notdir $(wildcard host_tests/fuzz/*.c))))
 FUZZ_PARTS_scene := fuzz_scene mutate_scene $(FUZZ_SHARED)
 FUZZ_PARTS_pipeline := fuzz_pipeline $(FUZZ_SHARED)
-FUZZ_LIB := $(basename $(notdir $(wildcard lib/src/*.c)))
+FUZZ_LIB := $(LIB_NAMES)
 
 # --- libFuzzer, sanitizers, the library's assertions ---------------------------
 
-$(FUZZ_OUT)/asan/lib/%.o: lib/src/%.c host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
-	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) $(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $< -o $@
+define FUZZ_ASAN_RULE
+$(FUZZ_OUT)/asan/lib/%.o: $(1) host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
+	@mkdir -p $$(@D)
+	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) -O1 $$(FUZZ_SANITIZERS) $$(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $$< -o $$@
+endef
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_ASAN_RULE,$(pattern))))
 
 $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -33,9 +36,12 @@ $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 
 # --- branches: the library as it is shipped, without assertions ----------------
 
-$(FUZZ_OUT)/cover/lib/%.o: lib/src/%.c host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
-	$(FUZZ_CLANG) $(FUZZ_CFLAGS) $(FUZZ_COVERAGE) -c $< -o $@
+define FUZZ_COVER_RULE
+$(FUZZ_OUT)/cover/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
+	@mkdir -p $$(@D)
+	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@
+endef
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_COVER_RULE,$(pattern))))
 
 $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -44,11 +50,14 @@ $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 # --- replay --------------------------------------------------------------------
 
 FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
-    -Ilib/include -MMD -MP
+    -Ilib/include $(call LIB_FAMILY_CFLAGS,portable) -MMD -MP
 
-$(FUZZ_OUT)/replay/lib/%.o: lib/src/%.c host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
-	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $< -o $@
+define FUZZ_REPLAY_RULE
+$(FUZZ_OUT)/replay/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
+	@mkdir -p $$(@D)
+	$$(HOSTCC) $$(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@
+endef
+$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_REPLAY_RULE,$(pattern))))
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)

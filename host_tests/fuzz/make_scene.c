@@ -69,6 +69,53 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     model->vertex_count += face->count;
 }
 
+/* The least radius that holds a model. */
+static void set_radius(const made_scene *made, fxl_model *model)
+{
+    uint64_t most = 0;
+    for (uint32_t i = 0; i < model->vertex_count; i++) {
+        const fxl_point *v = &made->vertices[model->first_vertex + i];
+        uint64_t square = (uint64_t)((int64_t)v->x * v->x) + (uint64_t)((int64_t)v->y * v->y) +
+                          (uint64_t)((int64_t)v->z * v->z);
+        most = square > most ? square : most;
+    }
+    int64_t radius = 0;
+    for (int64_t step = (int64_t)1 << 30; step > 0; step /= 2) {
+        if ((uint64_t)((radius + step) * (radius + step)) <= most) {
+            radius += step;
+        }
+    }
+    model->radius = (fxl_q16_16)(radius + ((uint64_t)(radius * radius) < most));
+}
+
+/* The keys of a model's faces, from the vertices. */
+static void add_keys(made_scene *made, fxl_model *model)
+{
+    model->first_key = made->scene.key_count;
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const fxl_face *face = &made->faces[model->first_face + i];
+        int32_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
+        int32_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
+        const fxl_point *first = NULL;
+        for (uint32_t k = 0; k < face->count; k++) {
+            uint32_t number = made->corners[face->first_corner + k];
+            const fxl_point *v = &made->vertices[model->first_vertex + number];
+            const int32_t at[3] = {v->x, v->y, v->z};
+            first = k == 0 ? v : first;
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = at[axis] < low[axis] ? at[axis] : low[axis];
+                high[axis] = at[axis] > high[axis] ? at[axis] : high[axis];
+            }
+        }
+        uint64_t height = (uint64_t)((int64_t)face->normal.x * first->x) +
+                          (uint64_t)((int64_t)face->normal.y * first->y) +
+                          (uint64_t)((int64_t)face->normal.z * first->z);
+        made->keys[made->scene.key_count++] =
+            (fxl_face_key){(uint32_t)height, (uint32_t)(height >> 32), low[0] + high[0],
+                           low[1] + high[1], low[2] + high[2]};
+    }
+}
+
 static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
 {
     fxl_model *model = &made->models[made->scene.model_count++];
@@ -77,6 +124,10 @@ static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
     model->kind = fuzz_below(in, 2) ? FXL_MODEL_SORTED : FXL_MODEL_CONVEX;
     for (uint32_t i = 0; i < faces; i++) {
         add_face(made, model, in);
+    }
+    set_radius(made, model);
+    if (model->kind == FXL_MODEL_SORTED) {
+        add_keys(made, model);
     }
 }
 
@@ -108,26 +159,28 @@ static void spoil(made_scene *made, fuzz_input *in)
     fxl_point *vertex = &made->vertices[fuzz_below(in, scene->vertex_count)];
     uint16_t *corner = &made->corners[fuzz_below(in, scene->corner_count)];
     uint32_t *const counts[] = {&scene->vertex_count, &scene->corner_count, &scene->face_count,
-                                &scene->model_count, &scene->object_count};
+                                &scene->model_count,  &scene->object_count, &scene->key_count};
     uint32_t *const words[] = {&face->first_corner, &model->first_vertex, &model->vertex_count,
-                               &model->first_face, &model->face_count};
-    int32_t *const numbers[] = {&face->normal.x,   &face->normal.y,   &face->normal.z,
-                                &object->centre.x, &object->centre.y, &object->centre.z,
-                                &vertex->x,        &vertex->y,        &vertex->z};
+                               &model->first_face,  &model->face_count,   &model->first_key};
+    int32_t *const numbers[] = {
+        &face->normal.x,   &face->normal.y, &face->normal.z, &object->centre.x, &object->centre.y,
+        &object->centre.z, &vertex->x,      &vertex->y,      &vertex->z,        &model->radius};
     uint8_t *const bytes[] = {&face->count,        &model->kind,        &model->reserved[0],
                               &model->reserved[1], &model->reserved[2], &object->reserved};
     uint16_t *const halves[] = {&face->reserved, &object->model, corner};
-    uint32_t which = fuzz_below(in, 28);
-    if (which < 5) {
+    uint32_t which = fuzz_below(in, 32);
+    if (which < 6) {
         *counts[which] = spoilt_count(*counts[which], in);
-    } else if (which < 10) {
-        *words[which - 5] = (uint32_t)fuzz_any(in);
-    } else if (which < 19) {
-        *numbers[which - 10] = fuzz_any(in);
-    } else if (which < 25) {
-        *bytes[which - 19] = (uint8_t)fuzz_bits(in, 1);
+    } else if (which < 12) {
+        *words[which - 6] = (uint32_t)fuzz_any(in);
+    } else if (which < 22) {
+        *numbers[which - 12] = fuzz_any(in);
+    } else if (which < 28) {
+        *bytes[which - 22] = (uint8_t)fuzz_bits(in, 1);
+    } else if (which < 31) {
+        *halves[which - 28] = (uint16_t)fuzz_bits(in, 2);
     } else {
-        *halves[which - 25] = (uint16_t)fuzz_bits(in, 2);
+        made->keys[fuzz_below(in, MADE_FACES)].height_high = (uint32_t)fuzz_any(in);
     }
 }
 
@@ -149,6 +202,7 @@ static void copy_tables(made_scene *made, fxl_scene sizes)
     scene->faces = copy(made->faces, sizes.face_count * sizeof *made->faces);
     scene->models = copy(made->models, sizes.model_count * sizeof *made->models);
     scene->objects = copy(made->objects, sizes.object_count * sizeof *made->objects);
+    scene->keys = copy(made->keys, sizes.key_count * sizeof *made->keys);
 }
 
 made_scene *make_scene(fuzz_input *in)
@@ -179,5 +233,6 @@ void free_scene(made_scene *made)
     free((void *)(uintptr_t)made->scene.faces);
     free((void *)(uintptr_t)made->scene.models);
     free((void *)(uintptr_t)made->scene.objects);
+    free((void *)(uintptr_t)made->scene.keys);
     free(made);
 }

@@ -18,6 +18,7 @@ typedef struct {
     fxl_face faces[MADE_FACES];
     fxl_model models[MADE_MODELS];
     fxl_object objects[MADE_OBJECTS];
+    fxl_face_key keys[MADE_FACES];
     fxl_scene scene; /* its tables are copies of just the size that it states */
 } made_scene;
 

@@ -12,7 +12,8 @@ enum {
     AT_SIZE = 8,
     AT_CRC = 12,
     AT_TABLES = 80,
-    TABLES = 7
+    TABLES = 8, /* the last, of keys, stands behind the frame count */
+    AT_KEYS = 140
 };
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
@@ -51,12 +52,13 @@ static size_t mend(uint8_t *data, size_t size, unsigned seed)
 /* Bytes of one entry or so, somewhere in a table. */
 static void mutate_table(uint8_t *data, size_t size, unsigned seed)
 {
-    const uint8_t *table = data + AT_TABLES + 8 * (seed % TABLES);
+    unsigned number = seed % TABLES;
+    const uint8_t *table = data + (number == TABLES - 1 ? AT_KEYS : AT_TABLES + 8 * number);
     size_t offset = get32(table), count = get32(table + 4);
     if (offset >= size || count == 0) {
         return;
     }
-    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 20, 16, 4};
+    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20};
     size_t at = offset + (seed / TABLES % count) * entry_sizes[seed % TABLES];
     size_t room = at < size ? size - at : 0;
     size_t piece = entry_sizes[seed % TABLES] < room ? entry_sizes[seed % TABLES] : room;

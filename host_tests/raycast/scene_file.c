@@ -11,7 +11,7 @@ enum {
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
-    MODEL = 20,
+    MODEL = 28,
     OBJECT = 16
 };
 
@@ -60,7 +60,7 @@ static void open_image(reader *r, const char *path)
     const uint8_t *bytes = r->image.bytes;
     if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
-    if (get_u16(bytes + 4) != 1 || get_u16(bytes + 6) != HEADER)
+    if (get_u16(bytes + 4) != 2 || get_u16(bytes + 6) != HEADER)
         unusable("%s: a scene image of another version", path);
     uint32_t size = get_u32(bytes + 8);
     if (size < HEADER || size > r->image.size)

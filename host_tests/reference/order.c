@@ -56,15 +56,23 @@ void ref_order_sort(ref_order_entry *entries, uint32_t count)
     qsort(entries, count, sizeof *entries, drawn_before);
 }
 
-void ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
-                       ref_order_entry *entries)
+uint32_t ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
+                           const ref_camera *camera, const ref_view_frustum *frustum,
+                           ref_order_entry *entries)
 {
+    uint32_t count = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const ref_object *object = &scene->objects[i];
-        entries[i] =
-            (ref_order_entry){ref_distance_squared(eye, &object->centre), i, object->layer};
+        ref_point centre = ref_point_from_lattice(&object->centre);
+        ref_sphere_distances distances = ref_sphere_measure(camera, frustum, &centre);
+        double radius = scene->models[object->model].radius / REF_ONE;
+        if (ref_sphere_planes(&distances, radius) != REF_SPHERE_OUTSIDE) {
+            entries[count++] =
+                (ref_order_entry){ref_distance_squared(eye, &object->centre), i, object->layer};
+        }
     }
-    ref_order_sort(entries, scene->object_count);
+    ref_order_sort(entries, count);
+    return count;
 }
 
 uint32_t ref_order_faces(const ref_scene *scene, const ref_object *object,

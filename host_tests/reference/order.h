@@ -4,6 +4,7 @@
 #define REF_ORDER_H
 
 #include "reference/scene.h"
+#include "reference/sphere.h"
 
 __extension__ typedef unsigned __int128 ref_square;
 
@@ -19,10 +20,11 @@ ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_sce
 /* Layer upward, distance downward, index upward. */
 void ref_order_sort(ref_order_entry *entries, uint32_t count);
 
-/* All objects; and of an object's faces those that face the eye. entries has
- * room for all of them. */
-void ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
-                       ref_order_entry *entries);
+/* The objects that a sphere does not leave out; and of an object's faces those
+ * that face the eye. entries has room for all of them; answers how many. */
+uint32_t ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
+                           const ref_camera *camera, const ref_view_frustum *frustum,
+                           ref_order_entry *entries);
 uint32_t ref_order_faces(const ref_scene *scene, const ref_object *object,
                          const ref_lattice_point *eye, ref_order_entry *entries);
 

@@ -96,6 +96,17 @@ static bool take_object(ref_renderer *renderer, uint32_t number)
     return true;
 }
 
+/* The faces of the scene that no object in sight has: all outside. */
+static void count_left_out(ref_renderer *renderer)
+{
+    uint32_t faces = 0;
+    for (uint32_t i = 0; i < renderer->scene->object_count; i++) {
+        faces += renderer->scene->models[renderer->scene->objects[i].model].face_count;
+    }
+    renderer->counters.outside += faces - renderer->counters.in;
+    renderer->counters.in = faces;
+}
+
 bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
 {
     renderer->eye = pose->position;
@@ -103,12 +114,15 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
     renderer->counters = (ref_counters){0};
     renderer->list.count = 0;
-    ref_order_objects(renderer->scene, &renderer->eye, renderer->objects);
-    for (uint32_t i = 0; i < renderer->scene->object_count; i++) {
+    renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
+    uint32_t count = ref_order_objects(renderer->scene, &renderer->eye, &renderer->camera,
+                                       &renderer->view_frustum, renderer->objects);
+    for (uint32_t i = 0; i < count; i++) {
         if (!take_object(renderer, renderer->objects[i].index)) {
             return false;
         }
     }
+    count_left_out(renderer);
     return true;
 }
 

@@ -6,12 +6,14 @@
 #include "reference/frustum.h"
 #include "reference/list.h"
 #include "reference/order.h"
+#include "reference/sphere.h"
 
 typedef struct {
     const ref_scene *scene;
     ref_lens lens;
     ref_camera camera;
     ref_frustum frustum;
+    ref_view_frustum view_frustum;
     ref_lattice_point eye;
     ref_order_entry *objects, *faces;
     ref_counters counters;

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+__extension__ typedef __int128 wide;
+
 uint16_t ref_u16(const uint8_t *bytes)
 {
     return (uint16_t)(bytes[0] | bytes[1] << 8);
@@ -88,7 +90,7 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     const uint8_t *vertices = table_at(bytes, size, 88, 12, 1000000, &scene->vertex_count);
     const uint8_t *corners = table_at(bytes, size, 96, 2, 4000000, &scene->corner_count);
     const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
-    const uint8_t *models = table_at(bytes, size, 112, 20, 65535, &scene->model_count);
+    const uint8_t *models = table_at(bytes, size, 112, 28, 65535, &scene->model_count);
     const uint8_t *objects = table_at(bytes, size, 120, 16, 65535, &scene->object_count);
     if (!vertices || !corners || !faces || !models || !objects) {
         return false;
@@ -113,9 +115,9 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
             (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)}, ref_u32(p + 12), p[16], p[17]};
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
-        const uint8_t *p = models + 20 * (size_t)i;
-        scene->models[i] =
-            (ref_model){ref_u32(p), ref_u32(p + 4), ref_u32(p + 8), ref_u32(p + 12), p[16]};
+        const uint8_t *p = models + 28 * (size_t)i;
+        scene->models[i] = (ref_model){ref_u32(p),      ref_u32(p + 4), ref_u32(p + 8),
+                                       ref_u32(p + 12), p[16],          ref_i32(p + 20)};
     }
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const uint8_t *p = objects + 16 * (size_t)i;
@@ -141,13 +143,26 @@ static bool faces_are_sound(const ref_scene *scene, const ref_model *model)
     return true;
 }
 
+static bool sphere_holds_model(const ref_scene *scene, const ref_model *model)
+{
+    wide reach = (wide)model->radius * model->radius;
+    for (uint32_t v = 0; v < model->vertex_count; v++) {
+        ref_lattice_point p = scene->vertices[model->first_vertex + v];
+        if ((wide)p.x * p.x + (wide)p.y * p.y + (wide)p.z * p.z > reach) {
+            return false;
+        }
+    }
+    return model->radius >= 0;
+}
+
 static bool geometry_is_sound(const ref_scene *scene)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const ref_model *model = &scene->models[i];
         if ((uint64_t)model->first_vertex + model->vertex_count > scene->vertex_count ||
             (uint64_t)model->first_face + model->face_count > scene->face_count ||
-            model->kind > REF_MODEL_SORTED || !faces_are_sound(scene, model)) {
+            model->kind > REF_MODEL_SORTED || !faces_are_sound(scene, model) ||
+            !sphere_holds_model(scene, model)) {
             return false;
         }
     }
@@ -213,7 +228,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
-    if (ref_u16(bytes + 4) != 1 || ref_u16(bytes + 6) != 160) {
+    if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 6) != 160) {
         return "it is a scene image of another version";
     }
     uint32_t stated = ref_u32(bytes + 8);
@@ -238,7 +253,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     memcpy(image->palette, palette, sizeof image->palette);
     if (!read_geometry(bytes, stated, &image->scene) || !geometry_is_sound(&image->scene)) {
         return "a table of the scene image reaches outside the image, points outside another "
-               "table or leaves the world's range";
+               "table, leaves the world's range or a model's radius";
     }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";

@@ -20,6 +20,7 @@ enum {
 typedef struct {
     uint32_t first_vertex, vertex_count, first_face, face_count;
     uint8_t kind;
+    int32_t radius; /* 16.16; no vertex is farther from the object's centre */
 } ref_model;
 
 typedef struct {

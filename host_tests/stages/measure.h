@@ -7,12 +7,24 @@
 #include "stages/tally.h"
 
 /* The tally of each stage, named and empty. */
+stages_tally stages_sphere_tally(const char *input);
 stages_tally stages_clip_tally(const char *input);
 stages_tally stages_clip_world_tally(const char *input);
 stages_tally stages_transform_tally(const char *input);
 stages_tally stages_project_tally(const char *input);
 stages_tally stages_list_tally(const char *input);
 stages_tally stages_fill_tally(const char *input);
+
+/* A sphere on both sides; answers what the library does. */
+uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
+                               const fxl_view_frustum *frustum, const fxl_point *centre,
+                               fxl_q16_16 radius);
+
+/* A face of an object of which the library's sphere said `planes`, by the twin's
+ * distances of its vertices. Where it is not so, a mismatch. */
+void stages_check_left_out(stages_tally *tally, const fxl_camera *camera,
+                           const fxl_view_frustum *frustum, uint32_t planes,
+                           const fxl_polygon *polygon);
 
 /* Clips plane by plane; before each plane both sides start from the library's
  * polygon, so that one plane's rounding is not counted for the next. Samples

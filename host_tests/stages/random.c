@@ -166,6 +166,20 @@ fxl_point stages_random_point(stages_random *random, const fxl_point *eye)
                     eye->z / 65536.0 + signed_spread(random, 1.0 / 65536, 16382));
 }
 
+fxl_q16_16 stages_random_radius(stages_random *random, const fxl_camera *camera,
+                                const fxl_view_frustum *frustum, const fxl_point *centre)
+{
+    double radius = spread(random, 1, FXL_RADIUS_MAX);
+    if (stages_random_below(random, 2)) {
+        fxl_view_point seen;
+        fxl_transform_point(camera, centre, &seen);
+        int plane = (int)stages_random_below(random, FXL_PLANE_COUNT);
+        double gap = fabs(ldexp((double)fxl_view_distance(frustum, plane, &seen), -30));
+        radius = gap + uniform(random, -400, 400);
+    }
+    return (fxl_q16_16)fmax(0, fmin(FXL_RADIUS_MAX, radius));
+}
+
 /* With bits of its own below a double's 53. */
 static fxl_q18_46 view_coordinate(stages_random *random, double units)
 {

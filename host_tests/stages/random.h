@@ -22,6 +22,11 @@ fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camer
 /* A point of the world: near the eye or far from it. */
 fxl_point stages_random_point(stages_random *random, const fxl_point *eye);
 
+/* A radius of a model, any or so that its sphere about the point just reaches a
+ * plane. */
+fxl_q16_16 stages_random_radius(stages_random *random, const fxl_camera *camera,
+                                const fxl_view_frustum *frustum, const fxl_point *centre);
+
 /* A view point, every bit of it at random; mostly on the screen. */
 fxl_view_point stages_random_view_point(stages_random *random, const fxl_lens *lens);
 

@@ -27,7 +27,7 @@ typedef struct {
 } options;
 
 typedef struct {
-    stages_tally clip, clip_world, transform, project, list, fill;
+    stages_tally sphere, clip, clip_world, transform, project, list, fill;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
@@ -42,9 +42,10 @@ static int fail(const char *where, const char *what)
 
 static tallies tallies_for(const char *input)
 {
-    return (tallies){stages_clip_tally(input),      stages_clip_world_tally(input),
-                     stages_transform_tally(input), stages_project_tally(input),
-                     stages_list_tally(input),      stages_fill_tally(input)};
+    return (tallies){stages_sphere_tally(input),     stages_clip_tally(input),
+                     stages_clip_world_tally(input), stages_transform_tally(input),
+                     stages_project_tally(input),    stages_list_tally(input),
+                     stages_fill_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -130,11 +131,14 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const fxl_object *object = &scene->objects[i];
         const fxl_model *model = &scene->models[object->model];
+        uint32_t planes = stages_measure_sphere(&to->sphere, &view.camera, &view.view_frustum,
+                                                &object->centre, model->radius);
         for (uint32_t k = 0; k < model->face_count; k++) {
             const fxl_face *face = &scene->faces[model->first_face + k];
+            fxl_polygon polygon;
+            fxl_face_to_polygon(scene, object, face, &polygon);
+            stages_check_left_out(&to->sphere, &view.camera, &view.view_frustum, planes, &polygon);
             if (fxl_face_is_front(scene, object, face, &pose->position)) {
-                fxl_polygon polygon;
-                fxl_face_to_polygon(scene, object, face, &polygon);
                 take_polygon(to, &view, &polygon);
             }
         }
@@ -225,6 +229,20 @@ static void take_random_polygon(tallies *to, stages_random *random)
     stages_measure_clip_world(&to->clip_world, &view.frustum, &polygon);
 }
 
+static void take_random_sphere(stages_tally *sphere, stages_random *random)
+{
+    fxl_pose pose = stages_random_pose(random);
+    fxl_lens lens = stages_random_lens(random);
+    fxl_view view;
+    if (!view_from(&pose, &lens, &view)) {
+        sphere->mismatched++;
+        return;
+    }
+    fxl_point centre = stages_random_point(random, &pose.position);
+    fxl_q16_16 radius = stages_random_radius(random, &view.camera, &view.view_frustum, &centre);
+    stages_measure_sphere(sphere, &view.camera, &view.view_frustum, &centre, radius);
+}
+
 static void take_random_points(tallies *to, stages_random *random)
 {
     fxl_pose pose = stages_random_pose(random);
@@ -274,9 +292,11 @@ static void take_random(tallies *to, const options *wanted)
     stages_random points = stages_random_start(wanted->seed, 2);
     stages_random outlines = stages_random_start(wanted->seed, 3);
     stages_random lists = stages_random_start(wanted->seed, 4);
+    stages_random spheres = stages_random_start(wanted->seed, 5);
     for (uint64_t i = 0; i < wanted->samples; i++) {
         take_random_polygon(to, &polygons);
         take_random_points(to, &points);
+        take_random_sphere(&to->sphere, &spheres);
         if (i % FILL_SHARE == 0) {
             take_random_outline(&to->fill, &outlines);
             take_random_list(&to->list, &lists);
@@ -287,11 +307,11 @@ static void take_random(tallies *to, const options *wanted)
 
 static void print_tallies(const tallies *of, const char *end)
 {
-    const stages_tally *all[] = {&of->clip,    &of->clip_world, &of->transform,
-                                 &of->project, &of->list,       &of->fill};
-    for (int i = 0; i < 6; i++) {
+    const stages_tally *all[] = {&of->sphere,  &of->clip, &of->clip_world, &of->transform,
+                                 &of->project, &of->list, &of->fill};
+    for (int i = 0; i < 7; i++) {
         stages_print(all[i]);
-        puts(i < 5 ? "," : end);
+        puts(i < 6 ? "," : end);
     }
 }
 

@@ -87,3 +87,11 @@ def build():
                if not (folder / name).exists()]
     assert not missing, f"not built: {missing}; make all builds them"
     return folder
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    """A headless browser (fixel/browser.py)."""
+    from fixel import browser
+    with browser.chromium() as opened:
+        yield opened

@@ -21,6 +21,7 @@ from conftest import assert_one_sentence, environment, run_cli
 from fixel import flash, qemu
 
 SECONDS = 30.0
+ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 
 
 @pytest.fixture(scope="module")
@@ -28,16 +29,20 @@ def walk():
     return built(f"{BOARD}/walk.elf")
 
 
-@pytest.fixture(scope="module")
-def image(tmp_path_factory, walk):
-    folder = tmp_path_factory.mktemp("flash")
+def flashed(board, folder):
+    """A board's flash image with its walk and a scene."""
     scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
-    flash.flash(BOARD, walk, folder / "tiny.fxls", folder / "board.bin")
+    flash.flash(board, built(f"{board}/walk.elf"), folder / "tiny.fxls", folder / "board.bin")
     return folder / "board.bin"
 
 
-def words(image, walk, *more):
-    return ["--board", BOARD, "--image", image, "--elf", walk, *more]
+@pytest.fixture(scope="module")
+def image(tmp_path_factory):
+    return flashed(BOARD, tmp_path_factory.mktemp("flash"))
+
+
+def words(image, walk, *more, board=BOARD):
+    return ["--board", board, "--image", image, "--elf", walk, *more]
 
 
 def started_in(folder):
@@ -53,11 +58,13 @@ def started_in(folder):
     return found
 
 
-def test_a_file_of_commands(image, walk, tmp_path):
-    commands = tmp_path / "commands"
+@pytest.mark.parametrize("board", [BOARD, ELSEWHERE])
+def test_a_file_of_commands(board, tmp_path):
+    image, commands = flashed(board, tmp_path), tmp_path / "commands"
     commands.write_text("break fxl_frame_begin\ncontinue\nbacktrace\nprint renderer->scene->object_count\n"
                         "print/x *pose\ndelete\ncontinue\n", encoding="ascii")
-    done = run_cli("gdb", *words(image, walk, "--frames", 2, "--commands", commands), TMPDIR=str(tmp_path))
+    done = run_cli("gdb", *words(image, built(f"{board}/walk.elf"), "--frames", 2, "--commands", commands,
+                                 board=board), TMPDIR=str(tmp_path))
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"^Temporary breakpoint 1, main \(.*firmware/walk/main\.c:\d+$", done.stdout, re.MULTILINE)
     assert re.search(r"^Breakpoint 2, fxl_frame_begin \(.*lib/src/render\.c:\d+$", done.stdout, re.MULTILINE)

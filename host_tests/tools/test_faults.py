@@ -10,13 +10,12 @@ import re
 import pytest
 from elftools.elf.elffile import ELFFile
 
-from board_programs import BOARD, EVERY_BOARD, built
+from board_programs import BOARD, EVERY_BOARD, built, fake_qemu
 from fixel import emulator
 
 ARMV6M, ARMV7M, ARMV8M = "microbit", BOARD, "mps2-an505"
 CORES = [ARMV6M, ARMV7M, ARMV8M]
 NOWHERE = 0xE8000000    # of firmware/faults
-UNWATCHED = {"microbit", "netduinoplus2", "stm32vldiscovery"}   # QEMU has no watchdog there
 
 
 @functools.cache
@@ -228,9 +227,10 @@ def test_a_hang_after_a_sign_of_life():
 
 @pytest.mark.parametrize("board", CORES)
 def test_a_hang_with_interrupts_masked(board):
-    """Only an interrupt that cannot be masked tells of it; elsewhere the tools do."""
-    ending = run(board, "hang-masked", timeout=1 if board in UNWATCHED else 60)
-    if board in UNWATCHED:
+    """Only an interrupt that cannot be masked tells of it; where QEMU has no such
+    watchdog, the tools do."""
+    ending = run(board, "hang-masked", timeout=1 if board == ARMV6M else 60)
+    if board == ARMV6M:
         assert ending.code is None
         assert "it hangs" in emulator.describe(ending)
     else:
@@ -271,6 +271,20 @@ def test_a_reset_is_not_a_success(board):
     ending = run(board, "reset")
     assert ending.code == 0  # what makes it deceptive
     assert "reset" in emulator.describe(ending)
+
+
+@pytest.mark.parametrize("script", [
+    '"$REAL" "$@"; exit 0',                                         # all passed, but the agreed code is lost
+    '"$REAL" "$@" & sleep 0.1; kill -TERM $!; wait $!',             # SIGTERM: exit code 0
+    'printf "a.c:1:test_one:PASS\\nunittest: done\\n"; exit 0',     # never ran
+    'printf "a.c:1:test_one:PASS\\n"; exit 93',                      # the code without the marker
+])
+def test_unit_tests_that_do_not_end_as_agreed_have_failed(tmp_path, monkeypatch, script):
+    elf = built(f"{ARMV7M}/unit/test_project.elf")
+    monkeypatch.setenv("PATH", fake_qemu(tmp_path / "bin", script))
+    _, failed, output = emulator.run_unit(elf)
+    assert failed == 1
+    assert "emulator ended without the program's exit code" in output or "exit 93" in output, output
 
 
 def test_exit_codes_can_be_told_apart():

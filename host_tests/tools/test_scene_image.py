@@ -54,7 +54,7 @@ def test_round_trip_of_poses_and_strides():
 
 def test_header_is_laid_out_as_the_chapter_says():
     blob = image.pack(scene())
-    assert struct.unpack_from("<HHI", blob, 4) == (1, 160, len(blob))
+    assert struct.unpack_from("<HHI", blob, 4) == (2, 160, len(blob))
     assert struct.unpack_from("<I", blob, 12)[0] == zlib.crc32(blob[16:])
     assert struct.unpack_from("<HHIiii", blob, 16) == (320, 240, 1 << 30, 65536, 64 << 16, 4)
     assert [table(blob, i)[1] for i in range(7)] == [256, 4, 4, 1, 1, 2, 2]
@@ -67,7 +67,8 @@ def test_damaged_images_are_refused_with_the_status():
     refused(blob[:100], "size")
     refused(blob[:-4], "size")
     refused(b"FXLD" + blob[4:], "magic")
-    refused(patched(blob, 4, b"\2\0"), "version")
+    refused(patched(blob, 4, b"\1\0"), "version")
+    refused(patched(blob, 4, b"\3\0"), "version")
     refused(patched(blob, 6, b"\0\1"), "size")
     refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
     refused(patched(blob, 38, b"\1"), "reserved")
@@ -105,6 +106,8 @@ def test_header_fields_out_of_range(offset, data, status):
     (3, 18, b"\1", "reserved"), (3, 4, struct.pack("<i", (1 << 30) - 3), "normal"),
     (2, 0, b"\4", "index"), (1, 4, struct.pack("<i", 5), "planarity"),
     (4, 0, b"\1", "index"), (4, 16, b"\2", "reserved"), (4, 17, b"\1", "reserved"),
+    (4, 20, struct.pack("<i", 92681), "radius"), (4, 20, struct.pack("<i", -1), "range"),
+    (4, 20, struct.pack("<i", image.RADIUS_MAX + 1), "range"),
     (5, 12, b"\1", "index"), (5, 15, b"\1", "reserved"),
     (5, 0, struct.pack("<i", image.COORDINATE_MAX - 65535), "range"),
     (6, 0, struct.pack("<i", image.COORDINATE_MAX + 1), "range"),
@@ -120,6 +123,51 @@ def test_values_at_the_ends_are_taken():
     # The square's first vertex may lie 4 units off, and no more.
     image.unpack(patched(blob, at + 12, struct.pack("<i", 4)))
     refused(patched(blob, at + 12, struct.pack("<i", 5)), "planarity")
+
+
+@given(st.lists(st.tuples(*[st.integers(-2 * image.COORDINATE_MAX, 2 * image.COORDINATE_MAX)] * 3),
+                min_size=1, max_size=4))
+def test_the_radius_is_the_least_that_holds_every_vertex(vertices):
+    radius = image.radius_of(vertices)
+    square = max(x * x + y * y + z * z for x, y, z in vertices)
+    assert radius * radius >= square and 0 <= radius <= image.RADIUS_MAX
+    assert radius == 0 or (radius - 1) ** 2 < square
+
+
+def test_the_radius_stands_in_the_model():
+    blob = image.pack(scene())
+    at = table(blob, 4)[0] + 20
+    # The square's corners are sqrt(2) from its middle: 92681.9.
+    assert struct.unpack_from("<i", blob, at) == (92682,)
+    image.unpack(patched(blob, at, struct.pack("<i", image.RADIUS_MAX)))
+
+
+def test_sorted_models_have_keys():
+    made = scene()
+    made.models = [*made.models, Model(list(SQUARE), [Face(UP, (1, 2, 3), 7), Face(UP, (0, 1, 2, 3), 8)],
+                                       image.SORTED)]
+    blob = image.pack(made)
+    assert image.unpack(blob) == made
+    offset, count = struct.unpack_from("<II", blob, 140)
+    assert count == 2 and offset + 40 == len(blob)
+    # Heights over the origin and the doubled middles of the boxes: the square is in y = 0.
+    assert struct.unpack_from("<q3i", blob, offset) == (0, 0, 0, 0)
+    for data, at, status in ((b"\1", offset, "key"), (b"\1", offset + 39, "key"), (b"\1", 144, "index"),
+                             (b"\3", 144, "offset"), (b"\1", table(blob, 4)[0] + 24, "reserved"),
+                             (b"\1", table(blob, 4)[0] + 28 + 24, "index"),
+                             (b"\0", table(blob, 4)[0] + 28 + 16, "count"), (b"\0", 144, "offset")):
+        refused(patched(blob, at, data), status)
+    # They may be left out.
+    assert image.unpack(patched(blob, 140, bytes(8))) == made
+
+
+@given(st.lists(st.tuples(*[st.integers(-2 * image.COORDINATE_MAX, 2 * image.COORDINATE_MAX)] * 3),
+                min_size=3, max_size=6), st.tuples(*[st.integers(-(1 << 30), 1 << 30)] * 3))
+def test_a_key_is_the_plane_and_the_box(vertices, normal):
+    corners = tuple(range(len(vertices)))
+    height, *box = image.key_of(Model(vertices, []), Face(normal, corners, 0))
+    assert height == sum(n * c for n, c in zip(normal, vertices[0]))
+    assert box == [min(v[i] for v in vertices) + max(v[i] for v in vertices) for i in range(3)]
 
 
 def test_pack_refuses_what_a_loader_would():

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
 """make test's own driver: counts what ran, and no ending passes for a success without being one."""
 
+import itertools
+import pathlib
+import re
+import shlex
 import stat
 
 import pytest
-from conftest import run_cli
+from board_programs import EVERY_BOARD, ROOT
+from conftest import run_cli, run_make
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -82,3 +87,54 @@ def test_one_board_alone(tmp_path):
                    "--board-unit", "second", tmp_path / "test_b.elf")
     assert "second/test_b" in done.stdout and "first" not in done.stdout
     assert done.stdout.splitlines()[-1] == "0 passed, 1 failed"
+
+
+def command_of(board):
+    """What make test of one board would call, as words."""
+    done = run_make("-n", "test", f"BOARD={board}")
+    assert done.returncode == 0, done.stderr
+    whole = done.stdout.replace("\\\n", " ")
+    return shlex.split(next(line for line in whole.splitlines() if "--board-unit" in line))
+
+
+def units_of(board):
+    """The names of a board's unit tests, and of those left out."""
+    words = command_of(board)
+    lists = {"--board-unit": [], "--left-out": []}
+    for option, found in lists.items():
+        for at, word in enumerate(words):
+            if word == option and words[at + 1] == board:
+                found += itertools.takewhile(lambda value: not value.startswith("--"), words[at + 2:])
+    return {pathlib.Path(elf).stem for elf in lists["--board-unit"]}, set(lists["--left-out"])
+
+
+@pytest.mark.parametrize("board", EVERY_BOARD)
+def test_every_unit_test_runs_on_a_board_or_is_named(board):
+    """Each test of host_tests/unit once; what is left out has its reason in a comment above."""
+    run, left_out = units_of(board)
+    assert run | left_out == {file.stem for file in (ROOT / "host_tests/unit").glob("test_*.c")}
+    assert run and not run & left_out
+    setting = (ROOT / "boards" / board / "board.mk").read_text(encoding="utf-8")
+    assert bool(left_out) == bool(re.search(r"^#.*\nBOARD_UNIT_OMIT := ", setting, re.MULTILINE))
+
+
+def test_make_test_of_one_board_runs_nothing_else():
+    one, other = EVERY_BOARD[:2]
+    words = command_of(one)
+    assert words[words.index("--board") + 1] == one
+    assert other not in " ".join(words)
+
+
+def test_a_board_that_is_none_is_refused():
+    done = run_make("test", "BOARD=nonesuch")
+    assert done.returncode == 2 and done.stdout == ""
+    assert 'there is no board "nonesuch"; the boards are: host ' in done.stderr
+    for board in EVERY_BOARD:
+        assert board in done.stderr
+
+
+def test_a_test_that_is_none_cannot_be_left_out():
+    board = EVERY_BOARD[0]
+    done = run_make("-n", "test", f"BOARD={board}", f"BOARD_UNIT_OMIT.{board}=test_gone")
+    assert done.returncode == 2
+    assert f"boards/{board}/board.mk leaves out test_gone, which is no test of host_tests/unit" in done.stderr

@@ -11,7 +11,8 @@ enum {
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
-    MODEL = 20,
+    MODEL = 28,
+    KEY = 20,
     OBJECT = 16,
     POSE = 24,
     STRIDE = 4

@@ -5,7 +5,7 @@
 
 #include "unit.h"
 
-#define PICTURE_MAX 64
+#define PICTURE_MAX 24
 
 /* A canvas that stands in for fill: it fails the test where a span is empty,
  * leaves the canvas, comes out of order, or draws a pixel a second time. */

@@ -20,22 +20,21 @@ static fxl_polygon flat(const int *numbers, uint8_t count)
     }
     return polygon;
 }
-#define INTEGERS(...) ((const int[]){__VA_ARGS__})
-#define FLAT(...) \
-    flat(INTEGERS(__VA_ARGS__), (uint8_t)(sizeof INTEGERS(__VA_ARGS__) / sizeof(int) / 2))
+#define NUMBERS(...) \
+    ((const int[]){__VA_ARGS__}), (uint8_t)(sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2)
 
 /* Which vertex comes first is not laid down; their order is. */
-static void expect_flat(fxl_polygon expected, const fxl_polygon *actual)
+static void expect_same(const fxl_polygon *expected, const fxl_polygon *actual)
 {
     int first = 0;
-    TEST_ASSERT_EQUAL(expected.colour, actual->colour);
-    TEST_ASSERT_EQUAL(expected.count, actual->count);
-    while (first + 1 < actual->count && memcmp(&actual->vertices[first], &expected.vertices[0],
-                                               sizeof expected.vertices[0]) != 0) {
+    TEST_ASSERT_EQUAL(expected->colour, actual->colour);
+    TEST_ASSERT_EQUAL(expected->count, actual->count);
+    while (first + 1 < actual->count && memcmp(&actual->vertices[first], &expected->vertices[0],
+                                               sizeof expected->vertices[0]) != 0) {
         first++;
     }
-    for (int i = 0; i < expected.count; i++) {
-        const fxl_vertex *want = &expected.vertices[i];
+    for (int i = 0; i < expected->count; i++) {
+        const fxl_vertex *want = &expected->vertices[i];
         const fxl_vertex *got = &actual->vertices[(first + i) % actual->count];
         TEST_ASSERT_EQUAL_INT32(want->position.x, got->position.x);
         TEST_ASSERT_EQUAL_INT32(want->position.y, got->position.y);
@@ -45,67 +44,73 @@ static void expect_flat(fxl_polygon expected, const fxl_polygon *actual)
     }
 }
 
-static void expect_untouched(fxl_clip_result result, fxl_polygon polygon)
+static void expect_untouched(fxl_clip_result result, const int *numbers, uint8_t count)
 {
-    fxl_polygon out, before;
+    fxl_polygon polygon = flat(numbers, count), out, before;
     memset(&out, 0x5A, sizeof out);
     memcpy(&before, &out, sizeof before);
     TEST_ASSERT_EQUAL(result, fxl_clip_to_plane(&polygon, &wall, &out, distances));
     TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
 }
 
-static void expect_cut(fxl_polygon expected, fxl_polygon polygon)
+static void expect_cut(const int *wanted, uint8_t wanted_count, const int *numbers, uint8_t count)
 {
-    fxl_polygon out;
+    fxl_polygon polygon = flat(numbers, count), out;
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_plane(&polygon, &wall, &out, distances));
-    expect_flat(expected, &out);
+    polygon = flat(wanted, wanted_count);
+    expect_same(&polygon, &out);
+}
+
+static void expect_degenerate(const int *numbers, uint8_t count)
+{
+    fxl_polygon polygon = flat(numbers, count), out;
+    TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, fxl_clip_to_plane(&polygon, &wall, &out, distances));
 }
 
 void test_wholly_inside_is_left_alone(void)
 {
-    expect_untouched(FXL_CLIP_INSIDE, FLAT(1, 0, 3, 0, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(1, 0, 3, 0, 3, 2));
 }
 
 void test_wholly_outside_is_left_alone(void)
 {
-    expect_untouched(FXL_CLIP_OUTSIDE, FLAT(-1, 0, -3, 0, -3, 2));
+    expect_untouched(FXL_CLIP_OUTSIDE, NUMBERS(-1, 0, -3, 0, -3, 2));
 }
 
 void test_touching_from_inside_is_inside(void)
 {
-    expect_untouched(FXL_CLIP_INSIDE, FLAT(0, 0, 3, 0, 3, 2));
-    expect_untouched(FXL_CLIP_INSIDE, FLAT(0, 0, 0, 5, 3, 2));
-    expect_untouched(FXL_CLIP_INSIDE, FLAT(0, 0, 0, 5, 0, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 3, 0, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 0, 2));
 }
 
 void test_touching_from_outside_is_degenerate(void)
 {
-    fxl_polygon out, corner = FLAT(0, 0, -3, 0, -3, 2), edge = FLAT(0, 0, 0, 2, -3, 2);
-    TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, fxl_clip_to_plane(&corner, &wall, &out, distances));
-    TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, fxl_clip_to_plane(&edge, &wall, &out, distances));
+    expect_degenerate(NUMBERS(0, 0, -3, 0, -3, 2));
+    expect_degenerate(NUMBERS(0, 0, 0, 2, -3, 2));
 }
 
 void test_a_square_is_halved(void)
 {
-    expect_cut(FLAT(0, 0, 4, 0, 4, 4, 0, 4), FLAT(-4, 0, 4, 0, 4, 4, -4, 4));
+    expect_cut(NUMBERS(0, 0, 4, 0, 4, 4, 0, 4), NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
 }
 
 void test_a_corner_is_cut_off(void)
 {
-    expect_cut(FLAT(0, 1, 0, 3, 2, 4, 2, 0), FLAT(-2, 2, 2, 4, 2, 0));
+    expect_cut(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), NUMBERS(-2, 2, 2, 4, 2, 0));
 }
 
 /* Through two vertices: each comes once. */
 void test_a_vertex_on_the_plane_is_not_repeated(void)
 {
-    expect_cut(FLAT(0, 4, 4, 0, 0, -4), FLAT(0, 4, 4, 0, 0, -4, -4, 0));
-    expect_cut(FLAT(0, 4, 4, 4, 0, 0), FLAT(0, 4, 4, 4, -4, -4));
-    expect_cut(FLAT(0, 0, 0, 4, 4, 4), FLAT(-4, 2, 0, 4, 4, 4, 0, 0));
+    expect_cut(NUMBERS(0, 4, 4, 0, 0, -4), NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
+    expect_cut(NUMBERS(0, 4, 4, 4, 0, 0), NUMBERS(0, 4, 4, 4, -4, -4));
+    expect_cut(NUMBERS(0, 0, 0, 4, 4, 4), NUMBERS(-4, 2, 0, 4, 4, 4, 0, 0));
 }
 
 void test_texture_is_cut_by_the_same_fraction(void)
 {
-    fxl_polygon polygon = FLAT(-3, 0, 1, 0, 1, 4, -3, 4), out;
+    fxl_polygon polygon = flat(NUMBERS(-3, 0, 1, 0, 1, 4, -3, 4)), out;
     polygon.vertices[0].u = Q16(10);
     polygon.vertices[1].u = Q16(50);
     polygon.vertices[0].v = Q16(-800);
@@ -307,15 +312,18 @@ void test_frustum_inside_returns_the_input(void)
 
 void test_frustum_outside_returns_null(void)
 {
-    const fxl_polygon polygons[] = {across(Q16(-50), Q16(-5), Q16(-20), Q16(5), Q16(10)),
-                                    across(Q16(20), Q16(-5), Q16(50), Q16(5), Q16(10)),
-                                    across(Q16(-5), Q16(-50), Q16(5), Q16(-20), Q16(10)),
-                                    across(Q16(-5), Q16(20), Q16(5), Q16(50), Q16(10)),
-                                    across(Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(-10)),
-                                    across(Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(1000))};
+    /* Left, bottom, right, top, depth. */
+    static const fxl_q16_16 squares[][5] = {{Q16(-50), Q16(-5), Q16(-20), Q16(5), Q16(10)},
+                                            {Q16(20), Q16(-5), Q16(50), Q16(5), Q16(10)},
+                                            {Q16(-5), Q16(-50), Q16(5), Q16(-20), Q16(10)},
+                                            {Q16(-5), Q16(20), Q16(5), Q16(50), Q16(10)},
+                                            {Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(-10)},
+                                            {Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(1000)}};
     for (int i = 0; i < 6; i++) {
-        const fxl_polygon *result = &polygons[i];
-        TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygons[i], &result));
+        const fxl_q16_16 *at = squares[i];
+        fxl_polygon polygon = across(at[0], at[1], at[2], at[3], at[4]);
+        const fxl_polygon *result = &polygon;
+        TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
         TEST_ASSERT_NULL(result);
     }
 }

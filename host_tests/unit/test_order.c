@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "tiny.h"
 
-enum {
-    MANY = 600
-};
+#ifdef UNIT_ON_TARGET
+#define MANY 250
+#else
+#define MANY 600
+#endif
 
 static fxl_order_entry entries[MANY];
 
@@ -43,7 +45,7 @@ void test_sorting_is_by_layer_distance_and_index(void)
         for (uint32_t i = 0; i < count; i++) {
             uint64_t distance = unit_random() % spread;
             entries[i] = fxl_order_entry_of(distance << (unit_random() % 2 * 59), (uint16_t)i,
-                                            (uint16_t)(unit_random() % (1 + spread / 4)));
+                                            (uint8_t)(unit_random() % (1 + spread / 4)));
         }
         for (uint32_t i = count; i > 1; i--) {
             uint32_t other = unit_random() % i;
@@ -69,11 +71,74 @@ void test_sorted_and_reversed_input(void)
     }
 }
 
+/* Distances that rise and fall in runs, jump, or repeat; the entries by number, as
+ * faces come. */
+static void make_faces(uint32_t count, uint32_t kind)
+{
+    uint64_t distance = unit_random();
+    for (uint32_t i = 0; i < count; i++) {
+        uint64_t step = unit_random() % (kind % 4 == 0 ? 2 : 1000);
+        distance = i % (1 + kind) > kind / 2 ? distance + step : distance - step;
+        if (kind == 3) {
+            distance = (uint64_t)unit_random() << 32 | unit_random();
+        }
+        entries[i] = fxl_order_entry_of(distance, (uint16_t)i, 0);
+    }
+}
+
+void test_sorting_faces_is_by_distance_and_index(void)
+{
+    for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
+        uint32_t count = (uint32_t)unit_between(0, round % 8 ? 40 : MANY);
+        make_faces(count, round % 23);
+        uint64_t sum = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            sum += fxl_order_distance(&entries[i]) * (2 * i + 1);
+        }
+        fxl_order_sort_faces(entries, count);
+        for (uint32_t i = 0; i < count; i++) {
+            sum -= fxl_order_distance(&entries[i]) * (2 * (uint64_t)entries[i].index + 1);
+            entries[i].layer = 0;
+        }
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(0, sum, "a key went to another face");
+        expect_sorted(count);
+    }
+}
+
+/* As many runs as there can be: each of two entries. */
+void test_sorting_faces_of_the_shortest_runs(void)
+{
+    for (uint32_t i = 0; i < MANY; i++) {
+        entries[i] = fxl_order_entry_of(i % 2 ? MANY - i : 3 * MANY - i, (uint16_t)i, 0);
+    }
+    fxl_order_sort_faces(entries, MANY);
+    for (uint32_t i = 0; i < MANY; i++) {
+        TEST_ASSERT_EQUAL_UINT32(i < MANY / 2 ? 2 * i : 2 * (i - MANY / 2) + 1, entries[i].index);
+    }
+}
+
+/* The places count to 65534, and the chains are as many as there can be. */
+void test_sorting_the_most_faces(void)
+{
+#ifndef UNIT_ON_TARGET
+    static fxl_order_entry many[FXL_MODEL_FACES_MAX];
+    for (uint32_t i = 0; i < FXL_MODEL_FACES_MAX; i++) {
+        many[i] = fxl_order_entry_of((i % 2 ? 1 : 3) * FXL_MODEL_FACES_MAX - i, (uint16_t)i, 0);
+    }
+    fxl_order_sort_faces(many, FXL_MODEL_FACES_MAX);
+    for (uint32_t i = 1; i < FXL_MODEL_FACES_MAX; i++) {
+        many[i - 1].layer = many[i].layer = 0;
+        TEST_ASSERT_TRUE(before(&many[i - 1], &many[i]));
+    }
+#endif
+}
+
 void test_nothing_and_one_entry(void)
 {
     entries[0] = fxl_order_entry_of(7, 0, 3);
     fxl_order_sort(entries, 0);
     fxl_order_sort(entries, 1);
+    fxl_order_sort_faces(entries, 0);
     TEST_ASSERT_EQUAL_UINT64(7, fxl_order_distance(&entries[0]));
     TEST_ASSERT_EQUAL_UINT32(3, entries[0].layer);
 }
@@ -160,24 +225,41 @@ void test_face_distance_at_the_ends(void)
         fxl_face_distance_squared(&eye, &tiny->scene, &tiny->objects[0], &tiny->faces[0]));
 }
 
+/* An eye at (0, 0, -5) that looks ahead, with a wide lens: it sees all of tiny's
+ * objects. */
+static uint32_t order_from(tiny_scene *tiny, const fxl_pose *pose, uint32_t *left_out)
+{
+    fxl_lens lens = unit_lens(48, 32);
+    fxl_camera camera;
+    fxl_view_frustum frustum;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
+    fxl_view_frustum_from_lens(&lens, &frustum);
+    return fxl_order_objects(&tiny->scene, &camera, &frustum, entries, left_out);
+}
+
+static const fxl_pose before_all = {{0, 0, Q16(-5)}, 0, 0, 0};
+
 void test_objects_by_layer_then_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
-    fxl_point eye = {0, 0, Q16(-5)};
+    uint32_t left_out;
     entries[TINY_OBJECTS].index = 4321;
-    fxl_order_objects(&tiny->scene, &eye, entries);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
+    TEST_ASSERT_EQUAL_UINT32(0, left_out);
     const uint32_t far_to_near[] = {2, 1, 0};
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(4321, entries[TINY_OBJECTS].index, "one entry too many");
     for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
         const fxl_order_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
-        TEST_ASSERT_EQUAL_UINT64(fxl_distance_squared(&eye, &tiny->objects[entry->index].centre),
-                                 fxl_order_distance(entry));
+        TEST_ASSERT_EQUAL_UINT64(
+            fxl_distance_squared(&before_all.position, &tiny->objects[entry->index].centre),
+            fxl_order_distance(entry));
+        TEST_ASSERT_EQUAL_UINT32(0, entry->planes);
     }
     tiny->objects[0].layer = 1;
     tiny->objects[1].layer = 255;
     tiny->objects[2].layer = 255;
-    fxl_order_objects(&tiny->scene, &eye, entries);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
     TEST_ASSERT_EQUAL_UINT32(0, entries[0].index);
     TEST_ASSERT_EQUAL_UINT32(2, entries[1].index);
     TEST_ASSERT_EQUAL_UINT32(1, entries[2].index);
@@ -187,13 +269,33 @@ void test_objects_by_layer_then_far_to_near(void)
 void test_equally_far_objects_by_number(void)
 {
     tiny_scene *tiny = tiny_make();
+    uint32_t left_out;
     for (int i = 0; i < TINY_OBJECTS; i++) {
-        tiny->objects[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, 0};
+        tiny->objects[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, Q16(3)};
     }
-    fxl_order_objects(&tiny->scene, &(fxl_point){0, 0, 0}, entries);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
     for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
         TEST_ASSERT_EQUAL_UINT32(i, entries[i].index);
     }
+}
+
+/* Between the first object and the others, and with one moved to the left
+ * border: what is behind is left out with all its faces, and no key is wasted. */
+void test_objects_out_of_sight_are_left_out(void)
+{
+    tiny_scene *tiny = tiny_make();
+    const fxl_pose between = {{0, 0, Q16(4)}, 0, 0, 0};
+    uint32_t left_out;
+    tiny->objects[2].centre = (fxl_point){Q16(-8), 0, Q16(12)};
+    TEST_ASSERT_EQUAL_UINT32(2, order_from(tiny, &between, &left_out));
+    TEST_ASSERT_EQUAL_UINT32(6, left_out);
+    TEST_ASSERT_EQUAL_UINT32(2, entries[0].index);
+    TEST_ASSERT_EQUAL_HEX32(1u << FXL_PLANE_LEFT, entries[0].planes);
+    TEST_ASSERT_EQUAL_UINT32(1, entries[1].index);
+    TEST_ASSERT_EQUAL_HEX32(0, entries[1].planes);
+    const fxl_pose behind = {{0, 0, Q16(40)}, 0, 0, 0};
+    TEST_ASSERT_EQUAL_UINT32(0, order_from(tiny, &behind, &left_out));
+    TEST_ASSERT_EQUAL_UINT32(18, left_out);
 }
 
 /* Seen from a corner: three faces, the nearest last. Indices are those of the
@@ -207,13 +309,47 @@ void test_faces_that_face_the_eye_far_to_near(void)
     TEST_ASSERT_EQUAL_UINT32(3, count);
     for (uint32_t i = 0; i < count; i++) {
         const fxl_face *face = &tiny->faces[6 + entries[i].index];
-        TEST_ASSERT_EQUAL_UINT32(0, entries[i].layer);
         TEST_ASSERT_TRUE(entries[i].index % 2 == 1);
         TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye),
                                  fxl_order_distance(&entries[i]));
         TEST_ASSERT_TRUE(i == 0 || before(&entries[i - 1], &entries[i]));
     }
     TEST_ASSERT_EQUAL_UINT32(5, entries[2].index);
+}
+
+/* With keys and without, and each face by its own. */
+void test_keys_change_nothing(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        tiny_scene *tiny = tiny_make();
+        fxl_object *object = &tiny->objects[1];
+        object->centre = unit_point(FXL_COORDINATE_MAX - Q16(2));
+        fxl_point eye = unit_point(FXL_COORDINATE_MAX);
+        if (i % 2) {
+            eye = object->centre; /* on a plane, a unit before or behind it, or about */
+            eye.x += unit_between(-1, 1) * Q16(1) + unit_between(-1, 1);
+            eye.y += unit_between(-2, 2) * Q16(1) + unit_between(-1, 1);
+            eye.z += unit_between(-2, 2) * Q16(1) + unit_between(-1, 1);
+        }
+        uint32_t count = fxl_order_faces(&tiny->scene, object, &eye, entries);
+        fxl_scene bare = tiny->scene;
+        bare.keys = NULL;
+        TEST_ASSERT_EQUAL_UINT32(count, fxl_order_faces(&bare, object, &eye, entries + 6));
+        uint32_t front = 0;
+        for (uint32_t f = 0; f < 6; f++) {
+            front += fxl_face_is_front(&bare, object, &tiny->faces[6 + f], &eye);
+        }
+        TEST_ASSERT_EQUAL_UINT32(front, count);
+        for (uint32_t k = 0; k < count; k++) {
+            const fxl_face *face = &tiny->faces[6 + entries[k].index];
+            TEST_ASSERT_TRUE(fxl_face_is_front(&bare, object, face, &eye));
+            TEST_ASSERT_EQUAL_UINT32(entries[k].index, entries[6 + k].index);
+            TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye),
+                                     fxl_order_distance(&entries[k]));
+            TEST_ASSERT_EQUAL_UINT64(fxl_order_distance(&entries[k]),
+                                     fxl_order_distance(&entries[6 + k]));
+        }
+    }
 }
 
 void test_every_face_is_seen_from_somewhere(void)

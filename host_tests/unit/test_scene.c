@@ -62,7 +62,7 @@ void test_null_is_refused(void)
 
 void test_misaligned_memory_is_refused(void)
 {
-    static uint32_t room[1025];
+    static uint32_t room[TINY_WORDS + 1];
     tiny_image *image = tiny_image_make(false);
     for (uint32_t shift = 1; shift < 4; shift++) {
         memcpy((uint8_t *)room + shift, image->words, image->size);
@@ -120,7 +120,8 @@ void test_head(void)
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0x4C584653u);
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0xFFFFFFFFu);
     expect_half(FXL_E_VERSION, AT_VERSION, 0);
-    expect_half(FXL_E_VERSION, AT_VERSION, 2);
+    expect_half(FXL_E_VERSION, AT_VERSION, 1);
+    expect_half(FXL_E_VERSION, AT_VERSION, 3);
     expect_half(FXL_E_SIZE, AT_HEADER_SIZE, 156);
     expect_half(FXL_E_SIZE, AT_HEADER_SIZE, 164);
 }
@@ -149,7 +150,7 @@ void test_the_checksum_comes_before_the_contents(void)
 void test_reserved_fields_and_kinds(void)
 {
     expect_half(FXL_E_RESERVED, AT_RESERVED_HALF, 1);
-    for (uint32_t at = 0; at < 20; at += 4) {
+    for (uint32_t at = 0; at < 12; at += 4) {
         expect_word(FXL_E_RESERVED, AT_RESERVED + at, 0x01000000u);
     }
     tiny_image *image = tiny_image_make(false);
@@ -190,7 +191,7 @@ void test_start_and_gait(void)
 void test_offsets_of_every_table(void)
 {
     uint32_t size = tiny_image_make(false)->size;
-    for (uint32_t table = AT_PALETTE; table <= AT_PATH; table += 8) {
+    for (uint32_t table = AT_PALETTE; table <= AT_KEYS; table += table == AT_PATH ? 12 : 8) {
         uint32_t offset = tiny_get(tiny_image_make(false), table);
         expect_word(FXL_E_OFFSET, table, size);
         expect_word(FXL_E_OFFSET, table, 0xFFFFFFFCu);
@@ -208,8 +209,8 @@ void test_counts_of_every_table(void)
         uint32_t table, least, most;
     } tables[] = {{AT_PALETTE, 256, 256}, {AT_VERTICES, 3, 1000000}, {AT_CORNERS, 3, 4000000},
                   {AT_FACES, 1, 1000000}, {AT_MODELS, 1, 65535},     {AT_OBJECTS, 1, 65535},
-                  {AT_PATH, 1, 1000000}};
-    for (uint32_t i = 0; i < 7; i++) {
+                  {AT_PATH, 1, 1000000},  {AT_KEYS, 0, 1000000}};
+    for (uint32_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         expect_word(FXL_E_COUNT, tables[i].table + 4, tables[i].least - 1);
         expect_word(FXL_E_COUNT, tables[i].table + 4, tables[i].most + 1);
         expect_word(FXL_E_COUNT, tables[i].table + 4, 0xFFFFFFFFu);
@@ -222,5 +223,5 @@ void test_counts_of_every_table(void)
 /* The last table ends where the image does: one entry more reaches outside. */
 void test_one_entry_too_many_reaches_outside(void)
 {
-    expect_word(FXL_E_OFFSET, AT_PATH + 4, TINY_POSES + 1);
+    expect_word(FXL_E_OFFSET, AT_KEYS + 4, 7);
 }

@@ -62,6 +62,83 @@ void test_vertices_far_out_do_not_wrap(void)
     expect_entry_word(FXL_E_RANGE, AT_VERTICES, 3, VERTEX, 4, 0x80000000u);
 }
 
+/* Vertex 0 of model 1 at (-1, -1, -1): the square of the radius against the sum
+ * of three squares, to the unit. */
+void test_radius(void)
+{
+    expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, 0xFFFFFFFFu);
+    expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, 0x80000000u);
+    expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, (uint32_t)FXL_RADIUS_MAX + 1);
+    expect_entry_word(FXL_OK, AT_MODELS, 1, MODEL, 20, (uint32_t)FXL_RADIUS_MAX);
+    expect_entry_word(FXL_E_RADIUS, AT_MODELS, 1, MODEL, 20, 0);
+    /* 65536 sqrt(3) = 113511.68 */
+    expect_entry_word(FXL_E_RADIUS, AT_MODELS, 0, MODEL, 20, 113511);
+    expect_entry_word(FXL_OK, AT_MODELS, 0, MODEL, 20, 113512);
+}
+
+/* Vertices that lie exactly on the sphere, and one unit off it; also where the
+ * squares have 62 bits. */
+void test_vertices_on_the_sphere(void)
+{
+    const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
+    tiny_scene *tiny = tiny_make();
+    tiny->scene.keys = NULL;
+    tiny->objects[1].model = 0;
+    for (int v = 8; v < 16; v++) {
+        tiny->vertices[v] = (fxl_point){0, 3, 4};
+    }
+    tiny->models[1].radius = 5;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    tiny->vertices[15] = (fxl_point){0, 3, -4};
+    tiny->vertices[15].x = 1;
+    fxl_scene_fault fault;
+    TEST_ASSERT_EQUAL(FXL_E_RADIUS, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("vertex", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(15, fault.index);
+    for (int v = 8; v < 16; v++) {
+        tiny->vertices[v] = (fxl_point){far, -far, -far};
+    }
+    /* sqrt(3) 2 * 8191 * 65536 = 1859548370.02 */
+    tiny->models[1].radius = 1859548370;
+    TEST_ASSERT_EQUAL(FXL_E_RADIUS, fxl_scene_check(&tiny->scene, NULL));
+    tiny->models[1].radius = 1859548371;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+}
+
+/* Keys are what the vertices say, to the unit, and belong to sorted models. */
+void test_keys(void)
+{
+    uint32_t height = (uint32_t)(((uint64_t)Q16(1) << 30) >> 32);
+    expect_entry_word(FXL_OK, AT_KEYS, 5, KEY, 4, height);
+    expect_entry_word(FXL_E_KEY, AT_KEYS, 5, KEY, 4, height + 1);
+    for (uint32_t at = 0; at < KEY; at += 4) {
+        expect_entry_word(FXL_E_KEY, AT_KEYS, 0, KEY, at, 1);
+        expect_entry_word(FXL_E_KEY, AT_KEYS, 4, KEY, at, 0x80000000u);
+    }
+    expect_entry_word(FXL_E_RESERVED, AT_MODELS, 0, MODEL, 24, 1);
+    expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 24, 1);
+    expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 24, 0xFFFFFFFFu);
+    expect_word(FXL_E_INDEX, AT_KEYS + 4, 5);
+    expect_entry_byte(FXL_E_COUNT, AT_MODELS, 1, MODEL, 16, FXL_MODEL_CONVEX);
+    expect_entry_byte(FXL_E_INDEX, AT_MODELS, 0, MODEL, 16, FXL_MODEL_SORTED);
+}
+
+/* A scene need not have keys; then no model says where they are, and the header
+ * no place. */
+void test_no_keys(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    tiny_put32(tiny_at(image, AT_KEYS + 4), 0);
+    expect_opening(FXL_E_OFFSET, image);
+    tiny_put32(tiny_at(image, AT_KEYS), 0);
+    expect_opening(FXL_OK, image);
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.scene.keys);
+    tiny_put32(tiny_entry(image, AT_MODELS, 1, MODEL) + 24, 1);
+    expect_opening(FXL_E_RESERVED, image);
+}
+
 void test_normals(void)
 {
     expect_entry_word(FXL_E_NORMAL, AT_FACES, 1, FACE, 0, 0);
@@ -146,6 +223,7 @@ void test_the_fault_names_the_element(void)
 static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, uint32_t expected)
 {
     tiny_scene *tiny = tiny_make();
+    tiny->scene.keys = NULL;
     tiny->models[0].kind = kind0;
     tiny->models[1].kind = kind1;
     tiny->models[1].face_count = faces1;

@@ -23,7 +23,19 @@ static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
                        .count = 4,
                        .colour = (uint8_t)(colour + f)};
     }
-    tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, {0, 0, 0}};
+    tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, {0, 0, 0}, TINY_RADIUS, 0};
+}
+
+/* A face of the cube lies a unit from the middle, and its box is about that. */
+static void make_keys(void)
+{
+    for (uint32_t f = 0; f < 6; f++) {
+        int32_t twice = f % 2 ? Q16(2) : Q16(-2);
+        uint64_t height = (uint64_t)Q16(1) << 30;
+        tiny.keys[f] =
+            (fxl_face_key){(uint32_t)height, (uint32_t)(height >> 32), f / 2 == 0 ? twice : 0,
+                           f / 2 == 1 ? twice : 0, f / 2 == 2 ? twice : 0};
+    }
 }
 
 tiny_scene *tiny_make(void)
@@ -31,6 +43,7 @@ tiny_scene *tiny_make(void)
     memset(&tiny, 0, sizeof tiny);
     make_cube(0, FXL_MODEL_CONVEX, 1);
     make_cube(1, FXL_MODEL_SORTED, 11);
+    make_keys();
     tiny.objects[0] = (fxl_object){{0, 0, 0}, 0, 0, 0};
     tiny.objects[1] = (fxl_object){{0, 0, Q16(10)}, 1, 0, 0};
     tiny.objects[2] = (fxl_object){{Q16(5), Q16(1), Q16(12)}, 0, 0, 0};
@@ -44,7 +57,9 @@ tiny_scene *tiny_make(void)
                              12,
                              2,
                              TINY_OBJECTS,
-                             0};
+                             0,
+                             tiny.keys,
+                             6};
     return &tiny;
 }
 
@@ -98,7 +113,7 @@ static void add_table(uint32_t field, const void *table, uint32_t bytes, uint32_
 static void put_header(bool strides)
 {
     memcpy(tiny_at(&image, AT_MAGIC), "FXLS", 4);
-    tiny_put16(tiny_at(&image, AT_VERSION), 1);
+    tiny_put16(tiny_at(&image, AT_VERSION), 2);
     tiny_put16(tiny_at(&image, AT_HEADER_SIZE), HEADER_SIZE);
     tiny_put16(tiny_at(&image, AT_WIDTH), 48);
     tiny_put16(tiny_at(&image, AT_HEIGHT), 32);
@@ -141,6 +156,7 @@ tiny_image *tiny_image_make(bool strides)
     } else {
         add_table(AT_PATH, poses, sizeof poses, TINY_POSES);
     }
+    add_table(AT_KEYS, from->keys, sizeof from->keys, 6);
     tiny_put32(tiny_at(&image, AT_SIZE), image.size);
     tiny_seal(&image);
     return &image;

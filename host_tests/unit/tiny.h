@@ -12,6 +12,9 @@ enum {
     TINY_STRIDES = 2
 };
 
+/* Of both models: a little more than sqrt(3). */
+#define TINY_RADIUS Q16(1.75)
+
 /* Two models of the same cube, the first convex, the second sorted. Colours of
  * the first are 1..6, of the second 11..16: -x +x -y +y -z +z. */
 typedef struct {
@@ -20,6 +23,7 @@ typedef struct {
     fxl_face faces[12];
     fxl_model models[2];
     fxl_object objects[TINY_OBJECTS];
+    fxl_face_key keys[6]; /* of the second model */
     fxl_scene scene;
 } tiny_scene;
 
@@ -53,12 +57,14 @@ enum {
     AT_OBJECTS = 120,
     AT_PATH = 128,
     AT_FRAMES = 136,
-    AT_RESERVED = 140,
-    HEADER_SIZE = 160
+    AT_KEYS = 140,
+    AT_RESERVED = 148,
+    HEADER_SIZE = 160,
+    TINY_WORDS = 512
 };
 
 typedef struct {
-    uint32_t words[1024]; /* aligned to four bytes */
+    uint32_t words[TINY_WORDS]; /* aligned to four bytes */
     uint32_t size;
 } tiny_image;
 

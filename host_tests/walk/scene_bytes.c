@@ -86,9 +86,10 @@ static void put_model(scene_bytes *scene)
     put_point(scene, at, 0, 0, -FXL_Q2_30_ONE);
     bytes(scene)[at + 16] = 4;
     bytes(scene)[at + 17] = SCENE_COLOUR;
-    at = add_table(scene, 112, 1, 20);
+    at = add_table(scene, 112, 1, 28);
     put32(scene, at + 4, 4);
     put32(scene, at + 12, 1);
+    put32(scene, at + 20, 2 * UNIT);
 }
 
 static void put_path(scene_bytes *scene, const fxl_pose *poses, const fxl_stride *strides,
@@ -123,7 +124,7 @@ void scene_bytes_make(scene_bytes *scene, uint32_t objects, const fxl_pose *pose
     memset(scene, 0, sizeof *scene);
     scene->size = HEADER;
     memcpy(scene->words, "FXLS", 4);
-    put16(scene, 4, 1);
+    put16(scene, 4, 2);
     put16(scene, 6, HEADER);
     put16(scene, 16, SCENE_WIDTH);
     put16(scene, 18, SCENE_HEIGHT);

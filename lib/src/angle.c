@@ -21,21 +21,24 @@ static uint64_t radians(uint32_t angle)
     return fxl_multiply_high((uint64_t)angle << 34, TWO_PI_Q61) << 1;
 }
 
-/* square / divisor * (1 - rest): one step of a Taylor series from within. */
-static uint64_t series_step(uint64_t square, uint32_t divisor, uint64_t rest)
+/* square * factor * (1 - rest): one step of a Taylor series from within. */
+static uint64_t series_step(uint64_t square, uint64_t factor, uint64_t rest)
 {
-    return fxl_multiply_high(square - fxl_multiply_high(square, rest), UINT64_MAX / divisor);
+    return fxl_multiply_high(square - fxl_multiply_high(square, rest), factor);
 }
+
+/* What divides by a number of the series. */
+#define BY(divisor) (UINT64_MAX / (divisor))
 
 /* sin x = x (1 - x^2/6 (1 - x^2/20 (1 - x^2/42 (1 - x^2/72 (1 - x^2/110))))).
  * What is left out is below x^13/13! < 2^-37 for x <= pi/4. */
 static uint64_t sine_q62(uint64_t x)
 {
-    static const uint8_t divisors[] = {110, 72, 42, 20, 6};
+    static const uint64_t factors[] = {BY(110), BY(72), BY(42), BY(20), BY(6)};
     uint64_t square = fxl_multiply_high(x, x);
     uint64_t rest = 0;
-    for (size_t i = 0; i < sizeof divisors; i++) {
-        rest = series_step(square, divisors[i], rest);
+    for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++) {
+        rest = series_step(square, factors[i], rest);
     }
     return (x - fxl_multiply_high(x, rest)) >> 2;
 }
@@ -44,11 +47,11 @@ static uint64_t sine_q62(uint64_t x)
  * What is left out is below x^14/14! < 2^-41 for x <= pi/4. */
 static uint64_t cosine_q62(uint64_t x)
 {
-    static const uint8_t divisors[] = {132, 90, 56, 30, 12, 2};
+    static const uint64_t factors[] = {BY(132), BY(90), BY(56), BY(30), BY(12), BY(2)};
     uint64_t square = fxl_multiply_high(x, x);
     uint64_t rest = 0;
-    for (size_t i = 0; i < sizeof divisors; i++) {
-        rest = series_step(square, divisors[i], rest);
+    for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++) {
+        rest = series_step(square, factors[i], rest);
     }
     return ONE_Q62 - (rest >> 2);
 }

@@ -4,7 +4,11 @@
 #ifndef FXL_ARITH_H
 #define FXL_ARITH_H
 
+#include "divide.h"
+#include "divide_wide.h"
 #include "fixel/record.h"
+#include "leading_zeros.h"
+#include "multiply.h"
 
 /* One assertion for our own bugs: a test build lets it abort, a proof takes it
  * as a goal, a shipped build leaves it out. */
@@ -31,31 +35,36 @@ static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
     return (value + ((int64_t)1 << (shift - 1))) >> shift;
 }
 
-/* floor(numerator / denominator + 1/2), denominator > 0. Costs half a unit.
- * No intermediate is larger than the operands. */
-static inline int64_t fxl_divide_round(int64_t numerator, int64_t denominator)
+/* floor(numerator / denominator + 1/2), denominator > 0 and the quotient below
+ * 2^31. Costs half a unit. Downward, a negative quotient is the other's
+ * negative, less 1 where something is left. */
+static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
 {
     FXL_ASSERT(denominator > 0);
-    int64_t quotient = numerator / denominator;
-    int64_t remainder = numerator % denominator;
-    if (remainder < 0) {
-        remainder += denominator;
-        quotient -= 1;
+    bool negative = numerator < 0;
+    uint64_t magnitude = negative ? (uint64_t)0 - (uint64_t)numerator : (uint64_t)numerator;
+    uint32_t rest;
+    uint32_t quotient = fxl_divide_u64(magnitude, denominator, &rest);
+    if (negative) {
+        /* -(quotient + rest / denominator), a half upward: towards 0. */
+        return -(int32_t)(quotient + (rest > denominator - rest));
     }
-    return remainder >= denominator - remainder ? quotient + 1 : quotient;
+    return (int32_t)(quotient + (rest >= denominator - rest));
 }
 
 /* floor(numerator / denominator) and what is left, denominator > 0. */
 static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
 {
     FXL_ASSERT(denominator > 0);
-    int32_t quotient = numerator / denominator;
-    int32_t rest = numerator % denominator;
-    if (rest < 0) {
-        rest += denominator;
-        quotient -= 1;
+    bool negative = numerator < 0;
+    uint32_t magnitude = negative ? 0u - (uint32_t)numerator : (uint32_t)numerator;
+    uint32_t rest;
+    int32_t quotient = (int32_t)fxl_divide_u32(magnitude, (uint32_t)denominator, &rest);
+    if (negative) {
+        quotient = -quotient - (rest != 0);
+        rest = rest != 0 ? (uint32_t)denominator - rest : 0;
     }
-    *remainder = rest;
+    *remainder = (int32_t)rest;
     return quotient;
 }
 
@@ -65,20 +74,20 @@ static inline unsigned fxl_bit_length(uint64_t value)
     uint32_t high = (uint32_t)(value >> 32);
     uint32_t low = (uint32_t)value;
     if (high != 0) {
-        return 64u - (unsigned)__builtin_clz(high);
+        return 64u - fxl_leading_zeros(high);
     }
-    return low == 0 ? 0u : 32u - (unsigned)__builtin_clz(low);
+    return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
 }
 
 /* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
  * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */
 static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b)
 {
-    uint64_t a_high = a >> 32, a_low = (uint32_t)a;
-    uint64_t b_high = b >> 32, b_low = (uint32_t)b;
-    uint64_t middle = a_high * b_low + ((a_low * b_low) >> 32);
-    uint64_t other = a_low * b_high + (uint32_t)middle;
-    return a_high * b_high + (middle >> 32) + (other >> 32);
+    uint32_t a_high = (uint32_t)(a >> 32), a_low = (uint32_t)a;
+    uint32_t b_high = (uint32_t)(b >> 32), b_low = (uint32_t)b;
+    uint64_t middle = fxl_multiply_u32(a_high, b_low) + (fxl_multiply_u32(a_low, b_low) >> 32);
+    uint64_t other = fxl_multiply_u32(a_low, b_high) + (uint32_t)middle;
+    return fxl_multiply_u32(a_high, b_high) + (middle >> 32) + (other >> 32);
 }
 
 static inline uint64_t fxl_magnitude(int64_t value)
@@ -103,7 +112,8 @@ static inline bool fxl_point_in_range(const fxl_point *point)
  * it: a partial sum is the product with the same vector, some components 0. */
 static inline fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
 {
-    return (int64_t)direction->x * x + (int64_t)direction->y * y + (int64_t)direction->z * z;
+    return fxl_multiply_s31(direction->x, x) + fxl_multiply_s31(direction->y, y) +
+           fxl_multiply_s31(direction->z, z);
 }
 
 #endif

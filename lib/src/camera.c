@@ -7,7 +7,7 @@
 /* A product of two sines in units of 2^-31; costs half a unit. */
 static int64_t product(int64_t a, int64_t b)
 {
-    return fxl_round_shift(a * b, 31);
+    return fxl_round_shift(fxl_multiply_s64(a, b), 31);
 }
 
 /* a b + c d as 2.30, from sines in units of 2^-31, rounded once. Every use
@@ -15,7 +15,7 @@ static int64_t product(int64_t a, int64_t b)
  * leaves the rounding room. */
 static fxl_q2_30 entry(int64_t a, int64_t b, int64_t c, int64_t d)
 {
-    return (fxl_q2_30)fxl_round_shift(a * b + c * d, 32);
+    return (fxl_q2_30)fxl_round_shift(fxl_multiply_s64(a, b) + fxl_multiply_s64(c, d), 32);
 }
 
 fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera)

@@ -18,7 +18,8 @@ static fxl_q1_31 crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
         part >>= bits - 32;
         whole >>= bits - 32;
     }
-    return (fxl_q1_31)((part << 31) / whole);
+    uint32_t rest;
+    return fxl_divide_u64(part << 31, (uint32_t)whole, &rest);
 }
 
 /* from + (to - from) * fraction, rounded once. |to - from| is below 2^31, so

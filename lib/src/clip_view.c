@@ -10,8 +10,10 @@
  * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
 static fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth, fxl_q18_46 along)
 {
-    int64_t high = side * (across >> 32) + depth * (along >> 32);
-    int64_t low = side * (int64_t)(uint32_t)across + depth * (int64_t)(uint32_t)along;
+    int64_t high = fxl_multiply_s32(side, (int32_t)(across >> 32)) +
+                   fxl_multiply_s32(depth, (int32_t)(along >> 32));
+    int64_t low =
+        fxl_multiply_su32(side, (uint32_t)across) + fxl_multiply_su32(depth, (uint32_t)along);
     return high * 4 + (low >> 30);
 }
 
@@ -39,35 +41,12 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
     }
 }
 
-/* One digit of 32 bits of *rest / whole, rest < whole, 2^63 <= whole < 2^64;
- * *rest becomes what is left (Knuth, algorithm D). The estimate from the upper
- * half of whole is too large by two at most. */
-static uint32_t divide_digit(uint64_t *rest, uint64_t whole)
-{
-    uint64_t high = whole >> 32, low = (uint32_t)whole;
-    uint64_t digit = *rest / high;
-    uint64_t left = *rest - digit * high;
-    while (left <= UINT32_MAX && (digit > UINT32_MAX || digit * low > left << 32)) {
-        digit -= 1;
-        left += high;
-    }
-    /* The true remainder is below 2^64, so what wraps on the way cancels. */
-    *rest = (*rest << 32) - digit * whole;
-    return (uint32_t)digit;
-}
-
 /* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
  * 2^62. */
 static uint64_t crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
-    uint64_t whole = (uint64_t)inside + fxl_magnitude(outside);
-    unsigned shift = 64u - fxl_bit_length(whole);
-    uint64_t rest = (uint64_t)inside << shift;
-    whole <<= shift;
-    uint64_t upper = divide_digit(&rest, whole);
-    uint64_t lower = divide_digit(&rest, whole);
-    return upper << 32 | lower;
+    return fxl_fraction((uint64_t)inside, (uint64_t)inside + fxl_magnitude(outside));
 }
 
 /* from + (to - from) fraction / 2^64, rounded towards from: less than one unit.

@@ -26,27 +26,30 @@ static uint32_t square_root(uint64_t value)
 static void normalise(uint32_t a, uint32_t b, fxl_q2_30 *unit_a, fxl_q2_30 *unit_b)
 {
     unsigned shift = 30u - fxl_bit_length(a | b);
-    uint64_t wide_a = (uint64_t)a << shift;
-    uint64_t wide_b = (uint64_t)b << shift;
+    uint32_t wide_a = a << shift;
+    uint32_t wide_b = b << shift;
     /* Squares below 2^60, so four times their sum is below 2^63. The root of
      * that is twice the length, with a bit more than the length itself. */
-    uint64_t length = square_root(4 * (wide_a * wide_a + wide_b * wide_b));
-    *unit_a = (fxl_q2_30)fxl_divide_round((int64_t)(wide_a << 31), (int64_t)length);
-    *unit_b = (fxl_q2_30)fxl_divide_round((int64_t)(wide_b << 31), (int64_t)length);
+    uint32_t length =
+        square_root(4 * (fxl_multiply_u32(wide_a, wide_a) + fxl_multiply_u32(wide_b, wide_b)));
+    *unit_a = fxl_divide_round((int64_t)wide_a << 31, length);
+    *unit_b = fxl_divide_round((int64_t)wide_b << 31, length);
 }
 
-/* along * side + depth * forward: a view normal turned into the world. Unit
- * vectors, so each sum of two products is below 2^61. */
+/* Of unit vectors, so the sum of the two products is below 2^61. */
+static fxl_q2_30 turned_entry(fxl_q2_30 along, fxl_q2_30 side, fxl_q2_30 depth, fxl_q2_30 forward)
+{
+    return (fxl_q2_30)fxl_round_shift(
+        fxl_multiply_s32(along, side) + fxl_multiply_s32(depth, forward), 30);
+}
+
+/* along * side + depth * forward: a view normal turned into the world. */
 static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 depth,
                           const fxl_direction *forward)
 {
-    fxl_direction turned;
-    turned.x =
-        (fxl_q2_30)fxl_round_shift((int64_t)along * side->x + (int64_t)depth * forward->x, 30);
-    turned.y =
-        (fxl_q2_30)fxl_round_shift((int64_t)along * side->y + (int64_t)depth * forward->y, 30);
-    turned.z =
-        (fxl_q2_30)fxl_round_shift((int64_t)along * side->z + (int64_t)depth * forward->z, 30);
+    fxl_direction turned = {turned_entry(along, side->x, depth, forward->x),
+                            turned_entry(along, side->y, depth, forward->y),
+                            turned_entry(along, side->z, depth, forward->z)};
     return turned;
 }
 

@@ -28,10 +28,11 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
     /* 1 / tan(fov / 2) = (1 + cos fov) / sin fov, which takes fov as it is. Width
      * is below 2^11, so the product is below 2^(11 + 15 + 32) = 2^58; the sine
      * of 10..150 degrees is above 2^28. */
-    int64_t numerator = (int64_t)width * 32768 * (((int64_t)1 << 31) + fxl_cos_q31(fov));
+    int64_t numerator =
+        fxl_multiply_s64((int32_t)width * 32768, ((int64_t)1 << 31) + fxl_cos_q31(fov));
     lens->width = width;
     lens->height = height;
-    lens->focal = (fxl_q16_16)fxl_divide_round(numerator, fxl_sin_q31(fov));
+    lens->focal = fxl_divide_round(numerator, (uint32_t)fxl_sin_q31(fov));
     lens->near = near;
     lens->far = far;
     lens->inset = inset;

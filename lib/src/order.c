@@ -2,116 +2,265 @@
 #include "fixel/order.h"
 
 #include "arith.h"
-#include "face.h"
-#include "fixel/cull.h"
+#include "face_key.h"
 
-static uint64_t square(int64_t value)
+/* Below 2^62 for |value| < 2^31. */
+static inline uint64_t square(int32_t value)
 {
-    return (uint64_t)(value * value);
+    return (uint64_t)((int64_t)value * value);
 }
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));
-    return square((int64_t)point->x - eye->x) + square((int64_t)point->y - eye->y) +
-           square((int64_t)point->z - eye->z);
+    return square(point->x - eye->x) + square(point->y - eye->y) + square(point->z - eye->z);
 }
 
-static void widen(fxl_q16_16 value, fxl_q16_16 *low, fxl_q16_16 *high)
+/* The key of a face whose box and whose eye are relative to the same point: of
+ * box - 2 eye. The difference of two points of the world is below 2^30, so each
+ * coordinate is below 2^31; what wraps on the way cancels. */
+static inline uint64_t box_distance(int32_t x, int32_t y, int32_t z, const fxl_point *eye)
 {
-    if (value < *low) {
-        *low = value;
-    }
-    if (value > *high) {
-        *high = value;
-    }
+    return square((int32_t)((uint32_t)x - 2 * (uint32_t)eye->x)) +
+           square((int32_t)((uint32_t)y - 2 * (uint32_t)eye->y)) +
+           square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
+}
+
+/* The eye as a model sees it. Both within FXL_COORDINATE_MAX: below 2^30. */
+static fxl_point relative_to(const fxl_point *eye, const fxl_point *centre)
+{
+    fxl_point relative = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
+    return relative;
 }
 
 uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
                                    const fxl_object *object, const fxl_face *face)
 {
-    fxl_point low = fxl_face_vertex(scene, object, face, 0);
-    fxl_point high = low;
-    for (uint32_t i = 1; i < face->count; i++) {
-        fxl_point point = fxl_face_vertex(scene, object, face, i);
-        widen(point.x, &low.x, &high.x);
-        widen(point.y, &low.y, &high.y);
-        widen(point.z, &low.z, &high.z);
-    }
-    return square((int64_t)low.x + high.x - 2 * (int64_t)eye->x) +
-           square((int64_t)low.y + high.y - 2 * (int64_t)eye->y) +
-           square((int64_t)low.z + high.z - 2 * (int64_t)eye->z);
+    fxl_point relative = relative_to(eye, &object->centre);
+    fxl_point box = fxl_face_box(&scene->vertices[scene->models[object->model].first_vertex],
+                                 &scene->corners[face->first_corner], face->count);
+    return box_distance(box.x, box.y, box.z, &relative);
 }
 
 /* Whether a is drawn before b. */
-static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
+static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
-    if (a->layer != b->layer) {
-        return a->layer < b->layer;
+    uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
+    if (a->layer == b->layer) {
+        if (from_a > from_b) {
+            return true;
+        }
+        return from_a == from_b && a->index < b->index;
     }
-    if (a->distance_high != b->distance_high) {
-        return a->distance_high > b->distance_high;
-    }
-    if (a->distance_low != b->distance_low) {
-        return a->distance_low > b->distance_low;
-    }
-    return a->index < b->index;
+    return a->layer < b->layer;
 }
 
-/* Lets entries[root] sink below those that are drawn after it. */
-static void sift_down(fxl_order_entry *entries, uint32_t root, uint32_t count)
-{
-    fxl_order_entry sinking = entries[root];
-    uint32_t child;
-    while ((child = 2 * root + 1) < count) {
-        if (child + 1 < count && before(&entries[child], &entries[child + 1])) {
-            child += 1;
-        }
-        if (!before(&sinking, &entries[child])) {
-            break;
-        }
-        entries[root] = entries[child];
-        root = child;
-    }
-    entries[root] = sinking;
-}
-
-/* Heapsort: in place, without recursion, and no order of input makes it slow. */
+/* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place,
+ * without recursion, and whatever the input, of order count^(4/3) at most. Few
+ * objects are in sight: what counts is that short arrays are cheap. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
 {
-    for (uint32_t root = count / 2; root-- > 0;) {
-        sift_down(entries, root, count);
-    }
-    for (uint32_t end = count; end-- > 1;) {
-        fxl_order_entry last = entries[0];
-        entries[0] = entries[end];
-        entries[end] = last;
-        sift_down(entries, 0, end);
+    static const uint16_t gaps[] = {16577, 4193, 1073, 281, 77, 23, 8, 1};
+    for (uint32_t g = 0; g < sizeof gaps / sizeof gaps[0]; g++) {
+        uint32_t gap = gaps[g];
+        for (uint32_t i = gap; i < count; i++) {
+            const fxl_order_entry entry = entries[i];
+            fxl_order_entry *place = &entries[i];
+            while (place >= &entries[gap] && before(&entry, place - gap)) {
+                *place = *(place - gap);
+                place -= gap;
+            }
+            *place = entry;
+        }
     }
 }
 
-void fxl_order_objects(const fxl_scene *scene, const fxl_point *eye, fxl_order_entry *entries)
+/* Behind the last entry of a chain; no entry has this place. */
+#define END 0xFFFFu
+
+/* Two chains of entries, each in order, as one; the places of a's entries come
+ * before those of b's, so that of two equal ones a's goes first. */
+static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
 {
+    fxl_order_entry *at_a = &entries[a], *at_b = &entries[b];
+    uint64_t from_a = fxl_order_distance(at_a), from_b = fxl_order_distance(at_b);
+    uint32_t head = from_a >= from_b ? a : b;
+    fxl_order_entry *last = NULL;
+    for (;;) {
+        if (from_a >= from_b) {
+            if (last != NULL) {
+                last->next = (uint16_t)a;
+            }
+            last = at_a;
+            a = at_a->next;
+            if (a == END) {
+                last->next = (uint16_t)b;
+                return head;
+            }
+            at_a = &entries[a];
+            from_a = fxl_order_distance(at_a);
+        } else {
+            if (last != NULL) {
+                last->next = (uint16_t)b;
+            }
+            last = at_b;
+            b = at_b->next;
+            if (b == END) {
+                last->next = (uint16_t)a;
+                return head;
+            }
+            at_b = &entries[b];
+            from_b = fxl_order_distance(at_b);
+        }
+    }
+}
+
+/* Chains the entries from *place on that are in order already, or in the opposite
+ * order without equal ones; *place is then behind them. Answers the chain. */
+static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *place)
+{
+    uint32_t head = *place, at = head + 1;
+    uint64_t from_last = fxl_order_distance(&entries[head]);
+    if (at < count && fxl_order_distance(&entries[at]) > from_last) {
+        entries[head].next = END;
+        for (; at < count && fxl_order_distance(&entries[at]) > from_last; at++) {
+            from_last = fxl_order_distance(&entries[at]);
+            entries[at].next = (uint16_t)head;
+            head = at;
+        }
+    } else {
+        for (; at < count && fxl_order_distance(&entries[at]) <= from_last; at++) {
+            from_last = fxl_order_distance(&entries[at]);
+            entries[at - 1].next = (uint16_t)at;
+        }
+        entries[at - 1].next = END;
+    }
+    *place = at;
+    return head;
+}
+
+/* Puts a chain's entries where it says (MacLaren 1966). What lay in a place that
+ * was filled is found by the place's next; no entry moves into a place before,
+ * so all that following is no longer than the chain. */
+static void put_in_place(fxl_order_entry *entries, uint32_t head, uint32_t count)
+{
+    for (uint32_t place = 0; place < count; place++) {
+        while (head < place) {
+            head = entries[head].next;
+        }
+        fxl_order_entry entry = entries[head];
+        entries[head] = entries[place];
+        entries[place] = entry;
+        entries[place].next = (uint16_t)head;
+        head = entry.next;
+    }
+}
+
+/* Merging of runs: in place, without recursion. chains[i] is made of 2^i runs
+ * that come before those of chains[i - 1]; a run is two entries at least, but for
+ * the last. */
+void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
+{
+    uint16_t chains[16];
+    uint32_t levels = 0, place = 0;
+    while (place < count) {
+        uint32_t chain = take_run(entries, count, &place), level = 0;
+        for (; level < levels && chains[level] != END; level++) {
+            chain = merge(entries, chains[level], chain);
+            chains[level] = END;
+        }
+        if (level == levels) {
+            levels += 1;
+        }
+        chains[level] = (uint16_t)chain;
+    }
+    uint32_t all = END;
+    for (uint32_t level = 0; level < levels; level++) {
+        if (chains[level] != END) {
+            all = all == END ? chains[level] : merge(entries, chains[level], all);
+        }
+    }
+    put_in_place(entries, all, count);
+}
+
+uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
+                           const fxl_view_frustum *frustum, fxl_order_entry *entries,
+                           uint32_t *left_out)
+{
+    uint32_t count = 0;
+    *left_out = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const fxl_object *object = &scene->objects[i];
-        entries[i] = fxl_order_entry_of(fxl_distance_squared(eye, &object->centre), (uint16_t)i,
-                                        object->layer);
+        const fxl_model *model = &scene->models[object->model];
+        uint32_t planes = fxl_sphere_planes(camera, frustum, &object->centre, model->radius);
+        if (planes == FXL_SPHERE_OUTSIDE) {
+            *left_out += model->face_count; /* below 2^16 * 2^16 */
+            continue;
+        }
+        fxl_order_entry *entry = &entries[count++];
+        *entry = fxl_order_entry_of(fxl_distance_squared(&camera->position, &object->centre),
+                                    (uint16_t)i, object->layer);
+        entry->planes = (uint8_t)planes;
     }
-    fxl_order_sort(entries, scene->object_count);
+    fxl_order_sort(entries, count);
+    return count;
+}
+
+/* Puts down a face; answers where the next one goes. */
+static inline fxl_order_entry *put(fxl_order_entry *entry, uint64_t distance, uint32_t index)
+{
+    entry->distance_low = (uint32_t)distance;
+    entry->distance_high = (uint32_t)(distance >> 32);
+    entry->index = (uint16_t)index;
+    return entry + 1;
+}
+
+/* The faces of a model that are turned to an eye which the model sees at `from`:
+ * where normal . from > normal . first vertex. Both sums are below 2^61, and their
+ * difference is what fxl_face_is_front takes the sign of. Answers behind the last
+ * entry. */
+static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
+                                   const fxl_point *from, fxl_order_entry *entry)
+{
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const fxl_face *faces = &scene->faces[model->first_face];
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const uint16_t *corners = &scene->corners[faces[i].first_corner];
+        if (fxl_dot(&faces[i].normal, from->x, from->y, from->z) >
+            fxl_face_height(vertices, corners, &faces[i])) {
+            fxl_point box = fxl_face_box(vertices, corners, faces[i].count);
+            entry = put(entry, box_distance(box.x, box.y, box.z, from), i);
+        }
+    }
+    return entry;
+}
+
+/* The same by the scene's keys, which the loader has found to be the same numbers. */
+static fxl_order_entry *find_front_by_keys(const fxl_scene *scene, const fxl_model *model,
+                                           const fxl_point *from, fxl_order_entry *entry)
+{
+    const fxl_point eye = *from;
+    const fxl_face *face = &scene->faces[model->first_face];
+    const fxl_face_key *first = &scene->keys[model->first_key];
+    const fxl_face_key *end = first + model->face_count;
+    for (const fxl_face_key *key = first; key < end; key++, face++) {
+        if (fxl_dot(&face->normal, eye.x, eye.y, eye.z) > fxl_face_key_height(key)) {
+            uint64_t distance = box_distance(key->box_x, key->box_y, key->box_z, &eye);
+            entry = put(entry, distance, (uint32_t)(key - first));
+        }
+    }
+    return entry;
 }
 
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,
                          fxl_order_entry *entries)
 {
     const fxl_model *model = &scene->models[object->model];
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < model->face_count; i++) {
-        const fxl_face *face = &scene->faces[model->first_face + i];
-        if (fxl_face_is_front(scene, object, face, eye)) {
-            entries[count++] = fxl_order_entry_of(
-                fxl_face_distance_squared(eye, scene, object, face), (uint16_t)i, 0);
-        }
-    }
-    fxl_order_sort(entries, count);
+    const fxl_point from = relative_to(eye, &object->centre);
+    const fxl_order_entry *end = scene->keys != NULL
+                                     ? find_front_by_keys(scene, model, &from, entries)
+                                     : find_front(scene, model, &from, entries);
+    uint32_t count = (uint32_t)(end - entries);
+    fxl_order_sort_faces(entries, count);
     return count;
 }

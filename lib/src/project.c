@@ -2,11 +2,23 @@
 #include "fixel/project.h"
 
 #include "arith.h"
+#include "project_any.h"
+
+/* Below it the kernels' short way holds: 1024 pixels. */
+#define FOCAL_SHORT ((uint32_t)1 << 26)
+
+/* The kernels in assembly know where members lie. */
+_Static_assert(offsetof(fxl_projection, depth_min) == 4 &&
+                   offsetof(fxl_projection, factor_2) == 8 &&
+                   offsetof(fxl_projection, factor_17) == 12 &&
+                   offsetof(fxl_projection, centre_x) == 16 &&
+                   offsetof(fxl_projection, centre_y) == 20 && offsetof(fxl_view_point, z) == 16,
+               "lib/kernels");
 
 /* Where a view point's depth is brought to: depth = z 2^-shift, rounded, from
  * 2^30 to 2^31. z below 2^61 and at least 2^37 keeps shift within 7..30. */
 typedef struct {
-    int64_t depth;
+    uint32_t depth;
     unsigned shift;
 } scaled_depth;
 
@@ -14,7 +26,7 @@ static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;
     scaled.shift = fxl_bit_length((uint64_t)z) - 31u;
-    scaled.depth = fxl_round_shift(z, scaled.shift);
+    scaled.depth = (uint32_t)fxl_round_shift(z, scaled.shift);
     return scaled;
 }
 
@@ -24,12 +36,12 @@ static scaled_depth scale_depth(fxl_q18_46 z)
  * is below 2^61, and 2^32 (focal high) is divisible by 2^shift. */
 static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
 {
-    int64_t high = focal * (side >> 32);
-    int64_t low = focal * (int64_t)(uint32_t)side;
+    int64_t high = fxl_multiply_s32(focal, (int32_t)(side >> 32));
+    int64_t low = fxl_multiply_su32(focal, (uint32_t)side);
     if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
         return false;
     }
-    *product = high * ((int64_t)1 << (32 - shift)) + (low >> shift);
+    *product = (int64_t)((uint64_t)high << (32 - shift)) + (low >> shift);
     return true;
 }
 
@@ -41,29 +53,28 @@ static bool offset_from_centre(fxl_q16_16 focal, fxl_q18_46 side, const scaled_d
                                int32_t low, int32_t high, int32_t *offset)
 {
     int64_t product;
-    if (!scale_product(focal, side, scaled->shift, &product) || product < low * scaled->depth ||
-        product > high * scaled->depth) {
+    if (!scale_product(focal, side, scaled->shift, &product) ||
+        product < fxl_multiply_su32(low, scaled->depth) ||
+        product > fxl_multiply_su32(high, scaled->depth)) {
         return false;
     }
-    *offset = (int32_t)fxl_divide_round(product, scaled->depth);
+    *offset = fxl_divide_round(product, scaled->depth);
     return true;
 }
 
-fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
-                             fxl_screen_point *screen)
+fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_point *view,
+                           fxl_screen_point *screen)
 {
     if (view->z < FXL_PROJECT_DEPTH_MIN) {
         return FXL_E_RANGE;
     }
     const int32_t limit = FXL_SCREEN_COORDINATE_MAX;
-    int32_t centre_x = (int32_t)lens->width * 32768;
-    int32_t centre_y = (int32_t)lens->height * 32768;
+    fxl_q16_16 focal = (fxl_q16_16)(projection->factor >> 2);
+    int32_t centre_x = projection->centre_x, centre_y = projection->centre_y;
     scaled_depth scaled = scale_depth(view->z);
     int32_t x, y;
-    if (!offset_from_centre(lens->focal, view->x, &scaled, -limit - centre_x, limit - centre_x,
-                            &x) ||
-        !offset_from_centre(lens->focal, view->y, &scaled, centre_y - limit, centre_y + limit,
-                            &y)) {
+    if (!offset_from_centre(focal, view->x, &scaled, -limit - centre_x, limit - centre_x, &x) ||
+        !offset_from_centre(focal, view->y, &scaled, centre_y - limit, centre_y + limit, &y)) {
         return FXL_E_RANGE;
     }
     screen->x = centre_x + x;
@@ -71,14 +82,36 @@ fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
     return FXL_OK;
 }
 
+void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection)
+{
+    uint32_t focal = (uint32_t)lens->focal; /* below 2^29 */
+    projection->factor = focal << 2;
+    projection->depth_min =
+        focal < FOCAL_SHORT ? (int32_t)(FXL_PROJECT_DEPTH_MIN >> 32) : INT32_MAX;
+    projection->factor_2 = focal << 4;
+    projection->factor_17 = focal << 19;
+    projection->centre_x = (int32_t)lens->width * 32768;
+    projection->centre_y = (int32_t)lens->height * 32768;
+}
+
+fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
+                             fxl_screen_point *screen)
+{
+    fxl_projection projection;
+    fxl_projection_from_lens(lens, &projection);
+    return fxl_project_seen(&projection, view, screen);
+}
+
 fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,
                                fxl_screen_polygon *screen)
 {
+    fxl_projection projection;
+    fxl_projection_from_lens(lens, &projection);
     screen->colour = view->colour;
     screen->count = 0;
     for (uint32_t i = 0; i < view->count; i++) {
         fxl_status status =
-            fxl_project_point(lens, &view->vertices[i].position, &screen->points[i]);
+            fxl_project_seen(&projection, &view->vertices[i].position, &screen->points[i]);
         if (status != FXL_OK) {
             return status;
         }

@@ -30,10 +30,10 @@ static void paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32
                   uint8_t colour, const fxl_band *band)
 {
     fxl_scan *scan = &renderer->work.scan;
-    fxl_span span;
+    const fxl_trapezoid *trapezoid;
     fxl_scan_outline(points, count, band, scan);
-    while (fxl_scan_next(scan, &span)) {
-        fxl_fill_span(band, &span, colour);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_fill_trapezoid(band, trapezoid, colour);
     }
 }
 
@@ -97,7 +97,7 @@ static bool take_face(const walk *on, const fxl_object *object, const fxl_face *
 static bool walk_convex(const walk *on, const fxl_object *object, const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->faces < model->face_count; on->place->faces += 1) {
+    for (; on->place->faces < model->face_count; on->place->faces++) {
         const fxl_face *face = &scene->faces[model->first_face + on->place->faces];
         if (!fxl_face_is_front(scene, object, face, &on->renderer->view.camera.position)) {
             on->counters->backfacing += 1;
@@ -113,9 +113,15 @@ static bool walk_convex(const walk *on, const fxl_object *object, const fxl_mode
 static bool walk_sorted(const walk *on, const fxl_object *object, const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
-    fxl_order_entry *order = on->renderer->order + scene->object_count;
-    uint32_t front = fxl_order_faces(scene, object, &on->renderer->view.camera.position, order);
-    for (; on->place->faces < front; on->place->faces += 1) {
+    fxl_renderer *renderer = on->renderer;
+    fxl_order_entry *order = renderer->order + scene->object_count;
+    if (renderer->sorted != on->place->objects) {
+        renderer->sorted = on->place->objects;
+        renderer->front =
+            (uint16_t)fxl_order_faces(scene, object, &renderer->view.camera.position, order);
+    }
+    uint32_t front = renderer->front;
+    for (; on->place->faces < front; on->place->faces++) {
         uint32_t number = order[on->place->faces].index;
         if (!take_face(on, object, &scene->faces[model->first_face + number])) {
             return false;
@@ -131,7 +137,7 @@ static bool walk_sorted(const walk *on, const fxl_object *object, const fxl_mode
 static void walk_scene(const walk *on)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->objects < scene->object_count; on->place->objects += 1) {
+    for (; on->place->objects < on->renderer->in_sight; on->place->objects++) {
         const fxl_object *object = &scene->objects[on->renderer->order[on->place->objects].index];
         const fxl_model *model = &scene->models[object->model];
         bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, object, model)
@@ -193,11 +199,17 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     }
     fxl_frustum_from_camera(&renderer->view.camera, &renderer->view.lens, &renderer->view.frustum);
     fxl_view_frustum_from_lens(&renderer->view.lens, &renderer->view.view_frustum);
-    fxl_order_objects(renderer->scene, &renderer->view.camera.position, renderer->order);
+    uint32_t left_out;
+    renderer->in_sight =
+        (uint16_t)fxl_order_objects(renderer->scene, &renderer->view.camera,
+                                    &renderer->view.view_frustum, renderer->order, &left_out);
     uint32_t refused_calls = renderer->counters.refused_calls;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     renderer->counters.refused_calls = refused_calls;
+    renderer->counters.in = left_out;
+    renderer->counters.outside = left_out;
     renderer->list.used = 0;
+    renderer->sorted = UINT16_MAX; /* no object's place: those are below in_sight */
     renderer->rest.objects = 0;
     renderer->rest.faces = 0;
     const walk on = {renderer, NULL, &renderer->rest, &renderer->counters};

@@ -1,106 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/scan.h"
 
-#include "arith.h"
+#include "edge.h"
+#include "scan_crossings.h"
 
-#define HALF_PIXEL 32768
-
-/* The first row (or column) whose centre is at or past a coordinate. */
-static int32_t first_centre_from(int64_t coordinate)
-{
-    return (int32_t)((coordinate - HALF_PIXEL + 65535) >> 16);
-}
-
-/* The edge's first pixel on the row `row`, whose centre is less than a pixel
- * below the top.
- *
- * The edge's x there is top.x + dx t / height, t the distance of the row's
- * centre from the top, and the first pixel is ceil(x - 1/2). With
- * top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
- *   whole + ceil((part height + dx t) / (65536 height)),
- * and ceil(n / m) = floor((n - 1) / m) + 1, and a floor of a floor is the floor
- * of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
- * below 2^46 and, without its low 16 bits, below 2^30. Exact. */
-static void place_on_first_row(fxl_edge *edge, const fxl_screen_point *top, int32_t dx)
-{
-    int32_t start = top->x - HALF_PIXEL;
-    int32_t whole = start >> 16;
-    int32_t part = start & 65535;
-    int32_t t = edge->row * 65536 + HALF_PIXEL - top->y;
-    FXL_ASSERT(t >= 0 && t < 65536);
-    int64_t sum = (int64_t)part * edge->height + (int64_t)dx * t;
-    int32_t quotient = fxl_divide_floor((int32_t)((sum - 1) >> 16), edge->height, &edge->error);
-    edge->x = whole + quotient + 1;
-}
-
-/* Walks an edge down by 0 < rows < 2^13 rows at once: the carries that single
- * steps would have made are floor((error + rows error_step) / height), found
- * by long division, as they are fewer than 2^13. The sum is below 2^43. */
-static void skip_rows(fxl_edge *edge, int32_t rows)
-{
-    FXL_ASSERT(rows > 0 && rows < 8192);
-    int64_t error = edge->error + (int64_t)rows * edge->error_step;
-    int32_t carries = 0;
-    for (int32_t bit = 4096; bit != 0; bit >>= 1) {
-        int64_t part = (int64_t)edge->height * bit;
-        if (error >= part) {
-            error -= part;
-            carries += bit;
-        }
-    }
-    edge->x += rows * edge->step + carries;
-    edge->error = (int32_t)error;
-    edge->row = (int16_t)(edge->row + rows);
-}
-
-static void step_row(fxl_edge *edge)
-{
-    edge->x += edge->step;
-    edge->error += edge->error_step;
-    if (edge->error >= edge->height) {
-        edge->error -= edge->height;
-        edge->x += 1;
-    }
-    edge->row = (int16_t)(edge->row + 1);
-}
-
-/* Sets up the edge from a to b; false where it crosses no row of the band. The
- * edge is always walked from its top, so its owner does not matter. */
-static bool set_up_edge(const fxl_screen_point *a, const fxl_screen_point *b, const fxl_band *band,
-                        fxl_edge *edge)
-{
-    const fxl_screen_point *top = a->y < b->y ? a : b;
-    const fxl_screen_point *bottom = top == a ? b : a;
-    int32_t band_end = band->first_row + band->rows;
-    int32_t first_row = first_centre_from(top->y);
-    int32_t end_row = first_centre_from(bottom->y);
-    if (first_row >= end_row || end_row <= band->first_row || first_row >= band_end) {
-        return false;
-    }
-    int32_t dx = bottom->x - top->x;
-    edge->height = bottom->y - top->y;
-    edge->row = (int16_t)first_row;
-    edge->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
-    edge->winding = top == a ? 1 : -1;
-    edge->step = fxl_divide_floor(dx, edge->height, &edge->error_step);
-    place_on_first_row(edge, top, dx);
-    if (first_row < band->first_row) {
-        skip_rows(edge, band->first_row - first_row);
-    }
-    return true;
-}
-
-/* Keeps the edges in the order of their first rows. */
-static void insert_edge(fxl_scan *scan, const fxl_edge *edge)
-{
-    uint32_t place = scan->edge_count;
-    while (place > 0 && scan->edges[place - 1].row > edge->row) {
-        scan->edges[place] = scan->edges[place - 1];
-        place -= 1;
-    }
-    scan->edges[place] = *edge;
-    scan->edge_count += 1;
-}
+/* What a look at every vertex tells of an outline. */
+typedef struct {
+    uint32_t top;    /* a vertex that none is above */
+    int32_t top_row; /* the first row whose centre is at or below it */
+    int32_t end_row; /* the same of the lowest vertex: no row from here on is crossed */
+    bool by_chains;  /* as survey says */
+} outline;
 
 static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
 {
@@ -123,31 +33,89 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
-/* No edges: no spans. */
+/* An outline is scanned between two chains where
+ * - the rows that it walks downward add up to its height: it never goes down
+ *   again after going up. Then each row between its top and its bottom is
+ *   crossed by two edges only, one of either chain, and with opposite windings:
+ *   what is covered lies between the two;
+ * - every edge's x is within 0..width on every row. An edge's first pixel
+ *   ceil(x - 1/2) lies between its ends' own, so that of x in
+ *   -1/2 < x <= width + 1/2 will do: these are the x for which x + 1/2 - 2^-16
+ *   is in 0..width + 1 - 2^-16;
+ * - no edge is higher than FXL_EDGE_HEIGHT_MAX: rows that are 1022 apart have
+ *   centres that are, and vertices less than 2 pixels more. */
+static void survey(const fxl_screen_point *points, uint32_t count, int32_t width, outline *found)
+{
+    const uint32_t places = (uint32_t)(width + 1) << 16;
+    int32_t top_row = INT16_MAX, end_row = INT16_MIN, down = 0;
+    int32_t before = fxl_first_centre_from(points[count - 1].y);
+    uint32_t farthest = 0;
+    found->top = 0;
+    uint32_t i = 0;
+    do {
+        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
+                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
+        uint32_t place = (uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1));
+        int32_t row = fxl_first_centre_from(points[i].y);
+        farthest = place > farthest ? place : farthest;
+        if (row < top_row) {
+            top_row = row;
+            found->top = i;
+        }
+        end_row = row > end_row ? row : end_row;
+        if (row > before) {
+            down += row - before;
+        }
+        before = row;
+        i += 1;
+    } while (i < count);
+    found->top_row = top_row;
+    found->end_row = end_row;
+    found->by_chains =
+        down == end_row - top_row && farthest < places && down < FXL_EDGE_HEIGHT_MAX >> 16;
+}
+
+static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *band)
+{
+    int32_t first_row = found->top_row > band->first_row ? found->top_row : band->first_row;
+    int32_t end_row = band->first_row + band->rows;
+    /* Seen from the front an outline goes round clockwise: its left chain is
+     * the way back from the top. */
+    scan->chains[0].onward = (uint8_t)(scan->count - 1);
+    scan->chains[1].onward = 1;
+    for (int side = 0; side < 2; side++) {
+        scan->chains[side].vertex = (uint8_t)found->top;
+        scan->chains[side].end_row = (int16_t)first_row;
+    }
+    scan->trapezoid.first_row = (int16_t)first_row;
+    scan->trapezoid.end_row = (int16_t)first_row;
+    scan->row = (int16_t)first_row;
+    scan->end_row = (int16_t)(found->end_row < end_row ? found->end_row : end_row);
+}
+
+/* No rows: no pixels. */
 static void clear(fxl_scan *scan)
 {
-    scan->edge_count = 0;
-    scan->next_edge = 0;
-    scan->crossing_count = 0;
-    scan->next_crossing = 0;
+    scan->by_chains = true;
+    scan->trapezoid.end_row = 0;
+    scan->end_row = 0;
+    scan->row = 0;
 }
 
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan)
 {
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    clear(scan);
-    scan->width = (int16_t)band->width;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t next = i + 1 == count ? 0 : i + 1;
-        fxl_edge edge;
-        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
-                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
-        if (set_up_edge(&points[i], &points[next], band, &edge)) {
-            insert_edge(scan, &edge);
-        }
+    outline found;
+    survey(points, count, band->width, &found);
+    scan->points = points;
+    scan->count = (uint8_t)count;
+    scan->by_chains = found.by_chains;
+    if (scan->by_chains) {
+        begin_chains(scan, &found, band);
+    } else {
+        fxl_crossings_begin(&scan->crossings, points, count, band);
     }
-    scan->row = scan->edge_count > 0 ? (int16_t)(scan->edges[0].row - 1) : 0;
 }
 
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan)
@@ -177,112 +145,94 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
         top = y < top ? y : top;
         bottom = y > bottom ? y : bottom;
     }
-    fxl_rows rows = {row_held(first_centre_from(top), height),
-                     row_held(first_centre_from(bottom), height)};
+    fxl_rows rows = {row_held(fxl_first_centre_from(top), height),
+                     row_held(fxl_first_centre_from(bottom), height)};
     return rows;
 }
 
-/* Walks the crossing edges down to the row, leaves out those that have ended,
- * and takes in those that begin. */
-static void gather_crossings(fxl_scan *scan)
+/* Goes down a chain to the edge that crosses a row, and places it there. */
+static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
 {
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < scan->crossing_count; i++) {
-        fxl_edge *edge = &scan->edges[scan->crossings[i]];
-        if (edge->end_row > scan->row) {
-            step_row(edge);
-            scan->crossings[kept++] = scan->crossings[i];
-        }
-    }
-    while (scan->next_edge < scan->edge_count && scan->edges[scan->next_edge].row == scan->row) {
-        scan->crossings[kept++] = scan->next_edge++;
-    }
-    scan->crossing_count = (uint8_t)kept;
-    scan->next_crossing = 0;
+    const fxl_screen_point *points = scan->points;
+    uint32_t vertex, next = chain->vertex, count = scan->count;
+    int32_t end_row;
+    do {
+        vertex = next;
+        next += chain->onward;
+        next -= next >= count ? count : 0u;
+        end_row = fxl_first_centre_from(points[next].y);
+    } while (end_row <= row);
+    chain->vertex = (uint8_t)vertex;
+    int32_t good = fxl_edge_set(&points[vertex], &points[next], row, end_row - row, edge);
+    chain->end_row = (int16_t)(row + good);
 }
 
-/* Insertion sort: from row to row the order hardly changes. */
-static void sort_crossings(fxl_scan *scan)
+static const fxl_trapezoid *next_between_chains(fxl_scan *scan)
 {
-    for (uint32_t i = 1; i < scan->crossing_count; i++) {
-        uint8_t moved = scan->crossings[i];
-        int32_t x = scan->edges[moved].x;
-        uint32_t place = i;
-        while (place > 0 && scan->edges[scan->crossings[place - 1]].x > x) {
-            scan->crossings[place] = scan->crossings[place - 1];
-            place -= 1;
-        }
-        scan->crossings[place] = moved;
+    fxl_trapezoid *trapezoid = &scan->trapezoid;
+    int32_t row = trapezoid->end_row;
+    int32_t end_row = scan->end_row;
+    if (row >= end_row) {
+        return NULL;
     }
+    for (int side = 0; side < 2; side++) {
+        fxl_chain *chain = &scan->chains[side];
+        if (chain->end_row > row) {
+            fxl_edge_advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
+        } else {
+            begin_edge(scan, chain, row, &trapezoid->edges[side]);
+        }
+        end_row = chain->end_row < end_row ? chain->end_row : end_row;
+    }
+    trapezoid->first_row = (int16_t)row;
+    trapezoid->end_row = (int16_t)end_row;
+    return trapezoid;
 }
 
-/* Begins the next row that an edge crosses; false below the last. */
-static bool next_row(fxl_scan *scan)
+/* A span as a trapezoid of one row. */
+static const fxl_trapezoid *next_between_crossings(fxl_scan *scan)
 {
-    if (scan->edge_count == 0) {
-        return false;
+    fxl_span span;
+    if (!fxl_crossings_next(&scan->crossings, &span)) {
+        return NULL;
     }
-    scan->row = (int16_t)(scan->row + 1);
-    gather_crossings(scan);
-    if (scan->crossing_count == 0) {
-        if (scan->next_edge == scan->edge_count) {
-            scan->edge_count = 0;
+    scan->trapezoid.first_row = span.y;
+    scan->trapezoid.end_row = (int16_t)(span.y + 1);
+    scan->trapezoid.edges[0] = (fxl_edge){span.x0, 0, 0, 0};
+    scan->trapezoid.edges[1] = (fxl_edge){span.x1, 0, 0, 0};
+    return &scan->trapezoid;
+}
+
+const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
+{
+    return scan->by_chains ? next_between_chains(scan) : next_between_crossings(scan);
+}
+
+/* Rows are taken off the trapezoid's top, so that it is what is left of it. */
+static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
+{
+    fxl_trapezoid *trapezoid = &scan->trapezoid;
+    for (;;) {
+        if (scan->row < trapezoid->end_row) {
+            fxl_edge_advance(&trapezoid->edges[0], 1);
+            fxl_edge_advance(&trapezoid->edges[1], 1);
+            trapezoid->first_row = scan->row;
+        } else if (next_between_chains(scan) == NULL) {
             return false;
         }
-        scan->row = scan->edges[scan->next_edge].row;
-        gather_crossings(scan);
-    }
-    sort_crossings(scan);
-    return true;
-}
-
-/* The sum of the windings of all crossings at the place of the next one. */
-static int32_t take_winding(fxl_scan *scan, int32_t winding, int32_t *x)
-{
-    *x = scan->edges[scan->crossings[scan->next_crossing]].x;
-    while (scan->next_crossing < scan->crossing_count) {
-        const fxl_edge *edge = &scan->edges[scan->crossings[scan->next_crossing]];
-        if (edge->x != *x) {
-            break;
+        scan->row = (int16_t)(trapezoid->first_row + 1);
+        int32_t a = trapezoid->edges[0].x, b = trapezoid->edges[1].x;
+        if (a != b) {
+            span->y = trapezoid->first_row;
+            span->x0 = (int16_t)(a < b ? a : b);
+            span->x1 = (int16_t)(a < b ? b : a);
+            return true;
         }
-        winding += edge->winding;
-        scan->next_crossing += 1;
     }
-    return winding;
-}
-
-/* The row's next stretch of pixels with a winding number other than 0. A
- * closed outline's windings add up to 0 on every row. */
-static bool next_stretch(fxl_scan *scan, int32_t *x0, int32_t *x1)
-{
-    while (scan->next_crossing < scan->crossing_count) {
-        int32_t winding = take_winding(scan, 0, x0);
-        if (winding == 0) {
-            continue;
-        }
-        while (winding != 0) {
-            FXL_ASSERT(scan->next_crossing < scan->crossing_count);
-            winding = take_winding(scan, winding, x1);
-        }
-        return true;
-    }
-    return false;
 }
 
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span)
 {
-    do {
-        int32_t x0, x1;
-        while (next_stretch(scan, &x0, &x1)) {
-            x0 = x0 < 0 ? 0 : x0;
-            x1 = x1 > scan->width ? scan->width : x1;
-            if (x0 < x1) {
-                span->y = scan->row;
-                span->x0 = (int16_t)x0;
-                span->x1 = (int16_t)x1;
-                return true;
-            }
-        }
-    } while (next_row(scan));
-    return false;
+    return scan->by_chains ? next_row_of_chains(scan, span)
+                           : fxl_crossings_next(&scan->crossings, span);
 }

@@ -5,6 +5,7 @@
 #include "fixel/scene.h"
 
 #include "arith.h"
+#include "face_key.h"
 
 static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
 {
@@ -86,6 +87,9 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
             model->reserved[2] != 0) {
             return fail(fault, "model", i, FXL_E_RESERVED);
         }
+        if (model->radius < 0 || model->radius > FXL_RADIUS_MAX) {
+            return fail(fault, "model", i, FXL_E_RANGE);
+        }
         if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
             !count_in(model->face_count, 1, FXL_MODEL_FACES_MAX)) {
             return fail(fault, "model", i, FXL_E_COUNT);
@@ -166,6 +170,25 @@ static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
+/* Vertices are held to twice the range, so each square is below 2^60 and the
+ * sum below 2^62; a radius below 2^31 squares to less than 2^62. Exact. */
+static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        for (uint32_t j = 0; j < model->vertex_count; j++) {
+            uint32_t number = model->first_vertex + j;
+            const fxl_point *vertex = &scene->vertices[number];
+            int64_t square = (int64_t)vertex->x * vertex->x + (int64_t)vertex->y * vertex->y +
+                             (int64_t)vertex->z * vertex->z;
+            if (square > (int64_t)model->radius * model->radius) {
+                return fail(fault, "vertex", number, FXL_E_RADIUS);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
 /* Components up to 2^30 + 2^2 keep every square below 2^61 and the sum below
  * 2^63. */
 static bool is_unit(const fxl_direction *normal)
@@ -215,6 +238,45 @@ static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
+static bool is_key_of(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
+                      const fxl_face_key *key)
+{
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const uint16_t *corners = &scene->corners[face->first_corner];
+    fxl_point box = fxl_face_box(vertices, corners, face->count);
+    return fxl_face_key_height(key) == fxl_face_height(vertices, corners, face) &&
+           key->box_x == box.x && key->box_y == box.y && key->box_z == box.z;
+}
+
+/* Sorted models take the keys in turn. */
+static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    uint32_t first = 0;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        if (scene->keys == NULL || model->kind != FXL_MODEL_SORTED) {
+            if (model->first_key != 0) {
+                return fail(fault, "model", i, FXL_E_RESERVED);
+            }
+            continue;
+        }
+        if (model->first_key != first || model->face_count > scene->key_count - first) {
+            return fail(fault, "model", i, FXL_E_INDEX);
+        }
+        for (uint32_t j = 0; j < model->face_count; j++) {
+            const fxl_face *face = &scene->faces[model->first_face + j];
+            if (!is_key_of(scene, model, face, &scene->keys[first + j])) {
+                return fail(fault, "face", model->first_face + j, FXL_E_KEY);
+            }
+        }
+        first += model->face_count;
+    }
+    if (scene->keys != NULL && first != scene->key_count) {
+        return fail(fault, "key table", 0, FXL_E_COUNT);
+    }
+    return FXL_OK;
+}
+
 /* One entry for each object, and for each face of the largest sorted model. */
 static uint32_t order_needed(const fxl_scene *scene)
 {
@@ -231,8 +293,8 @@ static uint32_t order_needed(const fxl_scene *scene)
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
 {
     static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
-        check_counts,          check_faces,    check_models,  check_objects,
-        check_placed_vertices, check_vertices, check_normals,
+        check_counts,   check_faces, check_models,  check_objects, check_placed_vertices,
+        check_vertices, check_radii, check_normals, check_keys,
     };
     if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->objects == NULL) {

@@ -25,7 +25,8 @@ typedef struct {
     uint32_t turn;
     table palette, vertices, corners, faces, models, objects, path;
     uint32_t frame_count;
-    uint8_t reserved_tail[20];
+    table keys;
+    uint8_t reserved_tail[12];
 } header;
 
 _Static_assert(sizeof(header) == 160, "SPEC.md, chapter 8");
@@ -34,14 +35,15 @@ _Static_assert(offsetof(header, palette) == 80, "SPEC.md, chapter 8");
 _Static_assert(offsetof(header, frame_count) == 136, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_point) == 12, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_face) == 20, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_model) == 20, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_model) == 28, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_object) == 16, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_face_key) == 20, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_stride) == 4, "SPEC.md, chapter 8");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
 #define MAGIC           0x534C5846u /* "FXLS" */
-#define VERSION         1u
+#define VERSION         2u
 #define PALETTE_ENTRIES 256u
 
 enum {
@@ -149,11 +151,17 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
         {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
         {&head->objects, sizeof(fxl_object), FXL_SCENE_OBJECTS_MAX, "object table"},
         {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
+        {&head->keys, sizeof(fxl_face_key), FXL_SCENE_FACES_MAX, "key table"},
     };
+    /* Without sorted models there are no keys, and so no table. */
+    size_t count = sizeof tables / sizeof tables[0] - (head->keys.count == 0);
+    if (head->keys.count == 0 && head->keys.offset != 0) {
+        return fail(fault, "key table", 0, FXL_E_OFFSET);
+    }
     if (head->palette.count != PALETTE_ENTRIES) {
         return fail(fault, "palette table", 0, FXL_E_COUNT);
     }
-    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+    for (size_t i = 0; i < count; i++) {
         fxl_status status = check_table(head, tables[i].entry, tables[i].entry_size,
                                         tables[i].count_max, tables[i].what, fault);
         if (status != FXL_OK) {
@@ -176,6 +184,8 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
     opened->scene.faces = at(head, head->faces.offset);
     opened->scene.models = at(head, head->models.offset);
     opened->scene.objects = at(head, head->objects.offset);
+    opened->scene.keys = head->keys.count > 0 ? at(head, head->keys.offset) : NULL;
+    opened->scene.key_count = head->keys.count;
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.corner_count = head->corners.count;
     opened->scene.face_count = head->faces.count;

@@ -21,6 +21,8 @@ static const char *const texts[FXL_STATUS_COUNT] = {
     [FXL_E_NORMAL] = "a face normal is not of unit length",
     [FXL_E_PLANARITY] = "a face vertex lies off the plane of its face",
     [FXL_E_RESERVED] = "a reserved field or a kind holds an unknown value",
+    [FXL_E_RADIUS] = "a vertex lies farther from its model's origin than the model's radius",
+    [FXL_E_KEY] = "a face's key is not what its vertices and its normal say",
 };
 
 const char *fxl_status_text(fxl_status status)

@@ -3,10 +3,12 @@
 
 import re
 
+from fixel import places
 from fixel.bench_plan import NAMES
 from fixel.errors import ToolError
-from fixel.table import table
+from fixel.table import coloured, table
 
+SMALL = 0.005   # of a frame: a function with less is among the others
 MARK = "<!-- bench: {} -->"
 
 
@@ -29,9 +31,9 @@ def _number(value, digits=None):
     return f"{value:,.{digits}f}"
 
 
-def _markdown_table(header, rows):
-    """Text left, numbers right."""
-    ruler = ["---" if place == 0 else "---:" for place in range(len(header))]
+def _markdown_table(header, rows, left=(0,)):
+    """The columns of `left` left, of numbers right."""
+    ruler = ["---" if place in left else "---:" for place in range(len(header))]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in [header, ruler, *rows])
 
 
@@ -49,7 +51,38 @@ def terminal(plan, result):
                               ["kernel", "unit", *cores]),
                         table(_growth_cells(result), ["growth of W1", "times", "objects", "pixels", "a frame",
                                                       "times"])
-                        if result["growth"] else ""]).rstrip()
+                        if result["growth"] else "",
+                        goals_terminal(result)]).rstrip()
+
+
+MET = {True: ("met", "green"), False: ("NOT MET", "red"), None: ("not measured", "yellow")}
+
+
+def goals_terminal(result):
+    """Each goal beside its figure, and how many are met."""
+    goals = result["goals"]
+    text = table([[goal["goal"], _goal_number(goal["figure"]), _goal_number(goal["most"]), MET[goal["met"]][0],
+                   goal["note"] or ""] for goal in goals], ["goal", "measured", "at most", "", ""])
+    for word, colour in MET.values():
+        text = text.replace(f"  {word}", f"  {coloured(word, colour)}")
+    return f"{text}\n{sum(goal['met'] is True for goal in goals)} of {len(goals)} goals met"
+
+
+def _goal_number(value):
+    """A figure of a goal: counts whole, ratios to three places."""
+    if value is None or isinstance(value, int):
+        return _number(value)
+    return f"{value:,.0f}" if value >= 1000 else f"{value:.1f}" if value >= 10 else f"{value:.3f}"
+
+
+def goals_markdown(_, result):
+    """Each goal beside its figure; what is not met is accounted for."""
+    rows = [[goal["goal"], _goal_number(goal["most"]), f"**{_goal_number(goal['figure'])}**", MET[goal["met"]][0].lower(),
+             goal["note"] or "", goal["beside"] or ""] for goal in result["goals"]]
+    text = _markdown_table(["goal", "at most", "measured", "", "", "others"], rows, left=(0, 3, 4, 5))
+    accounts = [f"- {goal['goal']}: {goal['account']}" for goal in result["goals"]
+                if goal["met"] is False and goal["account"]]
+    return "\n\n".join([text, "\n".join(accounts)]).rstrip()
 
 
 def _short(value):
@@ -128,7 +161,7 @@ def sizes_markdown(plan, result):
         for flags in ("-O2", "-Os"):
             sizes = [size for size in result["sizes"]
                      if size["renderer"] == renderer and size["flags"] == flags]
-            rows.append([renderer, flags, *[f"{size['own']:,} + {size['run_time']:,}" for size in sizes]])
+            rows.append([renderer, flags, *[f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in sizes]])
     for renderer in plan.renderers:
         drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)
                  for core in result["cores"]]
@@ -137,18 +170,52 @@ def sizes_markdown(plan, result):
     return _markdown_table(header, rows)
 
 
+def files_markdown(_, result):
+    """Bytes of the library's files as the linker took them, for size."""
+    sizes = {size["core"]: size["files"] for size in result["sizes"]
+             if (size["renderer"], size["flags"]) == ("fixel", "-Os")}
+    names = sorted({name for files in sizes.values() for name in files},
+                   key=lambda name: (-max(files.get(name, 0) for files in sizes.values()), name))
+    rows = [[name, *[_number(files.get(name, 0)) for files in sizes.values()]] for name in names]
+    rows.append(["all", *[_number(sum(files.values())) for files in sizes.values()]])
+    return _markdown_table(["bytes, -Os", *[NAMES[core] for core in sizes]], rows)
+
+
 def stages_markdown(_, result):
     """Where the instructions of a mean frame go."""
+    pipeline = places.Stages()
     columns = list(dict.fromkeys((row["core"], row["workload"]) for row in result["stages"]))
     shares = {(row["core"], row["workload"], row["stage"]): row["instructions"] / row["frames"]
               for row in result["stages"]}
     whole = {column: sum(number for (core, workload, _), number in shares.items() if (core, workload) == column)
              for column in columns}
-    names = sorted({row["stage"] for row in result["stages"]},
-                   key=lambda name: (-sum(shares.get((*column, name), 0) / whole[column] for column in columns), name))
-    rows = [[name, *[_share(shares.get((*column, name), 0), whole[column]) for column in columns]] for name in names]
-    rows.append(["a frame", *[f"{round(whole[column]):,}" for column in columns]])
-    return _markdown_table(["stage", *[f"{workload}, {NAMES[core]}" for core, workload in columns]], rows)
+    names = places.in_order(pipeline, {row["stage"] for row in result["stages"]})
+    rows = [[name, pipeline.what.get(name, ""),
+             *[_share(shares.get((*column, name), 0), whole[column]) for column in columns]] for name in names]
+    rows.append(["a frame", "", *[f"{round(whole[column]):,}" for column in columns]])
+    return _markdown_table(["stage", "what", *[f"{workload}, {NAMES[core]}" for core, workload in columns]], rows,
+                           left=(0, 1))
+
+
+def functions_markdown(plan, result):
+    """Every function's part of a mean frame of the first workload, by stage; small ones together."""
+    core, workload = plan.stages["cores"][0], plan.stages["workloads"][0]
+    stages = [row for row in result["stages"] if (row["core"], row["workload"]) == (core, workload)]
+    whole = sum(row["instructions"] for row in stages)
+    rows = []
+    for row in stages:
+        parts = [(name, number) for name, number in row["functions"].items() if number >= SMALL * whole]
+        rest = row["instructions"] - sum(number for _, number in parts)
+        parts += [("others", rest)] if rest else []
+        rows += [[row["stage"] if not place else "", name, *_parts(number, whole, row["frames"])]
+                 for place, (name, number) in enumerate(parts)]
+    rows.append(["a frame", "", *_parts(whole, whole, stages[0]["frames"] if stages else 1)])
+    return _markdown_table(["stage", f"function, {workload}, {NAMES[core]}", "instructions a frame", "share"], rows,
+                           left=(0, 1))
+
+
+def _parts(number, whole, frames):
+    return f"{number / frames:,.0f}", f"{100 * number / whole:.1f} %" if whole else "-"
 
 
 def _share(part, whole):
@@ -184,8 +251,8 @@ def tools_markdown(_, result):
     return f"Measured with `{result['compiler']}` and `{result['emulator']}`.{left}"
 
 
-SECTIONS = {"tools": tools_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
-            "stages": stages_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "growth": growth_markdown,
+SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
+            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "files": files_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown}
 
 

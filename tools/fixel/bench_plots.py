@@ -66,13 +66,14 @@ def growth(result):
             rows = [row for row in result["growth"] if row["axis"] == name]
             places = [row["pixels" if name == "pixels" else "objects"] for row in rows]
             counts = [row["instructions"] / 1e6 for row in rows]
-            axes.plot([places[0], places[-1]], _line(places, counts), color=SOFT, linewidth=1,
+            line = _line(places, counts)
+            axes.plot([places[0], places[-1]], line, color=SOFT, linewidth=1,
                       linestyle=(0, (4, 3)), label="straight through the first two")
             axes.plot(places, counts, color=COLOURS["fixel"], marker="o", label="measured")
             axes.set_xlabel(AXES[name])
             axes.set_xticks(places, [f"{place:,}" for place in places])
             axes.set_xlim(0, places[-1] * 1.08)
-            axes.set_ylim(0, max(counts) * 1.1)
+            axes.set_ylim(0, max([*counts, *line]) * 1.1)
             axes.set_ylabel("million instructions a frame")
         figure.axes[0].legend(loc="upper left")
         return figure

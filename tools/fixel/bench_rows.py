@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """From what was counted to bench.json: rows, limits, sizes, growth, and how pictures compare."""
 
-from fixel import bench_plan, link_map
+from fixel import bench_plan, link_map, places
 
 FLAGS = ("O2", "Os")
 LIMIT = "limit-"
@@ -39,12 +39,13 @@ def add_ratios(plan, rows, limits):
         name = row["workload"]
         row["ratio_to_listing_double"] = _ratio(row["instructions"], doubles.get((row["core"], name)))
         entry = plan.workloads.get(name) or plan.kernels[name]
-        row["ratio_to_limit"] = _ratio(row["per_unit"], bare.get((row["core"], entry.get("limit"))))
+        limit = bare.get((row["core"], entry.get("limit")))
+        row["ratio_to_limit"] = _ratio(row["per_unit"], limit and limit * entry.get("limit_units", 1))
 
 
 def add_sizes(rows, sizes):
     """Each renderer's bytes of flash as it was measured, to the rows of the workloads."""
-    text = {(size["core"], size["renderer"]): size["own"] + size["run_time"] for size in sizes
+    text = {(size["core"], size["renderer"]): size["code"] + size["constants"] + size["run_time"] for size in sizes
             if size["flags"] == "-O2"}
     for row in rows:
         if row["frame"] is not None:
@@ -52,7 +53,7 @@ def add_sizes(rows, sizes):
 
 
 def sizes(plan, cores):
-    """[{core, renderer, flags, own, run_time, ram}]: bytes of each renderer linked by itself."""
+    """[{core, renderer, flags, code, constants, run_time, ram, helpers}] of each renderer linked by itself."""
     return [{"core": core, "renderer": renderer, "flags": f"-{flags}",
              **link_map.measure(plan.build / "bench" / core / "size" / flags / f"{renderer}.map")}
             for core in cores for renderer in plan.renderers for flags in FLAGS]
@@ -71,10 +72,18 @@ def pictures(drawn):
 
 
 def stages(profiles):
-    """[{core, workload, frames, stage, instructions}], instructions of all frames together."""
-    return [{"core": core, "workload": workload, "frames": frames, "stage": stage, "instructions": number}
+    """[{core, workload, frames, stage, instructions, functions{name: instructions}}] in the order of the
+    pipeline, instructions of all frames together."""
+    return [{"core": core, "workload": workload, "frames": frames, "stage": stage,
+             "instructions": taken.stages[stage], "functions": _functions(taken, stage)}
             for (core, workload), (taken, frames) in profiles.items()
-            for stage, number in sorted(taken.stages.items(), key=lambda item: (-item[1], item[0]))]
+            for stage in places.in_order(taken.pipeline, taken.stages)]
+
+
+def _functions(taken, stage):
+    """What each function took in a stage, the most first."""
+    found = [(number, name) for (where, name), number in taken.staged.items() if where == stage]
+    return {name: number for number, name in sorted(found, key=lambda item: (-item[0], item[1]))}
 
 
 def split_kernels(plan, core, counted):

@@ -18,13 +18,13 @@ ENDING = 20     # seconds
 
 
 @contextlib.contextmanager
-def viewing(board, scene, build="build", **how):
+def viewing(board, scene, build="build", options=(), **how):
     """Runs view.py as a user would: yields its process and the page's address; ends it by Ctrl-C where
-    it still runs. how: for subprocess.Popen."""
+    it still runs. options: more words for it; how: for subprocess.Popen."""
     how.setdefault("stdin", subprocess.DEVNULL)
     how.setdefault("stderr", subprocess.PIPE)
     process = subprocess.Popen([sys.executable, str(VIEW), "--board", board, "--scene", str(scene),
-                                "--build", str(build)], stdout=subprocess.PIPE, text=True, **how)
+                                "--build", str(build), *options], stdout=subprocess.PIPE, text=True, **how)
     try:
         address = ADDRESS.search(process.stdout.readline())
         if address is None:
@@ -45,9 +45,8 @@ def viewing(board, scene, build="build", **how):
 
 
 @contextlib.contextmanager
-def page(address, width, height, **how):
-    """The window in a browser of its own; what its console says is in the list page.complaints. how:
-    for Browser.new_page."""
+def chromium():
+    """A browser, for as many pages as are wanted."""
     # Here, so that whoever does not want a browser need not wait for it.
     from playwright.sync_api import Error, sync_playwright
     if not CHROMIUM.exists():
@@ -58,10 +57,17 @@ def page(address, width, height, **how):
         except Error as error:
             raise ToolError(f"{CHROMIUM} does not start: {error}", exit_code=1) from error
         with contextlib.closing(browser):
-            opened = browser.new_page(viewport={"width": width, "height": height}, **how)
-            opened.complaints = []
-            opened.on("console", lambda message: opened.complaints.append(message.text))
-            opened.on("pageerror", lambda error: opened.complaints.append(str(error)))
-            opened.goto(address)
-            opened.wait_for_selector("#state.live")
-            yield opened
+            yield browser
+
+
+@contextlib.contextmanager
+def page(browser, address, width, height):
+    """The window in a tab that shares nothing with another; what its console says is in the list
+    page.complaints."""
+    with contextlib.closing(browser.new_page(viewport={"width": width, "height": height})) as opened:
+        opened.complaints = []
+        opened.on("console", lambda message: opened.complaints.append(message.text))
+        opened.on("pageerror", lambda error: opened.complaints.append(str(error)))
+        opened.goto(address)
+        opened.wait_for_selector("#state.live")
+        yield opened

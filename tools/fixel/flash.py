@@ -17,7 +17,7 @@ from fixel.errors import ToolError
 from fixel.flash_image import ERASED, read_old, replace
 
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
-SCENE_VERSION = 1
+SCENE_VERSION = 2
 SCENE_HEADER_SIZE = 160
 
 

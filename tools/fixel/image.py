@@ -2,6 +2,7 @@
 """Scene images: written, read and checked as chapters 3 and 8 of SPEC.md say."""
 
 from dataclasses import dataclass, field
+from math import isqrt
 import os
 import struct
 import tempfile
@@ -10,11 +11,12 @@ import zlib
 from fixel.errors import ToolError
 
 MAGIC = b"FXLS"
-VERSION = 1
+VERSION = 2
 HEADER_SIZE = 160
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
+RADIUS_MAX = 28375 << 16        # no vertex can be farther from its origin
 SCREEN_MAX = 1024
 FOV_MIN, FOV_MAX = 119304648, 1789569706
 NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
@@ -29,12 +31,13 @@ POSES, STRIDES = 0, 1
 KEYS = {"forward": 1, "back": 2, "left": 4, "right": 8,
         "pitch_up": 16, "pitch_down": 32, "roll_left": 64, "roll_right": 128}
 
-_HEAD = struct.Struct("<4sHHII HHI 3i BBH 3i3I 3iI 14I I 20s")
+_HEAD = struct.Struct("<4sHHII HHI 3i BBH 3i3I 3iI 14I I 2I 12s")
 _PALETTE = struct.Struct("<3B")
 _VERTEX = struct.Struct("<3i")
 _CORNER = struct.Struct("<H")
 _FACE = struct.Struct("<3iIBBH")
-_MODEL = struct.Struct("<4IB3s")
+_MODEL = struct.Struct("<4IB3siI")
+_KEY = struct.Struct("<q3i")
 _OBJECT = struct.Struct("<3iHBB")
 _POSE = struct.Struct("<3i3I")
 _STRIDE = struct.Struct("<HH")
@@ -95,31 +98,51 @@ def _aligned(blob):
     return blob + b"\0" * (-len(blob) % 4)
 
 
+def radius_of(vertices):
+    """The least radius about the origin that holds every vertex, in 16.16."""
+    square = max((x * x + y * y + z * z for x, y, z in vertices), default=0)
+    return 1 + isqrt(square - 1) if square else 0
+
+
+def key_of(model, face):
+    """A face's height over the model's origin, and minimum + maximum of its box."""
+    points = [model.vertices[corner] for corner in face.corners]
+    height = sum(n * c for n, c in zip(face.normal, points[0]))
+    return height, *(min(axis) + max(axis) for axis in zip(*points))
+
+
 def _model_tables(image):
-    """Vertices, corners, faces and models as packed bytes with their counts."""
-    vertices, corners, faces, models = [], [], [], []
+    """Vertices, corners, faces and models as packed bytes, and the keys of sorted models' faces."""
+    vertices, corners, faces, models, keys = [], [], [], [], []
     for model in image.models:
         models.append(_MODEL.pack(len(vertices), len(model.vertices), len(faces),
-                                  len(model.faces), model.kind, bytes(3)))
+                                  len(model.faces), model.kind, bytes(3),
+                                  radius_of(model.vertices),
+                                  len(keys) if model.kind == SORTED else 0))
         vertices += [_VERTEX.pack(*vertex) for vertex in model.vertices]
         for face in model.faces:
             faces.append(_FACE.pack(*face.normal, len(corners), len(face.corners),
                                     face.colour, 0))
             corners += [_CORNER.pack(corner) for corner in face.corners]
-    return [vertices, corners, faces, models]
+        if model.kind == SORTED:
+            keys += [_KEY.pack(*key_of(model, face)) for face in model.faces]
+    return [vertices, corners, faces, models], keys
 
 
 def pack(image):
     """The bytes of an image. Checks the result, so that nothing is written
     that a loader would refuse."""
     path_entry = _POSE if image.path_kind == POSES else _STRIDE
-    tables = [[_PALETTE.pack(*entry) for entry in image.palette], *_model_tables(image),
+    model_tables, keys = _model_tables(image)
+    tables = [[_PALETTE.pack(*entry) for entry in image.palette], *model_tables,
               [_OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
               [path_entry.pack(*entry) for entry in image.path]]
     body, where = b"", []
     for table in tables:
         where += [HEADER_SIZE + len(body), len(table)]
         body += _aligned(b"".join(table))
+    where_keys = [HEADER_SIZE + len(body) if keys else 0, len(keys)]
+    body += b"".join(keys)
     size = HEADER_SIZE + len(body)
     if size > IMAGE_MAX:
         fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
@@ -129,7 +152,7 @@ def pack(image):
         return _HEAD.pack(MAGIC, VERSION, HEADER_SIZE, size, crc, image.width, image.height,
                           image.fov, image.near, image.far, image.inset, image.background,
                           image.path_kind, 0, *image.start, *image.gait, *where, image.frames,
-                          bytes(20))
+                          *where_keys, bytes(12))
 
     blob = head(zlib.crc32(head(0)[16:] + body)) + body
     unpack(blob)
@@ -197,14 +220,18 @@ def check_plane(normal, points, what):
 
 
 def _tables(blob, fields):
-    """The seven tables as lists of tuples, after their offsets and counts."""
+    """The tables as lists of tuples, after their offsets and counts; the keys last, if any."""
     limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 3, 1_000_000),
               ("corners", _CORNER, 3, 4_000_000), ("faces", _FACE, 1, 1_000_000),
               ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
               ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000)]
-    size, tables = fields[3], []
-    for i, (name, entry, low, high) in enumerate(limits):
-        offset, count = fields[24 + 2 * i:26 + 2 * i]
+    size, tables, places = fields[3], [], [fields[i:i + 2] for i in range(24, 38, 2)]
+    if fields[40]:
+        limits.append(("keys", _KEY, 1, 1_000_000))
+        places.append(fields[39:41])
+    elif fields[39]:
+        fail("offset", "the header says where keys are, but that there are none")
+    for (offset, count), (name, entry, low, high) in zip(places, limits):
         if not low <= count <= high:
             fail("count", f"{count} {name} are outside {low}..{high}")
         if offset % 4:
@@ -226,11 +253,13 @@ def _check_faces(faces, corners):
 
 
 def _read_models(models, vertices, corners, faces):
-    result = []
-    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved) in \
-            enumerate(models):
+    result, extras = [], []
+    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, radius,
+            first_key) in enumerate(models):
         if kind not in (CONVEX, SORTED) or any(reserved):
             fail("reserved", f"model {i}: unknown kind or reserved field not zero")
+        if not 0 <= radius <= RADIUS_MAX:
+            fail("range", f"model {i}: a radius of {radius / 65536:.6g} is outside 0..28375")
         if not 3 <= vertex_count <= 65535 or not 1 <= face_count <= 65535:
             fail("count", f"model {i}: {vertex_count} vertices, {face_count} faces")
         if first_vertex + vertex_count > len(vertices) or first_face + face_count > len(faces):
@@ -243,7 +272,32 @@ def _read_models(models, vertices, corners, faces):
                 fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
             own.append(Face(tuple(normal), outline, colour))
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
-    return result
+        extras.append((radius, first_key))
+    return result, extras
+
+
+def _check_keys(models, extras, keys):
+    """The keys of sorted models, in turn: what the faces say. An image may have none at all."""
+    first = 0
+    for i, (model, (_, first_key)) in enumerate(zip(models, extras)):
+        has = keys and model.kind == SORTED
+        wanted = [key_of(model, face) for face in model.faces] if has else []
+        if not wanted and first_key:
+            fail("reserved", f"model {i} has no keys, but says where they are")
+        if wanted and (first_key != first or first + len(wanted) > len(keys)):
+            fail("index", f"model {i}: its keys do not follow those before, or are not all there")
+        if wanted != keys[first:first + len(wanted)]:
+            fail("key", f"model {i}: a key is not what the face's vertices and its normal say")
+        first += len(wanted)
+    if first != len(keys):
+        fail("count", f"{len(keys)} keys of {first} faces of sorted models")
+
+
+def _check_radii(models, extras):
+    for i, (model, (radius, _)) in enumerate(zip(models, extras)):
+        if radius_of(model.vertices) > radius:
+            fail("radius", f"a vertex of model {i} lies farther from its origin than "
+                 f"{radius / 65536:.6g}, the model's radius")
 
 
 def _read_objects(objects, models):
@@ -288,15 +342,17 @@ def unpack(blob):
     start, gait = fields[14:20], fields[20:24]
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
-    palette, vertices, corners, faces, models, objects, path = _tables(blob, fields)
+    palette, vertices, corners, faces, models, objects, path, *keys = _tables(blob, fields)
     _check_faces(faces, corners)
-    models = _read_models(models, vertices, corners, faces)
+    models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
     _check_extents(objects, models)
+    _check_radii(models, extras)
     for i, model in enumerate(models):
         for j, face in enumerate(model.faces):
             check_plane(face.normal, [model.vertices[c] for c in face.corners],
                         f"face {j} of model {i}")
+    _check_keys(models, extras, keys[0] if keys else [])
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
                       kind, path, start, gait, fields[3], fields[4])

@@ -4,6 +4,7 @@
 import collections
 import dataclasses
 import pathlib
+import tomllib
 
 from fixel import thumb
 
@@ -17,8 +18,9 @@ GROUPS = {"multiply": ("multiply", "multiply add"),
           "float": ("float", "float multiply add", "float divide", "float root"), "vector": ("vector",)}
 GROUP_OF = {kind: group for group, kinds in GROUPS.items() for kind in kinds}
 INLINED = "(inlined)"
-LIBRARY = pathlib.PurePath("lib/src")
+LIBRARY = (pathlib.PurePath("lib/src"), pathlib.PurePath("lib/kernels"))
 OTHERS = "beside the library"
+STAGES = pathlib.Path(__file__).resolve().parents[2] / "bench" / "stages.toml"
 BEFORE_RETURN = 2   # bytes: an address within the call
 
 
@@ -36,23 +38,55 @@ class Sum:
             total[1] += most
 
 
+class Stages:
+    """The stages of the pipeline (bench/stages.toml)."""
+
+    def __init__(self, path=STAGES):
+        with open(path, "rb") as file:
+            data = tomllib.load(file)
+        entries = data["stages"]
+        self.shared = set(data["shared"])
+        self.what = {entry["name"]: entry["what"] for entry in entries}
+        self.of_function = {name: entry["name"] for entry in entries for name in entry["functions"]}
+        self.of_file = {stem: entry["name"] for entry in entries for stem in entry["files"]}
+
+    def of(self, names, files):
+        """The stage of a stack of functions, outermost first. files: {function: its file}."""
+        innermost = None
+        for name in reversed(names):
+            file = pathlib.PurePath(files.get(name, ""))
+            if file.suffix == ".h" or file.stem in self.shared or \
+                    not any(folder in file.parents for folder in LIBRARY):
+                continue
+            if innermost not in (None, file.stem):
+                break
+            innermost = file.stem
+            if name in self.of_function:
+                return self.of_function[name]
+        return OTHERS if innermost is None else self.of_file.get(innermost, innermost)
+
+
 class Profile:
     """What each function, line and stack took, over all frames together.
 
     own[name], inclusive[name]: itself, and with all that it calls; inlined[name]: how much of own was
-    inlined into others. stacks[(names...)]: Sum. stages[name]: instructions of a stage of the
-    library, with what the stage has others do for it (the innermost file of lib/src counts).
+    inlined into others; entered[name]: how often its first instruction ran. stacks[(names...)]: Sum. stages[name], staged[stage, name]: instructions of a
+    stage of the pipeline, and of a function there.
     """
 
-    def __init__(self, code, counts, lines, models):
+    def __init__(self, code, counts, lines, models, stages=None):
         self.total = Sum()
         self.groups = collections.Counter()
         self.taken = collections.Counter()
         self.own, self.inclusive = collections.defaultdict(Sum), collections.defaultdict(Sum)
         self.inlined, self.lines = collections.Counter(), collections.defaultdict(Sum)
         self.stacks, self.stages = collections.defaultdict(Sum), collections.Counter()
+        self.staged = collections.Counter()
+        self.pipeline = stages or Stages()
         self.code, self.debug, self.models = code, lines, models
         self.scopes = {}
+        self.starts = {function.start for function in code.functions}
+        self.entered = collections.Counter()
         paths = self._paths(counts)
         for node, block, times, left in counts.visits:
             self._add_block(paths[node], counts.blocks[block], times, left)
@@ -65,14 +99,6 @@ class Profile:
             known = function < len(self.code.functions)
             paths[node] = (*paths[parent], *about, self.code.functions[function].name if known else "?")
         return paths
-
-    def _stage(self, names):
-        """The stage that a stack is in."""
-        for name in reversed(names):
-            file = pathlib.PurePath(self.debug.files.get(name, ""))
-            if file.suffix == ".c" and file.parent == LIBRARY:
-                return file.stem
-        return OTHERS
 
     def _add_block(self, path, block, times, left):
         address, sizes = block
@@ -97,13 +123,23 @@ class Profile:
         self.stacks[stack].add(times, cycles)
         names = [name.removesuffix(f" {INLINED}") for name in stack]
         self.own[names[-1]].add(times, cycles)
+        if address in self.starts:
+            self.entered[path[-1]] += times
         if stack[-1].endswith(INLINED):
             self.inlined[names[-1]] += times
-        self.stages[self._stage(names)] += times
+        stage = self.pipeline.of(names, self.debug.files)
+        self.stages[stage] += times
+        self.staged[stage, names[-1]] += times
         for name in set(names):
             self.inclusive[name].add(times, cycles)
         line = self.debug.line(address)
         self.lines[line or f"{path[-1]} (no source)"].add(times, cycles)
+
+
+def in_order(pipeline, names):
+    """Names of stages in the order of the pipeline, strange ones last."""
+    known = list(pipeline.what)
+    return sorted(names, key=lambda name: (known.index(name) if name in known else len(known), name))
 
 
 def as_json(profile, frames):
@@ -116,14 +152,16 @@ def as_json(profile, frames):
     for row in functions:
         row["inclusive"] = profile.inclusive[row["function"]].instructions
         row["inlined"] = profile.inlined[row["function"]]
+        row["entered"] = profile.entered[row["function"]]
     for name in profile.inclusive.keys() - profile.own.keys():
         functions.append({"function": name, "instructions": 0, "cycles_estimate": {},
-                          "inclusive": profile.inclusive[name].instructions, "inlined": 0})
+                          "inclusive": profile.inclusive[name].instructions, "inlined": 0,
+                          "entered": profile.entered[name]})
     return {"frames": frames, "instructions": profile.total.instructions,
             "cycles_estimate": profile.total.cycles,
             "kinds": {group: profile.groups[group] for group in [*GROUPS, "other"]},
-            "stages": [{"stage": name, "instructions": number}
-                       for name, number in profile.stages.most_common()],
+            "stages": [{"stage": name, "instructions": profile.stages[name]}
+                       for name in in_order(profile.pipeline, profile.stages)],
             "branches_conditional": {"taken": profile.taken["taken"],
                                      "not_taken": profile.taken["not taken"]},
             "functions": functions, "lines": rows(profile.lines, "line")}

@@ -133,8 +133,7 @@ function drawBeside(frame) {
   } else if (beside === "difference") {
     const pixels = other.putDifference(frame.pixels, frame.double, grey);
     compared = { frames: compared.frames + 1, pixels: compared.pixels + pixels };
-    words += `: ${number(pixels)} of ${number(frame.pixels.length)} pixels; ` +
-      `${number(compared.pixels)} in ${number(compared.frames)} frames`;
+    words += `: ${number(pixels)} pixels; ${number(compared.pixels)} in ${number(compared.frames)} frames`;
   } else {
     words += `: ${number(other.putWireframe(frame.pixels, grey, frame.outlines, scale))} polygons`;
   }

@@ -5,6 +5,11 @@
 
 #include "fixel/record.h"
 
+/* Sets the pixels of a trapezoid, and no other byte, with aligned stores alone.
+ * Requires one that scan gave for this band. A kernel: one for each family of
+ * cores (lib/kernels), all with the same bytes. */
+void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
+
 /* Sets the pixels of a span. Requires a span that scan gave for this band. */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour);
 

@@ -31,6 +31,10 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
  * a unit vector below 2^61, and a squared distance below 2^62. */
 #define FXL_COORDINATE_MAX ((fxl_q16_16)(8191 * 65536))
 
+/* A model's vertices lie within 2 * 8191 of its origin in each coordinate, so
+ * no radius need be larger than sqrt(3) * 16382 = 28374.5. */
+#define FXL_RADIUS_MAX ((fxl_q16_16)(28375 * 65536))
+
 /* Screen width and height in pixels: 1..1024. */
 #define FXL_SCREEN_MAX 1024
 

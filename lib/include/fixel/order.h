@@ -5,21 +5,33 @@
 #define FXL_ORDER_H
 
 #include "fixel/scene.h"
+#include "fixel/sphere.h"
 
 /* What is drawn, and its key: 12 bytes. The squared distance is in units of
  * 2^-32 (objects) or 2^-34 (faces), whole; in two halves, because a member of
  * 64 bits would make it 16. */
 typedef struct {
-    uint32_t distance_high, distance_low;
+    uint32_t distance_low, distance_high;
     uint16_t index; /* of an object of the scene, or of a face of its model */
-    uint16_t layer; /* 0..255 */
+    union {
+        struct {
+            uint8_t layer;
+            uint8_t planes; /* that the object may cross (fxl_sphere_planes) */
+        };
+        uint16_t next; /* faces, while they are sorted; means nothing afterwards */
+    };
 } fxl_order_entry;
 
 _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
 
-static inline fxl_order_entry fxl_order_entry_of(uint64_t distance, uint16_t index, uint16_t layer)
+static inline fxl_order_entry fxl_order_entry_of(uint64_t distance, uint16_t index, uint8_t layer)
 {
-    fxl_order_entry entry = {(uint32_t)(distance >> 32), (uint32_t)distance, index, layer};
+    fxl_order_entry entry = {
+        .distance_low = (uint32_t)distance,
+        .distance_high = (uint32_t)(distance >> 32),
+        .index = index,
+        .layer = layer,
+    };
     return entry;
 }
 
@@ -38,17 +50,24 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point);
 uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
                                    const fxl_object *object, const fxl_face *face);
 
-/* Sorts in place by the order of drawing: layer upward, then distance
+/* Sorts objects in place by the order of drawing: layer upward, then distance
  * downward, then index upward. A total order, so the result is unique. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count);
 
-/* Fills entries[0 .. scene->object_count) with the scene's objects in the
- * order of drawing. */
-void fxl_order_objects(const fxl_scene *scene, const fxl_point *eye, fxl_order_entry *entries);
+/* Sorts faces in place: distance downward, then index upward. Requires that the
+ * entries come by rising index, and count <= FXL_MODEL_FACES_MAX. Quick where
+ * distances rise or fall for a while, never slow. */
+void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count);
+
+/* Fills entries with the scene's objects in the order of drawing, but for those
+ * whose sphere lies outside the frustum; answers how many. *left_out becomes the
+ * number of the others' faces. Requires room for every object. */
+uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
+                           const fxl_view_frustum *frustum, fxl_order_entry *entries,
+                           uint32_t *left_out);
 
 /* Fills entries with those faces of an object that face the eye, in the order
- * of drawing; answers how many. Requires room for the model's face_count.
- * The layer of every entry is 0. */
+ * of drawing; answers how many. Requires room for the model's face_count. */
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,
                          fxl_order_entry *entries);
 

@@ -19,6 +19,23 @@
 fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
                              fxl_screen_point *screen);
 
+/* What projecting takes of a lens, set up once. Members are for project alone. */
+typedef struct {
+    uint32_t factor;    /* 4 focal */
+    int32_t depth_min;  /* least upper word of Z that a kernel takes the short way for */
+    uint32_t factor_2;  /* 2^2 factor, modulo 2^32 */
+    uint32_t factor_17; /* 2^17 factor, modulo 2^32 */
+    fxl_q16_16 centre_x, centre_y;
+} fxl_projection;
+
+/* Requires a lens made by its function. */
+void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
+
+/* The same as fxl_project_point, for who projects many points: a kernel, one
+ * for each family of cores. */
+fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_point *view,
+                            fxl_screen_point *screen);
+
 /* Every vertex of a polygon; colour and count carried over. On FXL_E_RANGE the
  * screen polygon's count is 0. */
 fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,

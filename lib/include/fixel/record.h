@@ -3,7 +3,10 @@
  *
  *   scene -> cull -> fxl_polygon -> transform -> fxl_view_polygon -> clip ->
  *   fxl_view_polygon -> project -> fxl_screen_polygon -> list -> scan ->
- *   fxl_span -> fill -> fxl_band
+ *   fxl_trapezoid -> fill -> fxl_band
+ *
+ * What decides by span what is seen takes from scan the same pixels as
+ * fxl_span instead, and hands spans to fill.
  *
  * The chapter's clipper stands before transform instead: fxl_polygon -> clip
  * -> fxl_polygon -> transform. clipper.h is the treaty that covers both ways.
@@ -92,8 +95,27 @@ typedef struct {
     uint16_t first, end;
 } fxl_rows;
 
-/* Pixels x0 <= x < x1 of row y: what scan hands to fill. Never empty, never
- * outside the band. */
+/* An edge where it meets a row's line of centres, and how it goes on from row
+ * to row: 32.32 numbers, of which x is the row's first pixel whose centre is
+ * not left of the edge. Good for the rows of its trapezoid, and exact there. */
+typedef struct {
+    int32_t x;
+    uint32_t fraction;
+    int32_t step; /* a row */
+    uint32_t step_fraction;
+} fxl_edge;
+
+/* What scan hands to fill: rows first_row .. end_row - 1 between two edges, on
+ * each the pixels from the lesser x to the greater, the latter not included.
+ * Which of the two is the lesser may change from row to row; both lie within
+ * 0..width of the band on every row. */
+typedef struct {
+    int16_t first_row, end_row; /* first_row < end_row, within the band */
+    fxl_edge edges[2];          /* as they are on first_row */
+} fxl_trapezoid;
+
+/* Pixels x0 <= x < x1 of row y: a trapezoid's row. Never empty, never outside
+ * the band. */
 typedef struct {
     int16_t y, x0, x1;
 } fxl_span;
@@ -112,9 +134,9 @@ typedef struct {
 /* What became of a frame's polygons. Each polygon that came in is counted
  * once: in == backfacing + outside + degenerate + refused + drawn. */
 typedef struct {
-    uint32_t in;            /* faces of the scene looked at */
+    uint32_t in;            /* faces of the scene */
     uint32_t backfacing;    /* culled: turned away from the eye */
-    uint32_t outside;       /* culled: wholly outside one plane, at once or after cuts */
+    uint32_t outside;       /* culled: wholly outside one plane, with their object or alone */
     uint32_t degenerate;    /* culled: fewer than three vertices left */
     uint32_t refused;       /* outside the contract: too many vertices, or off range */
     uint32_t drawn;         /* reached the screen (it may still cover no pixel centre) */

@@ -19,8 +19,10 @@ typedef struct {
 /* How far a walk over the scene has come: so many objects in the order of
  * drawing are done, and of the next object so many faces. */
 typedef struct {
-    uint32_t objects, faces;
+    uint16_t objects, faces;
 } fxl_place;
+
+_Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "fxl_place");
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 352 bytes and
  * 80 for each vertex of FXL_POLYGON_CAPACITY: 2912 where that is 32, 1312 where
@@ -28,10 +30,12 @@ typedef struct {
  * reading only, but for the clipper. */
 typedef struct {
     const fxl_scene *scene;
-    fxl_order_entry *order; /* objects, then room for one model's faces */
+    fxl_order_entry *order; /* objects; from scene->object_count on, one model's faces */
     fxl_clipper clipper;    /* fxl_clip_by_view, or another set between two frames */
     bool ready;             /* a frame has begun */
     bool counted;           /* a band was drawn: what is not in the list is counted */
+    uint16_t in_sight;      /* objects in order: those that the frame looks into */
+    uint16_t sorted, front; /* whose faces are in order, as fxl_place counts; how many */
     fxl_list list;
     fxl_place rest; /* where the list was full */
     fxl_counters counters;
@@ -57,7 +61,7 @@ typedef struct {
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
                              const fxl_memory *memory);
 
-/* Begins a frame: camera, frustum, order of the objects; then every polygon on
+/* Begins a frame: camera, frustum, order of the objects in sight; then every polygon on
  * its way to the screen, as far as the list reaches. Zeroes the counters except
  * refused_calls, and counts the polygons that it came to. Then draw the frame
  * whole or in bands.

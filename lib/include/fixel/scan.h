@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From a polygon on the screen to spans of covered pixels. Owns the fill rule.
+/* From a polygon on the screen to covered pixels. Owns the fill rule.
  *
  * A pixel is covered where the winding number of the outline about its centre
  * (i + 1/2, j + 1/2) is not zero. Ties are top-left: a centre exactly on a
@@ -14,7 +14,14 @@
 #include "fixel/record.h"
 #include "fixel/status.h"
 
-/* An edge being walked, top to bottom. All members belong to scan.c. */
+/* One way down an outline, from its top to its bottom. */
+typedef struct {
+    uint8_t vertex;  /* where the edge begins that is being walked */
+    uint8_t onward;  /* how much further the next vertex is, modulo the count */
+    int16_t end_row; /* one past the last row that the trapezoid's edge is good for */
+} fxl_chain;
+
+/* An edge of any outline, walked by quotient and remainder. */
 typedef struct {
     int32_t x;          /* first pixel of the row whose centre is not left of the edge */
     int32_t step;       /* whole pixels a row */
@@ -24,27 +31,41 @@ typedef struct {
     int16_t row;        /* the row that x is for; at first the edge's first row */
     int16_t end_row;    /* one past its last row */
     int16_t winding;    /* +1 downward, -1 upward */
-} fxl_edge;
+} fxl_crossing_edge;
 
-/* A polygon being scanned. The caller owns it; all members belong to scan.c. */
+/* An outline that goes up and down more than once, or leaves the band at a
+ * side: the edges that cross a row, by x. */
 typedef struct {
-    fxl_edge edges[FXL_POLYGON_CAPACITY];    /* by first row */
-    uint8_t crossings[FXL_POLYGON_CAPACITY]; /* edges that cross the row, by x */
-    uint8_t edge_count, next_edge;           /* edges; the first not yet reached */
-    uint8_t crossing_count, next_crossing;   /* crossings; the first not yet used */
+    fxl_crossing_edge edges[FXL_POLYGON_CAPACITY]; /* by first row */
+    uint8_t crossings[FXL_POLYGON_CAPACITY];       /* edges that cross the row, by x */
+    uint8_t edge_count, next_edge;                 /* edges; the first not yet reached */
+    uint8_t crossing_count, next_crossing;         /* crossings; the first not yet used */
     int16_t row, width;
+} fxl_crossings;
+
+/* A polygon being scanned. The caller owns it; all members belong to scan. */
+typedef struct {
+    const fxl_screen_point *points;
+    uint8_t count;
+    bool by_chains;  /* else by crossings */
+    int16_t end_row; /* one past the last row, of both ways */
+    int16_t row;     /* the row that the next span is for */
+    fxl_chain chains[2];
+    fxl_trapezoid trapezoid;
+    fxl_crossings crossings;
 } fxl_scan;
 
-/* Begins to scan a polygon into a band.
+/* Begins to scan a polygon into a band; the polygon must outlive the scan.
  * Requires 3 <= count <= FXL_POLYGON_CAPACITY, |x|, |y| <=
  * FXL_SCREEN_COORDINATE_MAX, and a band as its record says.
  * Exact: given the 16.16 vertices, coverage has no error at all.
  * FXL_E_ARGUMENT, FXL_E_DEGENERATE, FXL_E_CAPACITY, FXL_E_RANGE: scan holds
- * no spans. Source: the edge walk of Bresenham with an exact start. */
+ * no pixels. Source: the edge walk of Bresenham with an exact start. */
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan);
 
 /* The same for an outline of count points that is known to meet what
- * fxl_scan_begin requires, for a band that meets it too: nothing is checked. */
+ * fxl_scan_begin requires, for a band that meets it too: nothing is checked.
+ * The points must outlive the scan. */
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan);
 
@@ -54,9 +75,14 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
  * Requires what fxl_scan_begin requires of a polygon. */
 fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
 
-/* The next span, rows downward, left to right within a row; spans of a row
+/* The next trapezoid, rows downward, left to right within a row; no pixel is
+ * in two of them. It belongs to scan and is good until the next call. Null
+ * when there are no more. */
+const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan);
+
+/* The same pixels a span at a time, for what decides by span: spans of a row
  * neither overlap nor touch out of order. False when there are no more; span
- * is then untouched. */
+ * is then untouched. A scan is read by trapezoids or by spans, not by both. */
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span);
 
 #endif

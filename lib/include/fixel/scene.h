@@ -33,6 +33,13 @@ typedef struct {
     uint16_t reserved; /* 0 */
 } fxl_face;
 
+/* What ordering asks of a face in every frame, worked out beforehand. */
+typedef struct {
+    uint32_t height_low; /* normal . first vertex in 18.46, two's complement */
+    uint32_t height_high;
+    int32_t box_x, box_y, box_z; /* minimum + maximum of the vertices, 16.16 */
+} fxl_face_key;
+
 enum {
     FXL_MODEL_CONVEX = 0, /* faces drawn by number */
     FXL_MODEL_SORTED = 1  /* faces drawn far to near */
@@ -41,12 +48,15 @@ enum {
 /* A model: vertex_count vertices from vertices[first_vertex] on, face_count
  * faces from faces[first_face] on. Models share neither: the first begins at
  * 0, each begins where the one before ends, the last ends with the tables.
- * Vertices are relative to the object's centre. */
+ * Vertices are relative to the object's centre; none is farther from it than
+ * the radius. The smaller the radius, the sooner an object is left out. */
 typedef struct {
     uint32_t first_vertex, vertex_count; /* vertex_count 3..65535 */
     uint32_t first_face, face_count;     /* face_count 1..65535 */
     uint8_t kind;
     uint8_t reserved[3]; /* 0 */
+    fxl_q16_16 radius;   /* 0..FXL_RADIUS_MAX */
+    uint32_t first_key;  /* of a sorted model where the scene has keys, else 0 */
 } fxl_model;
 
 /* A model put somewhere. Objects of a lower layer are drawn first; within a
@@ -64,7 +74,8 @@ typedef struct {
     uint16_t frames; /* >= 1 */
 } fxl_stride;
 
-/* A scene: tables that the caller owns and that outlive it. */
+/* A scene: tables that the caller owns and that outlive it. Without keys it is
+ * drawn the same, and its sorted models take longer. */
 typedef struct {
     const fxl_point *vertices;
     const uint16_t *corners;
@@ -72,7 +83,9 @@ typedef struct {
     const fxl_model *models;
     const fxl_object *objects;
     uint32_t vertex_count, corner_count, face_count, model_count, object_count;
-    uint32_t order_needed; /* entries that fxl_renderer_init asks for */
+    uint32_t order_needed;    /* entries that fxl_renderer_init asks for */
+    const fxl_face_key *keys; /* one for each face of each sorted model in turn; or null */
+    uint32_t key_count;
 } fxl_scene;
 
 /* Everything that a scene image holds beside the scene. */
@@ -97,12 +110,12 @@ typedef struct {
 } fxl_scene_fault;
 
 /* Checks a scene written as tables: every count, index, range, normal and
- * planarity, and that every vertex of every object lies within
- * FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is written only
- * on FXL_OK; *fault (may be null) only on an error.
- * FXL_E_ARGUMENT, _COUNT, _INDEX, _RANGE, _NORMAL, _PLANARITY, _RESERVED;
- * _CAPACITY for a face of more than FXL_FACE_VERTICES_MAX vertices, which a
- * build with a larger FXL_POLYGON_CAPACITY would draw. */
+ * planarity, that no vertex lies outside its model's radius, and that every
+ * vertex of every object lies within FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is
+ * written only on FXL_OK; *fault (may be null) only on an error. FXL_E_ARGUMENT, _COUNT, _INDEX,
+ * _RANGE, _RADIUS, _NORMAL, _PLANARITY, _KEY,
+ * _RESERVED; _CAPACITY for a face of more than
+ * FXL_FACE_VERTICES_MAX vertices, which a build with a larger FXL_POLYGON_CAPACITY would draw. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Opens a scene image of size bytes in memory aligned to four bytes, on a

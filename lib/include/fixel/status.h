@@ -22,6 +22,8 @@ typedef enum {
     FXL_E_NORMAL,     /* a face normal that is not of unit length */
     FXL_E_PLANARITY,  /* a face vertex off the plane of its face */
     FXL_E_RESERVED,   /* a reserved field or an enumeration holds an unknown value */
+    FXL_E_RADIUS,     /* a vertex farther from its model's origin than the model's radius */
+    FXL_E_KEY,        /* a face's key that is not what its vertices and its normal say */
     FXL_STATUS_COUNT
 } fxl_status;
 

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#include "equality.h"
+
+static uint32_t state = 0x9E3779B9u;
+
+/* Marsaglia's xorshift, 32 bits: period 2^32 - 1, so a test takes a run of them
+ * that no other has. */
+uint32_t any_32(void)
+{
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state;
+}
+
+uint64_t any_64(void)
+{
+    static uint32_t weyl;
+    weyl += 0x9E3779B9u;
+    uint32_t upper = any_32() ^ weyl;
+    return (uint64_t)upper << 32 | any_32();
+}
+
+uint64_t any_length(void)
+{
+    uint32_t length = any_32() >> 7 & 63u;
+    uint64_t value = any_64();
+    return length == 0 ? value : value >> length;
+}
+
+uint32_t boundary_32(uint32_t i)
+{
+    if (i == 0) {
+        return 0;
+    }
+    return ((uint32_t)1 << ((i - 1u) / 3u)) + (i - 1u) % 3u - 1u;
+}

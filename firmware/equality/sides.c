@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* The inline kernels as functions; SIDE is core_ or portable_. */
+#include "sides.h"
+
+#include "divide.h"
+#include "leading_zeros.h"
+#include "multiply.h"
+
+#define JOIN(side, name)   side##name
+#define EXPAND(side, name) JOIN(side, name)
+#define NAME(name)         EXPAND(SIDE, name)
+
+uint64_t NAME(multiply_u32)(uint32_t a, uint32_t b)
+{
+    return fxl_multiply_u32(a, b);
+}
+
+int64_t NAME(multiply_s32)(int32_t a, int32_t b)
+{
+    return fxl_multiply_s32(a, b);
+}
+
+int64_t NAME(multiply_s64)(int64_t a, int64_t b)
+{
+    return fxl_multiply_s64(a, b);
+}
+
+unsigned NAME(leading_zeros)(uint32_t value)
+{
+    return fxl_leading_zeros(value);
+}
+
+int64_t NAME(multiply_s31)(int32_t a, int32_t b)
+{
+    return fxl_multiply_s31(a, b);
+}
+
+int64_t NAME(multiply_su32)(int32_t a, uint32_t b)
+{
+    return fxl_multiply_su32(a, b);
+}
+
+uint32_t NAME(divide_u32)(uint32_t numerator, uint32_t denominator, uint32_t *rest)
+{
+    return fxl_divide_u32(numerator, denominator, rest);
+}
+
+uint32_t NAME(divide_half)(uint32_t numerator, uint32_t denominator)
+{
+    return fxl_divide_half(numerator, denominator);
+}

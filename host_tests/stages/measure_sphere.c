@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "reference/sphere.h"
+#include "reference/transform.h"
+#include "stages/bridge.h"
+#include "stages/measure.h"
+
+_Static_assert(FXL_SPHERE_OUTSIDE == REF_SPHERE_OUTSIDE, "the same answers");
+
+stages_tally stages_sphere_tally(const char *input)
+{
+    return (stages_tally){
+        .stage = "sphere",
+        .input = input,
+        .unit = "1/65536 world unit",
+        .measure = "how far from the twin's reach, radius + 2^-9, a plane lies about which the two "
+                   "disagree, both given the same camera matrix, planes, centre and radius",
+        .bound = "64",
+    };
+}
+
+/* How far the reach by which a plane was judged must be from the twin's. */
+static double off_by(const ref_sphere_distances *distances, double reach, uint32_t fixed,
+                     uint32_t exact)
+{
+    double outermost = -INFINITY, off = 0;
+    for (int plane = 0; plane < REF_PLANE_COUNT; plane++) {
+        double inside = (double)distances->inside[plane];
+        outermost = fmax(outermost, -inside);
+        if ((fixed ^ exact) >> plane & 1u) {
+            off = fmax(off, fabs(inside - reach));
+        }
+    }
+    bool outside = fixed == FXL_SPHERE_OUTSIDE, twin_outside = exact == REF_SPHERE_OUTSIDE;
+    return outside != twin_outside ? fabs(outermost - reach) : off;
+}
+
+uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
+                               const fxl_view_frustum *frustum, const fxl_point *centre,
+                               fxl_q16_16 radius)
+{
+    uint32_t fixed = fxl_sphere_planes(camera, frustum, centre, radius);
+    ref_camera exact_camera = bridge_camera(camera);
+    ref_view_frustum exact_frustum = bridge_view_frustum(frustum);
+    ref_point exact_centre = bridge_point(centre);
+    ref_sphere_distances distances =
+        ref_sphere_measure(&exact_camera, &exact_frustum, &exact_centre);
+    double exact_radius = radius / REF_ONE;
+    uint32_t exact = ref_sphere_planes(&distances, exact_radius);
+    double off = off_by(&distances, exact_radius + REF_SPHERE_SLACK, fixed, exact) * REF_ONE;
+    tally->mismatched += fixed > FXL_SPHERE_OUTSIDE;
+    stages_count(tally, off, off <= 64);
+    return fixed;
+}
+
+void stages_check_left_out(stages_tally *tally, const fxl_camera *camera,
+                           const fxl_view_frustum *frustum, uint32_t planes,
+                           const fxl_polygon *polygon)
+{
+    ref_camera exact_camera = bridge_camera(camera);
+    ref_view_frustum exact_frustum = bridge_view_frustum(frustum);
+    ref_polygon exact = bridge_polygon(polygon);
+    bool someone_inside_all = true;
+    for (int plane = 0; plane < REF_PLANE_COUNT; plane++) {
+        int inside = 0;
+        for (int i = 0; i < exact.count; i++) {
+            ref_view_point seen = ref_transform_point(&exact_camera, &exact.vertices[i].position);
+            inside += ref_view_distance(&exact_frustum.planes[plane], &seen) >= 0;
+        }
+        someone_inside_all = someone_inside_all && inside > 0;
+        if (planes != FXL_SPHERE_OUTSIDE && (planes >> plane & 1u) == 0) {
+            tally->mismatched += inside != exact.count;
+        }
+    }
+    tally->mismatched += planes == FXL_SPHERE_OUTSIDE && someone_inside_all;
+}

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: MIT
+"""make bench, bench-diff and bench-baseline: what they write, that it repeats, and what they judge."""
+
+import copy
+import json
+import re
+import subprocess
+import types
+
+import pytest
+from elftools.elf.elffile import ELFFile
+
+import bench as bench_tool
+from conftest import CHECKOUT, assert_one_sentence, run_cli
+from fixel import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, link_map
+from fixel.errors import ToolError
+
+BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performance.md"
+ROW = {"workload", "renderer", "core", "instructions", "frame", "per_unit", "unit", "ratio_to_listing_double",
+       "ratio_to_limit", "text_bytes", "ram_bytes", "stack_bytes"}
+RENDERERS = {"fixel", "listing-double", "listing-float", "memset"}
+
+
+@pytest.fixture(scope="module")
+def plan():
+    return bench_plan.Plan(CHECKOUT / "build")
+
+
+@pytest.fixture(scope="module")
+def baseline():
+    return json.loads(BASELINE.read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory):
+    """bench.json of two runs on the M3, and the first one's folder."""
+    folder = tmp_path_factory.mktemp("bench")
+    texts = []
+    for name in ("first", "second"):
+        done = run_cli("bench", "--cores", "m3", "--left-out", "m0", "m4f", "m55", "--out", folder / name)
+        assert done.returncode == 0, done.stderr
+        texts.append((folder / name / "bench.json").read_text())
+    return texts, folder / "first", done.stdout
+
+
+# --- a run --------------------------------------------------------------------------
+
+def test_two_runs_write_the_same_bytes(measured):
+    assert measured[0][0] == measured[0][1]
+
+
+def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
+    (text, _), folder, printed = measured
+    assert {path.name for path in folder.iterdir()} == set(bench_tool.PATTERNS)
+    assert (folder / "bench.png").read_bytes()[:4] == b"\x89PNG"
+    goals = json.loads(text)["goals"]
+    for goal in goals:
+        assert goal["goal"] in printed
+    assert f"{sum(goal['met'] is True for goal in goals)} of {len(goals)} goals met" in printed
+    # Of other cores than the M3 nothing was measured, and that is what is said.
+    assert [goal["figure"] for goal in goals if "M0" in goal["goal"] or "M55" in goal["goal"]] == [None, None]
+
+
+def check_rows(rows, plan, cores):
+    """Rows as they are promised: every key, null where it means nothing, every workload and kernel."""
+    keys = [(row["core"], row["workload"], row["renderer"]) for row in rows]
+    assert len(keys) == len(set(keys))
+    kernels = [name for name in plan.kernels if not name.startswith(bench_rows.LIMIT)]
+    assert set(keys) == {*plan.runs(cores), *[(core, name, "fixel") for core in cores for name in kernels]}
+    for row in rows:
+        assert set(row) == ROW
+        assert row["renderer"] in RENDERERS and row["core"] in bench_plan.CORES
+        assert isinstance(row["instructions"], int) and row["instructions"] > 0 and row["per_unit"] > 0
+        for name in ("ratio_to_listing_double", "ratio_to_limit"):
+            assert row[name] is None or row[name] > 0
+        if row["workload"] in plan.workloads:
+            frame = row["frame"]
+            assert set(frame) == {"min", "mean", "max"} and 0 < frame["min"] <= frame["mean"] <= frame["max"]
+            assert row["ratio_to_listing_double"] is not None
+            assert row["text_bytes"] > 0 and row["stack_bytes"] > 0 and row["ram_bytes"] >= 0
+        else:
+            assert [row[name] for name in ("frame", "ratio_to_listing_double", "text_bytes", "ram_bytes",
+                                           "stack_bytes")] == [None] * 5
+    doubles = [row["ratio_to_listing_double"] for row in rows if row["renderer"] == "listing-double"]
+    assert doubles and set(doubles) == {1.0}
+
+
+def test_rows_of_a_run(measured, plan):
+    result = json.loads(measured[0][0])
+    check_rows(result["rows"], plan, ["m3"])
+    assert result["left_out"] == ["m0", "m4f", "m55"]
+
+
+def test_rows_of_the_baseline(baseline, plan):
+    check_rows(baseline["rows"], plan, bench_plan.CORES)
+    assert baseline["left_out"] == []
+
+
+def test_the_stages_and_functions_add_up_to_the_frames(measured, plan):
+    result = json.loads(measured[0][0])
+    for workload in plan.stages["workloads"]:
+        stages = [row for row in result["stages"] if row["workload"] == workload]
+        (row,) = [row for row in result["rows"] if row["workload"] == workload and row["renderer"] == "fixel"]
+        assert sum(stage["instructions"] for stage in stages) == row["instructions"] + stages[0]["frames"]
+        assert all(sum(stage["functions"].values()) == stage["instructions"] for stage in stages)
+
+
+def test_the_plan_has_the_issue_s_workloads_and_kernels(plan):
+    assert list(plan.workloads) == ["w1", "w2", "w3", "w3b", "plaza"] and set(plan.renderers) == RENDERERS
+    assert {"multiply", "divide", "root", "sine", "transform", "outcode", "project", "clip",
+            "edge-setup", "span-1", "span-320"} <= set(plan.kernels)
+
+
+# --- rows by hand -------------------------------------------------------------------
+
+def test_a_row_and_its_ratios_by_hand():
+    workload = {"name": "w", "unit": "face", "limit": "limit-x", "limit_units": 2}
+    some_plan = types.SimpleNamespace(workloads={"w": workload}, kernels={})
+    drawn = types.SimpleNamespace(instructions=[10, 20, 31], memory=7, stack=8)
+    slow = types.SimpleNamespace(instructions=[100, 100, 44], memory=0, stack=0)
+    rows = [bench_rows.frame_row("m3", workload, "fixel", drawn, 5),
+            bench_rows.frame_row("m3", workload, "listing-double", slow, 5),
+            bench_rows.frame_row("m0", workload, "fixel", drawn, 5)]
+    bench_rows.add_ratios(some_plan, rows, [{"core": "m3", "name": "limit-x", "per_unit": 0.5}])
+    assert rows[0] == {"workload": "w", "renderer": "fixel", "core": "m3", "instructions": 61,
+                       "frame": {"min": 10, "mean": 20, "max": 31}, "per_unit": 4.0667, "unit": "face",
+                       "ratio_to_listing_double": 0.25, "ratio_to_limit": 4.0667, "text_bytes": None,
+                       "ram_bytes": 7, "stack_bytes": 8}
+    assert rows[2]["ratio_to_listing_double"] is None and rows[2]["ratio_to_limit"] is None
+
+
+def test_a_renderer_that_draws_something_else_is_refused():
+    row = {"core": "m3", "workload": "w1", "renderer": "listing-float", "pixels": 1000, "differing": 2}
+    bench_tool.check_pictures([row])
+    with pytest.raises(ToolError, match="3 of 1,000 pixels") as refused:
+        bench_tool.check_pictures([{**row, "differing": 3}])
+    assert refused.value.exit_code == 1
+
+
+def test_bytes_of_the_map_are_those_of_the_program():
+    folder = CHECKOUT / "build/bench/m3/size/Os"
+    found = link_map.measure(folder / "fixel.map")
+    with (folder / "fixel.elf").open("rb") as file:
+        elf = ELFFile(file)
+        sections = [section for section in elf.iter_sections() if section["sh_flags"] & 2]
+        names = {symbol.name for symbol in elf.get_section_by_name(".symtab").iter_symbols()}
+    whole = sum(section["sh_size"] for section in sections if section["sh_type"] != "SHT_NOBITS")
+    parts = found["code"] + found["constants"] + found["run_time"]
+    assert parts <= whole <= parts + 64         # the linker fills up to words' ends
+    assert {"fxl_frame_begin", "fxl_frame_draw"} <= names
+    assert bool(found["helpers"]) == bool({name for name in names if re.match(r"__(aeabi_u?l?(div|idiv|mul)|clz|u?div|mul)", name)})
+
+
+def test_the_map_tells_helpers_from_memory_functions(tmp_path):
+    file = tmp_path / "x.map"
+    file.write_text("Discarded\n .text.gone 0x0 0x100 a.o\nLinker script and memory map\n"
+                    " .text.f        0x00000100       0x20 a.o\n .rodata.t       0x00000120        0x8 a.o\n"
+                    " .text.fxl_a_long_name\n                0x00000128        0x4 b.o\n .bss           0x20000000       0x10 b.o\n"
+                    " .text          0x00000130       0x30 /usr/lib/gcc/libgcc.a(_udivmoddi4.o)\n"
+                    " .text          0x00000130        0x0 /usr/lib/gcc/libgcc.a(_empty.o)\n"
+                    " .text.memset   0x00000160       0x10 build/memory_functions.o\n")
+    assert link_map.measure(file) == {"code": 0x24, "constants": 8, "run_time": 0x40, "ram": 0x10,
+                                      "helpers": ["_udivmoddi4"], "files": {"a": 0x28, "b": 4}}
+    file.write_text("nothing")
+    with pytest.raises(ToolError, match="not a linker's map"):
+        link_map.measure(file)
+
+
+# --- goals --------------------------------------------------------------------------
+
+def figures(result):
+    return {goal["goal"]: (goal["figure"], goal["met"]) for goal in bench_goals.measure(result)}
+
+
+def test_goals_of_the_baseline_are_those_of_its_rows(baseline):
+    assert baseline["goals"] == bench_goals.measure(baseline)
+    assert all(goal["met"] is not None for goal in baseline["goals"])
+
+
+def test_goals_by_hand(baseline):
+    result = copy.deepcopy(baseline)
+    def row(workload, core, renderer="fixel"):
+        return next(row for row in result["rows"] if (row["workload"], row["core"], row["renderer"]) ==
+                    (workload, core, renderer))
+    row("w1", "m3")["frame"] = {"min": 1, "mean": 170_000, "max": 246_500}
+    row("w1", "m4f", "listing-float")["frame"] = {"min": 1, "mean": 340_000, "max": 1}
+    for each in result["rows"]:
+        if each["renderer"] == "fixel":
+            each["per_unit"] = {"m3": 10.0, "m4f": 10.0, "m55": 9.0}.get(each["core"], 1.0)
+    row("sine", "m55")["per_unit"] = 10.1
+    for each, objects, count in zip([one for one in result["growth"] if one["axis"] == "cubes seen"],
+                                    (100, 400, 1600), (1000, 1300, 2500)):
+        each.update(objects=objects, instructions=count)
+    for size in result["sizes"]:
+        if (size["core"], size["renderer"], size["flags"]) == ("m3", "fixel", "-Os"):
+            size.update(code=6000, constants=145, helpers=[])
+    found = figures(result)
+    assert found["W1, a frame, M3"] == (170_000, True)
+    assert found["W1, worst frame by the mean, M3"] == (1.45, True)
+    assert found["W1 on M3, by the listing in hard float on M4F"] == (0.5, False)
+    assert found["M4F by M3, the slowest of all workloads and kernels"] == (1.0, True)
+    assert found["M55 by M3, the slowest of all workloads and kernels"] == (1.01, False)
+    assert found["growth with cubes in sight"] == (1.0, True)
+    assert found["code and constants, bytes, -Os, M3"] == (6145, False)
+    assert found["functions of the compiler's arithmetic that are linked, M3"] == (0, True)
+
+
+# --- the document -------------------------------------------------------------------
+
+def test_the_document_s_tables_are_made_from_the_baseline(baseline, plan):
+    text = DOCUMENT.read_text(encoding="utf-8")
+    assert bench_page.replace_tables(text, plan, baseline) == text
+
+
+def test_a_document_without_a_table_is_refused(baseline, plan):
+    with pytest.raises(ToolError, match="0 places for the table 'goals'"):
+        bench_page.replace_tables(DOCUMENT.read_text(encoding="utf-8").replace("bench: goals", "goals"), plan, baseline)
+
+
+def test_every_goal_that_is_not_met_is_not_hidden(baseline):
+    text = DOCUMENT.read_text(encoding="utf-8")
+    assert text.count("| not met |") == sum(goal["met"] is False for goal in baseline["goals"])
+
+
+def test_plots_are_the_same_twice(baseline, plan):
+    assert bench_plots.files(plan, baseline) == bench_plots.files(plan, baseline)
+
+
+# --- comparing ----------------------------------------------------------------------
+
+def compare(folder, before, after, *options):
+    """bench-diff of two results."""
+    for name, data in (("before.json", before), ("after.json", after)):
+        (folder / name).write_text(json.dumps(data))
+    return run_cli("bench_diff", "--baseline", folder / "before.json", "--current", folder / "after.json", *options)
+
+
+def changed(baseline, factor, renderer="fixel", measure="instructions"):
+    """The baseline with one row other, and that row's words."""
+    result = copy.deepcopy(baseline)
+    row = next(row for row in result["rows"] if (row["workload"], row["renderer"], row["core"]) == ("w1", renderer, "m3"))
+    row[measure] = round(row[measure] * factor)
+    return result
+
+
+def test_nothing_changed(tmp_path, baseline):
+    done = compare(tmp_path, baseline, baseline)
+    assert done.returncode == 0 and "nothing changed" in done.stdout
+
+
+@pytest.mark.parametrize("factor, measure, renderer, code, words", [
+    (1.02, "instructions", "fixel", 1, "WORSE: w1 fixel m3: slower by 2.00 %"),
+    (0.98, "instructions", "fixel", 0, "faster"),
+    (1.004, "instructions", "fixel", 0, "slower, hardly"),
+    (1.5, "instructions", "listing-double", 0, "slower"),
+    (1.25, "stack_bytes", "fixel", 1, "WORSE: w1 fixel m3: deeper by 25.00 %"),
+    (1.25, "text_bytes", "fixel", 1, "WORSE: all fixel m3: larger by 25.0"),
+])
+def test_what_became_worse_and_by_how_much(tmp_path, baseline, factor, measure, renderer, code, words):
+    done = compare(tmp_path, baseline, changed(baseline, factor, renderer, measure))
+    assert done.returncode == code and words in done.stdout
+
+
+def test_the_threshold(tmp_path, baseline):
+    assert compare(tmp_path, baseline, changed(baseline, 1.02), "--threshold", 3).returncode == 0
+
+
+def test_what_is_missing_and_what_is_new(tmp_path, baseline):
+    less = {**baseline, "rows": baseline["rows"][1:]}
+    done = compare(tmp_path, baseline, less)
+    assert done.returncode == 1 and "WORSE: w1 fixel m0: not measured any more" in done.stdout
+    done = compare(tmp_path, less, {**baseline, "compiler": "another one"})
+    assert done.returncode == 0 and "new: w1 fixel m0" in done.stdout and "note: another compiler" in done.stderr
+
+
+@pytest.mark.parametrize("text, words", [(None, "run make bench"), ("{}", "is not a result of make bench"),
+                                         ("{", "after.json")])
+def test_no_result_is_one_sentence(tmp_path, text, words):
+    if text is not None:
+        (tmp_path / "after.json").write_text(text)
+    assert_one_sentence(run_cli("bench_diff", "--current", tmp_path / "after.json"), words)
+
+
+def test_accepting_renews_baseline_and_document(tmp_path, baseline):
+    (tmp_path / "performance.md").write_text(DOCUMENT.read_text(encoding="utf-8"))
+    (tmp_path / "now.json").write_text(json.dumps(changed(baseline, 1.0)))
+    options = ["--accept", "--baseline", tmp_path / "baseline.json", "--current", tmp_path / "now.json",
+               "--document", tmp_path / "performance.md"]
+    assert run_cli("bench_diff", *options).returncode == 0
+    assert json.loads((tmp_path / "baseline.json").read_text()) == baseline
+    assert (tmp_path / "performance.md").read_text() == DOCUMENT.read_text(encoding="utf-8")
+    (tmp_path / "now.json").write_text(json.dumps({**baseline, "left_out": ["m55"]}))
+    assert_one_sentence(run_cli("bench_diff", *options), "m55")
+
+
+def test_the_make_commands_are_there():
+    done = subprocess.run(["make", "help"], cwd=CHECKOUT, capture_output=True, text=True, check=True)
+    for command in ("bench", "bench-diff", "bench-baseline", "profile"):
+        assert f"make {command} " in done.stdout

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: MIT
+"""make profile: kinds of instructions, the estimate of cycles, functions and stages, the flame graph."""
+
+import json
+import re
+import subprocess
+import types
+import xml.etree.ElementTree
+
+import pytest
+
+from conftest import CHECKOUT, assert_one_sentence, run_cli
+from fixel import bench_plan, counter, cycles, flame, places, thumb
+from fixel.debug_lines import DebugLines
+from fixel.errors import ToolError
+from fixel.machine_code import MachineCode
+from fixel.thumb import Instruction
+
+CROSS = "arm-none-eabi-"
+SVG = "{http://www.w3.org/2000/svg}"
+
+ARMV7M = """
+other             adds r0, r1; add.w r8, r9, r10; movw r3, #1234; ubfx r0, r1, #3, #4; clz r0, r1; tst r0, r1
+multiply          muls r0, r1; mul r8, r1, r2
+multiply-add      mla r0, r1, r2, r3; mls r0, r1, r2, r3
+long-multiply     smull r0, r1, r2, r3; umull r4, r5, r6, r7
+long-multiply-add smlal r0, r1, r2, r3; umlal r4, r5, r6, r7
+divide            sdiv r0, r1, r2; udiv r0, r1, r2
+load              ldr r0, [r1]; ldrb r0, [r1, #3]; ldrsh r0, [r1, r2]; ldr r0, [sp, #8]; ldr.w r8, [r1, #100]
+store             str r0, [r1]; strb.w r8, [r1]; strh r0, [r1, r2]; str r0, [sp, #4]
+branch            b .; b.w .
+branch-conditional beq .; bne.w .; cbz r0, .+6
+branch-exchange   bx lr; mov pc, r0
+call              bl .
+call-register     blx r3
+it                it eq
+other             addeq r0, r0, r1
+system            cpsid i; dsb; mrs r0, PRIMASK
+load-to-pc        ldr pc, [r0, #4]
+table-branch      tbb [r0, r1]
+load-multiple/3   ldmia r0!, {r1, r2, r3}; pop {r4, r5, r6}; ldmia.w r8!, {r0, r1, r2}
+load-multiple/2   ldrd r0, r1, [r2, #8]
+store-multiple/4  push {r4, r5, r6, lr}; stmia r0!, {r1, r2, r3, r4}; stmdb sp!, {r4, r5, r8, lr}
+store-multiple/2  strd r0, r1, [r2], #8
+pop-to-pc/3       pop {r4, r5, pc}
+pop-to-pc/2       pop.w {r8, pc}
+"""
+ARMV7EM = """
+float               vadd.f32 s0, s1, s2; vmul.f32 s0, s1, s2; vcmp.f32 s0, s1; vmov r0, s1; vcvt.s32.f32 s0, s0
+float-multiply-add  vmla.f32 s0, s1, s2; vfma.f32 s0, s1, s2
+float-divide        vdiv.f32 s0, s1, s2
+float-root          vsqrt.f32 s0, s1
+float-load          vldr s0, [r0]
+float-store         vstr s0, [r0]
+float-store-multiple/2 vpush {s16, s17}
+float-load-multiple/2 vldmia r0!, {s0, s1}
+long-multiply-add   smlal r0, r1, r2, r3
+"""
+
+
+def cases(text):
+    """(kind, registers, instruction)."""
+    for line in text.strip().splitlines():
+        kind, code = line.split(maxsplit=1)
+        kind, _, registers = kind.partition("/")
+        for one in code.split(";"):
+            yield kind.replace("-", " "), int(registers or 0), one.strip()
+
+
+@pytest.mark.parametrize("flags, text", [(["-mcpu=cortex-m3"], ARMV7M),
+                                         (["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16"], ARMV7EM)])
+def test_kinds_of_what_the_assembler_makes(tmp_path, flags, text):
+    wanted = list(cases(text))
+    (tmp_path / "code.s").write_text(".syntax unified\n.thumb\n.text\n.type f, %function\nf:\n" +
+                                     "".join(f"{one}\n" for _, _, one in wanted))
+    subprocess.run([f"{CROSS}as", *flags, "code.s", "-o", "code.o"], cwd=tmp_path, check=True)
+    subprocess.run([f"{CROSS}ld", "-Ttext=0x100", "-e", "f", "code.o", "-o", "code.elf"], cwd=tmp_path, check=True)
+    found = [each for _, each in MachineCode(tmp_path / "code.elf").each_instruction()]
+    # The assembler fills up to a word's end by a nop of its own.
+    assert [(each.kind, each.registers if registers else 0) for each, (_, registers, _) in zip(found, wanted)] \
+        == [(kind, registers) for kind, registers, _ in wanted]
+
+
+def test_sizes_are_those_of_the_disassembler():
+    elf = CHECKOUT / "build/bench/m3/fixel.elf"
+    text = subprocess.run([f"{CROSS}objdump", "-d", str(elf)], capture_output=True, text=True, check=True).stdout
+    wanted = {int(address, 16): 2 if len(code.split()) == 1 else 4 for address, code in
+              re.findall(r"^\s*([0-9a-f]+):\t([0-9a-f]{4}(?: [0-9a-f]{4})?) +\t(?!\.word|\.short|\.byte)", text, re.MULTILINE)}
+    found = {address: each.size for address, each in MachineCode(elf).each_instruction()}
+    assert len(found) > 2000 and found == wanted
+
+
+# --- the estimate -------------------------------------------------------------------
+
+def test_every_core_has_models_but_the_m55_of_which_the_manual_has_no_table():
+    assert {core: list(cycles.models(core)) for core in bench_plan.CORES} == {
+        "m0": ["cortex-m0plus", "cortex-m0plus-small", "cortex-m3", "cortex-m4"],
+        "m3": ["cortex-m3", "cortex-m4"], "m4f": ["cortex-m4"], "m55": []}
+
+
+@pytest.mark.parametrize("core, model, instruction, times, left, wanted", [
+    ("m0", "cortex-m0plus", Instruction(2, "other"), 10, 0, (10, 10)),
+    ("m0", "cortex-m0plus", Instruction(2, "multiply"), 10, 0, (10, 10)),
+    ("m0", "cortex-m0plus-small", Instruction(2, "multiply"), 10, 0, (320, 320)),
+    ("m0", "cortex-m0plus-small", Instruction(2, "load"), 10, 0, (20, 20)),
+    ("m0", "cortex-m0plus", Instruction(2, "load multiple", 4), 10, 0, (50, 50)),
+    ("m0", "cortex-m0plus", Instruction(2, "branch conditional"), 10, 7, (17, 17)),
+    ("m3", "cortex-m3", Instruction(4, "long multiply"), 10, 0, (30, 50)),
+    ("m3", "cortex-m3", Instruction(4, "divide"), 1, 0, (2, 12)),
+    ("m3", "cortex-m3", Instruction(2, "branch conditional"), 10, 7, (17, 31)),
+    ("m3", "cortex-m4", Instruction(4, "long multiply"), 10, 0, (10, 10)),
+    ("m4f", "cortex-m4", Instruction(4, "float divide"), 2, 0, (28, 28)),
+])
+def test_cycles_by_hand(core, model, instruction, times, left, wanted):
+    assert cycles.models(core)[model].cycles(instruction, times, left) == wanted
+
+
+def test_a_kind_without_a_cost_is_refused():
+    with pytest.raises(ToolError, match="no cost for 'vector'"):
+        cycles.models("m3")["cortex-m3"].cycles(Instruction(4, "vector"), 1, 0)
+
+
+# --- places -------------------------------------------------------------------------
+
+class Code:
+    """Functions outer at 0x100 and helper at 0x200; every instruction is a plain one."""
+    functions = [types.SimpleNamespace(name="outer", start=0x100),
+                 types.SimpleNamespace(name="helper", start=0x200)]
+
+    @staticmethod
+    def instruction(address):
+        kind = "branch conditional" if address == 0x104 else "other"
+        return Instruction(2, kind)
+
+
+class Debug:
+    """small is inlined at 0x102 into outer."""
+    files = {"outer": "lib/src/project.c", "small": "lib/src/arith.h", "helper": "libgcc/div.c"}
+
+    @staticmethod
+    def inlined(address):
+        return ["small"] if address == 0x102 else []
+
+    @staticmethod
+    def line(address):
+        return None if address >= 0x200 else f"lib/src/project.c:{address - 0x100}"
+
+
+def small_profile():
+    counts = counter.Counts(regions=[50], nodes={1: (0, 0, 0), 2: (1, 1, 0x106)},
+                            blocks={0: (0x100, [2, 2, 2]), 1: (0x200, [2, 2])},
+                            visits=[(1, 0, 10, 4), (2, 1, 10, 10)])
+    return places.Profile(Code, counts, Debug, cycles.models("m3"))
+
+
+def test_every_instruction_has_one_function_one_line_one_stack_and_one_stage():
+    taken = small_profile()
+    assert taken.total.instructions == 50
+    assert {name: each.instructions for name, each in taken.own.items()} == {"outer": 20, "small": 10, "helper": 20}
+    assert {name: each.instructions for name, each in taken.inclusive.items()} == \
+        {"outer": 50, "small": 10, "helper": 20}
+    assert taken.entered == {"outer": 10, "helper": 10}
+    assert taken.inlined == {"small": 10} and taken.taken == {"taken": 4, "not taken": 6}
+    assert {names: each.instructions for names, each in taken.stacks.items()} == \
+        {("outer",): 20, ("outer", "small (inlined)"): 10, ("outer", "helper"): 20}
+    assert {line: each.instructions for line, each in taken.lines.items()} == \
+        {"lib/src/project.c:0": 10, "lib/src/project.c:2": 10, "lib/src/project.c:4": 10, "helper (no source)": 20}
+    assert taken.stages == {"project": 50}      # a helper's work is its caller's
+    assert taken.staged == {("project", "outer"): 20, ("project", "small"): 10, ("project", "helper"): 20}
+    data = places.as_json(taken, 5)
+    assert data["frames"] == 5 and data["stages"] == [{"stage": "project", "instructions": 50}]
+    # 40 plain ones, 10 conditional branches of which 4 were followed.
+    assert data["cycles_estimate"]["cortex-m3"] == [40 + 6 + 4 * 2, 40 + 6 + 4 * 4]
+
+
+FILES = {"frame": "lib/src/render.c", "outline": "lib/src/scan.c", "fxl_scan_outline": "lib/src/scan.c",
+         "next": "lib/src/scan.c", "rows": "lib/kernels/armv7m/fill.S", "product": "lib/src/arith.h",
+         "divide": "lib/src/divide_wide.c", "main": "bench/firmware/frames.c", "new": "lib/src/unheard_of.c"}
+
+
+@pytest.mark.parametrize("names, stage", [
+    (["main", "frame"], "glue"), (["main", "frame", "next"], "spans"), (["main", "frame", "next", "memset"], "spans"),
+    (["main", "frame", "fxl_scan_outline", "outline", "product"], "edges"),
+    (["main", "frame", "fxl_scan_outline", "rows"], "fill"), (["main", "new"], "unheard_of"),
+    (["main", "frame", "outline", "divide"], "spans"),
+    (["main", "memset"], places.OTHERS)])
+def test_stages(names, stage):
+    assert places.Stages().of(names, FILES) == stage
+
+
+def test_every_file_of_the_library_has_a_stage():
+    stages = places.Stages()
+    sources = [*(CHECKOUT / "lib/src").glob("*.c"), *(CHECKOUT / "lib/kernels").rglob("*.[cS]")]
+    assert sorted({path.stem for path in sources} - set(stages.of_file) - stages.shared) == []
+
+
+def test_debug_information_knows_lines_and_inlined_functions():
+    elf = CHECKOUT / "build/bench/m3/fixel.elf"
+    code, debug = MachineCode(elf), DebugLines(elf)
+    (function,) = [each for each in code.functions if each.name == "fxl_frame_begin"]
+    inside = [address for address, _ in code.each_instruction() if function.start <= address < function.end]
+    assert all(re.fullmatch(r"lib/(src|include/fixel)/\w+\.[ch]:\d+", debug.line(address)) for address in inside)
+    assert debug.files["fxl_frame_begin"] == "lib/src/render.c"
+    tool = subprocess.run([f"{CROSS}addr2line", "-i", "-f", "-e", str(elf), *map(hex, inside)], capture_output=True,
+                          text=True, check=True).stdout.splitlines()
+    inlined = set().union(*(debug.inlined(address) for address in inside))
+    assert inlined == set(tool[0::2]) - {"fxl_frame_begin"}
+    assert {debug.line(address).split("/")[-1] for address in inside} <= \
+        {re.sub(r" \(.*", "", place).split("/")[-1] for place in tool[1::2]}
+
+
+# --- the flame graph ----------------------------------------------------------------
+
+STACKS = {("main",): 25, ("main", "a<b>"): 50, ("main", "a<b>", "tiny"): 24, ("main", "hair"): 1}
+
+
+def bars(svg):
+    """{title: (x, y, width)} of a graph."""
+    found = {}
+    for group in xml.etree.ElementTree.fromstring(svg).iter(f"{SVG}g"):
+        rect = group.find(f"{SVG}rect")
+        found[group.find(f"{SVG}title").text] = tuple(float(rect.get(name)) for name in ("x", "y", "width"))
+    return found
+
+
+def test_a_flame_graph_has_bars_as_wide_as_what_they_took():
+    found = bars(flame.svg(STACKS, "title", "below", "(inlined)"))
+    whole = flame.WIDTH - 2 * flame.MARGIN
+    assert set(found) == {"main: 100 (100.00 %)", "a<b>: 74 (74.00 %)", "tiny: 24 (24.00 %)", "hair: 1 (1.00 %)"}
+    main, inner, tiny = (found[name] for name in ("main: 100 (100.00 %)", "a<b>: 74 (74.00 %)", "tiny: 24 (24.00 %)"))
+    assert [round(bar[2] / whole, 3) for bar in (main, inner, tiny)] == [1, 0.74, 0.24]
+    assert main[1] > inner[1] > tiny[1]         # callers below
+    assert main[0] <= inner[0] and inner[0] + inner[2] <= main[0] + main[2]
+
+
+def test_a_flame_graph_says_what_it_shows_and_is_the_same_twice():
+    svg = flame.svg(STACKS, "w1 & more", "instructions", "(inlined)")
+    root = xml.etree.ElementTree.fromstring(svg)
+    assert "w1 & more" in [text.text for text in root.iter(f"{SVG}text")]
+    assert svg == flame.svg(dict(reversed(STACKS.items())), "w1 & more", "instructions", "(inlined)")
+
+
+# --- the command --------------------------------------------------------------------
+
+def test_the_command(tmp_path):
+    done = run_cli("profile_frame", "--workload", "w3b", "--core", "m3", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    data = json.loads((tmp_path / "out/profile.json").read_text())
+    for key in ("functions", "lines", "stages"):
+        assert sum(row["instructions"] for row in data[key]) == data["instructions"]
+    assert sum(data["kinds"].values()) == data["instructions"]
+    assert (tmp_path / "out/flame.svg").read_text().count("<g>") > 20
+    folded = (tmp_path / "out/stacks.txt").read_text().splitlines()
+    assert sum(int(line.rsplit(" ", 1)[1]) for line in folded) == data["instructions"]
+    words = [line for line in done.stdout.splitlines() if "cycles" in line]
+    assert words and all("ESTIMATE" in line for line in words)
+
+
+@pytest.mark.parametrize("workload, core, words", [("w9", "m3", ("no workload 'w9'", "w3b")),
+                                                   ("w1", "m7", ("no core 'm7'", "m55"))])
+def test_the_command_says_what_there_is(workload, core, words):
+    assert_one_sentence(run_cli("profile_frame", "--workload", workload, "--core", core), *words)
+
+
+assert set(cycles.LEAVING) <= set(thumb.KINDS)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""How the live window ends: by Ctrl-C, by other signals, by force, with its board; and what it refuses."""
+
+import os
+import pty
+import re
+import signal
+import subprocess
+import termios
+import time
+
+import pytest
+from conftest import CHECKOUT, assert_one_sentence, environment, run_cli
+
+from fixel import browser
+from viewers import BOARDS, HEIGHT, PATIENCE, WIDTH, assert_gone, assert_refuses, assert_started, children, left, \
+    own_build, plaza, ready
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    return plaza(tmp_path_factory.mktemp("plaza"))
+
+
+@pytest.fixture(scope="module", params=BOARDS)
+def board(request, build):
+    return ready(request.param, build)
+
+
+@pytest.fixture
+def programs(build, tmp_path):
+    return own_build(build, tmp_path)
+
+
+def read_until(terminal, pattern):
+    text = ""
+    while (found := re.search(pattern, text)) is None:
+        text += os.read(terminal, 4096).decode(errors="replace")
+    return found
+
+
+def test_ctrl_c_ends_everything(board, build, chromium):
+    """make view in a terminal of its own, with a page that looks on and a key down; impatiently."""
+    ours, theirs = pty.openpty()
+    sane = termios.tcgetattr(theirs)
+    process = subprocess.Popen(["make", "--no-print-directory", "view", f"BOARD={board}"], cwd=CHECKOUT,
+                               stdin=theirs, stdout=theirs, stderr=theirs, env=environment(),
+                               preexec_fn=lambda: os.login_tty(os.dup(theirs)))
+    try:
+        address = read_until(ours, browser.ADDRESS)[0]
+        with browser.page(chromium, address, WIDTH, HEIGHT) as page:
+            page.keyboard.down("ArrowUp")
+            found = children(process.pid)
+            assert_started(found)
+            folder = build / re.search(r"[.]view-\w+", " ".join(found.values()))[0]
+            assert folder.is_dir()
+            for _ in range(3):
+                os.write(ours, b"\x03")
+                time.sleep(0.05)
+            page.wait_for_selector("#state.ended")
+            assert page.inner_text("#banner") == "The view was ended."
+        assert process.wait(PATIENCE) in (0, -signal.SIGINT, 128 + signal.SIGINT)
+        assert_gone(found)
+        assert not folder.exists()
+        assert_refuses(address)
+        assert termios.tcgetattr(theirs) == sane
+    finally:
+        process.kill()
+        process.wait()
+        os.close(ours)
+        os.close(theirs)
+
+
+@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_other_endings(scene, build, programs, ending):
+    ready("mps2-an385", build)
+    with browser.viewing("mps2-an385", scene, programs) as (process, address):
+        found = children(process.pid)
+        assert_started(found)
+        process.send_signal(ending)
+        assert process.wait(PATIENCE) == 0 and "error" not in process.stderr.read()
+        assert_gone(found)
+    assert not left(programs)
+    assert_refuses(address)
+
+
+def test_killed_it_leaves_nothing_running(board, scene, programs):
+    with browser.viewing(board, scene, programs) as (process, address):
+        found = children(process.pid)
+        assert_started(found)
+        process.kill()
+        assert_gone(found)
+    assert_refuses(address)
+
+
+def test_a_board_that_ends_is_an_error_on_the_page_and_in_the_terminal(board, scene, programs, chromium):
+    with browser.viewing(board, scene, programs) as (process, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        (qemu,) = [number for number, command in children(process.pid).items() if "qemu-system-arm" in command]
+        os.kill(qemu, signal.SIGKILL)
+        page.wait_for_selector("#state.ended")
+        assert f"board {board} ended" in page.inner_text("#banner")
+        assert process.wait(PATIENCE) not in (0, None)
+        words = process.stderr.read()
+        assert f"error: board {board} ended: it was ended by signal 9\n" in words and "Traceback" not in words
+    assert not left(programs)
+
+
+# --- what is refused ----------------------------------------------------------------
+
+@pytest.mark.parametrize("options, words", [
+    (("--board", "host"), "host has no live window"), (("--port", "web"), "PORT is 'web'"),
+    (("--port", "65536"), "from 1 to 65535"), (("--port", "0"), "from 1 to 65535"),
+    (("--scene", "none.toml"), "none.toml"), (("--scene", "scene.fxls", "--screen", "128x64"), "scene.fxls"),
+    (("--screen", "0x0"), "0x0"), (("--build", "/nowhere/at/all"), "/nowhere/at/all")])
+def test_refused(scene, programs, options, words):
+    start = ["--board", "mps2-an385", "--scene", scene, "--build", programs]
+    assert_one_sentence(run_cli("view", *start, *options), words)
+    assert not left(programs)

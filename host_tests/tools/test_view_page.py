@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: MIT
+"""The live window's page in a headless browser: frames, figures, keys, what is shown beside.
+
+A machine that runs other tests meanwhile may be slow: nothing here is timed, only waited for.
+build/view/<board>.png is how the page looked.
+"""
+
+import base64
+import io
+import re
+import socket
+import time
+
+import numpy
+import pytest
+from PIL import Image
+from conftest import assert_one_sentence, run_cli
+
+from fixel import browser
+from viewers import BOARDS, HEIGHT, PATIENCE, WIDTH, left, own_build, plaza, port_of, ready
+
+MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
+LINE = (255, 211, 77)   # of an outline
+FIGURES = ("x", "y", "z", "yaw", "pitch", "roll")
+# What a key changes, and which way.
+KEYS = {"ArrowUp": ("z", 1), "ArrowRight": ("yaw", 1), "ArrowLeft": ("yaw", -1), "ArrowDown": ("z", -1),
+        "KeyR": ("pitch", 1), "KeyF": ("pitch", -1), "KeyQ": ("roll", 1), "KeyE": ("roll", -1)}
+# Other keys that mean the same: bits of fixel/viewer.h.
+SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32}
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    return plaza(tmp_path_factory.mktemp("plaza"))
+
+
+@pytest.fixture(scope="module", params=BOARDS)
+def board(request, build):
+    return ready(request.param, build)
+
+
+@pytest.fixture(scope="module")
+def window(board, scene, chromium, build):
+    """(its process, its address, its page), live."""
+    with browser.viewing(board, scene, build) as (process, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(1000 * PATIENCE)
+        page.wait_for_function("() => document.getElementById('board-rate').textContent !== '–'")
+        yield process, address, page
+        assert page.complaints == []
+
+
+@pytest.fixture
+def page(window):
+    return window[2]
+
+
+def figure(page, name):
+    """A number that the page shows."""
+    return float(re.sub(r"[^\d.-]", "", page.inner_text(f"#{name}")))
+
+
+def numbers(page, name):
+    """The whole numbers in a sentence of the page's."""
+    return [int(number.replace(",", "")) for number in re.findall(r"\d[\d,]*", page.inner_text(f"#{name}"))]
+
+
+def canvases(page, *names):
+    """What canvases show, all of one moment: arrays of rows of RGB."""
+    urls = page.evaluate("names => names.map((name) => document.getElementById(name).toDataURL())", names)
+    blocks = [base64.b64decode(url.partition(",")[2]) for url in urls]
+    return [numpy.asarray(Image.open(io.BytesIO(block)).convert("RGB")) for block in blocks]
+
+
+def wait_for_frames(page, count):
+    number = figure(page, "number")
+    page.wait_for_function("until => Number(document.getElementById('number').textContent.replace(/,/g, '')) >= until",
+                           arg=number + count)
+
+
+def stand_still(page):
+    """Waits until the viewer does; the figures of its pose then."""
+    deadline, before = time.monotonic() + PATIENCE, None
+    while (pose := {name: figure(page, name) for name in FIGURES}) != before:
+        assert time.monotonic() < deadline, "it does not come to a stop"
+        wait_for_frames(page, 10)
+        before = pose
+    return pose
+
+
+def around(degrees):
+    return (degrees + 180) % 360 - 180
+
+
+# --- what is shown ------------------------------------------------------------------
+
+def test_frames_and_figures(page, board):
+    wait_for_frames(page, 5)
+    assert page.inner_text("#board") == board and "plaza.fxls, 320 × 240" in page.inner_text("#scene")
+    assert figure(page, "board-rate") > 0 and figure(page, "page-rate") > 0
+    assert 1e5 < figure(page, "instructions") < 1e8
+    assert stand_still(page)["z"] == -32
+    (frame,) = canvases(page, "fixed")
+    assert frame.shape == (240, 320, 3) and len(numpy.unique(frame.reshape(-1, 3), axis=0)) > 30
+
+
+def test_counters(page):
+    rows = page.eval_on_selector_all("#polygons tr", "rows => rows.map((row) => [row.dataset.name, "
+                                     "Number(row.cells[1].textContent.replace(/,/g, ''))])")
+    counters = dict(rows)
+    assert counters["in"] == sum(counters[name] for name in
+                                 ("backfacing", "outside", "degenerate", "refused", "drawn"))
+    assert counters["drawn"] > 500 and counters["clipped"] > 0 and counters["refused"] == 0
+
+
+def test_frames_a_second(page, board):
+    """30 and more from a board that shares memory; from others, as many as come."""
+    page.click("[data-rate='0']")
+    page.wait_for_function("least => Number(document.getElementById('board-rate').textContent) >= least",
+                           arg=30 if board == "mps2-an385" else 2)
+    page.click("[data-rate='30']")
+    page.wait_for_selector("[data-rate='30'][aria-pressed='true']")
+
+
+# --- keys ---------------------------------------------------------------------------
+
+@pytest.mark.parametrize("key", KEYS)
+def test_a_key_moves_the_viewer_and_the_picture(page, key):
+    name, sign = KEYS[key]
+    before, (picture,) = stand_still(page), canvases(page, "fixed")
+    page.keyboard.down(key)
+    page.wait_for_function(
+        """([name, sign, before]) => {
+            const change = parseFloat(document.getElementById(name).textContent) - before;
+            return sign * (name === "z" ? change : (change + 540) % 360 - 180) >= 1;
+        }""", arg=[name, sign, before[name]])
+    page.keyboard.up(key)
+    after = stand_still(page)
+    changed = {each for each in FIGURES if after[each] != before[each]}
+    assert name in changed and changed <= ({"x", "z"} if name == "z" else {name})
+    (moved,) = canvases(page, "fixed")
+    assert numpy.mean((moved != picture).any(axis=2)) > 0.01
+
+
+def test_every_key_is_known_to_the_page(page):
+    for key, bit in SAME.items():
+        button = f"[data-bit='{bit}']"
+        page.keyboard.down(key)
+        assert page.get_attribute(button, "aria-pressed") == "true", key
+        page.keyboard.up(key)
+        assert page.get_attribute(button, "aria-pressed") == "false", key
+    stand_still(page)
+
+
+def test_keys_on_the_page_and_keys_that_are_let_go_elsewhere(page):
+    before = stand_still(page)
+    page.hover("[data-bit='8']")
+    page.mouse.down()
+    page.wait_for_function("before => parseFloat(document.getElementById('yaw').textContent) !== before",
+                           arg=before["yaw"])
+    page.evaluate("window.dispatchEvent(new Event('blur'))")    # another window is on top now
+    after = stand_still(page)
+    page.mouse.up()
+    assert around(after["yaw"] - before["yaw"]) > 0 and after["z"] == before["z"]
+
+
+# --- beside it ----------------------------------------------------------------------
+
+def show_beside(page, key, what):
+    page.keyboard.press(key)
+    page.wait_for_selector(f"[data-beside='{what}'][aria-pressed='true']")
+    page.wait_for_function("() => document.getElementById('other-number').textContent !== '–'")
+    fixed, other = page.evaluate("['number', 'other-number'].map((name) => document.getElementById(name).textContent)")
+    assert fixed == other
+
+
+def test_double(page):
+    show_beside(page, "1", "double")
+    fixed, double = canvases(page, "fixed", "other")
+    differ = (fixed != double).any(axis=2).sum()
+    assert fixed.shape == double.shape and differ <= 20     # of 76,800; mostly none
+    assert len(numpy.unique(double.reshape(-1, 3), axis=0)) > 30
+
+
+def test_difference(page):
+    show_beside(page, "2", "difference")
+    (shown,) = canvases(page, "other")
+    pixels, together, frames = numbers(page, "other-name")
+    assert pixels == (shown == MARK).all(axis=2).sum() and pixels <= 20
+    assert together >= pixels and frames > 0
+    if pixels == 0:
+        assert (shown.max(axis=2) == shown.min(axis=2)).all() and len(numpy.unique(shown)) > 10
+
+
+def test_wireframe(page):
+    stand_still(page)
+    show_beside(page, "3", "wireframe")
+    lines, (shown,) = numbers(page, "other-name")[0], canvases(page, "other")
+    drawn = figure(page, "polygons tr[data-name='drawn'] td:nth-child(2)")
+    assert abs(lines - drawn) <= 0.01 * drawn   # those that only one of the two draws have hardly an area
+    assert shown.shape[0] % 240 == 0 and (numpy.abs(shown.astype(int) - LINE).sum(axis=2) < 12).sum() > 1000
+
+
+def test_nothing_beside_it(page, board, build):
+    (build / "view").mkdir(exist_ok=True)
+    page.screenshot(path=build / "view" / f"{board}.png")
+    page.keyboard.press("0")
+    page.wait_for_selector("#beside", state="hidden")
+    wait_for_frames(page, 5)
+
+
+# --- others that look on ------------------------------------------------------------
+
+def test_another_tab_sees_and_walks_the_same(window, chromium):
+    _, address, page = window
+    before = stand_still(page)
+    with browser.page(chromium, address, WIDTH, HEIGHT) as other:
+        other.keyboard.down("ArrowUp")
+        page.wait_for_function("before => Number(document.getElementById('z').textContent) > before + 1",
+                               arg=before["z"])
+        # Closed with the key down: whoever leaves lets go.
+    assert stand_still(page)["z"] > before["z"]
+
+
+def test_it_listens_on_this_machine_alone(window):
+    port = port_of(window[1])
+    socket.create_connection(("127.0.0.1", port), PATIENCE).close()
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection(("127.0.0.2", port), PATIENCE)
+
+
+def test_another_viewer_has_a_port_of_its_own(window, board, scene, build):
+    with browser.viewing(board, scene, build) as (_, address):
+        assert address != window[1]
+
+
+def test_a_port_in_use_is_refused(window, board, scene, build, tmp_path):
+    port, programs = port_of(window[1]), own_build(build, tmp_path)
+    refused = run_cli("view", "--board", board, "--scene", scene, "--build", programs, "--port", port)
+    assert_one_sentence(refused, f"port {port} of 127.0.0.1", "PORT=")
+    assert not left(programs)
+    wait_for_frames(window[2], 1)
+
+
+# --- the recording ------------------------------------------------------------------
+
+def test_the_recording(scene, build, tmp_path):
+    ready("mps2-an385", build)
+    file = tmp_path / "window.gif"
+    done = run_cli("record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file)
+    assert done.returncode == 0, done.stderr
+    with Image.open(file) as recording:
+        frames = []
+        for number in range(recording.n_frames):
+            recording.seek(number)
+            frames.append(numpy.asarray(recording.convert("RGB")))
+    assert len(frames) >= 30 and file.stat().st_size < 1.5e6
+    changes = [numpy.mean((one != other).any(axis=2)) for one, other in zip(frames, frames[1:])]
+    assert numpy.mean(numpy.array(changes) > 0.01) > 0.7    # it walks most of the time

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""For the tests of the live window: viewers, and what they start and leave behind."""
+
+import pathlib
+import re
+import socket
+import time
+
+import pytest
+
+import scene as scene_tool
+from board_programs import ROOT, built
+
+BOARDS = ("mps2-an385", "lm3s6965evb")
+WIDTH, HEIGHT = 1280, 800   # of the browser's window
+PATIENCE = 60               # seconds for anything to happen: the machine may be busy
+
+
+def ready(board, build):
+    """Sees to it that what a viewer of a board starts is built; the board."""
+    built(f"{board}/walk.elf")
+    assert (build / "host" / "live").exists(), "make all builds it"
+    return board
+
+
+def plaza(folder):
+    """The plaza as a scene image, so that not every viewer compiles it."""
+    image = folder / "plaza.fxls"
+    scene_tool.build(str(ROOT / "scenes" / "plaza.toml"), str(image))
+    return image
+
+
+def own_build(build, folder):
+    """A folder with the programs of build, in which no other test's viewers leave anything."""
+    for name in ("boards", "host"):
+        (folder / name).symlink_to(build / name)
+    return folder
+
+
+def port_of(address):
+    return int(re.search(r":(\d+)/", address)[1])
+
+
+def left(build):
+    """The folders of viewers that have not ended."""
+    return {path.name for path in build.glob(".view-*")}
+
+
+def children(process):
+    """{number: command} of all that a process started, and what those started."""
+    parents, commands = {}, {}
+    for path in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            parents[int(path.name)] = int((path / "stat").read_text().rpartition(")")[2].split()[1])
+            commands[int(path.name)] = (path / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+        except OSError:
+            pass    # it has just ended
+    found, new = {}, {process}
+    while new:
+        new = {number for number, parent in parents.items() if parent in new}
+        found |= {number: commands[number] for number in new}
+    return found
+
+
+def runs(number):
+    """Whether a process does; one that nobody has waited for yet does not."""
+    try:
+        return pathlib.Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def assert_gone(numbers):
+    deadline = time.monotonic() + PATIENCE
+    while any(map(runs, numbers)):
+        assert time.monotonic() < deadline, "something still runs"
+        time.sleep(0.05)
+
+
+def assert_started(found):
+    for name in ("qemu-system-arm", "host/live"):
+        assert any(name in command for command in found.values()), found
+
+
+def assert_refuses(address):
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection(("127.0.0.1", port_of(address)), PATIENCE)

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+#include "unit.h"
+#include "wide.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    LEAST = 4, /* what the reach has beyond the radius, in units of 2^-12 */
+    MOST = 12
+};
+
+static fxl_camera camera;
+static fxl_view_frustum frustum;
+static fxl_frustum world;
+
+static void look(const fxl_pose *pose, const fxl_lens *lens)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
+    fxl_view_frustum_from_lens(lens, &frustum);
+    fxl_frustum_from_camera(&camera, lens, &world);
+}
+
+static wide scaled(int64_t value)
+{
+    return wide_product(value, 1 << 30);
+}
+
+/* The distance of a point from a plane of the view, in units of 2^-76: exact. */
+static wide distance(int plane, const fxl_point *point)
+{
+    fxl_view_point at;
+    fxl_transform_point(&camera, point, &at);
+    wide x = wide_product(at.x, frustum.x_side), x_along = wide_product(at.z, frustum.x_depth);
+    wide y = wide_product(at.y, frustum.y_side), y_along = wide_product(at.z, frustum.y_depth);
+    wide inset = scaled(frustum.inset);
+    switch (plane) {
+    case FXL_PLANE_NEAR:
+        return wide_difference(scaled(at.z), scaled(frustum.near));
+    case FXL_PLANE_FAR:
+        return wide_difference(scaled(frustum.far), scaled(at.z));
+    case FXL_PLANE_LEFT:
+        return wide_difference(wide_sum(x_along, x), inset);
+    case FXL_PLANE_RIGHT:
+        return wide_difference(wide_difference(x_along, x), inset);
+    case FXL_PLANE_BOTTOM:
+        return wide_difference(wide_sum(y_along, y), inset);
+    default:
+        return wide_difference(wide_difference(y_along, y), inset);
+    }
+}
+
+/* A radius and some units of 2^-12, in units of 2^-76. */
+static wide reach(fxl_q16_16 radius, int extra)
+{
+    return scaled(((int64_t)radius + 16 * extra) * (1 << 30));
+}
+
+/* What the header says, plane by plane. */
+static void expect_planes(uint32_t planes, const fxl_point *centre, fxl_q16_16 radius)
+{
+    const wide zero = {0, 0};
+    bool surely_outside = false, maybe_outside = false;
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        wide inside = distance(plane, centre), outside = wide_difference(zero, inside);
+        surely_outside |= wide_compare(outside, reach(radius, MOST)) >= 0;
+        maybe_outside |= wide_compare(outside, reach(radius, LEAST)) > 0;
+        if (planes != FXL_SPHERE_OUTSIDE && (planes >> plane & 1u) == 0) {
+            TEST_ASSERT_TRUE(wide_compare(inside, reach(radius, LEAST)) >= 0);
+        } else if (planes != FXL_SPHERE_OUTSIDE) {
+            TEST_ASSERT_TRUE(wide_compare(inside, reach(radius, MOST)) < 0);
+        }
+    }
+    TEST_ASSERT_TRUE(planes <= FXL_SPHERE_OUTSIDE);
+    TEST_ASSERT_TRUE(planes == FXL_SPHERE_OUTSIDE ? maybe_outside : !surely_outside);
+}
+
+/* Straight ahead, 90 degrees wide: side planes at |x| = z and |y| = 2/3 z. */
+void test_spheres_about_a_known_frustum(void)
+{
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const struct {
+        fxl_point centre;
+        fxl_q16_16 radius;
+        uint32_t planes;
+    } cases[] = {
+        {{0, 0, Q16(10)}, Q16(1), 0},
+        {{0, 0, Q16(1)},
+         Q16(0.9),
+         1u << FXL_PLANE_LEFT | 1u << FXL_PLANE_RIGHT | 1u << FXL_PLANE_BOTTOM |
+             1u << FXL_PLANE_TOP},
+        {{0, 0, Q16(-1)}, Q16(0.9), FXL_SPHERE_OUTSIDE},
+        {{0, 0, Q16(1002)}, Q16(1.5), FXL_SPHERE_OUTSIDE},
+        {{0, 0, Q16(1000)}, Q16(1), 1u << FXL_PLANE_FAR},
+        {{Q16(-10), 0, Q16(10)}, Q16(1), 1u << FXL_PLANE_LEFT},
+        {{Q16(10), 0, Q16(10)}, Q16(1), 1u << FXL_PLANE_RIGHT},
+        {{0, Q16(-20), Q16(30)}, Q16(1), 1u << FXL_PLANE_BOTTOM},
+        {{0, Q16(20), Q16(30)}, Q16(1), 1u << FXL_PLANE_TOP},
+        {{Q16(-10), 0, Q16(8)}, Q16(1), FXL_SPHERE_OUTSIDE},
+        {{Q16(10), 0, Q16(8)}, Q16(1), FXL_SPHERE_OUTSIDE},
+        {{0, Q16(-20), Q16(28)}, Q16(1), FXL_SPHERE_OUTSIDE},
+        {{0, Q16(20), Q16(28)}, Q16(1), FXL_SPHERE_OUTSIDE},
+        {{0, 0, 0}, FXL_RADIUS_MAX, (1u << FXL_PLANE_COUNT) - 1},
+        {{0, 0, Q16(10)}, 0, 0},
+        {{FXL_COORDINATE_MAX, FXL_COORDINATE_MAX, -FXL_COORDINATE_MAX}, 0, FXL_SPHERE_OUTSIDE},
+    };
+    look(&pose, &lens);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        TEST_ASSERT_EQUAL_HEX32(
+            cases[i].planes,
+            fxl_sphere_planes(&camera, &frustum, &cases[i].centre, cases[i].radius));
+        expect_planes(cases[i].planes, &cases[i].centre, cases[i].radius);
+    }
+}
+
+static fxl_q16_16 clamped(int64_t radius)
+{
+    radius = radius < 0 ? 0 : radius;
+    return radius > FXL_RADIUS_MAX ? FXL_RADIUS_MAX : (fxl_q16_16)radius;
+}
+
+/* Any sphere, or one that touches a plane to within a few units of the slack. */
+static fxl_q16_16 any_radius(const fxl_point *centre)
+{
+    if (unit_random() % 4 == 0) {
+        return clamped(unit_wide(unit_random() % 2 ? 31 : 20));
+    }
+    fxl_view_point at;
+    fxl_transform_point(&camera, centre, &at);
+    int64_t gap =
+        fxl_view_distance(&frustum, (int)(unit_random() % FXL_PLANE_COUNT), &at) / (1 << 30);
+    return clamped((gap < 0 ? -gap : gap) + unit_between(-400, 400));
+}
+
+/* A centre that the frustum is likely to be near: most are not seen otherwise. */
+static fxl_point any_centre(const fxl_pose *pose)
+{
+    fxl_point centre = unit_point(FXL_COORDINATE_MAX);
+    if (unit_random() % 2) {
+        int32_t spread = unit_between(1, Q16(100));
+        int64_t x = (int64_t)pose->position.x + unit_between(-spread, spread);
+        int64_t y = (int64_t)pose->position.y + unit_between(-spread, spread);
+        int64_t z = (int64_t)pose->position.z + unit_between(-spread, spread);
+        if (x == (int32_t)x && x < FXL_COORDINATE_MAX && -x < FXL_COORDINATE_MAX &&
+            y < FXL_COORDINATE_MAX && -y < FXL_COORDINATE_MAX && z < FXL_COORDINATE_MAX &&
+            -z < FXL_COORDINATE_MAX) {
+            centre = (fxl_point){(fxl_q16_16)x, (fxl_q16_16)y, (fxl_q16_16)z};
+        }
+    }
+    return centre;
+}
+
+void test_planes_against_exact_distances(void)
+{
+    uint32_t outside = 0, inside = 0, crossing = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_pose pose = unit_pose();
+        fxl_lens lens = unit_any_lens();
+        look(&pose, &lens);
+        fxl_point centre = any_centre(&pose);
+        fxl_q16_16 radius = any_radius(&centre);
+        uint32_t planes = fxl_sphere_planes(&camera, &frustum, &centre, radius);
+        expect_planes(planes, &centre, radius);
+        outside += planes == FXL_SPHERE_OUTSIDE;
+        inside += planes == 0;
+        crossing += planes != 0 && planes != FXL_SPHERE_OUTSIDE;
+    }
+    TEST_ASSERT_TRUE(outside > UNIT_REPEAT / 4 && crossing > UNIT_REPEAT / 8 &&
+                     inside > UNIT_REPEAT / 500);
+}
+
+/* A vertex of a model with that radius: on the sphere, as far along a direction
+ * as whole numbers let it. False where the world ends before. */
+static bool place_vertex(const fxl_direction *towards, const fxl_point *centre, fxl_q16_16 radius,
+                         fxl_point *vertex)
+{
+    int64_t to[3] = {towards->x, towards->y, towards->z};
+    int64_t from[3] = {centre->x, centre->y, centre->z};
+    int64_t at[3], square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        int64_t step = to[axis] * radius / (1 << 30);
+        square += step * step;
+        at[axis] = from[axis] + step;
+        if (at[axis] > FXL_COORDINATE_MAX || at[axis] < -FXL_COORDINATE_MAX) {
+            return false;
+        }
+    }
+    *vertex = (fxl_point){(fxl_q16_16)at[0], (fxl_q16_16)at[1], (fxl_q16_16)at[2]};
+    return square <= (int64_t)radius * radius;
+}
+
+/* No vertex is inside the plane that its sphere lies outside of, none outside a
+ * plane that the sphere lies inside of; in the view as in the world. */
+static void expect_vertex(uint32_t planes, const fxl_point *vertex, bool *seen)
+{
+    fxl_view_point at;
+    fxl_transform_point(&camera, vertex, &at);
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        bool in_view = fxl_view_distance(&frustum, plane, &at) >= 0;
+        bool in_world = fxl_plane_distance(&world.planes[plane], vertex) >= 0;
+        seen[plane] |= in_view || in_world;
+        if (planes != FXL_SPHERE_OUTSIDE && (planes >> plane & 1u) == 0) {
+            TEST_ASSERT_TRUE(in_view && in_world);
+        }
+    }
+}
+
+void test_vertices_of_what_is_left_out(void)
+{
+    uint32_t outside = 0, inside = 0;
+    for (int i = 0; i < UNIT_REPEAT / 4; i++) {
+        fxl_pose pose = unit_pose();
+        fxl_lens lens = unit_any_lens();
+        look(&pose, &lens);
+        fxl_point centre = any_centre(&pose), vertex;
+        fxl_q16_16 radius = any_radius(&centre);
+        uint32_t planes = fxl_sphere_planes(&camera, &frustum, &centre, radius);
+        bool seen[FXL_PLANE_COUNT] = {false};
+        uint32_t placed = 0;
+        for (int k = 0; k < 4 * FXL_PLANE_COUNT; k++) {
+            /* Towards each plane, away from it, and anywhere. */
+            fxl_direction towards = world.planes[k / 4].normal;
+            if (k % 4 == 1) {
+                towards = (fxl_direction){-towards.x, -towards.y, -towards.z};
+            } else if (k % 4 > 1) {
+                towards = unit_direction();
+            }
+            if (place_vertex(&towards, &centre, radius, &vertex)) {
+                expect_vertex(planes, &vertex, seen);
+                placed++;
+            }
+        }
+        if (planes == FXL_SPHERE_OUTSIDE && placed > 0) {
+            bool all = true;
+            for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+                all = all && seen[plane];
+            }
+            TEST_ASSERT_FALSE(all);
+        }
+        outside += planes == FXL_SPHERE_OUTSIDE && placed > 4;
+        inside += planes < FXL_SPHERE_OUTSIDE - 1 && placed > 4;
+    }
+    TEST_ASSERT_TRUE(outside > UNIT_REPEAT / 64 && inside > UNIT_REPEAT / 64);
+}

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_fill_trapezoid for ARMv6-M; the contract is lib/include/fixel/fill.h, the
+ * bytes are those of lib/kernels/portable.
+ *
+ * Both edges are kept as addresses, x added to where the row begins and stride
+ * to the step: so a row's span is from one address to the other, and a step is
+ * two additions an edge. What changes is in the lower registers, the steps are
+ * in the upper ones. Every store is aligned. */
+
+    .syntax unified
+    .thumb
+
+/* fxl_band and fxl_trapezoid; fill.c holds them against the structures. */
+#define PIXELS      0
+#define STRIDE      6
+#define FIRST_ROW   8       /* of the band */
+#define END_ROW     2       /* of the trapezoid; its first row is at 0 */
+#define EDGES       4
+
+left        .req r0     /* address of the left edge's pixel */
+right       .req r1     /* of the right edge's: one past the span */
+left_fraction       .req r2
+right_fraction      .req r3
+pixel       .req r4     /* where to store next */
+bytes       .req r5     /* still to be stored */
+colour      .req r6     /* four times */
+spare       .req r7
+left_step           .req r8     /* stride added */
+left_step_fraction  .req r9
+right_step          .req r10    /* stride added */
+right_step_fraction .req r11
+rows        .req r12    /* to be done */
+
+/* A pixel's address to a multiple of four. */
+    .macro align_pixel
+    movs    pixel, left
+    lsrs    spare, pixel, #1
+    bcc     1f
+    strb    colour, [pixel]
+    adds    pixel, #1
+1:
+    lsrs    spare, pixel, #2
+    bcc     2f
+    strh    colour, [pixel]
+    adds    pixel, #2
+2:
+    subs    bytes, right, pixel
+    .endm
+
+    .section .text.fxl_fill_trapezoid, "ax", %progbits
+    .global fxl_fill_trapezoid
+    .type fxl_fill_trapezoid, %function
+    .thumb_func
+
+/* r0: band, r1: trapezoid, r2: colour */
+fxl_fill_trapezoid:
+    push    {r4-r7, lr}
+    mov     r4, r8
+    mov     r5, r9
+    mov     r6, r10
+    mov     r7, r11
+    push    {r4-r7}
+    movs    r4, #END_ROW
+    ldrsh   r3, [r1, r4]
+    movs    r4, #0
+    ldrsh   r4, [r1, r4]
+    subs    r3, r3, r4
+    mov     rows, r3
+    ldrh    r5, [r0, #FIRST_ROW]
+    subs    r4, r4, r5
+    ldrh    r5, [r0, #STRIDE]
+    muls    r4, r5
+    ldr     r6, [r0, #PIXELS]
+    adds    r4, r4, r6          /* where the first row begins */
+    lsls    r6, r2, #8
+    orrs    r2, r6
+    lsls    r6, r2, #16
+    orrs    r2, r6
+    mov     lr, r2
+    adds    r1, #EDGES
+    ldm     r1!, {r0, r2, r6, r7}
+    adds    left, left, r4
+    adds    r6, r6, r5
+    mov     left_step, r6
+    mov     left_step_fraction, r7
+    ldr     r6, [r1, #8]
+    ldr     r7, [r1, #12]
+    adds    r6, r6, r5
+    mov     right_step, r6
+    mov     right_step_fraction, r7
+    ldr     right_fraction, [r1, #4]
+    ldr     right, [r1]
+    adds    right, right, r4
+    mov     colour, lr
+
+.Lrow:
+    subs    bytes, right, left
+    cmp     bytes, #64
+    bhs     .Llong
+    cmp     bytes, #8
+    blo     .Lshort
+    align_pixel
+    /* The tail from the right end back, then as many words as there are. */
+.Lrest:
+    lsrs    spare, bytes, #1
+    bcc     1f
+    subs    bytes, #1
+    strb    colour, [pixel, bytes]
+1:
+    lsrs    spare, bytes, #2
+    bcc     2f
+    subs    bytes, #2
+    strh    colour, [pixel, bytes]
+2:
+    lsrs    bytes, bytes, #1
+    negs    bytes, bytes
+    adds    bytes, #2 * 15
+    add     pc, bytes
+    nop
+    .irp    word, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
+    str     colour, [pixel, #4 * \word]
+    .endr
+
+.Lnext:
+    mov     spare, left_step_fraction
+    adds    left_fraction, left_fraction, spare
+    mov     spare, left_step
+    adcs    left, spare
+    mov     spare, right_step_fraction
+    adds    right_fraction, right_fraction, spare
+    mov     spare, right_step
+    adcs    right, spare
+    mov     spare, rows
+    subs    spare, #1
+    mov     rows, spare
+    bne     .Lrow
+    pop     {r4-r7}
+    mov     r8, r4
+    mov     r9, r5
+    mov     r10, r6
+    mov     r11, r7
+    pop     {r4-r7, pc}
+
+    /* Fewer than 8 bytes, or none. */
+.Lshort:
+    lsls    bytes, bytes, #1
+    negs    bytes, bytes
+    adds    bytes, #2 * 7
+    add     pc, bytes
+    nop
+    .irp    byte, 6, 5, 4, 3, 2, 1, 0
+    strb    colour, [left, #\byte]
+    .endr
+    b       .Lnext
+
+    /* 64 bytes and more: four registers at a time. */
+.Llong:
+    cmp     bytes, #0
+    blt     .Lcrossed
+    align_pixel
+    subs    bytes, #64
+    blo     .Llong_end
+    push    {r0-r3}
+    movs    r0, colour
+    movs    r1, colour
+    movs    r2, colour
+    movs    r3, colour
+.Llong_block:
+    stm     pixel!, {r0-r3}
+    stm     pixel!, {r0-r3}
+    stm     pixel!, {r0-r3}
+    stm     pixel!, {r0-r3}
+    subs    bytes, #64
+    bhs     .Llong_block
+    pop     {r0-r3}
+.Llong_end:
+    adds    bytes, #64
+    b       .Lrest
+
+    /* They change places; a second time they cannot cross. */
+.Lcrossed:
+    movs    spare, left
+    movs    left, right
+    movs    right, spare
+    movs    spare, left_fraction
+    movs    left_fraction, right_fraction
+    movs    right_fraction, spare
+    mov     spare, left_step
+    mov     left_step, right_step
+    mov     right_step, spare
+    mov     spare, left_step_fraction
+    mov     left_step_fraction, right_step_fraction
+    mov     right_step_fraction, spare
+    b       .Lrow
+
+    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid

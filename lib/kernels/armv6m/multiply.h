@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* Products of 32 by 32 bits, whole, on a core that keeps the lower 32 bits of a
+ * product: four products of 16 by 16. The same bits as portable. Internal.
+ *
+ * In assembly, since the compiler makes twice as much of it; what the multiplier
+ * is asked for is what fits, so nothing is lost: 16 by 16 bits fit 32, and so
+ * they do where one or both are signed, 2^15 (2^16 - 1) < 2^31. */
+#ifndef FXL_MULTIPLY_H
+#define FXL_MULTIPLY_H
+
+#include <stdint.h>
+
+/* *low, *high, *one and *other become the four products of the halves of a and
+ * b, the upper halves by SHIFT: 2^32 high + 2^16 (one + other) + low. */
+#define FXL_HALVES(SHIFT, a, b, low, one, other, high) \
+    __asm__(".syntax unified\n\tuxth %[l], %[p]\n\t" \
+            "uxth %[o], %[q]\n\t" SHIFT " %[p], %[p], #16\n\t" SHIFT " %[q], %[q], #16\n\t" \
+            "mov %[t], %[l]\n\t" \
+            "muls %[t], %[q]\n\t" \
+            "muls %[l], %[o]\n\t" \
+            "muls %[o], %[p]\n\t" \
+            "muls %[q], %[p]" \
+            : [p] "+l"(a), [q] "+l"(b), [l] "=&l"(low), [o] "=&l"(other), [t] "=&l"(one) \
+            : \
+            : "cc"); \
+    (high) = (uint32_t)(b)
+
+/* Adds 2^16 middle, which is used up, to 2^32 high + low. */
+#define FXL_ADD_MIDDLE(SHIFT, low, high, middle) \
+    do { \
+        uint32_t fxl_spare; \
+        __asm__(".syntax unified\n\tlsls %[s], %[m], #16\n\t" SHIFT " %[m], %[m], #16\n\t" \
+                "adds %[l], %[l], %[s]\n\t" \
+                "adcs %[h], %[m]" \
+                : [l] "+l"(low), [h] "+l"(high), [m] "+l"(middle), [s] "=&l"(fxl_spare) \
+                : \
+                : "cc"); \
+    } while (0)
+
+static inline uint64_t fxl_multiply_u32(uint32_t a, uint32_t b)
+{
+    uint32_t low, one, other, high;
+    FXL_HALVES("lsrs", a, b, low, one, other, high);
+    FXL_ADD_MIDDLE("lsrs", low, high, one);
+    FXL_ADD_MIDDLE("lsrs", low, high, other);
+    return (uint64_t)high << 32 | low;
+}
+
+static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)
+{
+    uint32_t low, one, other, high;
+    FXL_HALVES("asrs", a, b, low, one, other, high);
+    FXL_ADD_MIDDLE("asrs", low, high, one);
+    FXL_ADD_MIDDLE("asrs", low, high, other);
+    return (int64_t)((uint64_t)high << 32 | low);
+}
+
+/* The same for |a| <= 2^30 + 2^16 and |b| < 2^30, in two instructions less: the middle
+ * products together are below 2 (2^14 + 1) 2^16 and fit 32 bits. */
+static inline int64_t fxl_multiply_s31(int32_t a, int32_t b)
+{
+    uint32_t low, one, other, high;
+    FXL_HALVES("asrs", a, b, low, one, other, high);
+    one += other;
+    FXL_ADD_MIDDLE("asrs", low, high, one);
+    return (int64_t)((uint64_t)high << 32 | low);
+}
+
+/* The product of a signed and an unsigned number: below 2^63. Taken as unsigned,
+ * a negative a is 2^32 more than it is. */
+static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)
+{
+    uint64_t wrapped = a < 0 ? (uint64_t)b << 32 : 0;
+    return (int64_t)(fxl_multiply_u32((uint32_t)a, b) - wrapped);
+}
+
+/* The 64 lowest bits of a product. */
+static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
+{
+    uint32_t a_low = (uint32_t)a, b_low = (uint32_t)b;
+    uint32_t cross = (uint32_t)(a >> 32) * b_low + a_low * (uint32_t)(b >> 32);
+    return (int64_t)(fxl_multiply_u32(a_low, b_low) + ((uint64_t)cross << 32));
+}
+
+#endif

@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_fill_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
+ * lib/include/fixel/fill.h, the bytes are those of lib/kernels/portable.
+ *
+ * Both edges are kept as addresses, x added to where the row begins and stride
+ * to the step: so a row's span is from one address to the other, and a step is
+ * two additions an edge. Every store is aligned. */
+
+    .syntax unified
+    .thumb
+
+/* fxl_band and fxl_trapezoid; fill.c holds them against the structures. */
+#define PIXELS      0
+#define STRIDE      6
+#define FIRST_ROW   8       /* of the band */
+#define END_ROW     2       /* of the trapezoid; its first row is at 0 */
+#define EDGES       4
+
+pixel       .req r0     /* where to store next, aligned to four */
+bytes       .req r1     /* still to be stored */
+colour      .req r2     /* four times */
+spare       .req r3
+left        .req r4     /* address of the left edge's pixel */
+left_fraction       .req r5
+left_step           .req r6     /* stride added */
+left_step_fraction  .req r7
+right       .req r8     /* of the right edge's: one past the span */
+right_fraction      .req r9
+right_step          .req r10
+right_step_fraction .req r11
+rows        .req r12    /* to be done */
+
+    .section .text.fxl_fill_trapezoid, "ax", %progbits
+    .global fxl_fill_trapezoid
+    .type fxl_fill_trapezoid, %function
+    .thumb_func
+
+/* r0: band, r1: trapezoid, r2: colour */
+fxl_fill_trapezoid:
+    push    {r4-r11, lr}
+    ldrsh   rows, [r1, #END_ROW]
+    ldrsh   r4, [r1], #EDGES
+    ldrh    r5, [r0, #FIRST_ROW]
+    ldrh    lr, [r0, #STRIDE]
+    ldr     r3, [r0, #PIXELS]
+    sub     rows, rows, r4
+    subs    r4, r4, r5
+    mla     r0, r4, lr, r3
+    orr     colour, colour, colour, lsl #8
+    orr     colour, colour, colour, lsl #16
+    ldm     r1, {r4-r11}
+    add     left, left, r0
+    add     right, right, r0
+    orrs    spare, left_step, right_step
+    beq     .Lperhaps_upright
+.Lslanted:
+    add     left_step, left_step, lr
+    add     right_step, right_step, lr
+
+.Lrow:
+    sub     bytes, right, left
+    cmp     bytes, #64
+    bhs     .Llong
+    cmp     bytes, #8
+    blo     .Lshort
+
+    /* To a multiple of four: 0 to 3 of the 8 bytes at least. */
+    and     spare, left, #3
+    tbb     [pc, spare]
+.Lheads:
+    .byte   (.Lhead0 - .Lheads) / 2, (.Lhead3 - .Lheads) / 2
+    .byte   (.Lhead2 - .Lheads) / 2, (.Lhead1 - .Lheads) / 2
+.Lhead3:
+    strb    colour, [left]
+    strh    colour, [left, #1]
+    adds    pixel, left, #3
+    b       .Lbody
+.Lhead2:
+    strh    colour, [left]
+    adds    pixel, left, #2
+    b       .Lbody
+.Lhead1:
+    strb    colour, [left]
+    adds    pixel, left, #1
+    b       .Lbody
+.Lhead0:
+    mov     pixel, left
+
+.Lbody:
+    sub     bytes, right, pixel
+.Lrest:
+    tbb     [pc, bytes]
+.Lends:
+    .irp    words, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+    .byte   (.Lend_0_\words - .Lends) / 2, (.Lend_1_\words - .Lends) / 2
+    .byte   (.Lend_2_\words - .Lends) / 2, (.Lend_3_\words - .Lends) / 2
+    .endr
+
+/* Four times the words and the tail of 0 to 3 bytes, which is stored from the
+ * right end back. Words are stored from the last pair to the first, so that
+ * each count is a place to enter at. */
+    .macro tail length
+    .if     \length == 3
+    strh    colour, [right, #-3]
+    .endif
+    .if     \length == 2
+    strh    colour, [right, #-2]
+    .endif
+    .if     \length & 1
+    strb    colour, [right, #-1]
+    .endif
+    b       .Lnext
+    .endm
+
+    .macro words_and_tail length
+    .irp    words, 14, 12, 10, 8, 6, 4, 2
+.Lend_\length\()_\words:
+    strd    colour, colour, [pixel, #4 * \words - 8]
+    .endr
+.Lend_\length\()_0:
+    tail    \length
+    .irp    words, 15, 13, 11, 9, 7, 5, 3
+.Lend_\length\()_\words:
+    strd    colour, colour, [pixel, #4 * \words - 8]
+    .endr
+.Lend_\length\()_1:
+    str     colour, [pixel]
+    tail    \length
+    .endm
+
+    words_and_tail 0
+    words_and_tail 1
+    words_and_tail 2
+    words_and_tail 3
+
+    /* Fewer than 8 bytes, or none. */
+.Lshort:
+    tbb     [pc, bytes]
+.Lshorts:
+    .byte   (.Lnext - .Lshorts) / 2, (.Lshort1 - .Lshorts) / 2
+    .byte   (.Lshort2 - .Lshorts) / 2, (.Lshort3 - .Lshorts) / 2
+    .byte   (.Lshort4 - .Lshorts) / 2, (.Lshort5 - .Lshorts) / 2
+    .byte   (.Lshort6 - .Lshorts) / 2, (.Lshort7 - .Lshorts) / 2
+.Lshort7:
+    strb    colour, [left, #6]
+.Lshort6:
+    strb    colour, [left, #5]
+.Lshort5:
+    strb    colour, [left, #4]
+.Lshort4:
+    strb    colour, [left, #3]
+.Lshort3:
+    strb    colour, [left, #2]
+.Lshort2:
+    strb    colour, [left, #1]
+.Lshort1:
+    strb    colour, [left]
+
+.Lnext:
+    adds    left_fraction, left_fraction, left_step_fraction
+    adc     left, left, left_step
+    adds    right_fraction, right_fraction, right_step_fraction
+    adc     right, right, right_step
+    subs    rows, rows, #1
+    bne     .Lrow
+    pop     {r4-r11, pc}
+
+    /* 64 bytes and more: eight registers at a time. */
+.Llong:
+    cmp     bytes, #0
+    blt     .Lcrossed
+    mov     pixel, left
+    tst     left, #1
+    it      ne
+    strbne  colour, [pixel], #1
+    tst     pixel, #2
+    it      ne
+    strhne  colour, [pixel], #2
+    sub     bytes, right, pixel
+    subs    bytes, #64
+    blo     .Llong_end
+    push    {r4-r11}
+    mov     r4, colour
+    mov     r5, colour
+    mov     r6, colour
+    mov     r7, colour
+    mov     r8, colour
+    mov     r9, colour
+    mov     r10, colour
+    mov     r11, colour
+.Llong_block:
+    stm     pixel!, {r4-r11}
+    stm     pixel!, {r4-r11}
+    subs    bytes, #64
+    bhs     .Llong_block
+    pop     {r4-r11}
+.Llong_end:
+    adds    bytes, #64
+    b       .Lrest
+
+    /* They change places; a second time they cannot cross. */
+.Lcrossed:
+    push    {r4-r7}
+    mov     r4, r8
+    mov     r5, r9
+    mov     r6, r10
+    mov     r7, r11
+    pop     {r8-r11}
+    b       .Lrow
+
+    /* Steps of 0, and fractions that have no carry to make: the same span on
+     * every row. Worth it from 32 bytes on. The step of an upright edge is
+     * 2^-32 (lib/kernels/portable/edge_divide.h). */
+.Lperhaps_upright:
+    orr     spare, left_step_fraction, right_step_fraction
+    cmp     spare, #1
+    bhi     .Lslanted
+    sub     bytes, right, left
+    cmp     bytes, #32
+    blt     .Lslanted
+    adds    spare, left_fraction, rows
+    bcs     .Lslanted
+    adds    spare, right_fraction, rows
+    bcs     .Lslanted
+
+    /* r4-r11: colour, lr: rows to be done. */
+start   .req r3
+rest    .req r12    /* of a row */
+stride  .req r2
+    mov     start, left
+    .irp    register, r4, r5, r6, r7, r8, r9, r10, r11
+    mov     \register, colour
+    .endr
+    mov     stride, lr
+    mov     lr, rows
+
+.Lupright_row:
+    ands    rest, start, #3
+    mov     pixel, start
+    bne     .Lupright_head
+    mov     rest, bytes
+.Lupright_body:
+    lsrs    rest, rest, #5
+    tbb     [pc, rest]
+.Lblocks:
+    .irp    blocks, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16
+    .byte   (.Lblocks_end - 4 * \blocks - .Lblocks) / 2
+    .endr
+    .irp    blocks, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32
+    .byte   (.Lblocks_end - 4 * \blocks - .Lblocks) / 2
+    .endr
+    .align  1
+    .rept   32
+    stm     pixel!, {r4-r11}
+    .endr
+.Lblocks_end:
+    add     rest, start, bytes
+    subs    rest, rest, pixel
+    bne     .Lupright_tail
+.Lupright_next:
+    add     start, start, stride
+    subs    lr, lr, #1
+    bne     .Lupright_row
+    pop     {r4-r11, pc}
+
+.Lupright_head:
+    tst     rest, #1
+    it      ne
+    strbne  r4, [pixel], #1
+    tst     pixel, #2
+    it      ne
+    strhne  r4, [pixel], #2
+    add     rest, start, bytes
+    sub     rest, rest, pixel
+    b       .Lupright_body
+
+    /* Bits 4 to 0 of what is left, one after the other as carry and sign. */
+.Lupright_tail:
+    lsls    rest, rest, #28
+    it      cs
+    stmcs   pixel!, {r4-r7}
+    it      mi
+    strdmi  r4, r5, [pixel], #8
+    lsls    rest, rest, #2
+    it      cs
+    strcs   r4, [pixel], #4
+    it      mi
+    strhmi  r4, [pixel], #2
+    lsls    rest, rest, #1
+    it      mi
+    strbmi  r4, [pixel]
+    b       .Lupright_next
+
+    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid

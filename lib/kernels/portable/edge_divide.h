@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+/* The division of an edge's set-up. Internal; one file for each family of
+ * cores, all with the same bits as this one. */
+#ifndef FXL_EDGE_DIVIDE_H
+#define FXL_EDGE_DIVIDE_H
+
+#include <stdint.h>
+
+/* What is divided, and by what, at most. */
+#define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
+#define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))
+
+/* A height that numbers are divided by. */
+typedef struct {
+    uint32_t height;
+} fxl_edge_divider;
+
+/* Requires 1 <= height <= FXL_EDGE_HEIGHT_MAX. */
+static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
+{
+    return (fxl_edge_divider){height};
+}
+
+/* 2^shift is above 2^32 / (2 height) and not above 2^32 / height. */
+static inline unsigned fxl_edge_divider_shift(const fxl_edge_divider *divider)
+{
+    unsigned shift = 0;
+    while ((uint64_t)divider->height << (shift + 1) <= UINT32_MAX) {
+        shift += 1;
+    }
+    return shift;
+}
+
+/* floor(2^32 dividend / height) + 1, as whole and fraction: larger than the
+ * quotient by at most 2^-32. |dividend| <= FXL_EDGE_DIVIDEND_MAX, so that
+ * 2^32 times it is below 2^60. */
+static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t dividend,
+                                   int32_t *whole, uint32_t *fraction)
+{
+    int64_t height = divider->height;
+    int64_t numerator = (int64_t)dividend * ((int64_t)1 << 32);
+    int64_t quotient = numerator / height;
+    if (numerator % height >= 0) {
+        quotient += 1;
+    }
+    *whole = (int32_t)(quotient >> 32);
+    *fraction = (uint32_t)quotient;
+}
+
+#endif

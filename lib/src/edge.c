@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#include "edge.h"
+
+/* From the exact remainder on that row, so that the count of rows begins anew. */
+int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
+                         int32_t rows, fxl_edge *edge)
+{
+    int32_t first_row = fxl_first_centre_from(top->y);
+    fxl_slope slope;
+    fxl_slope_set(top, bottom, &slope);
+    if (first_row < row) {
+        fxl_slope_skip(&slope, row - first_row);
+    }
+    fxl_edge_divider divider = fxl_edge_divider_of(slope.height);
+    int32_t none;
+    fxl_edge_divide(&divider, (int32_t)slope.error, &none, &edge->fraction);
+    fxl_edge_divide(&divider, (int32_t)slope.error_step, &none, &edge->step_fraction);
+    edge->x = slope.x;
+    edge->step = slope.step;
+    uint32_t good = 1u << fxl_edge_divider_shift(&divider);
+    return good < (uint32_t)rows ? (int32_t)good : rows;
+}
