@@ -3,33 +3,10 @@
 
 #include "arith.h"
 
-/* One digit of 32 bits of *rest / whole, rest < whole, 2^63 <= whole < 2^64;
- * *rest becomes what is left (Knuth, algorithm D). The estimate from the upper
- * half of whole is too large by two at most. */
-static uint32_t divide_digit(uint64_t *rest, uint64_t whole)
-{
-    uint64_t high = whole >> 32, low = (uint32_t)whole;
-    uint64_t digit = *rest / high;
-    uint64_t left = *rest - digit * high;
-    while (left <= UINT32_MAX && (digit > UINT32_MAX || digit * low > left << 32)) {
-        digit -= 1;
-        left += high;
-    }
-    /* The true remainder is below 2^64, so what wraps on the way cancels. */
-    *rest = (*rest << 32) - digit * whole;
-    return (uint32_t)digit;
-}
-
 uint64_t fxl_crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
-    uint64_t whole = (uint64_t)inside + fxl_magnitude(outside);
-    unsigned shift = 64u - fxl_bit_length(whole);
-    uint64_t rest = (uint64_t)inside << shift;
-    whole <<= shift;
-    uint64_t upper = divide_digit(&rest, whole);
-    uint64_t lower = divide_digit(&rest, whole);
-    return upper << 32 | lower;
+    return fxl_fraction((uint64_t)inside, (uint64_t)inside + fxl_magnitude(outside));
 }
 
 /* |to - from| is below 2^62. */

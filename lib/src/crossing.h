@@ -6,8 +6,8 @@
 
 #include "fixel/clip_record.h"
 
-/* floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside, both
- * below 2^63: the difference is then below 2^64. */
+/* floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside and a
+ * difference below 2^63: as distances of points below 2^61 from one plane have. */
 uint64_t fxl_crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside);
 
 /* from + (to - from) fraction / 2^64 for both below 2^61, rounded towards from:

@@ -13,16 +13,16 @@ fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_p
 {
     int64_t high = 0, low = 0;
     if (plane->normal.x != 0) {
-        high += plane->normal.x * (point->x >> 32);
-        low += plane->normal.x * (int64_t)(uint32_t)point->x;
+        high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));
+        low += fxl_multiply_su32(plane->normal.x, (uint32_t)point->x);
     }
     if (plane->normal.y != 0) {
-        high += plane->normal.y * (point->y >> 32);
-        low += plane->normal.y * (int64_t)(uint32_t)point->y;
+        high += fxl_multiply_s32(plane->normal.y, (int32_t)(point->y >> 32));
+        low += fxl_multiply_su32(plane->normal.y, (uint32_t)point->y);
     }
     if (plane->normal.z != 0) {
-        high += plane->normal.z * (point->z >> 32);
-        low += plane->normal.z * (int64_t)(uint32_t)point->z;
+        high += fxl_multiply_s32(plane->normal.z, (int32_t)(point->z >> 32));
+        low += fxl_multiply_su32(plane->normal.z, (uint32_t)point->z);
     }
     return high * 4 + (low >> 30) + plane->offset;
 }

@@ -45,7 +45,10 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
             return true;
         }
         bool moves_from = from_code != 0;
-        uint32_t plane = (uint32_t)__builtin_ctz(moves_from ? from_code : to_code);
+        uint32_t plane = 0;
+        while (((moves_from ? from_code : to_code) >> plane & 1u) == 0) {
+            plane++;
+        }
         const fxl_half_space *at = &volume->planes[plane];
         fxl_q18_46 from = fxl_half_space_distance(at, &line->from.position);
         fxl_q18_46 to = fxl_half_space_distance(at, &line->to.position);

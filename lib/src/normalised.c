@@ -5,6 +5,20 @@
 #include "crossing.h"
 #include "ratio.h"
 
+/* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. The
+ * one is shifted until its highest bit is at 2^62, the other at 2^31 and cut there: within
+ * 2^-30 of itself. */
+static uint64_t scaled_quotient(uint64_t part, uint64_t whole, int *down)
+{
+    unsigned part_up = 62u - fxl_bit_length(part), whole_up = 62u - fxl_bit_length(whole);
+    int64_t rounded = fxl_round_shift((int64_t)(whole << whole_up), 30);
+    uint32_t divisor = rounded > UINT32_MAX ? UINT32_MAX : (uint32_t)rounded;
+    uint32_t rest;
+    uint64_t quotient = fxl_divide_u64(part << (part_up + 1), divisor, &rest);
+    *down = 31 + (int)part_up - (int)whole_up;
+    return quotient + (rest >= divisor - rest);
+}
+
 /* part / whole as mantissa 2^-(31 + shift), mantissa from 2^30 to 2^31:
  * 0 < part <= whole < 2^54. Exactly 1 where the two are equal; else within 2^-30
  * of itself. */
@@ -16,22 +30,13 @@ typedef struct {
 static factor factor_of(uint64_t part, uint64_t whole)
 {
     factor of = {(uint32_t)1 << 31, 0};
-    if (part == whole) {
-        return of;
+    int down;
+    uint64_t quotient = scaled_quotient(part, whole, &down);
+    if (part != whole && (quotient <= of.mantissa || down > 31)) {
+        bool large = quotient > of.mantissa;
+        of.mantissa = (uint32_t)(large ? (quotient + 1) >> 1 : quotient);
+        of.shift = (uint8_t)(down - 31 - large);
     }
-    /* One with its highest bit at 2^62, the other at 2^31, cut there: the quotient
-     * lies between 2^30 and 2^32. */
-    unsigned part_up = 62u - fxl_bit_length(part), whole_up = 62u - fxl_bit_length(whole);
-    uint64_t quotient = (uint64_t)fxl_divide_round(
-        (int64_t)(part << (part_up + 1)), fxl_round_shift((int64_t)(whole << whole_up), 30));
-    /* part / whole = quotient 2^-(31 + part_up - whole_up). */
-    unsigned shift = part_up - whole_up;
-    if (quotient > (uint64_t)1 << 31) { /* with shift 0 by rounding alone */
-        quotient = shift > 0 ? (quotient + 1) >> 1 : (uint64_t)1 << 31;
-        shift -= shift > 0;
-    }
-    of.mantissa = (uint32_t)quotient;
-    of.shift = (uint8_t)shift;
     return of;
 }
 
@@ -56,19 +61,18 @@ static fxl_q18_46 scale_depth(int64_t depth, const factor *by)
 }
 
 /* inset * factor / along, along being the share of depth in the side plane's unit
- * normal: the inset as the sum z + x sees it. The product has 48 bits and is
- * brought to 62; the quotient is then as good as along is. */
+ * normal: the inset as the sum z + x sees it. The product has 48 bits at most. */
 static fxl_q18_46 scale_inset(fxl_q16_16 inset, const factor *by, fxl_q2_30 along)
 {
     uint64_t product = (uint64_t)inset * by->mantissa;
+    int down;
     if (product == 0) {
         return 0;
     }
-    unsigned up = 62u - fxl_bit_length(product);
-    int64_t quotient = fxl_divide_round((int64_t)(product << up), along);
-    /* inset mantissa / along in units of 2^-46 is 2^(29 - shift - up) quotients. */
-    int down = (int)up + by->shift - 29;
-    FXL_ASSERT(down > -33 && down < 62);
+    int64_t quotient = (int64_t)scaled_quotient(product, (uint64_t)along, &down);
+    /* inset mantissa / along in units of 2^-46 is 2^(29 - shift) times the fraction. */
+    down += by->shift - 29;
+    FXL_ASSERT(down > -31 && down < 62);
     return down > 0 ? fxl_round_shift(quotient, (unsigned)down) : quotient * ((int64_t)1 << -down);
 }
 

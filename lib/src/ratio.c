@@ -15,8 +15,8 @@ bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t lim
     unsigned bits = fxl_bit_length((uint64_t)depth);
     unsigned shift = bits > 31 ? bits - 31 : 0;
     int64_t scaled = shift > 0 ? fxl_round_shift(depth, shift) : depth;
-    int64_t high = factor * (side >> 32);
-    int64_t low = factor * (int64_t)(uint32_t)side;
+    int64_t high = fxl_multiply_s32(factor, (int32_t)(side >> 32));
+    int64_t low = fxl_multiply_su32(factor, (uint32_t)side);
     /* Beyond that the product is beyond 2^61, the limit times the depth below
      * 2^60. */
     if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
@@ -26,6 +26,6 @@ bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t lim
     if (!fxl_within(product, limit * scaled)) {
         return false;
     }
-    *quotient = (int32_t)fxl_divide_round(product, scaled);
+    *quotient = fxl_divide_round(product, (uint32_t)scaled);
     return true;
 }

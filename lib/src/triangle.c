@@ -138,7 +138,7 @@ static uint64_t fraction_in_space(fxl_q18_46 inside, fxl_q18_46 z_inside, fxl_q1
 static fxl_q16_16 meet(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside, fxl_q18_46 outside)
 {
     int64_t product = ((int64_t)to - from) * inside;
-    return (fxl_q16_16)(from + fxl_divide_round(product, inside - outside));
+    return from + fxl_divide_round(product, (uint32_t)(inside - outside));
 }
 
 /* Always from the inside to the outside corner, so that both owners of an edge get the
