@@ -69,10 +69,11 @@ fxl_clip_polygon clip_random_shape(unsigned bits)
         b[k] = unit_wide(bits - 2) / 16;
     }
     centre[2] = centre[2] < 0 && unit_random() % 4 != 0 ? -centre[2] : centre[2];
-    polygon.count = 8;
+    const int step = FXL_FACE_VERTICES_MAX < 8 ? 2 : 1;
+    polygon.count = (uint8_t)(8 / step);
     polygon.carried = FXL_CARRIED_MAX;
-    for (int i = 0; i < 8; i++) {
-        int64_t c = cosines[i], s = cosines[(i + 6) % 8];
+    for (int i = 0; i < polygon.count; i++) {
+        int64_t c = cosines[i * step], s = cosines[(i * step + 6) % 8];
         polygon.vertices[i].position =
             (fxl_view_point){centre[0] + a[0] * c + b[0] * s, centre[1] + a[1] * c + b[1] * s,
                              centre[2] + a[2] * c + b[2] * s};

@@ -197,7 +197,8 @@ void test_pieces_lie_on_the_screen(void)
         fxl_lens lens = unit_any_lens();
         fxl_volume volume;
         fxl_clip_polygon shape = clip_random_shape(i % 2 ? 61 : (unsigned)unit_between(44, 61));
-        fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[3], shape.vertices[5]}};
+        fxl_clip_triangle triangle = {
+            {shape.vertices[0], shape.vertices[1], shape.vertices[shape.count - 1]}};
         fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
         fxl_clip_result begun = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &room);
         if (begun != FXL_CLIP_INSIDE && begun != FXL_CLIP_CUT) {
