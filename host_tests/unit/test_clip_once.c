@@ -3,7 +3,11 @@
  * against the clipper that goes plane by plane. */
 #include "clip_shapes.h"
 
-static fxl_clip_once_room room;
+static struct {
+    fxl_clip_once_room room;
+    uint8_t guard[64];
+} guarded;
+static fxl_clip_once_room *const room = &guarded.room;
 static fxl_clip_room other_room;
 
 /* 90 degrees both ways, near 1/16, far 1000, without an inset. */
@@ -22,8 +26,8 @@ static fxl_normalised square(void)
 static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
 {
     fxl_normalised frustum = square();
-    room.account = (fxl_clip_account){0, 0};
-    return fxl_clip_once(polygon, &frustum, &room, result);
+    room->account = (fxl_clip_account){0, 0};
+    return fxl_clip_once(polygon, &frustum, room, result);
 }
 
 /* The vertices in their order, from whichever on, to within rounding. */
@@ -47,7 +51,7 @@ static void expect_shape(const fxl_clip_polygon *polygon, fxl_clip_polygon expec
         found = found || same;
     }
     TEST_ASSERT_TRUE_MESSAGE(found, "other vertices");
-    TEST_ASSERT_EQUAL(intersections, room.account.intersections);
+    TEST_ASSERT_EQUAL(intersections, room->account.intersections);
 }
 
 void test_inside_is_the_input_itself(void)
@@ -106,7 +110,7 @@ void test_a_corner_is_enclosed(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
     TEST_ASSERT_EQUAL(4, result->count);
     expect_shape(&polygon, SHAPE(0, -10, 10, 0, 10, 10, 10, 10, 10, 10, -10, 10),
-                 room.account.intersections);
+                 room->account.intersections);
 }
 
 /* No edge is seen, all corners are. */
@@ -116,12 +120,12 @@ void test_a_wall_becomes_the_screen(void)
     const fxl_clip_polygon *result;
     clip(&polygon, &result);
     expect_shape(&polygon, SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10),
-                 room.account.intersections);
+                 room->account.intersections);
     /* The same the other way round. */
     fxl_clip_polygon turned = SHAPE(-30, -30, 10, 30, -30, 10, 30, 30, 10, -30, 30, 10);
     clip(&turned, &result);
     expect_shape(&turned, SHAPE(-10, -10, 10, 10, -10, 10, 10, 10, 10, -10, 10, 10),
-                 room.account.intersections);
+                 room->account.intersections);
 }
 
 /* Two vertices on planes: they come once, and cost nothing. */
@@ -145,25 +149,21 @@ void test_a_sliver_is_refused_where_asked(void)
     const fxl_clip_polygon *result;
     fxl_normalised frustum = square();
     fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room.account = (fxl_clip_account){0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, &room, &result));
-    room.account.sliver = V(2);
-    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, &room, &result));
+    room->account = (fxl_clip_account){0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
+    room->account.sliver = V(2);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, room, &result));
     /* A vertex barely inside stands for the crossing before it. */
     polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
-    room.account = (fxl_clip_account){V(2), 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, &room, &result));
+    room->account = (fxl_clip_account){V(2), 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
     TEST_ASSERT_EQUAL(4, result->count);
-    TEST_ASSERT_EQUAL(1, room.account.intersections);
+    TEST_ASSERT_EQUAL(1, room->account.intersections);
 }
 
 /* Outlines of every kind, also such as no face has: nothing beyond the capacity. */
 void test_the_capacity_is_never_overrun(void)
 {
-    static struct {
-        fxl_clip_once_room room;
-        uint8_t guard[64];
-    } guarded;
     memset(guarded.guard, 0x5A, sizeof guarded.guard);
     fxl_normalised frustum = square();
     int refused = 0;
@@ -208,15 +208,15 @@ void test_it_agrees_with_plane_by_plane(void)
     for (int i = 0; i < UNIT_REPEAT / 5; i++) {
         const fxl_clip_polygon *once, *each;
         fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(50, 61));
-        room.account = other_room.account = (fxl_clip_account){0, 0};
-        fxl_clip_result a = fxl_clip_once(&polygon, &frustum, &room, &once);
+        room->account = other_room.account = (fxl_clip_account){0, 0};
+        fxl_clip_result a = fxl_clip_once(&polygon, &frustum, room, &once);
         fxl_clip_result b = fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
         double one = once ? twice_area(&frustum, once) : 0;
         double two = each ? twice_area(&frustum, each) : 0;
         TEST_ASSERT_TRUE(a == b || (one == 0 && two == 0));
         unlike += !unit_near(one, two, 4 * 65536.0 * 256);
         cuts += a == FXL_CLIP_CUT;
-        more += a == FXL_CLIP_CUT && room.account.intersections > other_room.account.intersections;
+        more += a == FXL_CLIP_CUT && room->account.intersections > other_room.account.intersections;
     }
     TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 50);
     TEST_ASSERT_TRUE(unlike * 1000 < cuts);

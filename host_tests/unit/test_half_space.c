@@ -150,23 +150,23 @@ void test_polygons(void)
 /* One half-space: early outs that write nothing, and the input may be any. */
 void test_one_half_space(void)
 {
-    static fxl_clip_polygon out, before;
+    fxl_clip_polygon *const out = &room.polygons[0], *const before = &room.polygons[1];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
     fxl_clip_account account = {0, 0};
     fxl_half_space slanted = {{FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4}, V(-1)};
-    memset(&out, 0x5A, sizeof out);
-    before = out;
+    memset(out, 0x5A, sizeof *out);
+    *before = *out;
     fxl_clip_polygon polygon = SHAPE(4, 0, 0, 0, 4, 0, 0, 0, 4); /* on it */
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
-                      fxl_clip_to_half_space(&polygon, &slanted, &account, &out, distances));
+                      fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
     polygon = SHAPE(3, 0, 0, 0, 3, 0, 0, 0, 3);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE,
-                      fxl_clip_to_half_space(&polygon, &slanted, &account, &out, distances));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof out);
+                      fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
+    TEST_ASSERT_EQUAL_MEMORY(before, out, sizeof *out);
     polygon = SHAPE(8, 0, 0, 0, 0, 0, 0, 8, 0);
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
-                      fxl_clip_to_half_space(&polygon, &slanted, &account, &out, distances));
-    TEST_ASSERT_TRUE(out.count == 4 && out.vertices[1].position.x == V(4));
+                      fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
+    TEST_ASSERT_TRUE(out->count == 4 && out->vertices[1].position.x == V(4));
 }
 
 /* What the guard band leaves can be projected, from the range's ends and the
@@ -211,7 +211,7 @@ void test_planes_of_the_world(void)
     int cuts = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         static fxl_polygon polygon, other;
-        static fxl_clip_polygon in, out;
+        fxl_clip_polygon *const in = &room.polygons[0], *const out = &room.polygons[1];
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
         fxl_clip_account account = {0, 0};
         fxl_direction normal = unit_direction();
@@ -219,24 +219,24 @@ void test_planes_of_the_world(void)
         fxl_plane plane = fxl_plane_from_point(&through, &normal, 0);
         fxl_half_space half_space;
         fxl_half_space_from_plane(&plane, &half_space);
-        polygon.count = in.count = 3;
-        in.carried = 1;
+        polygon.count = in->count = 3;
+        in->carried = 1;
         for (int k = 0; k < 3; k++) {
             fxl_vertex *vertex = &polygon.vertices[k];
             vertex->position = unit_point(FXL_COORDINATE_MAX);
             vertex->u = unit_between(-Q16(16383), Q16(16383));
-            fxl_clip_place(&vertex->position, &in.vertices[k].position);
-            in.vertices[k].carried[0] = vertex->u;
+            fxl_clip_place(&vertex->position, &in->vertices[k].position);
+            in->vertices[k].carried[0] = vertex->u;
         }
-        fxl_clip_result cut = fxl_clip_to_half_space(&in, &half_space, &account, &out, distances);
+        fxl_clip_result cut = fxl_clip_to_half_space(in, &half_space, &account, out, distances);
         TEST_ASSERT_EQUAL(fxl_clip_to_plane(&polygon, &plane, &other, distances), cut);
-        for (int k = 0; cut == FXL_CLIP_CUT && k < out.count; k++) {
-            const fxl_view_point *at = &out.vertices[k].position;
+        for (int k = 0; cut == FXL_CLIP_CUT && k < out->count; k++) {
+            const fxl_view_point *at = &out->vertices[k].position;
             const fxl_vertex *expected = &other.vertices[k];
             TEST_ASSERT_NEAR(rounded(at->x), expected->position.x, 4);
             TEST_ASSERT_NEAR(rounded(at->y), expected->position.y, 4);
             TEST_ASSERT_NEAR(rounded(at->z), expected->position.z, 4);
-            TEST_ASSERT_NEAR(out.vertices[k].carried[0], expected->u, 4);
+            TEST_ASSERT_NEAR(out->vertices[k].carried[0], expected->u, 4);
         }
         cuts += cut == FXL_CLIP_CUT;
     }
