@@ -10,6 +10,9 @@ static struct {
 static fxl_clip_once_room *const room = &guarded.room;
 static fxl_clip_room other_room;
 
+/* Of intersections: not looked at. */
+#define ANY UINT32_MAX
+
 /* 90 degrees both ways, near 1/16, far 1000, without an inset. */
 static fxl_normalised square(void)
 {
@@ -31,19 +34,19 @@ static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_poly
 }
 
 /* The vertices in their order, from whichever on, to within rounding. */
-static void expect_shape(const fxl_clip_polygon *polygon, fxl_clip_polygon expected,
+static void expect_shape(const fxl_clip_polygon *polygon, const fxl_clip_polygon *wanted,
                          uint32_t intersections)
 {
     const fxl_clip_polygon *result = NULL;
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(polygon, &result));
-    TEST_ASSERT_EQUAL(expected.count, result->count);
+    TEST_ASSERT_EQUAL(wanted->count, result->count);
     TEST_ASSERT_EQUAL(polygon->colour, result->colour);
     bool found = false;
-    for (int first = 0; first < expected.count; first++) {
+    for (int first = 0; first < wanted->count; first++) {
         bool same = true;
-        for (int i = 0; i < expected.count; i++) {
-            const fxl_view_point *a = &expected.vertices[i].position;
-            const fxl_view_point *b = &result->vertices[(first + i) % expected.count].position;
+        for (int i = 0; i < wanted->count; i++) {
+            const fxl_view_point *a = &wanted->vertices[i].position;
+            const fxl_view_point *b = &result->vertices[(first + i) % wanted->count].position;
             same = same && unit_near((double)a->x, (double)b->x, 4) &&
                    unit_near((double)a->y, (double)b->y, 4) &&
                    unit_near((double)a->z, (double)b->z, 4);
@@ -51,8 +54,17 @@ static void expect_shape(const fxl_clip_polygon *polygon, fxl_clip_polygon expec
         found = found || same;
     }
     TEST_ASSERT_TRUE_MESSAGE(found, "other vertices");
-    TEST_ASSERT_EQUAL(intersections, room->account.intersections);
+    TEST_ASSERT_TRUE(intersections == ANY || intersections == room->account.intersections);
 }
+
+/* Not inlined, so that its two polygons leave the stack again. */
+static __attribute__((noinline)) void expect_cut(const int *in, size_t in_count, const int *out,
+                                                 size_t out_count, uint32_t intersections)
+{
+    fxl_clip_polygon polygon = clip_shape(in, in_count), wanted = clip_shape(out, out_count);
+    expect_shape(&polygon, &wanted, intersections);
+}
+#define NUMBERS(...) ((const int[]){__VA_ARGS__}), sizeof((const int[]){__VA_ARGS__}) / 12
 
 void test_inside_is_the_input_itself(void)
 {
@@ -77,13 +89,13 @@ void test_outside_is_nothing(void)
 /* As many intersections as new vertices, an edge through two planes included. */
 void test_edges_are_cut_once(void)
 {
-    fxl_clip_polygon polygon = SHAPE(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10);
-    expect_shape(&polygon, SHAPE(0, -5, 10, 0, 5, 10, 10, 5, 10, 10, -5, 10), 2);
-    polygon = SHAPE(-20, -5, 10, -20, 5, 10, 20, 5, 10, 20, -5, 10);
-    expect_shape(&polygon, SHAPE(-10, -5, 10, -10, 5, 10, 10, 5, 10, 10, -5, 10), 4);
+    expect_cut(NUMBERS(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10),
+               NUMBERS(0, -5, 10, 0, 5, 10, 10, 5, 10, 10, -5, 10), 2);
+    expect_cut(NUMBERS(-20, -5, 10, -20, 5, 10, 20, 5, 10, 20, -5, 10),
+               NUMBERS(-10, -5, 10, -10, 5, 10, 10, 5, 10, 10, -5, 10), 4);
     /* Out through right after top and bottom, which do not matter. */
-    polygon = SHAPE(0, 0, 10, 40, 20, 10, 40, -20, 10);
-    expect_shape(&polygon, SHAPE(0, 0, 10, 10, 5, 10, 10, -5, 10), 2);
+    expect_cut(NUMBERS(0, 0, 10, 40, 20, 10, 40, -20, 10), NUMBERS(0, 0, 10, 10, 5, 10, 10, -5, 10),
+               2);
 }
 
 /* Through near and far. */
@@ -102,37 +114,27 @@ void test_a_ribbon_away_from_the_eye(void)
 void test_a_corner_is_enclosed(void)
 {
     /* The right top corner: the long side lies beyond it, and is cut to find it. */
-    fxl_clip_polygon polygon = SHAPE(0, 0, 10, 0, 40, 10, 40, 0, 10);
-    expect_shape(&polygon, SHAPE(0, 0, 10, 0, 10, 10, 10, 10, 10, 10, 0, 10), 5);
+    expect_cut(NUMBERS(0, 0, 10, 0, 40, 10, 40, 0, 10),
+               NUMBERS(0, 0, 10, 0, 10, 10, 10, 10, 10, 10, 0, 10), 5);
     /* Two corners: out by the top, in again by the bottom. */
-    polygon = SHAPE(0, -40, 10, 0, 40, 10, 40, 40, 10, 40, -40, 10);
-    const fxl_clip_polygon *result;
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
-    TEST_ASSERT_EQUAL(4, result->count);
-    expect_shape(&polygon, SHAPE(0, -10, 10, 0, 10, 10, 10, 10, 10, 10, -10, 10),
-                 room->account.intersections);
+    expect_cut(NUMBERS(0, -40, 10, 0, 40, 10, 40, 40, 10, 40, -40, 10),
+               NUMBERS(0, -10, 10, 0, 10, 10, 10, 10, 10, 10, -10, 10), ANY);
 }
 
-/* No edge is seen, all corners are. */
+/* No edge is seen, all corners are; either way round. */
 void test_a_wall_becomes_the_screen(void)
 {
-    fxl_clip_polygon polygon = SHAPE(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10);
-    const fxl_clip_polygon *result;
-    clip(&polygon, &result);
-    expect_shape(&polygon, SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10),
-                 room->account.intersections);
-    /* The same the other way round. */
-    fxl_clip_polygon turned = SHAPE(-30, -30, 10, 30, -30, 10, 30, 30, 10, -30, 30, 10);
-    clip(&turned, &result);
-    expect_shape(&turned, SHAPE(-10, -10, 10, 10, -10, 10, 10, 10, 10, -10, 10, 10),
-                 room->account.intersections);
+    expect_cut(NUMBERS(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10),
+               NUMBERS(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10), ANY);
+    expect_cut(NUMBERS(-30, -30, 10, 30, -30, 10, 30, 30, 10, -30, 30, 10),
+               NUMBERS(-10, -10, 10, 10, -10, 10, 10, 10, 10, -10, 10, 10), ANY);
 }
 
 /* Two vertices on planes: they come once, and cost nothing. */
 void test_vertices_on_planes_are_not_repeated(void)
 {
-    fxl_clip_polygon polygon = SHAPE(10, -5, 10, 0, 0, 10, 10, 5, 10, 20, 0, 10);
-    expect_shape(&polygon, SHAPE(10, -5, 10, 0, 0, 10, 10, 5, 10), 0);
+    expect_cut(NUMBERS(10, -5, 10, 0, 0, 10, 10, 5, 10, 20, 0, 10),
+               NUMBERS(10, -5, 10, 0, 0, 10, 10, 5, 10), 0);
 }
 
 void test_a_touch_is_degenerate(void)
