@@ -7,6 +7,7 @@
 #   BOARD_BAND_BYTES        memory for a band of pixels
 #   BOARD_ORDER_ENTRIES     entries for the order of drawing
 #   BOARD_LIST_BYTES        memory for a frame's list of polygons
+#   BOARD_CACHE_ENTRIES     entries for vertices that faces share, 40 bytes each: 0 or a power of two
 #   BOARD_SOURCES           board.c and the parts that the board is made of
 # and where it is wanted
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
@@ -42,7 +43,7 @@ endef
 # --- settings ------------------------------------------------------------------
 
 # What a board.mk must set; what it may set; what it may leave empty.
-BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES SOURCES
+BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
 BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
@@ -96,7 +97,7 @@ $(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY
 # --- boards --------------------------------------------------------------------
 
 BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=$(BOARD_ORDER_ENTRIES.$(1)) \
-    -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) \
+    -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) -DWALK_CACHE_ENTRIES=$(BOARD_CACHE_ENTRIES.$(1)) \
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
     -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
     -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \

@@ -5,14 +5,16 @@
 #include "text.h"
 
 #define ORDER_ENTRIES 2048u /* W1 with sixteen times its cubes takes 1606 */
+#define CACHE_ENTRIES 64u   /* as boards with little memory have */
 
 static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_seen_vertex cache[CACHE_ENTRIES];
 static fxl_renderer renderer;
 static uint32_t order_needed;
 
 int draw_open(const fxl_scene_image *image)
 {
-    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0};
+    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0, cache, CACHE_ENTRIES};
 
     order_needed = image->scene.order_needed;
     if (order_needed > ORDER_ENTRIES) {
@@ -31,7 +33,7 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 
 uint32_t draw_memory(void)
 {
-    return (uint32_t)(sizeof renderer + order_needed * sizeof order[0]);
+    return (uint32_t)(sizeof renderer + sizeof cache + order_needed * sizeof order[0]);
 }
 
 const fxl_counters *draw_counters(void)

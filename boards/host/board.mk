@@ -13,5 +13,6 @@ BOARD_HOSTED := yes
 BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 131072
 BOARD_LIST_BYTES := 4096
+BOARD_CACHE_ENTRIES := 32
 
 BOARD_SOURCES := boards/host/board.c boards/parts/display.c boards/parts/dump.c boards/parts/board_note.c

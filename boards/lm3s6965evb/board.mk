@@ -12,6 +12,7 @@ BOARD_NOTE := keys=1:up,2:down,4:left,8:right,16:ctrl+up,32:ctrl+down,64:ctrl+le
 BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 1024
 BOARD_LIST_BYTES := 16384
+BOARD_CACHE_ENTRIES := 64
 
 # Its table of the most objects there may be takes a megabyte.
 BOARD_UNIT_OMIT := test_scene_placed

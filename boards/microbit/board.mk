@@ -11,6 +11,7 @@ BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/nrf51.cfg
 BOARD_BAND_BYTES := 2560
 BOARD_ORDER_ENTRIES := 200
 BOARD_LIST_BYTES := 4096
+BOARD_CACHE_ENTRIES := 8
 
 # They take 25 KiB; the last a megabyte.
 BOARD_UNIT_OMIT := test_clipper test_render test_scene_placed

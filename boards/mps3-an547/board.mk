@@ -14,6 +14,7 @@ BOARD_BENCH := m55
 BOARD_BAND_BYTES := 131072
 BOARD_ORDER_ENTRIES := 16384
 BOARD_LIST_BYTES := 65536
+BOARD_CACHE_ENTRIES := 1024
 
 # Its table of the most objects there may be takes a megabyte.
 BOARD_UNIT_OMIT := test_scene_placed

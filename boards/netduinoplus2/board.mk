@@ -12,6 +12,7 @@ BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f4x.cfg
 BOARD_BAND_BYTES := 38400
 BOARD_ORDER_ENTRIES := 2048
 BOARD_LIST_BYTES := 32768
+BOARD_CACHE_ENTRIES := 256
 
 # Its table of the most objects there may be takes a megabyte.
 BOARD_UNIT_OMIT := test_scene_placed

@@ -9,11 +9,12 @@ BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 
 # How 8192 bytes are shared out: 1088 for the program's stack and 320 for the
 # handlers' (memory.ld), 2912 for the renderer, and these: eight rows of 128, or one
-# of the widest screen; the 174 objects of the plaza; a list of 15 polygons of four
-# vertices, in which every frame of scenes/tiny.toml fits.
+# of the widest screen; the 174 objects of the plaza; a list of 14 polygons of four
+# vertices; no vertices are kept.
 BOARD_BAND_BYTES := 1024
 BOARD_ORDER_ENTRIES := 174
-BOARD_LIST_BYTES := 600
+BOARD_LIST_BYTES := 560
+BOARD_CACHE_ENTRIES := 0
 
 # They take 8 to 27 KiB of memory and stack; the last a megabyte.
 BOARD_UNIT_OMIT := test_left_out test_clip_view_bounds test_watertight test_render test_clipper test_clip_once \

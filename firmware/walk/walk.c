@@ -20,6 +20,11 @@ static uint32_t list[WALK_LIST_BYTES / 4];
 #else
 static uint32_t *const list = NULL; /* every band walks the scene */
 #endif
+#if WALK_CACHE_ENTRIES > 0
+static fxl_seen_vertex cache[WALK_CACHE_ENTRIES];
+#else
+static fxl_seen_vertex *const cache = NULL; /* every face works its vertices out anew */
+#endif
 static fxl_renderer renderer;
 
 /* What drawing took, without what the display does with it. */
@@ -115,7 +120,8 @@ static int open_scene(fxl_scene_image *image)
 
 static int open_renderer(const fxl_scene_image *image)
 {
-    const fxl_memory memory = {order, WALK_ORDER_ENTRIES, list, WALK_LIST_BYTES / 4};
+    const fxl_memory memory = {order, WALK_ORDER_ENTRIES, list, WALK_LIST_BYTES / 4,
+                               cache, WALK_CACHE_ENTRIES};
     const fxl_status status = fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory);
 
     if (status == FXL_E_CAPACITY) {

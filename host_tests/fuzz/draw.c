@@ -12,19 +12,45 @@ enum {
 };
 
 /* The clippers as a renderer knows them, with their promises checked. */
-static fxl_clip_result checked_by_view(const fxl_polygon *polygon, const fxl_view *view,
-                                       fxl_clipper_work *work, const fxl_view_polygon **result)
+static fxl_clip_result checked_by_view(const fxl_placed *placed, const fxl_face *face,
+                                       fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    fxl_clip_result cut = fxl_clip_by_view(polygon, view, work, result);
-    judge_view_clip(cut, *result, view);
+    const uint16_t *corners = placed->corners + face->first_corner;
+    fxl_view_polygon seen = {.colour = face->colour, .count = face->count};
+    const fxl_view_polygon *clipped;
+    static fxl_clip_view_work checked;
+    fxl_planes needed = 0;
+    for (uint32_t i = 0; i < face->count; i++) {
+        fxl_point from_eye = fxl_placed_vertex(placed, corners[i]), point = from_eye;
+        point.x += placed->view->camera.position.x;
+        point.y += placed->view->camera.position.y;
+        point.z += placed->view->camera.position.z;
+        fxl_transform_point(&placed->view->camera, &point, &seen.vertices[i].position);
+        DEMAND(memcmp(&fxl_see(placed, corners[i])->position, &seen.vertices[i].position,
+                      sizeof seen.vertices[i].position) == 0);
+        needed |= judge_outcode(&placed->view->view_frustum, &seen.vertices[i].position, 0);
+    }
+    fxl_clip_result expected =
+        fxl_clip_view_to_planes(&seen, &placed->view->view_frustum, needed, &checked, &clipped);
+    judge_view_clip(expected, clipped, placed->view);
+    fxl_clip_result cut = fxl_clip_by_view(placed, face, work, screen);
+    /* A face outside of one plane may have been cut away by one before it. */
+    DEMAND(cut == expected || (cut == FXL_CLIP_OUTSIDE && clipped == NULL));
+    judge_screen(cut, screen);
+    if (clipped != NULL) {
+        fxl_screen_polygon same;
+        DEMAND(fxl_project_polygon(&placed->view->lens, clipped, &same) == FXL_OK);
+        DEMAND(same.count == screen->count && same.colour == screen->colour);
+        DEMAND(memcmp(same.points, screen->points, same.count * sizeof same.points[0]) == 0);
+    }
     return cut;
 }
 
-static fxl_clip_result checked_by_world(const fxl_polygon *polygon, const fxl_view *view,
-                                        fxl_clipper_work *work, const fxl_view_polygon **result)
+static fxl_clip_result checked_by_world(const fxl_placed *placed, const fxl_face *face,
+                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    fxl_clip_result cut = fxl_clip_by_world(polygon, view, work, result);
-    judge_world_clip(cut, *result);
+    fxl_clip_result cut = fxl_clip_by_world(placed, face, work, screen);
+    judge_screen(cut, screen);
     return cut;
 }
 
@@ -96,7 +122,7 @@ static void draw_in_bands(fxl_renderer *renderer, const fxl_band *whole, fuzz_in
 /* A renderer whose memory ends where it should, so that the sanitizer sees what
  * is written beside it. */
 static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens, bool by_world,
-                                   uint32_t list_words)
+                                   uint32_t list_words, uint32_t cache_entries)
 {
     fxl_renderer *renderer = malloc(sizeof *renderer);
     fxl_memory memory;
@@ -104,7 +130,9 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     memory.order = malloc(scene->order_needed * sizeof *memory.order);
     memory.list_capacity = list_words;
     memory.list = malloc(list_words * sizeof *memory.list + 1);
-    DEMAND(renderer != NULL && memory.order != NULL && memory.list != NULL);
+    memory.cache_capacity = cache_entries;
+    memory.cache = malloc(cache_entries * sizeof *memory.cache + 1);
+    DEMAND(renderer != NULL && memory.order != NULL && memory.list != NULL && memory.cache != NULL);
     memset(renderer, GAP, sizeof *renderer);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
     renderer->clipper = by_world ? checked_by_world : checked_by_view;
@@ -114,17 +142,21 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
 static void free_renderer(fxl_renderer *renderer)
 {
     free(renderer->list.words);
+    if (renderer->cache.entries != &renderer->spare) {
+        free(renderer->cache.entries);
+    }
     free(renderer->order);
     free(renderer);
 }
 
-/* The same frame again, in bands and with a list of any size. */
+/* The same frame again, in bands and with a list and a cache of any size. */
 static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
                        bool by_world, fuzz_input *in)
 {
     fxl_counters counters = first->counters;
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_LIST_WORDS(8));
-    fxl_renderer *renderer = make_renderer(first->scene, &first->view.lens, by_world, words);
+    fxl_renderer *renderer =
+        make_renderer(first->scene, &first->view.lens, by_world, words, fuzz_below(in, 40));
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->counters.spilled <= counters.spilled);
@@ -149,7 +181,7 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
     }
     scene.models = models;
     scene.keys = NULL;
-    fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, by_world, 0);
+    fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, by_world, 0, 1);
     fxl_band band = make_band(&first->view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -168,7 +200,7 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in)
 {
-    fxl_renderer *renderer = make_renderer(scene, lens, choice->by_world, 0);
+    fxl_renderer *renderer = make_renderer(scene, lens, choice->by_world, 0, 1);
     fxl_band whole = make_band(lens, fuzz_below(in, 4), choice->first_row, choice->rows);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_E_ORDER);
     DEMAND(renderer->counters.refused_calls == 1);

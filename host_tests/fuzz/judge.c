@@ -36,6 +36,19 @@ static void judge_shape(fxl_clip_result cut, const fxl_view_polygon *result)
     DEMAND(result == NULL || (result->count >= 3 && result->count <= FXL_POLYGON_CAPACITY));
 }
 
+fxl_planes judge_outcode(const fxl_view_frustum *frustum, const fxl_view_point *point,
+                         uint32_t some)
+{
+    fxl_planes outside = 0;
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        bool is_outside = fxl_view_distance(frustum, plane, point) < 0;
+        outside = (fxl_planes)(outside | (unsigned)is_outside << plane);
+    }
+    DEMAND(fxl_outcode(frustum, FXL_PLANES_ALL, point) == outside);
+    DEMAND(fxl_outcode(frustum, (fxl_planes)some, point) == (outside & some));
+    return outside;
+}
+
 void judge_view_clip(fxl_clip_result cut, const fxl_view_polygon *result, const fxl_view *view)
 {
     judge_shape(cut, result);
@@ -56,15 +69,17 @@ void judge_view_clip(fxl_clip_result cut, const fxl_view_polygon *result, const 
     }
 }
 
-void judge_world_clip(fxl_clip_result cut, const fxl_view_polygon *result)
+void judge_screen(fxl_clip_result cut, const fxl_screen_polygon *screen)
 {
-    judge_shape(cut, result);
-    if (result == NULL) {
+    if (!has_result(cut)) {
         return;
     }
-    for (uint32_t i = 0; i < result->count; i++) {
-        /* near is at least 256 units of 1/65536; the clipper errs by five. */
-        DEMAND(result->vertices[i].position.z >= (int64_t)200 * FXL_Q2_30_ONE);
+    DEMAND(screen->count >= 3 && screen->count <= FXL_POLYGON_CAPACITY);
+    for (uint32_t i = 0; i < screen->count; i++) {
+        DEMAND(screen->points[i].x >= -FXL_SCREEN_COORDINATE_MAX);
+        DEMAND(screen->points[i].x <= FXL_SCREEN_COORDINATE_MAX);
+        DEMAND(screen->points[i].y >= -FXL_SCREEN_COORDINATE_MAX);
+        DEMAND(screen->points[i].y <= FXL_SCREEN_COORDINATE_MAX);
     }
 }
 

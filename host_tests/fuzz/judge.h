@@ -10,8 +10,13 @@
  * error, and projects onto the screen. */
 void judge_view_clip(fxl_clip_result cut, const fxl_view_polygon *result, const fxl_view *view);
 
-/* A polygon clipped in the world has a legal count and lies before the eye. */
-void judge_world_clip(fxl_clip_result cut, const fxl_view_polygon *result);
+/* On which side of the planes a point lies, all planes and some of them; answers
+ * those that it is outside of. */
+fxl_planes judge_outcode(const fxl_view_frustum *frustum, const fxl_view_point *point,
+                         uint32_t some);
+
+/* What a clipper put on the screen has a legal count and is in range. */
+void judge_screen(fxl_clip_result cut, const fxl_screen_polygon *screen);
 
 /* A projected point, or a refusal, against the exact quotient. */
 void judge_projection(const fxl_lens *lens, const fxl_view_point *view, fxl_status status,

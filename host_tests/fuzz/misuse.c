@@ -14,8 +14,10 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
                         fxl_order_entry *order)
 {
     static fxl_renderer untouched;
-    const fxl_memory memory = {order, 2, NULL, 0}, no_order = {NULL, 2, NULL, 0},
-                     no_list = {order, 2, NULL, 1}, too_little = {order, 1, NULL, 0};
+    const fxl_memory memory = {order, 2, NULL, 0, NULL, 0}, no_order = {NULL, 2, NULL, 0, NULL, 0},
+                     no_list = {order, 2, NULL, 1, NULL, 0},
+                     no_cache = {order, 2, NULL, 0, NULL, 1},
+                     too_little = {order, 1, NULL, 0, NULL, 0};
     *renderer = untouched;
     DEMAND(fxl_renderer_init(NULL, scene, lens, &memory) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init(renderer, NULL, lens, &memory) == FXL_E_ARGUMENT);
@@ -23,6 +25,7 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
     DEMAND(fxl_renderer_init(renderer, scene, lens, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &no_order) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &no_list) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init(renderer, scene, lens, &no_cache) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &too_little) == FXL_E_CAPACITY);
     DEMAND(memcmp(renderer, &untouched, sizeof untouched) == 0);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);

@@ -155,10 +155,12 @@ void fuzz_clip_world(fuzz_input *in)
     const fxl_polygon *result;
     fxl_view view;
     fxl_pose pose = fuzz_pose(in);
-    view.lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
-    DEMAND(fxl_camera_from_pose(&pose, &view.camera) == FXL_OK);
-    fxl_frustum_from_camera(&view.camera, &view.lens, &view.frustum);
+    fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
+    fxl_view_set_lens(&view, &lens);
+    DEMAND(fxl_view_set_pose(&view, &pose) == FXL_OK);
+    const fxl_frustum *frustum = fxl_view_world_frustum(&view);
     polygon.colour = 7;
+    polygon.textured = true;
     polygon.count = (uint8_t)(3 + fuzz_below(in, FXL_POLYGON_CAPACITY - 2));
     for (uint32_t i = 0; i < polygon.count; i++) {
         fxl_vertex *vertex = &polygon.vertices[i];
@@ -166,12 +168,12 @@ void fuzz_clip_world(fuzz_input *in)
         vertex->u = fuzz_coordinate(in, TEXEL_MAX);
         vertex->v = fuzz_coordinate(in, TEXEL_MAX);
         for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-            const fxl_plane *side = &view.frustum.planes[plane];
+            const fxl_plane *side = &frustum->planes[plane];
             judge_plane_distance(side, &vertex->position,
                                  fxl_plane_distance(side, &vertex->position));
         }
     }
-    fxl_clip_result cut = fxl_clip_to_frustum(&polygon, &view.frustum, &work, &result);
+    fxl_clip_result cut = fxl_clip_to_frustum(&polygon, frustum, &work, &result);
     DEMAND((result != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     for (uint32_t i = 0; result != NULL && i < result->count; i++) {
@@ -187,29 +189,38 @@ void fuzz_clip_view(fuzz_input *in)
     fxl_view_polygon polygon;
     const fxl_view_polygon *result;
     fxl_view view;
-    view.lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
-    fxl_view_frustum_from_lens(&view.lens, &view.view_frustum);
+    fxl_planes needed = 0;
+    fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
+    fxl_view_set_lens(&view, &lens);
     polygon.colour = 7;
+    polygon.textured = true;
     polygon.count = (uint8_t)(3 + fuzz_below(in, FXL_POLYGON_CAPACITY - 2));
     for (uint32_t i = 0; i < polygon.count; i++) {
-        polygon.vertices[i].position = any_view_point(in);
+        const fxl_view_point point = any_view_point(in);
+        needed |= judge_outcode(&view.view_frustum, &point, fuzz_below(in, FXL_PLANES_ALL + 1u));
+        polygon.vertices[i].position = point;
         polygon.vertices[i].u = fuzz_coordinate(in, TEXEL_MAX);
         polygon.vertices[i].v = fuzz_coordinate(in, TEXEL_MAX);
     }
-    fxl_clip_result cut = fxl_clip_view_to_frustum(&polygon, &view.view_frustum, &work, &result);
+    fxl_clip_result cut =
+        fxl_clip_view_to_planes(&polygon, &view.view_frustum, FXL_PLANES_ALL, &work, &result);
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     judge_view_clip(cut, result, &view);
     fxl_clip_view_work again;
     for (int which = 0; which < 2; which++) { /* the input within the work */
         const fxl_view_polygon *same;
         again.polygons[which] = polygon;
-        DEMAND(fxl_clip_view_to_frustum(&again.polygons[which], &view.view_frustum, &again,
-                                        &same) == cut);
+        DEMAND(fxl_clip_view_to_planes(&again.polygons[which], &view.view_frustum, FXL_PLANES_ALL,
+                                       &again, &same) == cut);
         DEMAND((same == NULL) == (result == NULL));
         DEMAND(same == NULL || (same->count == result->count &&
                                 memcmp(same->vertices, result->vertices,
                                        same->count * sizeof same->vertices[0]) == 0));
     }
+    /* By the planes that a vertex is outside of, and no others. */
+    cut = fxl_clip_view_to_planes(&polygon, &view.view_frustum, needed, &again, &result);
+    DEMAND((cut == FXL_CLIP_INSIDE) == (needed == 0));
+    judge_view_clip(cut, result, &view);
 }
 
 /* A viewer and a gait in range; most choices leave them so, the

@@ -18,6 +18,7 @@
 #include "reference/project.h"
 #include "reference/transform.h"
 #include "stages/bridge.h"
+#include "unit/polygon_face.h"
 
 enum {
     CUT,
@@ -93,6 +94,7 @@ static int twin_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
 static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     static fxl_clipper_work work;
+    static polygon_face face;
     oracle_setup setup;
     fxl_polygon polygon;
     if (!oracle_polygon_read(input, 0, &setup, &polygon)) {
@@ -101,13 +103,15 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     oracle_outline exact;
     oracle_clip(&setup.view, &polygon, &exact);
 
-    const fxl_view_polygon *clipped;
     fxl_screen_polygon screen = {0};
-    fxl_clip_result result = fxl_clip_by_view(&polygon, &setup.view, &work, &clipped);
-    if (result == FXL_CLIP_CAPACITY ||
-        (clipped != NULL && fxl_project_polygon(&setup.view.lens, clipped, &screen) != FXL_OK)) {
+    polygon_face_set(&face, &polygon, &setup.view, FXL_POLYGON_CAPACITY);
+    fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, &screen);
+    if (result == FXL_CLIP_CAPACITY || result == FXL_CLIP_RANGE) {
         verdict->extras[REFUSED] = 1;
         verdict->value = ORACLE_REFUSED;
+    }
+    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT) {
+        screen.count = 0;
     }
     oracle_spot spots[FXL_POLYGON_CAPACITY];
     for (int i = 0; i < screen.count; i++) {

@@ -25,14 +25,13 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
                              .yaw = (uint32_t)n[9],
                              .pitch = (uint32_t)n[10],
                              .roll = (uint32_t)n[11]};
-    fxl_view *view = &setup->view;
+    fxl_lens lens;
     if (fxl_lens_from_fov((uint16_t)n[0], (uint16_t)n[1], (uint32_t)n[2], (int32_t)n[3],
-                          (int32_t)n[4], (int32_t)n[5], &view->lens) != FXL_OK ||
-        fxl_camera_from_pose(&setup->pose, &view->camera) != FXL_OK) {
+                          (int32_t)n[4], (int32_t)n[5], &lens) != FXL_OK) {
         return 0;
     }
-    fxl_view_frustum_from_lens(&view->lens, &view->view_frustum);
-    return 1;
+    fxl_view_set_lens(&setup->view, &lens);
+    return fxl_view_set_pose(&setup->view, &setup->pose) == FXL_OK;
 }
 
 static int side(oracle_random *random, int usual, int side_max)

@@ -12,6 +12,7 @@
 #include "oracle/clip.h"
 #include "oracle/hausdorff.h"
 #include "oracle/polygons.h"
+#include "unit/polygon_face.h"
 
 enum {
     GAPS,
@@ -115,23 +116,23 @@ static void split(const fxl_polygon *whole, int how, partition *pieces)
 }
 
 /* Draws a piece; 0 where the library refuses it. */
-static int draw(const fxl_view *view, const fxl_polygon *polygon, fxl_screen_polygon *screen,
+static int draw(fxl_view *view, const fxl_polygon *polygon, fxl_screen_polygon *screen,
                 oracle_verdict *verdict)
 {
     static fxl_clipper_work work;
-    const fxl_view_polygon *clipped;
+    static polygon_face face;
     fxl_scan scan;
     fxl_span span;
-    screen->count = 0;
-    fxl_clip_result result = fxl_clip_by_view(polygon, view, &work, &clipped);
+    polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
+    fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, screen);
     verdict->extras[CUT_PIECES] += result == FXL_CLIP_CUT;
-    if (clipped == NULL) {
-        return result != FXL_CLIP_CAPACITY;
+    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT) {
+        screen->count = 0;
+        return result != FXL_CLIP_CAPACITY && result != FXL_CLIP_RANGE;
     }
     const fxl_band band = {
         .width = view->lens.width, .stride = view->lens.width, .rows = view->lens.height};
-    if (fxl_project_polygon(&view->lens, clipped, screen) != FXL_OK ||
-        fxl_scan_begin(screen, &band, &scan) != FXL_OK) {
+    if (fxl_scan_begin(screen, &band, &scan) != FXL_OK) {
         return 0;
     }
     while (fxl_scan_next(&scan, &span)) {

@@ -29,6 +29,15 @@ ref_wide ref_view_distance(const ref_view_plane *plane, const ref_view_point *po
     return plane->across * across + plane->along * (ref_wide)point->z - plane->distance;
 }
 
+unsigned ref_outcode(const ref_view_frustum *frustum, const ref_view_point *point)
+{
+    unsigned outside = 0;
+    for (int i = 0; i < REF_PLANE_COUNT; i++) {
+        outside |= ref_view_distance(&frustum->planes[i], point) < 0 ? 1u << i : 0;
+    }
+    return outside;
+}
+
 static long double between(long double inside, long double outside, ref_wide t)
 {
     return (long double)(inside + t * ((ref_wide)outside - inside));

@@ -30,6 +30,9 @@ ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens);
 /* How far a point lies inside; negative outside. */
 ref_wide ref_view_distance(const ref_view_plane *plane, const ref_view_point *point);
 
+/* Bit n is set where the point lies outside of plane n. */
+unsigned ref_outcode(const ref_view_frustum *frustum, const ref_view_point *point);
+
 ref_clip_result ref_clip_view_to_plane(const ref_view_polygon *in, const ref_view_plane *plane,
                                        ref_view_polygon *out);
 

@@ -40,8 +40,11 @@ ref_polygon bridge_polygon(const fxl_polygon *polygon)
     ref_polygon result = {.colour = polygon->colour, .count = polygon->count};
     for (int i = 0; i < result.count; i++) {
         const fxl_vertex *vertex = &polygon->vertices[i];
-        result.vertices[i] =
-            (ref_vertex){bridge_point(&vertex->position), q16(vertex->u), q16(vertex->v)};
+        result.vertices[i] = (ref_vertex){.position = bridge_point(&vertex->position)};
+        if (polygon->textured) {
+            result.vertices[i].u = q16(vertex->u);
+            result.vertices[i].v = q16(vertex->v);
+        }
     }
     return result;
 }
@@ -61,8 +64,11 @@ ref_view_polygon bridge_view_polygon(const fxl_view_polygon *polygon)
     ref_view_polygon result = {.colour = polygon->colour, .count = polygon->count};
     for (int i = 0; i < result.count; i++) {
         const fxl_view_vertex *vertex = &polygon->vertices[i];
-        result.vertices[i] =
-            (ref_view_vertex){bridge_view_point(&vertex->position), q16(vertex->u), q16(vertex->v)};
+        result.vertices[i] = (ref_view_vertex){.position = bridge_view_point(&vertex->position)};
+        if (polygon->textured) {
+            result.vertices[i].u = q16(vertex->u);
+            result.vertices[i].v = q16(vertex->v);
+        }
     }
     return result;
 }

@@ -101,7 +101,7 @@ static int same_vertices(const fxl_polygon *a, const fxl_polygon *b)
     for (int i = 0; same && i < a->count; i++) {
         const fxl_vertex *p = &a->vertices[i], *q = &b->vertices[i];
         same = p->position.x == q->position.x && p->position.y == q->position.y &&
-               p->position.z == q->position.z && p->u == q->u && p->v == q->v;
+               p->position.z == q->position.z && (!a->textured || (p->u == q->u && p->v == q->v));
     }
     return same;
 }

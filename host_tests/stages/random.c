@@ -146,7 +146,7 @@ static void round_polygon(stages_random *random, const fxl_camera *camera, fxl_p
 
 fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camera)
 {
-    fxl_polygon polygon = {.colour = 1};
+    fxl_polygon polygon = {.colour = 1, .textured = true};
     if (stages_random_below(random, 8) == 0) {
         any_polygon(random, camera, &polygon);
     } else {

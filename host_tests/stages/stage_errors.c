@@ -65,12 +65,11 @@ static void progress(const char *what, uint64_t done, uint64_t all)
 /* What a frame's stages share. */
 static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
 {
-    view->lens = *lens;
-    if (fxl_camera_from_pose(pose, &view->camera) != FXL_OK) {
+    fxl_view_set_lens(view, lens);
+    if (fxl_view_set_pose(view, pose) != FXL_OK) {
         return 0;
     }
-    fxl_frustum_from_camera(&view->camera, lens, &view->frustum);
-    fxl_view_frustum_from_lens(lens, &view->view_frustum);
+    fxl_view_world_frustum(view);
     return 1;
 }
 
@@ -78,7 +77,8 @@ static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
 static void take_vertices(stages_tally *transform, const fxl_camera *camera,
                           const fxl_polygon *polygon, fxl_view_polygon *seen)
 {
-    *seen = (fxl_view_polygon){.colour = polygon->colour, .count = polygon->count};
+    *seen = (fxl_view_polygon){
+        .colour = polygon->colour, .count = polygon->count, .textured = polygon->textured};
     for (int i = 0; i < polygon->count; i++) {
         const fxl_vertex *vertex = &polygon->vertices[i];
         stages_measure_transform(transform, camera, &vertex->position, &seen->vertices[i].position);
@@ -131,12 +131,17 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const fxl_object *object = &scene->objects[i];
         const fxl_model *model = &scene->models[object->model];
+        fxl_seen_vertex none;
+        fxl_vertex_cache cache;
+        fxl_placed placed;
+        fxl_vertex_cache_init(&cache, &none, 1);
+        fxl_place_object(&placed, scene, object, FXL_PLANES_ALL, &view, &cache);
         uint32_t planes = stages_measure_sphere(&to->sphere, &view.camera, &view.view_frustum,
                                                 &object->centre, model->radius);
         for (uint32_t k = 0; k < model->face_count; k++) {
             const fxl_face *face = &scene->faces[model->first_face + k];
             fxl_polygon polygon;
-            fxl_face_to_polygon(scene, object, face, &polygon);
+            fxl_face_to_polygon(&placed, face, &polygon);
             stages_check_left_out(&to->sphere, &view.camera, &view.view_frustum, planes, &polygon);
             if (fxl_face_is_front(scene, object, face, &pose->position)) {
                 take_polygon(to, &view, &polygon);

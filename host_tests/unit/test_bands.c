@@ -21,7 +21,7 @@ static void start(uint32_t words, fxl_clipper clipper)
 {
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words};
+    const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words, NULL, 0};
     tiny = tiny_make();
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
@@ -122,11 +122,11 @@ void test_what_does_not_fit_is_counted(void)
 
 static uint32_t asked;
 
-static fxl_clip_result counting_clipper(const fxl_polygon *polygon, const fxl_view *view,
-                                        fxl_clipper_work *work, const fxl_view_polygon **result)
+static fxl_clip_result counting_clipper(const fxl_placed *placed, const fxl_face *face,
+                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     asked++;
-    return fxl_clip_by_view(polygon, view, work, result);
+    return fxl_clip_by_view(placed, face, work, screen);
 }
 
 /* With a list that holds the frame, no band looks at the scene again. */

@@ -13,7 +13,7 @@ static const fxl_plane wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
  * numbers. */
 static fxl_polygon flat(const int *numbers, uint8_t count)
 {
-    fxl_polygon polygon = {.colour = 5, .count = count};
+    fxl_polygon polygon = {.colour = 5, .count = count, .textured = true};
     for (int i = 0; i < count; i++) {
         fxl_q16_16 x = numbers[2 * i] * 65536, y = numbers[2 * i + 1] * 65536;
         polygon.vertices[i] = (fxl_vertex){{x, y, 0}, x, y};
@@ -185,8 +185,11 @@ void test_neighbours_get_the_same_vertex(void)
         fxl_q16_16 limit = i % 2 ? FXL_COORDINATE_MAX : Q16(1);
         fxl_plane plane = random_plane(limit);
         fxl_vertex a = random_vertex(limit), b = random_vertex(limit);
-        fxl_polygon first = {.count = 3, .vertices = {a, b, random_vertex(limit)}}, outs[2];
-        fxl_polygon second = {.count = 3, .vertices = {b, a, random_vertex(limit)}};
+        fxl_polygon first = {
+            .count = 3, .textured = true, .vertices = {a, b, random_vertex(limit)}};
+        fxl_polygon outs[2];
+        fxl_polygon second = {
+            .count = 3, .textured = true, .vertices = {b, a, random_vertex(limit)}};
         int64_t at_a = fxl_plane_distance(&plane, &a.position);
         int64_t at_b = fxl_plane_distance(&plane, &b.position);
         if ((at_a < 0) == (at_b < 0) || at_a == 0 || at_b == 0) {
@@ -236,7 +239,7 @@ void test_a_new_vertex_is_within_its_bounds(void)
         static const fxl_q16_16 limits[] = {FXL_COORDINATE_MAX, Q16(100), 3000};
         fxl_q16_16 limit = limits[i % 3];
         fxl_plane plane = random_plane(limit);
-        fxl_polygon polygon = {.count = 3}, out;
+        fxl_polygon polygon = {.count = 3, .textured = true}, out;
         for (int k = 0; k < 3; k++) {
             polygon.vertices[k] = random_vertex(limit);
         }

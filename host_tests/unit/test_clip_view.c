@@ -46,6 +46,7 @@ static fxl_view_polygon flat(int plane, const int *numbers, uint8_t count)
     memset(&polygon, 0, sizeof polygon);
     polygon.colour = 5;
     polygon.count = count;
+    polygon.textured = true;
     for (int i = 0; i < count; i++) {
         int inside = numbers[2 * i], aside = numbers[2 * i + 1];
         polygon.vertices[i].position = at_wall(plane, V(inside), V(aside));
@@ -221,7 +222,7 @@ static fxl_clip_result clip(const fxl_view_polygon *polygon, const fxl_view_poly
     fxl_lens lens = unit_lens(64, 64);
     fxl_view_frustum frustum;
     fxl_view_frustum_from_lens(&lens, &frustum);
-    return fxl_clip_view_to_frustum(polygon, &frustum, &work, result);
+    return fxl_clip_view_to_planes(polygon, &frustum, FXL_PLANES_ALL, &work, result);
 }
 
 static fxl_view_polygon polygon_of(const int *numbers, size_t count)

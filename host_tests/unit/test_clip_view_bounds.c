@@ -182,6 +182,7 @@ static fxl_view_polygon random_triangle(unsigned bits)
     fxl_view_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     polygon.count = 3;
+    polygon.textured = true;
     for (int k = 0; k < 3; k++) {
         polygon.vertices[k] = random_vertex(bits);
     }
@@ -332,7 +333,8 @@ void test_from_any_place_to_the_screen(void)
         static fxl_view_polygon view;
         const fxl_view_polygon *result;
         fxl_transform_polygon(&camera, &polygon, &view);
-        fxl_clip_result outcome = fxl_clip_view_to_frustum(&view, &frustum, &work, &result);
+        fxl_clip_result outcome =
+            fxl_clip_view_to_planes(&view, &frustum, FXL_PLANES_ALL, &work, &result);
         TEST_ASSERT_EQUAL(outcome == FXL_CLIP_INSIDE || outcome == FXL_CLIP_CUT, result != NULL);
         TEST_ASSERT_TRUE(outcome != FXL_CLIP_CAPACITY);
         if (result) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The two clippers under their treaty, alone and in a renderer. */
+#include "polygon_face.h"
 #include "tiny.h"
 
 enum {
@@ -17,10 +18,9 @@ static fxl_view random_view(fxl_q16_16 reach)
     fxl_view view;
     fxl_pose pose = unit_pose();
     pose.position = unit_point(reach);
-    view.lens = unit_lens(WIDTH, HEIGHT);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &view.camera));
-    fxl_frustum_from_camera(&view.camera, &view.lens, &view.frustum);
-    fxl_view_frustum_from_lens(&view.lens, &view.view_frustum);
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
     return view;
 }
 
@@ -51,46 +51,37 @@ static bool is_kept(fxl_clip_result result)
     return result == FXL_CLIP_INSIDE || result == FXL_CLIP_CUT;
 }
 
-/* What the treaty says of *result: within work, or null. */
-static void expect_treaty(fxl_clip_result outcome, const fxl_clipper_work *work,
-                          const fxl_view_polygon *result, const fxl_polygon *polygon)
+static void expect_projected(const fxl_view *view, const fxl_polygon *polygon,
+                             const fxl_screen_polygon *screen)
 {
-    if (!is_kept(outcome)) {
-        TEST_ASSERT_NULL(result);
-        return;
-    }
-    const char *first = (const char *)work, *at = (const char *)result;
-    TEST_ASSERT_TRUE(at >= first && at + sizeof *result <= first + sizeof *work);
-    TEST_ASSERT_EQUAL(polygon->colour, result->colour);
-    TEST_ASSERT_TRUE(result->count >= 3 && result->count <= FXL_POLYGON_CAPACITY);
+    static fxl_view_polygon seen;
+    static fxl_screen_polygon expected;
+    fxl_transform_polygon(&view->camera, polygon, &seen);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_project_polygon(&view->lens, &seen, &expected));
+    TEST_ASSERT_EQUAL(expected.count, screen->count);
+    TEST_ASSERT_EQUAL_MEMORY(expected.points, screen->points,
+                             expected.count * sizeof expected.points[0]);
 }
 
-static void expect_transformed(const fxl_view *view, const fxl_polygon *polygon,
-                               const fxl_view_polygon *result)
-{
-    static fxl_view_polygon expected;
-    fxl_transform_polygon(&view->camera, polygon, &expected);
-    TEST_ASSERT_EQUAL(expected.count, result->count);
-    for (int i = 0; i < expected.count; i++) {
-        TEST_ASSERT_EQUAL_MEMORY(&expected.vertices[i], &result->vertices[i],
-                                 sizeof expected.vertices[i]);
-    }
-}
-
-void test_a_polygon_inside_is_transformed_by_both(void)
+void test_a_polygon_inside_is_projected_by_both(void)
 {
     static fxl_clipper_work work;
+    static polygon_face face;
     int inside = 0, cut = 0, gone = 0;
     for (int i = 0; i < UNIT_REPEAT / 4; i++) {
         fxl_view view = random_view(Q16(100));
         fxl_polygon polygon = random_triangle(&view);
         for (int which = 0; which < 2; which++) {
-            const fxl_view_polygon *result = (const fxl_view_polygon *)&polygon;
-            fxl_clip_result outcome = clippers[which](&polygon, &view, &work, &result);
-            expect_treaty(outcome, &work, result, &polygon);
+            fxl_screen_polygon screen;
+            polygon_face_set(&face, &polygon, &view, (uint32_t)unit_between(1, 8));
+            fxl_clip_result outcome = clippers[which](&face.placed, &face.face, &work, &screen);
             if (outcome == FXL_CLIP_INSIDE) {
-                expect_transformed(&view, &polygon, result);
+                expect_projected(&view, &polygon, &screen);
                 inside++;
+            }
+            if (is_kept(outcome)) {
+                TEST_ASSERT_EQUAL(polygon.colour, screen.colour);
+                TEST_ASSERT_TRUE(screen.count >= 3 && screen.count <= FXL_POLYGON_CAPACITY);
             }
             cut += outcome == FXL_CLIP_CUT;
             gone += !is_kept(outcome);
@@ -100,29 +91,71 @@ void test_a_polygon_inside_is_transformed_by_both(void)
     TEST_ASSERT_TRUE(inside > few && cut > few && gone > few);
 }
 
-/* The polygon itself may lie in the work, and is then lost. */
-void test_a_polygon_within_the_work_gives_the_same(void)
+/* Clips to all six planes, one after the other. */
+static fxl_clip_result clip_to_all(const fxl_view *view, const fxl_polygon *polygon,
+                                   fxl_screen_polygon *screen)
 {
-    static fxl_clipper_work work, other;
+    static fxl_view_polygon seen;
+    static fxl_clip_view_work work;
+    const fxl_view_polygon *clipped;
+    fxl_transform_polygon(&view->camera, polygon, &seen);
+    fxl_clip_result outcome =
+        fxl_clip_view_to_planes(&seen, &view->view_frustum, FXL_PLANES_ALL, &work, &clipped);
+    if (clipped != NULL) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_project_polygon(&view->lens, clipped, screen));
+    }
+    return outcome;
+}
+
+/* A plane that no vertex is outside of has nothing to cut, but for the last bit
+ * of a vertex that another plane made. */
+void test_planes_that_are_not_needed_change_nothing(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
     int cut = 0;
-    for (int i = 0; i < UNIT_REPEAT / 4; i++) {
+    for (int i = 0; i < UNIT_REPEAT; i++) {
         fxl_view view = random_view(Q16(100));
         fxl_polygon polygon = random_triangle(&view);
-        for (int which = 0; which < 2; which++) {
-            const fxl_view_polygon *apart, *within;
-            fxl_clip_result outcome = clippers[which](&polygon, &view, &work, &apart);
-            other.polygon = polygon;
-            TEST_ASSERT_EQUAL(outcome, clippers[which](&other.polygon, &view, &other, &within));
-            expect_treaty(outcome, &other, within, &polygon);
-            if (is_kept(outcome)) {
-                TEST_ASSERT_EQUAL(apart->count, within->count);
-                TEST_ASSERT_EQUAL_MEMORY(apart->vertices, within->vertices,
-                                         apart->count * sizeof apart->vertices[0]);
+        fxl_screen_polygon needed, all;
+        polygon_face_set(&face, &polygon, &view, 1);
+        fxl_clip_result outcome = fxl_clip_by_view(&face.placed, &face.face, &work, &needed);
+        fxl_clip_result expected = clip_to_all(&view, &polygon, &all);
+        TEST_ASSERT_EQUAL(is_kept(expected), is_kept(outcome));
+        if (is_kept(outcome)) {
+            TEST_ASSERT_EQUAL(expected, outcome);
+            TEST_ASSERT_EQUAL(all.count, needed.count);
+            for (int k = 0; k < all.count; k++) {
+                TEST_ASSERT_INT32_WITHIN(1, all.points[k].x, needed.points[k].x);
+                TEST_ASSERT_INT32_WITHIN(1, all.points[k].y, needed.points[k].y);
             }
-            cut += outcome == FXL_CLIP_CUT;
         }
+        cut += outcome == FXL_CLIP_CUT;
     }
-    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 40);
+    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 20);
+}
+
+/* What an object's planes leave out is not looked at. */
+void test_planes_left_out_do_not_cut(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = random_view(Q16(100));
+    fxl_polygon polygon = {.colour = 9, .count = 3};
+    const fxl_direction *ahead = &view.camera.forward, *aside = &view.camera.right;
+    for (int i = 0; i < 3; i++) { /* 10 ahead, and 0, 40 and 80 to the right */
+        polygon.vertices[i].position =
+            (fxl_point){view.camera.position.x + (ahead->x >> 14) * 10 + (aside->x >> 14) * 40 * i,
+                        view.camera.position.y + (ahead->y >> 14) * 10 + (aside->y >> 14) * 40 * i,
+                        view.camera.position.z + (ahead->z >> 14) * 10 + (aside->z >> 14) * 40 * i};
+    }
+    fxl_screen_polygon screen;
+    polygon_face_set(&face, &polygon, &view, 4);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_by_view(&face.placed, &face.face, &work, &screen));
+    polygon_face_set(&face, &polygon, &view, 4);
+    face.placed.planes = FXL_PLANES_ALL & (fxl_planes) ~(1u << FXL_PLANE_RIGHT);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_by_view(&face.placed, &face.face, &work, &screen));
+    expect_projected(&view, &polygon, &screen);
 }
 
 static uint8_t frames[4][PIXELS];
@@ -135,7 +168,7 @@ static void start(int which)
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS};
+    const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
 }
@@ -161,14 +194,13 @@ static fxl_pose random_pose(void)
 static uint32_t asked;
 static const fxl_clip_result *answer; /* null: what fxl_clip_by_view says */
 
-static fxl_clip_result recording_clipper(const fxl_polygon *polygon, const fxl_view *view,
-                                         fxl_clipper_work *work, const fxl_view_polygon **result)
+static fxl_clip_result recording_clipper(const fxl_placed *placed, const fxl_face *face,
+                                         fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     asked++;
-    TEST_ASSERT_EQUAL(WIDTH, view->lens.width);
-    TEST_ASSERT_TRUE(polygon->count >= 3 && polygon->count <= FXL_FACE_VERTICES_MAX);
-    *result = NULL;
-    return answer ? *answer : fxl_clip_by_view(polygon, view, work, result);
+    TEST_ASSERT_EQUAL(WIDTH, placed->view->lens.width);
+    TEST_ASSERT_TRUE(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
+    return answer ? *answer : fxl_clip_by_view(placed, face, work, screen);
 }
 
 void test_the_renderer_asks_the_clipper_that_it_was_given(void)
@@ -191,11 +223,11 @@ void test_the_renderer_asks_the_clipper_that_it_was_given(void)
 void test_what_a_clipper_answers_is_counted(void)
 {
     static const fxl_clip_result answers[] = {FXL_CLIP_OUTSIDE, FXL_CLIP_DEGENERATE,
-                                              FXL_CLIP_CAPACITY};
+                                              FXL_CLIP_CAPACITY, FXL_CLIP_RANGE};
     start(0);
     fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};
     renderers[0].clipper = recording_clipper;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         answer = &answers[i];
         asked = 0;
         draw(&renderers[0], &pose, frames[0]);
@@ -203,7 +235,7 @@ void test_what_a_clipper_answers_is_counted(void)
         TEST_ASSERT_TRUE(asked > 0);
         TEST_ASSERT_EQUAL_UINT32(i == 0 ? asked : 0, c->outside);
         TEST_ASSERT_EQUAL_UINT32(i == 1 ? asked : 0, c->degenerate);
-        TEST_ASSERT_EQUAL_UINT32(i == 2 ? asked : 0, c->refused);
+        TEST_ASSERT_EQUAL_UINT32(i >= 2 ? asked : 0, c->refused);
         TEST_ASSERT_EQUAL_UINT32(0, c->drawn + c->clipped);
         TEST_ASSERT_EACH_EQUAL_HEX8(BACKGROUND, frames[0], PIXELS);
     }
@@ -250,6 +282,34 @@ void test_both_clippers_draw_the_same_frames(void)
     TEST_ASSERT_TRUE(clipped > (uint32_t)rounds / 2);
     TEST_ASSERT_TRUE(differing <= 1 + rounds / 50);
     TEST_ASSERT_TRUE(apart == 0);
+}
+
+/* Two renderers at once, with caches of any size, none included. */
+void test_the_cache_changes_no_pixel(void)
+{
+    enum {
+        ENTRIES = 9
+    };
+    static fxl_seen_vertex caches[2][ENTRIES];
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_pose pose = random_pose();
+        start(0);
+        draw(&renderers[0], &pose, frames[0]);
+        const fxl_counters counters = renderers[0].counters;
+        for (int which = 0; which < 2; which++) {
+            start(which);
+            fxl_vertex_cache_init(&renderers[which].cache, caches[which],
+                                  (uint32_t)unit_between(1, ENTRIES));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[which], &pose));
+        }
+        for (int which = 0; which < 2; which++) {
+            fxl_band band = {frames[1 + which], WIDTH, WIDTH, 0, HEIGHT};
+            fxl_fill_band(&band, BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[which], &band));
+            TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1 + which], PIXELS);
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[which].counters, sizeof counters);
+        }
+    }
 }
 
 void test_the_clipper_may_change_between_frames(void)

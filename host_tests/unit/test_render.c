@@ -18,7 +18,7 @@ static tiny_scene *start(int which)
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS};
+    const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_TRUE(tiny->scene.order_needed <= 64);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
@@ -278,10 +278,11 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     tiny_scene *tiny = start(0);
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const uint32_t needed = tiny->scene.order_needed;
-    const fxl_memory memory = {order[0], needed, list[0], LIST_WORDS};
-    const fxl_memory too_little = {order[0], needed - 1, list[0], LIST_WORDS};
-    const fxl_memory no_order = {NULL, needed, list[0], LIST_WORDS};
-    const fxl_memory no_list = {order[0], needed, NULL, 1};
+    const fxl_memory memory = {order[0], needed, list[0], LIST_WORDS, NULL, 0};
+    const fxl_memory too_little = {order[0], needed - 1, list[0], LIST_WORDS, NULL, 0};
+    const fxl_memory no_order = {NULL, needed, list[0], LIST_WORDS, NULL, 0};
+    const fxl_memory no_list = {order[0], needed, NULL, 1, NULL, 0};
+    const fxl_memory no_cache = {order[0], needed, NULL, 0, NULL, 1};
     memset(&renderer, 0x5A, sizeof renderer);
     memcpy(&before, &renderer, sizeof before);
     TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, needed);
@@ -292,6 +293,7 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, &no_order));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, &no_list));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, &no_cache));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(NULL, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "picture.h"
+#include "polygon_face.h"
 
 enum {
     WIDTH = 24,
@@ -160,27 +161,24 @@ void test_a_polygon_cut_by_a_chord(void)
 }
 
 /* From world to screen, as the frame loop does it. */
-static bool to_screen(fxl_clipper clipper, const fxl_polygon *polygon, const fxl_view *view,
+static bool to_screen(fxl_clipper clipper, const fxl_polygon *polygon, fxl_view *view,
                       fxl_screen_polygon *screen, bool *cut)
 {
     static fxl_clipper_work work;
-    const fxl_view_polygon *clipped;
-    fxl_clip_result result = clipper(polygon, view, &work, &clipped);
-    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT) {
-        return false;
-    }
+    static polygon_face face;
+    polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
+    fxl_clip_result result = clipper(&face.placed, &face.face, &work, screen);
     *cut = result == FXL_CLIP_CUT;
-    return fxl_project_polygon(&view->lens, clipped, screen) == FXL_OK;
+    return *cut || result == FXL_CLIP_INSIDE;
 }
 
 static void random_view(fxl_view *view)
 {
     fxl_pose pose = unit_pose();
     pose.position = unit_point(Q16(100));
-    view->lens = unit_lens(WIDTH, HEIGHT);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &view->camera));
-    fxl_frustum_from_camera(&view->camera, &view->lens, &view->frustum);
-    fxl_view_frustum_from_lens(&view->lens, &view->view_frustum);
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_view_set_lens(view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(view, &pose));
 }
 
 static fxl_q16_16 mix(fxl_q2_30 right, fxl_q2_30 up, fxl_q2_30 forward, const double view[3])
@@ -231,12 +229,13 @@ static bool has_area(const fxl_screen_polygon *polygon)
     return area > (int64_t)1 << 26 || area < -((int64_t)1 << 26);
 }
 
-static bool edge_is_seen(const fxl_view *view, const fxl_vertex *a, const fxl_vertex *b, bool *cut)
+static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *b, bool *cut)
 {
     double enter = 0, leave = 1;
+    const fxl_plane *planes = fxl_view_world_frustum(view)->planes;
     for (int i = 0; i < FXL_PLANE_COUNT; i++) {
-        double from = (double)fxl_plane_distance(&view->frustum.planes[i], &a->position);
-        double to = (double)fxl_plane_distance(&view->frustum.planes[i], &b->position);
+        double from = (double)fxl_plane_distance(&planes[i], &a->position);
+        double to = (double)fxl_plane_distance(&planes[i], &b->position);
         if (from < 0 && to < 0) {
             return false;
         }

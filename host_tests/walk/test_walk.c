@@ -54,7 +54,7 @@ static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
 {
     static fxl_renderer renderer;
     fxl_order_entry order[4];
-    const fxl_memory memory = {order, 4, NULL, 0};
+    const fxl_memory memory = {order, 4, NULL, 0, NULL, 0};
     fxl_scene_image image;
     const fxl_band band = {pixels, SCENE_WIDTH, SCENE_WIDTH, 0, SCENE_HEIGHT};
 

@@ -33,6 +33,8 @@
 #include "fixel/list.h"
 #include "fixel/normalised.h"
 #include "fixel/order.h"
+#include "fixel/outcode.h"
+#include "fixel/placed.h"
 #include "fixel/plane.h"
 #include "fixel/project.h"
 #include "fixel/record.h"
@@ -44,6 +46,7 @@
 #include "fixel/status.h"
 #include "fixel/transform.h"
 #include "fixel/triangle.h"
+#include "fixel/view.h"
 #include "fixel/viewer.h"
 
 #endif

@@ -33,7 +33,7 @@ static fxl_q16_16 interpolate(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction
 /* Where the edge from an inside to an outside vertex crosses the plane. Always
  * in this direction, so that both owners of an edge get the same bits. */
 static fxl_vertex crossing_vertex(const fxl_vertex *inside, const fxl_vertex *outside,
-                                  fxl_q1_31 fraction)
+                                  fxl_q1_31 fraction, bool textured)
 {
     fxl_vertex vertex;
     const fxl_point *from = &inside->position;
@@ -41,8 +41,8 @@ static fxl_vertex crossing_vertex(const fxl_vertex *inside, const fxl_vertex *ou
     vertex.position.x = interpolate(from->x, to->x, fraction);
     vertex.position.y = interpolate(from->y, to->y, fraction);
     vertex.position.z = interpolate(from->z, to->z, fraction);
-    vertex.u = interpolate(inside->u, outside->u, fraction);
-    vertex.v = interpolate(inside->v, outside->v, fraction);
+    vertex.u = textured ? interpolate(inside->u, outside->u, fraction) : 0;
+    vertex.v = textured ? interpolate(inside->v, outside->v, fraction) : 0;
     return vertex;
 }
 
@@ -79,7 +79,8 @@ static bool append_crossing(const fxl_polygon *in, const fxl_q18_46 *distances, 
         return true;
     }
     fxl_q1_31 fraction = crossing_fraction(distances[inside], distances[outside]);
-    fxl_vertex vertex = crossing_vertex(&in->vertices[inside], &in->vertices[outside], fraction);
+    fxl_vertex vertex =
+        crossing_vertex(&in->vertices[inside], &in->vertices[outside], fraction, in->textured);
     return append(out, count, &vertex);
 }
 
@@ -111,6 +112,7 @@ fxl_clip_result fxl_clip_to_plane(const fxl_polygon *in, const fxl_plane *plane,
         return FXL_CLIP_DEGENERATE;
     }
     out->colour = in->colour;
+    out->textured = in->textured;
     out->count = (uint8_t)count;
     return FXL_CLIP_CUT;
 }

@@ -2,43 +2,67 @@
 #include "fixel/clip_view.h"
 
 #include "arith.h"
+#include "divide_wide.h"
 
-/* floor((side * across + depth * along) / 2^30) for a unit vector (side, depth)
- * and |across|, |along| < 2^61, exactly. With v = 2^32 high + low the sum is
- * 2^32 (side across_high + depth along_high) + (side across_low + depth
- * along_low): the first bracket is below 2^60, the second below
- * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
-static fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth, fxl_q18_46 along)
+/* The upper 32 bits; by an unsigned shift, which compilers see through. */
+static inline int32_t upper(int64_t value)
 {
-    int64_t high = fxl_multiply_s32(side, (int32_t)(across >> 32)) +
-                   fxl_multiply_s32(depth, (int32_t)(along >> 32));
-    int64_t low =
-        fxl_multiply_su32(side, (uint32_t)across) + fxl_multiply_su32(depth, (uint32_t)along);
-    return high * 4 + (low >> 30);
+    return (int32_t)((uint64_t)value >> 32);
 }
 
-/* Results are below 2^61 for the sides, before the inset, and below 2^62 for
- * near and far. */
+/* floor((side * across + depth * along) / 2^30) for a unit vector (side, depth),
+ * neither below 0, and |across|, |along| < 2^61, exactly. With v = 2^32 high + low
+ * the sum is 2^32 (side across_high + depth along_high) + (side across_low + depth
+ * along_low): the first bracket is below 2^60, the second below
+ * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
+static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth,
+                                      fxl_q18_46 along)
+{
+    int64_t high = fxl_multiply_s32(side, upper(across)) + fxl_multiply_s32(depth, upper(along));
+    uint64_t low = fxl_multiply_u32((uint32_t)side, (uint32_t)across) +
+                   fxl_multiply_u32((uint32_t)depth, (uint32_t)along);
+    return high * 4 + (int64_t)(low >> 30);
+}
+
+/* A plane's normal across (right or up, or for the second of a pair left or down)
+ * and along (forward), and its distance. */
+typedef struct {
+    fxl_q2_30 side, depth;
+    bool upright, second;
+    fxl_q18_46 inset;
+} side_plane;
+
+static side_plane side_plane_of(const fxl_view_frustum *frustum, int plane)
+{
+    FXL_ASSERT(plane >= FXL_PLANE_LEFT && plane <= FXL_PLANE_TOP);
+    bool upright = plane >= FXL_PLANE_BOTTOM;
+    bool second = plane == FXL_PLANE_RIGHT || plane == FXL_PLANE_TOP;
+    side_plane of = {upright ? frustum->y_side : frustum->x_side,
+                     upright ? frustum->y_depth : frustum->x_depth, upright, second,
+                     frustum->inset};
+    return of;
+}
+
+/* Below 2^61 before the inset. */
+static inline fxl_q18_46 side_distance(const side_plane *plane, const fxl_view_point *point)
+{
+    fxl_q18_46 across = plane->upright ? point->y : point->x;
+    return project_onto(plane->side, plane->second ? -across : across, plane->depth, point->z) -
+           plane->inset;
+}
+
+/* Near and far: below 2^62. */
 fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point)
 {
-    switch (plane) {
-    case FXL_PLANE_LEFT:
-        return project_onto(frustum->x_side, point->x, frustum->x_depth, point->z) - frustum->inset;
-    case FXL_PLANE_RIGHT:
-        return project_onto(-frustum->x_side, point->x, frustum->x_depth, point->z) -
-               frustum->inset;
-    case FXL_PLANE_BOTTOM:
-        return project_onto(frustum->y_side, point->y, frustum->y_depth, point->z) - frustum->inset;
-    case FXL_PLANE_TOP:
-        return project_onto(-frustum->y_side, point->y, frustum->y_depth, point->z) -
-               frustum->inset;
-    case FXL_PLANE_NEAR:
+    if (plane == FXL_PLANE_NEAR) {
         return point->z - frustum->near;
-    default:
-        FXL_ASSERT(plane == FXL_PLANE_FAR);
+    }
+    if (plane == FXL_PLANE_FAR) {
         return frustum->far - point->z;
     }
+    side_plane side = side_plane_of(frustum, plane);
+    return side_distance(&side, point);
 }
 
 /* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
@@ -46,7 +70,7 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
 static uint64_t crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
-    return fxl_fraction((uint64_t)inside, (uint64_t)inside + fxl_magnitude(outside));
+    return fxl_fraction((uint64_t)inside, (uint64_t)inside - (uint64_t)outside);
 }
 
 /* from + (to - from) fraction / 2^64, rounded towards from: less than one unit.
@@ -69,15 +93,17 @@ static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fra
 /* Where the edge from an inside to an outside vertex crosses the plane. Always
  * in this direction, so that both owners of an edge get the same bits. */
 static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                         uint64_t fraction, fxl_view_vertex *vertex)
+                         uint64_t fraction, bool textured, fxl_view_vertex *vertex)
 {
     const fxl_view_point *from = &inside->position;
     const fxl_view_point *to = &outside->position;
     vertex->position.x = interpolate(from->x, to->x, fraction);
     vertex->position.y = interpolate(from->y, to->y, fraction);
     vertex->position.z = interpolate(from->z, to->z, fraction);
-    vertex->u = interpolate_texel(inside->u, outside->u, fraction);
-    vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+    if (textured) {
+        vertex->u = interpolate_texel(inside->u, outside->u, fraction);
+        vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+    }
 }
 
 /* Fills in every vertex's distance; answers how many are inside. */
@@ -85,8 +111,16 @@ static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum 
                         fxl_q18_46 *distances)
 {
     uint32_t inside_count = 0;
+    if (plane == FXL_PLANE_NEAR || plane == FXL_PLANE_FAR) {
+        for (uint32_t i = 0; i < polygon->count; i++) {
+            distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
+            inside_count += distances[i] >= 0;
+        }
+        return inside_count;
+    }
+    const side_plane side = side_plane_of(frustum, plane);
     for (uint32_t i = 0; i < polygon->count; i++) {
-        distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
+        distances[i] = side_distance(&side, &polygon->vertices[i].position);
         inside_count += distances[i] >= 0;
     }
     return inside_count;
@@ -113,7 +147,11 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
         if (vertex == NULL) {
             return false;
         }
-        *vertex = in->vertices[current];
+        vertex->position = in->vertices[current].position;
+        if (in->textured) {
+            vertex->u = in->vertices[current].u;
+            vertex->v = in->vertices[current].v;
+        }
     }
     if (current_inside == (distances[next] >= 0)) {
         return true;
@@ -128,7 +166,7 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
         return false;
     }
     set_crossing(&in->vertices[inside], &in->vertices[outside],
-                 crossing_fraction(distances[inside], distances[outside]), vertex);
+                 crossing_fraction(distances[inside], distances[outside]), in->textured, vertex);
     return true;
 }
 
@@ -154,18 +192,22 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
         return FXL_CLIP_DEGENERATE;
     }
     out->colour = in->colour;
+    out->textured = in->textured;
     out->count = (uint8_t)count;
     return FXL_CLIP_CUT;
 }
 
-fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
-                                         const fxl_view_frustum *frustum, fxl_clip_view_work *work,
-                                         const fxl_view_polygon **result)
+fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                        fxl_planes planes, fxl_clip_view_work *work,
+                                        const fxl_view_polygon **result)
 {
     const fxl_view_polygon *current = in;
     uint32_t spare = in == &work->polygons[0] ? 1 : 0;
     fxl_clip_result all = FXL_CLIP_INSIDE;
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        if ((planes >> plane & 1) == 0) {
+            continue;
+        }
         fxl_view_polygon *out = &work->polygons[spare];
         fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
         if (cut == FXL_CLIP_CUT) {

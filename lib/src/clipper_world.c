@@ -1,15 +1,29 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/clipper.h"
+#include "fixel/cull.h"
+#include "fixel/project.h"
+#include "fixel/transform.h"
 
-fxl_clip_result fxl_clip_by_world(const fxl_polygon *polygon, const fxl_view *view,
-                                  fxl_clipper_work *work, const fxl_view_polygon **result)
+fxl_clip_result fxl_clip_by_world(const fxl_placed *placed, const fxl_face *face,
+                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
+    fxl_view *view = placed->view;
+    fxl_polygon *polygon = &work->by_world.polygons[0];
     const fxl_polygon *clipped;
-    fxl_clip_result cut = fxl_clip_to_frustum(polygon, &view->frustum, &work->by_world, &clipped);
-    *result = NULL;
-    if (clipped != NULL) {
-        fxl_transform_polygon(&view->camera, clipped, &work->from_world.view);
-        *result = &work->from_world.view;
+    fxl_face_to_polygon(placed, face, polygon);
+    fxl_clip_result result =
+        fxl_clip_to_frustum(polygon, fxl_view_world_frustum(view), &work->by_world, &clipped);
+    if (clipped == NULL) {
+        return result;
     }
-    return cut;
+    for (uint32_t i = 0; i < clipped->count; i++) {
+        fxl_view_point seen;
+        fxl_transform_point(&view->camera, &clipped->vertices[i].position, &seen);
+        if (fxl_project_seen(&view->projection, &seen, &screen->points[i]) != FXL_OK) {
+            return FXL_CLIP_RANGE;
+        }
+    }
+    screen->colour = clipped->colour;
+    screen->count = clipped->count;
+    return result;
 }

@@ -3,12 +3,11 @@
 
 #include <string.h>
 
-#include "fixel/cull.h"
+#include "face.h"
 #include "fixel/fill.h"
-#include "fixel/project.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 352 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 440 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 /* A walk over the scene: with a band it paints, without one it fills the list. */
@@ -57,16 +56,13 @@ static bool deliver(const walk *on)
     return true;
 }
 
-/* clip (and transform) -> project -> list or band, for a face that faces the
- * eye. False where the list has no room: the face is then not counted. */
-static bool take_face(const walk *on, const fxl_object *object, const fxl_face *face)
+/* transform, clip and project -> list or band, for a face that faces the eye. False where the list
+ * has no room: the face is then not counted. */
+static bool take_face(const walk *on, const fxl_placed *placed, const fxl_face *face)
 {
     fxl_renderer *renderer = on->renderer;
-    fxl_clipper_work *work = &renderer->work.clip;
     fxl_counters *counters = on->counters;
-    const fxl_view_polygon *clipped;
-    fxl_face_to_polygon(renderer->scene, object, face, &work->polygon);
-    fxl_clip_result cut = renderer->clipper(&work->polygon, &renderer->view, work, &clipped);
+    fxl_clip_result cut = renderer->clipper(placed, face, &renderer->work.clip, &renderer->screen);
     switch (cut) {
     case FXL_CLIP_OUTSIDE:
         counters->outside += 1;
@@ -75,15 +71,12 @@ static bool take_face(const walk *on, const fxl_object *object, const fxl_face *
         counters->degenerate += 1;
         return true;
     case FXL_CLIP_CAPACITY:
+    case FXL_CLIP_RANGE:
         counters->refused += 1;
         return true;
     case FXL_CLIP_INSIDE:
     case FXL_CLIP_CUT:
         break;
-    }
-    if (fxl_project_polygon(&renderer->view.lens, clipped, &renderer->screen) != FXL_OK) {
-        counters->refused += 1;
-        return true;
     }
     if (!deliver(on)) {
         return false;
@@ -94,23 +87,27 @@ static bool take_face(const walk *on, const fxl_object *object, const fxl_face *
 }
 
 /* A convex object: its faces hide none of each other, so any order will do. */
-static bool walk_convex(const walk *on, const fxl_object *object, const fxl_model *model)
+static bool walk_convex(const walk *on, const fxl_placed *placed, const fxl_model *model)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->faces < model->face_count; on->place->faces++) {
-        const fxl_face *face = &scene->faces[model->first_face + on->place->faces];
-        if (!fxl_face_is_front(scene, object, face, &on->renderer->view.camera.position)) {
-            on->counters->backfacing += 1;
-        } else if (!take_face(on, object, face)) {
-            return false;
+    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
+    const uint32_t first = on->place->faces;
+    uint32_t number, backfacing = 0;
+    for (number = first; number < model->face_count; number++) {
+        if (!fxl_placed_face_is_front(placed, &faces[number])) {
+            backfacing++;
+        } else if (!take_face(on, placed, &faces[number])) {
+            break;
         }
-        on->counters->in += 1;
     }
-    return true;
+    on->place->faces = (uint16_t)number;
+    on->counters->in += number - first;
+    on->counters->backfacing += backfacing;
+    return number == model->face_count;
 }
 
 /* The faces that face the eye, in their order; then the others are counted. */
-static bool walk_sorted(const walk *on, const fxl_object *object, const fxl_model *model)
+static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_object *object,
+                        const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
     fxl_renderer *renderer = on->renderer;
@@ -123,7 +120,7 @@ static bool walk_sorted(const walk *on, const fxl_object *object, const fxl_mode
     uint32_t front = renderer->front;
     for (; on->place->faces < front; on->place->faces++) {
         uint32_t number = order[on->place->faces].index;
-        if (!take_face(on, object, &scene->faces[model->first_face + number])) {
+        if (!take_face(on, placed, &scene->faces[model->first_face + number])) {
             return false;
         }
         on->counters->in += 1;
@@ -138,10 +135,14 @@ static void walk_scene(const walk *on)
 {
     const fxl_scene *scene = on->renderer->scene;
     for (; on->place->objects < on->renderer->in_sight; on->place->objects++) {
-        const fxl_object *object = &scene->objects[on->renderer->order[on->place->objects].index];
+        const fxl_order_entry *entry = &on->renderer->order[on->place->objects];
+        const fxl_object *object = &scene->objects[entry->index];
         const fxl_model *model = &scene->models[object->model];
-        bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, object, model)
-                                                    : walk_convex(on, object, model);
+        fxl_placed placed;
+        fxl_place_object(&placed, scene, object, entry->planes, &on->renderer->view,
+                         &on->renderer->cache);
+        bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, &placed, object, model)
+                                                    : walk_convex(on, &placed, model);
         if (!done) {
             return;
         }
@@ -170,19 +171,25 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, con
                              const fxl_memory *memory)
 {
     if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
-        memory->order == NULL || (memory->list == NULL && memory->list_capacity > 0)) {
+        memory->order == NULL || (memory->list == NULL && memory->list_capacity > 0) ||
+        (memory->cache == NULL && memory->cache_capacity > 0)) {
         return FXL_E_ARGUMENT;
     }
     if (memory->order_capacity < scene->order_needed) {
         return FXL_E_CAPACITY;
     }
     renderer->scene = scene;
-    renderer->view.lens = *lens;
+    fxl_view_set_lens(&renderer->view, lens);
     renderer->clipper = fxl_clip_by_view;
     renderer->order = memory->order;
     renderer->list.words = memory->list;
     renderer->list.capacity = memory->list_capacity;
     renderer->list.used = 0;
+    if (memory->cache_capacity > 0) {
+        fxl_vertex_cache_init(&renderer->cache, memory->cache, memory->cache_capacity);
+    } else {
+        fxl_vertex_cache_init(&renderer->cache, &renderer->spare, 1);
+    }
     renderer->ready = false;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     return FXL_OK;
@@ -193,12 +200,10 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    fxl_status status = fxl_camera_from_pose(pose, &renderer->view.camera);
+    fxl_status status = fxl_view_set_pose(&renderer->view, pose);
     if (status != FXL_OK) {
         return refuse(renderer, status);
     }
-    fxl_frustum_from_camera(&renderer->view.camera, &renderer->view.lens, &renderer->view.frustum);
-    fxl_view_frustum_from_lens(&renderer->view.lens, &renderer->view.view_frustum);
     uint32_t left_out;
     renderer->in_sight =
         (uint16_t)fxl_order_objects(renderer->scene, &renderer->view.camera,

@@ -11,7 +11,8 @@ typedef enum {
     FXL_CLIP_CUT,        /* cut: the result is in the output */
     FXL_CLIP_OUTSIDE,    /* no vertex inside */
     FXL_CLIP_DEGENERATE, /* fewer than three vertices left */
-    FXL_CLIP_CAPACITY    /* more than FXL_POLYGON_CAPACITY vertices: refused */
+    FXL_CLIP_CAPACITY,   /* more than FXL_POLYGON_CAPACITY vertices: refused */
+    FXL_CLIP_RANGE       /* a clipper's alone: off FXL_SCREEN_COORDINATE_MAX: refused */
 } fxl_clip_result;
 
 /* What the clipper needs beside its input. The caller owns it; its contents
@@ -25,7 +26,7 @@ typedef struct {
  * inside. Where an edge crosses, the new vertex is computed from the inside
  * end towards the outside end, so that two polygons that share the edge get
  * the same vertex bit for bit; a vertex exactly on the plane is not repeated.
- * u and v are cut by the same fraction as x, y and z.
+ * u and v of a textured polygon are cut by the same fraction as x, y and z.
  * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, coordinates within
  * FXL_COORDINATE_MAX, out != in, distances for FXL_POLYGON_CAPACITY.
  * out is written only for FXL_CLIP_CUT and FXL_CLIP_DEGENERATE, and up to the

@@ -4,6 +4,7 @@
 #define FXL_CLIP_VIEW_H
 
 #include "fixel/clip.h"
+#include "fixel/outcode.h"
 
 /* What the clipper needs beside its input. The caller owns it; its contents
  * mean nothing between calls. */
@@ -27,12 +28,13 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        int plane, fxl_view_polygon *out, fxl_q18_46 *distances);
 
-/* Clips a polygon of the view to the six planes, in the order of their
+/* Clips a polygon of the view to some of the planes, in the order of their
  * numbers. *result points to the input itself where no plane cut it, else into
  * work; null where nothing is left. The input may be either polygon of work, and
- * is then lost where a plane cuts it. */
-fxl_clip_result fxl_clip_view_to_frustum(const fxl_view_polygon *in,
-                                         const fxl_view_frustum *frustum, fxl_clip_view_work *work,
-                                         const fxl_view_polygon **result);
+ * is then lost where a plane cuts it. Where the input lies inside all other
+ * planes, so does the result, to within 1 unit of 2^-46 a coordinate. */
+fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                        fxl_planes planes, fxl_clip_view_work *work,
+                                        const fxl_view_polygon **result);
 
 #endif

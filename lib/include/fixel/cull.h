@@ -4,7 +4,7 @@
 #ifndef FXL_CULL_H
 #define FXL_CULL_H
 
-#include "fixel/scene.h"
+#include "fixel/placed.h"
 
 /* Whether a face of an object is turned towards the eye:
  *   normal . (eye - first vertex) > 0.
@@ -12,8 +12,7 @@
 bool fxl_face_is_front(const fxl_scene *scene, const fxl_object *object, const fxl_face *face,
                        const fxl_point *eye);
 
-/* The face moved to its object's centre, u = v = 0. Exact. */
-void fxl_face_to_polygon(const fxl_scene *scene, const fxl_object *object, const fxl_face *face,
-                         fxl_polygon *polygon);
+/* A face of a placed object in the world, without texture. Exact. */
+void fxl_face_to_polygon(const fxl_placed *placed, const fxl_face *face, fxl_polygon *polygon);
 
 #endif

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The records between the stages: the treaty that every stage signs.
  *
- *   scene -> cull -> fxl_polygon -> transform -> fxl_view_polygon -> clip ->
- *   fxl_view_polygon -> project -> fxl_screen_polygon -> list -> scan ->
- *   fxl_trapezoid -> fill -> fxl_band
+ *   scene -> cull -> transform -> fxl_seen_vertex -> clip -> fxl_view_polygon ->
+ *   project -> fxl_screen_polygon -> list -> scan -> fxl_trapezoid -> fill ->
+ *   fxl_band
  *
  * What decides by span what is seen takes from scan the same pixels as
  * fxl_span instead, and hands spans to fill.
  *
- * The chapter's clipper stands before transform instead: fxl_polygon -> clip
- * -> fxl_polygon -> transform. clipper.h is the treaty that covers both ways.
+ * A face whose vertices are all inside goes from its vertices to the screen at
+ * once. The chapter's clipper stands before transform instead: cull ->
+ * fxl_polygon -> clip -> fxl_polygon -> transform. clipper.h is the treaty that
+ * covers every way from a face to the screen.
  *
  * Axes: x right, y up, z forward, left-handed, in the world and in the view.
  * On the screen x goes right and y goes DOWN; pixel (i, j) covers
@@ -52,10 +54,11 @@ typedef struct {
     fxl_q16_16 u, v;
 } fxl_vertex;
 
-/* A polygon of the world: what cull hands to clip, and clip to transform. */
+/* A polygon of the world: what a clipper in the world cuts. */
 typedef struct {
     uint8_t colour; /* palette index */
     uint8_t count;  /* 3..FXL_POLYGON_CAPACITY */
+    bool textured;  /* else u and v mean nothing, and cost nothing */
     fxl_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_polygon;
 
@@ -70,11 +73,11 @@ typedef struct {
     fxl_q16_16 u, v;
 } fxl_view_vertex;
 
-/* A polygon of the view: what transform and clip hand to each other, and to
- * project. */
+/* A polygon of the view: what a clipper in the view cuts, and hands to project. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
+    bool textured;
     fxl_view_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_view_polygon;
 

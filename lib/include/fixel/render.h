@@ -14,6 +14,8 @@ typedef struct {
     uint32_t order_capacity; /* entries */
     uint32_t *list;          /* may be null where list_capacity is 0 */
     uint32_t list_capacity;  /* words; see FXL_LIST_WORDS */
+    fxl_seen_vertex *cache;  /* may be null where cache_capacity is 0 */
+    uint32_t cache_capacity; /* entries: a power of two, or what is more lies idle */
 } fxl_memory;
 
 /* How far a walk over the scene has come: so many objects in the order of
@@ -24,8 +26,8 @@ typedef struct {
 
 _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "fxl_place");
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 352 bytes and
- * 80 for each vertex of FXL_POLYGON_CAPACITY: 2912 where that is 32, 1312 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 440 bytes and
+ * 80 for each vertex of FXL_POLYGON_CAPACITY: 3000 where that is 32, 1400 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only, but for the clipper. */
 typedef struct {
@@ -40,6 +42,8 @@ typedef struct {
     fxl_place rest; /* where the list was full */
     fxl_counters counters;
     fxl_view view;
+    fxl_vertex_cache cache;
+    fxl_seen_vertex spare; /* all of the cache where the caller gave none */
     fxl_screen_polygon screen;
     union { /* a polygon is scanned when its clipping is over */
         fxl_clipper_work clip;

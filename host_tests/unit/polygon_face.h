@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* A polygon of the world as a face of an object placed before the eye, so that
+ * clippers can be asked about any polygon. */
+#ifndef POLYGON_FACE_H
+#define POLYGON_FACE_H
+
+#include "fixel/clipper.h"
+
+typedef struct {
+    fxl_placed placed;
+    fxl_face face;
+    fxl_vertex_cache cache;
+    fxl_seen_vertex seen[FXL_POLYGON_CAPACITY];
+    fxl_point vertices[FXL_POLYGON_CAPACITY];
+    uint16_t corners[FXL_POLYGON_CAPACITY];
+} polygon_face;
+
+/* All points to within *as, which must stay where it is. entries: of the cache. */
+static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon, fxl_view *view,
+                                    uint32_t entries)
+{
+    const fxl_model model = {.vertex_count = polygon->count, .face_count = 1};
+    const fxl_object object = {{0, 0, 0}, 0, 0, 0};
+    const fxl_scene scene = {.vertices = as->vertices, .corners = as->corners, .models = &model};
+    as->face = (fxl_face){.count = polygon->count, .colour = polygon->colour};
+    for (uint16_t i = 0; i < polygon->count; i++) {
+        as->vertices[i] = polygon->vertices[i].position;
+        as->corners[i] = i;
+    }
+    fxl_vertex_cache_init(&as->cache, as->seen, entries);
+    fxl_place_object(&as->placed, &scene, &object, FXL_PLANES_ALL, view, &as->cache);
+}
+
+#endif

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* A part of a whole, to the last of 64 bits. */
+#include "divide_wide.h"
+#include "unit.h"
+#include "wide.h"
+
+/* 0 <= 2^64 part - fraction whole < whole. */
+static void expect_fraction(uint64_t part, uint64_t whole)
+{
+    uint64_t fraction = fxl_fraction(part, whole);
+    wide half = wide_product((int64_t)(fraction >> 1), (int64_t)whole);
+    wide taken = wide_sum(half, half);
+    if (fraction & 1) {
+        taken = wide_sum(taken, (wide){0, whole});
+    }
+    wide left = wide_difference((wide){(int64_t)part, 0}, taken);
+    TEST_ASSERT_EQUAL_HEX64(0, left.high);
+    TEST_ASSERT_TRUE(left.low < whole);
+}
+
+void test_small_fractions(void)
+{
+    for (uint64_t whole = 1; whole < 50; whole++) {
+        for (uint64_t part = 0; part < whole; part++) {
+            expect_fraction(part, whole);
+        }
+    }
+}
+
+/* Where digits are 0 or all ones, and where estimates go wrong. */
+void test_fractions_at_the_ends_of_words(void)
+{
+    const uint64_t one = 1;
+    for (int a = 0; a < 63; a++) {
+        for (int b = 0; b <= a; b++) {
+            for (uint64_t i = 0; i < 9; i++) {
+                uint64_t whole = (one << a) + (one << b) * (i % 3) - i / 3;
+                if (whole == 0 || whole >> 63 != 0) {
+                    continue;
+                }
+                expect_fraction(whole - 1, whole);
+                expect_fraction(whole / 2, whole);
+                expect_fraction(whole > (one << b) ? whole - (one << b) : 0, whole);
+            }
+        }
+    }
+}
+
+static uint64_t any_whole(void)
+{
+    uint64_t whole = (uint64_t)unit_random() << 32 | unit_random();
+    switch (unit_random() % 4) {
+    case 0:
+        whole |= UINT32_MAX;
+        break;
+    case 1:
+        whole &= ~(uint64_t)UINT32_MAX;
+        break;
+    default:
+        break;
+    }
+    return (whole >> unit_between(1, 62)) + 1;
+}
+
+void test_any_fraction(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        uint64_t whole = any_whole();
+        uint64_t part = ((uint64_t)unit_random() << 32 | unit_random()) % whole;
+        expect_fraction(part, whole);
+        expect_fraction(whole - 1 - part % (whole < 4 ? whole : 4), whole);
+    }
+}

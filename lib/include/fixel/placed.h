@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* An object as the eye sees it in one frame: what its faces share, and its
+ * vertices in the view, each worked out when a face first asks for it. */
+#ifndef FXL_PLACED_H
+#define FXL_PLACED_H
+
+#include "fixel/outcode.h"
+#include "fixel/scene.h"
+#include "fixel/view.h"
+
+/* Its place on the screen was not worked out yet. */
+#define FXL_SEEN_UNPROJECTED 0x80u
+
+/* A vertex in the view. */
+typedef struct {
+    uint32_t tag;  /* which vertex of which object in the cache's count; 0: none */
+    uint8_t state; /* the planes that it lies outside of; FXL_SEEN_UNPROJECTED */
+    fxl_screen_point screen;
+    fxl_view_point position;
+} fxl_seen_vertex;
+
+/* Where vertices are kept: vertex n in entry n & mask. Two of one entry displace
+ * each other, which costs time and nothing else. */
+typedef struct {
+    fxl_seen_vertex *entries;
+    uint32_t mask;  /* entries - 1, a power of two less 1 */
+    uint32_t count; /* objects placed, from 1, in units of 2^16 */
+} fxl_vertex_cache;
+
+/* The caller owns it. */
+typedef struct {
+    fxl_view *view;
+    fxl_seen_vertex *entries;  /* of the cache */
+    uint32_t mask;             /* of the cache */
+    uint32_t tag;              /* of its vertex 0 */
+    const fxl_point *vertices; /* of its model */
+    const uint16_t *corners;   /* of the scene */
+    fxl_point offset;          /* its centre less the eye; each below 2^30 */
+    fxl_planes planes;         /* none of its vertices lies outside of another plane */
+} fxl_placed;
+
+/* A cache in memory of the caller, of the largest power of two of entries that
+ * fits, 1 <= entry_count. */
+void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_seen_vertex *entries, uint32_t entry_count);
+
+/* Places an object of a checked scene; what the cache holds of others is stale. */
+void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_object *object,
+                      fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache);
+
+/* A vertex of the model relative to the eye, along the world's axes. Exact: the
+ * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each
+ * coordinate is below 2^30. */
+static inline fxl_point fxl_placed_vertex(const fxl_placed *placed, uint32_t number)
+{
+    const fxl_point *vertex = &placed->vertices[number];
+    const fxl_point *offset = &placed->offset;
+    fxl_point moved = {vertex->x + offset->x, vertex->y + offset->y, vertex->z + offset->z};
+    return moved;
+}
+
+/* Works a vertex out into its entry. Exact, given the camera's matrix. */
+void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry);
+
+/* The vertex in the view; good until the next is asked for. The state alone may
+ * be changed, together with screen. */
+static inline fxl_seen_vertex *fxl_see(const fxl_placed *placed, uint32_t number)
+{
+    fxl_seen_vertex *entry = &placed->entries[number & placed->mask];
+    if (entry->tag != placed->tag + number) {
+        fxl_look_at(placed, number, entry);
+    }
+    return entry;
+}
+
+#endif
