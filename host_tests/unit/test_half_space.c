@@ -220,6 +220,7 @@ void test_planes_of_the_world(void)
         fxl_half_space half_space;
         fxl_half_space_from_plane(&plane, &half_space);
         polygon.count = in->count = 3;
+        polygon.textured = true;
         in->carried = 1;
         for (int k = 0; k < 3; k++) {
             fxl_vertex *vertex = &polygon.vertices[k];
