@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "clippers/measure.h"
+#include "reference/transform.h"
+
+/* A polygon of less is not missed: 1/65536 square pixel. */
+#define AREA_MIN 0x1p-16
+
+ref_volume_polygon case_seen(const clipper_case *of)
+{
+    ref_camera camera = bridge_camera(&of->camera);
+    ref_volume_polygon seen = {.count = of->polygon.count, .carried = REF_CARRIED_MAX};
+    for (int i = 0; i < seen.count; i++) {
+        ref_point point = bridge_point(&of->polygon.vertices[i].position);
+        ref_view_point at = ref_transform_point(&camera, &point);
+        seen.vertices[i] = (ref_volume_vertex){at.x, at.y, at.z, {point.x, point.y, point.z}};
+    }
+    return seen;
+}
+
+void case_carry(const clipper_case *of, int vertex, fxl_clip_vertex *into)
+{
+    const fxl_vertex *from = &of->polygon.vertices[vertex];
+    into->carried[0] = from->position.x;
+    into->carried[1] = from->position.y;
+    into->carried[2] = from->position.z;
+    into->carried[3] = from->u;
+    into->carried[4] = from->v;
+    into->carried[5] = vertex % 2 ? 16383 * 65536 : -16383 * 65536;
+}
+
+double case_carried_error(const clipper_case *of, const fxl_clip_vertex *vertex, double x, double y,
+                          double z)
+{
+    ref_camera camera = bridge_camera(&of->camera);
+    fxl_point point = {vertex->carried[0], vertex->carried[1], vertex->carried[2]};
+    ref_point world = bridge_point(&point);
+    ref_view_point at = ref_transform_point(&camera, &world);
+    return 65536 * (double)hypotl(at.x - x, hypotl(at.y - y, at.z - z));
+}
+
+/* The sine of the angle between the polygon and a plane. */
+static double sine_between(const ref_volume_polygon *polygon, const ref_half_space *plane)
+{
+    double n[3] = {0, 0, 0}; /* Newell's normal */
+    for (int i = 0; i < polygon->count; i++) {
+        const ref_volume_vertex *a = &polygon->vertices[i];
+        const ref_volume_vertex *b = &polygon->vertices[(i + 1) % polygon->count];
+        n[0] += (double)((a->y - b->y) * (a->z + b->z));
+        n[1] += (double)((a->z - b->z) * (a->x + b->x));
+        n[2] += (double)((a->x - b->x) * (a->y + b->y));
+    }
+    double p[3] = {(double)plane->a, (double)plane->b, (double)plane->c};
+    double cross[3] = {n[1] * p[2] - n[2] * p[1], n[2] * p[0] - n[0] * p[2],
+                       n[0] * p[1] - n[1] * p[0]};
+    double lengths = hypot(n[0], hypot(n[1], n[2])) * hypot(p[0], hypot(p[1], p[2]));
+    return lengths > 0 ? hypot(cross[0], hypot(cross[1], cross[2])) / lengths : 0;
+}
+
+static bool nearly_parallel(const ref_volume_polygon *polygon, const ref_half_space *planes)
+{
+    for (int i = 0; i < REF_PLANE_COUNT; i++) {
+        bool in = false, out = false;
+        for (int k = 0; k < polygon->count; k++) {
+            ref_wide distance = ref_half_space_distance(&planes[i], &polygon->vertices[k]);
+            in |= distance >= 0;
+            out |= distance < 0;
+        }
+        if (in && out && sine_between(polygon, &planes[i]) < 0x1p-10) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool case_expected(const clipper_case *of, const ref_half_space *planes, outline *expected,
+                   bool *parallel)
+{
+    ref_volume_polygon seen = case_seen(of), left;
+    double focal = of->lens.focal / 65536.0;
+    *parallel = nearly_parallel(&seen, planes);
+    ref_clip_volume(&seen, planes, REF_PLANE_COUNT, &left);
+    *expected = outline_of_volume(&left, of->lens.width / 2.0, of->lens.height / 2.0, focal, focal);
+    return left.count >= 3;
+}
+
+void case_compare(clipper_tally *tally, const outline *got, const outline *expected, bool parallel)
+{
+    if (!got || expected->count < 3) {
+        const outline *only = got ? got : expected;
+        tally->verdicts += only->count >= 3 && fabs(outline_area(only)) > AREA_MIN;
+        return;
+    }
+    double distance = outline_distance(got, expected);
+    tally->cut++;
+    tally->moved += distance;
+    tally->at_all = fmax(tally->at_all, distance);
+    if (distance > tally->claimed) {
+        tally->beyond++;
+        tally->parallel += parallel;
+    }
+    if (!parallel) {
+        tally->outline = fmax(tally->outline, distance);
+    }
+}

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# build/host/clipper_errors: the family of clippers against the twin.
+
+CLIPPERS_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/clippers/*.c))
+HOST_TOOLS += $(BUILD)/host/clipper_errors
+
+$(BUILD)/host/objects/clippers/%.o: host_tests/clippers/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
+	    -MMD -MP -c $< -o $@
+
+$(BUILD)/host/clipper_errors: $(CLIPPERS_OBJECTS) \
+        $(addprefix $(BUILD)/host/objects/stages/,bridge.o random.o tally.o) \
+        $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOSTCC) $^ -lm -o $@
+
+-include $(CLIPPERS_OBJECTS:.o=.d)

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/* clipper_errors [--samples N] [--seed S]
+ *
+ * Gives every clipper of the family and the twin the same polygons and prints how
+ * far their outlines are apart, as JSON. Exit code 0: it ran; 2: it could not. */
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clippers/measure.h"
+
+typedef struct {
+    clipper_tally tally;
+    void (*measure)(clipper_tally *tally, const clipper_case *of);
+} clipper;
+
+static clipper clippers[] = {
+    {{.clipper = "normalised", .claimed = 1.25}, measure_normalised},
+    {{.clipper = "once", .claimed = 1.25}, measure_once},
+    {{.clipper = "once_triangle", .claimed = 1.25}, measure_once_triangle},
+    {{.clipper = "normalised_without_slivers", .claimed = 1.25}, measure_sliver},
+    {{.clipper = "half_spaces", .claimed = 1.25}, measure_half_spaces},
+    {{.clipper = "near_and_guard", .claimed = 1.25}, measure_near_and_guard},
+    {{.clipper = "left_and_guard", .claimed = 1.25}, measure_left_and_guard},
+    {{.clipper = "triangle", .claimed = 2}, measure_triangle},
+    {{.clipper = "line_by_planes", .claimed = 6}, measure_line_by_planes},
+    {{.clipper = "line_by_codes", .claimed = 6}, measure_line_by_codes},
+};
+
+enum {
+    CLIPPERS = sizeof clippers / sizeof clippers[0]
+};
+
+/* Flat to within what a scene's faces may be off. */
+static int is_flat(const fxl_polygon *polygon)
+{
+    double n[3] = {0, 0, 0};
+    const fxl_vertex *first = polygon->vertices;
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_point *a = &polygon->vertices[i].position;
+        const fxl_point *b = &polygon->vertices[(i + 1) % polygon->count].position;
+        n[0] += ((double)a->y - b->y) * ((double)a->z + b->z);
+        n[1] += ((double)a->z - b->z) * ((double)a->x + b->x);
+        n[2] += ((double)a->x - b->x) * ((double)a->y + b->y);
+    }
+    double length = hypot(n[0], hypot(n[1], n[2]));
+    int flat = length > 0;
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_point *p = &polygon->vertices[i].position;
+        double away = n[0] * ((double)p->x - first->position.x) +
+                      n[1] * ((double)p->y - first->position.y) +
+                      n[2] * ((double)p->z - first->position.z);
+        flat = flat && fabs(away) <= FXL_PLANARITY_MAX * length;
+    }
+    return flat;
+}
+
+static clipper_case random_case(stages_random *random)
+{
+    clipper_case made;
+    fxl_pose pose = stages_random_pose(random);
+    do {
+        made.lens = stages_random_lens(random);
+    } while (made.lens.height > 2 * made.lens.width || made.lens.width > 4 * made.lens.height);
+    if (fxl_camera_from_pose(&pose, &made.camera) != FXL_OK) {
+        abort(); /* every random pose is in range */
+    }
+    do {
+        made.polygon = stages_random_polygon(random, &made.camera);
+    } while (!is_flat(&made.polygon) || made.polygon.count > FXL_FACE_VERTICES_MAX);
+    return made;
+}
+
+static void print(const clipper_tally *of, const char *end)
+{
+    printf("  {\"clipper\": \"%s\", \"cut\": %" PRIu64 ", \"max_outline_units\": %.6g, "
+           "\"claimed_units\": %.6g, \"beyond\": %" PRIu64 ", \"beyond_and_parallel\": %" PRIu64
+           ",\n   \"max_outline_units_at_all\": %.6g, \"max_carried_units\": %.6g, "
+           "\"mean_outline_units\": %.6g, "
+           "\"verdicts\": %" PRIu64 ", \"refused\": %" PRIu64 ", \"crossings\": %" PRIu64
+           ", \"made\": %" PRIu64 ", \"plain_crossings\": %" PRIu64 ", \"plain_made\": %" PRIu64
+           "}%s\n",
+           of->clipper, of->cut, of->outline, of->claimed, of->beyond, of->parallel, of->at_all,
+           of->carried, of->cut ? of->moved / (double)of->cut : 0, of->verdicts, of->refused,
+           of->crossings, of->made, of->plain_crossings, of->plain_made, end);
+}
+
+static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed)
+{
+    for (int i = 1; i + 1 < count; i += 2) {
+        uint64_t *number = strcmp(arguments[i], "--samples") == 0 ? samples
+                           : strcmp(arguments[i], "--seed") == 0  ? seed
+                                                                  : NULL;
+        char *end = arguments[i + 1];
+        errno = 0;
+        if (number) {
+            *number = strtoull(arguments[i + 1], &end, 10);
+        }
+        if (!number || end == arguments[i + 1] || *end != '\0' || errno != 0) {
+            return 0;
+        }
+    }
+    return count % 2;
+}
+
+int main(int count, char **arguments)
+{
+    uint64_t samples = 100000, seed = 1;
+    if (!parse(count, arguments, &samples, &seed)) {
+        fprintf(stderr, "error: usage: clipper_errors [--samples N] [--seed S]\n");
+        return 2;
+    }
+    stages_random random = stages_random_start(seed, 0);
+    for (uint64_t i = 0; i < samples; i++) {
+        clipper_case one = random_case(&random);
+        for (int k = 0; k < CLIPPERS; k++) {
+            clippers[k].measure(&clippers[k].tally, &one);
+        }
+    }
+    printf("{\"seed\": %" PRIu64 ", \"samples\": %" PRIu64 ", \"clippers\": [\n", seed, samples);
+    for (int k = 0; k < CLIPPERS; k++) {
+        print(&clippers[k].tally, k + 1 < CLIPPERS ? "," : "");
+    }
+    printf("]}\n");
+    return fflush(stdout) == 0 && !ferror(stdout) ? 0 : 2;
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+#include "clip_shapes.h"
+
+fxl_clip_polygon clip_shape(const int *numbers, size_t count)
+{
+    fxl_clip_polygon polygon;
+    memset(&polygon, 0, sizeof polygon);
+    polygon.colour = 3;
+    polygon.count = (uint8_t)count;
+    polygon.carried = 2;
+    for (size_t i = 0; i < count; i++) {
+        polygon.vertices[i].position =
+            (fxl_view_point){V(numbers[3 * i]), V(numbers[3 * i + 1]), V(numbers[3 * i + 2])};
+        polygon.vertices[i].carried[0] = numbers[3 * i] * 65536;
+        polygon.vertices[i].carried[1] = (fxl_q16_16)i * 65536;
+    }
+    return polygon;
+}
+
+fxl_clip_polygon clip_saw(uint8_t count, int reach)
+{
+    fxl_clip_polygon polygon;
+    memset(&polygon, 0, sizeof polygon);
+    polygon.count = count;
+    for (int i = 0; i < count; i++) {
+        polygon.vertices[i].position =
+            (fxl_view_point){i % 2 ? V(-reach) : 0, V(i - 16) / 2, V(10)};
+    }
+    return polygon;
+}
+
+static bool same_vertex(const fxl_clip_vertex *a, const fxl_clip_vertex *b, uint32_t carried)
+{
+    return a->position.x == b->position.x && a->position.y == b->position.y &&
+           a->position.z == b->position.z &&
+           memcmp(a->carried, b->carried, carried * sizeof a->carried[0]) == 0;
+}
+
+static bool same_from(const fxl_clip_polygon *a, const fxl_clip_polygon *b, uint32_t first)
+{
+    for (uint32_t i = 0; i < a->count; i++) {
+        if (!same_vertex(&a->vertices[i], &b->vertices[(first + i) % b->count], a->carried)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool clip_same(const fxl_clip_polygon *a, const fxl_clip_polygon *b)
+{
+    bool same = false;
+    for (uint32_t first = 0; first < b->count; first++) {
+        same = same || same_from(a, b, first);
+    }
+    return same && a->count == b->count && a->carried == b->carried && a->colour == b->colour;
+}
+
+/* centre + a cos + b sin, by multiples of 1/8 turn, which keep it convex and
+ * clockwise or not alike. */
+fxl_clip_polygon clip_random_shape(unsigned bits)
+{
+    static const int cosines[8] = {10, 7, 0, -7, -10, -7, 0, 7};
+    fxl_clip_polygon polygon;
+    memset(&polygon, 0, sizeof polygon);
+    int64_t centre[3], a[3], b[3];
+    for (int k = 0; k < 3; k++) {
+        centre[k] = unit_wide(bits - 2);
+        a[k] = unit_wide(bits - 2) / 16;
+        b[k] = unit_wide(bits - 2) / 16;
+    }
+    centre[2] = centre[2] < 0 && unit_random() % 4 != 0 ? -centre[2] : centre[2];
+    const int step = FXL_FACE_VERTICES_MAX < 8 ? 2 : 1;
+    polygon.count = (uint8_t)(8 / step);
+    polygon.carried = FXL_CARRIED_MAX;
+    for (int i = 0; i < polygon.count; i++) {
+        int64_t c = cosines[i * step], s = cosines[(i * step + 6) % 8];
+        polygon.vertices[i].position =
+            (fxl_view_point){centre[0] + a[0] * c + b[0] * s, centre[1] + a[1] * c + b[1] * s,
+                             centre[2] + a[2] * c + b[2] * s};
+        for (int k = 0; k < FXL_CARRIED_MAX; k++) {
+            polygon.vertices[i].carried[k] = unit_between(-Q16(16383), Q16(16383));
+        }
+    }
+    return polygon;
+}

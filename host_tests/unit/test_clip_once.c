@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: MIT */
+/* The clipper that takes all planes at once: corners, edges through two planes, and
+ * against the clipper that goes plane by plane. */
+#include "clip_shapes.h"
+
+static struct {
+    fxl_clip_once_room room;
+    uint8_t guard[64];
+} guarded;
+static fxl_clip_once_room *const room = &guarded.room;
+static fxl_clip_room other_room;
+
+/* Of intersections: not looked at. */
+#define ANY UINT32_MAX
+
+/* 90 degrees both ways, near 1/16, far 1000, without an inset. */
+static fxl_normalised square(void)
+{
+    fxl_camera camera;
+    fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_lens lens = unit_lens(64, 64);
+    fxl_normalised frustum;
+    lens.inset = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+    fxl_normalised_from_camera(&camera, &lens, &frustum);
+    return frustum;
+}
+
+static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
+{
+    fxl_normalised frustum = square();
+    room->account = (fxl_clip_account){0, 0};
+    return fxl_clip_once(polygon, &frustum, room, result);
+}
+
+/* The vertices in their order, from whichever on, to within rounding. */
+static void expect_shape(const fxl_clip_polygon *polygon, const fxl_clip_polygon *wanted,
+                         uint32_t intersections)
+{
+    const fxl_clip_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(polygon, &result));
+    TEST_ASSERT_EQUAL(wanted->count, result->count);
+    TEST_ASSERT_EQUAL(polygon->colour, result->colour);
+    bool found = false;
+    for (int first = 0; first < wanted->count; first++) {
+        bool same = true;
+        for (int i = 0; i < wanted->count; i++) {
+            const fxl_view_point *a = &wanted->vertices[i].position;
+            const fxl_view_point *b = &result->vertices[(first + i) % wanted->count].position;
+            same = same && unit_near((double)a->x, (double)b->x, 4) &&
+                   unit_near((double)a->y, (double)b->y, 4) &&
+                   unit_near((double)a->z, (double)b->z, 4);
+        }
+        found = found || same;
+    }
+    TEST_ASSERT_TRUE_MESSAGE(found, "other vertices");
+    TEST_ASSERT_TRUE(intersections == ANY || intersections == room->account.intersections);
+}
+
+/* Not inlined, so that its two polygons leave the stack again. */
+static __attribute__((noinline)) void expect_cut(const int *in, size_t in_count, const int *out,
+                                                 size_t out_count, uint32_t intersections)
+{
+    fxl_clip_polygon polygon = clip_shape(in, in_count), wanted = clip_shape(out, out_count);
+    expect_shape(&polygon, &wanted, intersections);
+}
+#define NUMBERS(...) ((const int[]){__VA_ARGS__}), sizeof((const int[]){__VA_ARGS__}) / 12
+
+void test_inside_is_the_input_itself(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));
+    TEST_ASSERT_EQUAL_PTR(&polygon, result);
+}
+
+void test_outside_is_nothing(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(50, -5, 10, 50, 5, 10, 11, 0, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
+    TEST_ASSERT_NULL(result);
+    /* Past a corner, outside of no one plane. */
+    polygon = SHAPE(-35, 0, 10, 0, 35, 10, -35, 35, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
+    TEST_ASSERT_NULL(result);
+}
+
+/* As many intersections as new vertices, an edge through two planes included. */
+void test_edges_are_cut_once(void)
+{
+    expect_cut(NUMBERS(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10),
+               NUMBERS(0, -5, 10, 0, 5, 10, 10, 5, 10, 10, -5, 10), 2);
+    expect_cut(NUMBERS(-20, -5, 10, -20, 5, 10, 20, 5, 10, 20, -5, 10),
+               NUMBERS(-10, -5, 10, -10, 5, 10, 10, 5, 10, 10, -5, 10), 4);
+    /* Out through right after top and bottom, which do not matter. */
+    expect_cut(NUMBERS(0, 0, 10, 40, 20, 10, 40, -20, 10), NUMBERS(0, 0, 10, 10, 5, 10, 10, -5, 10),
+               2);
+}
+
+/* Through near and far. */
+void test_a_ribbon_away_from_the_eye(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(-1, 0, -500, -1, 0, 3000, 1, 0, 3000, 1, 0, -500);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_TRUE(result->count == 6 || result->count == 4);
+    for (int i = 0; i < result->count; i++) {
+        TEST_ASSERT_TRUE(result->vertices[i].position.z >= V(1) / 16 - 4);
+        TEST_ASSERT_TRUE(result->vertices[i].position.z <= V(1000) + 4);
+    }
+}
+
+void test_a_corner_is_enclosed(void)
+{
+    /* The right top corner: the long side lies beyond it, and is cut to find it. */
+    expect_cut(NUMBERS(0, 0, 10, 0, 40, 10, 40, 0, 10),
+               NUMBERS(0, 0, 10, 0, 10, 10, 10, 10, 10, 10, 0, 10), 5);
+    /* Two corners: out by the top, in again by the bottom. */
+    expect_cut(NUMBERS(0, -40, 10, 0, 40, 10, 40, 40, 10, 40, -40, 10),
+               NUMBERS(0, -10, 10, 0, 10, 10, 10, 10, 10, 10, -10, 10), ANY);
+}
+
+/* No edge is seen, all corners are; either way round. */
+void test_a_wall_becomes_the_screen(void)
+{
+    expect_cut(NUMBERS(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10),
+               NUMBERS(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10), ANY);
+    expect_cut(NUMBERS(-30, -30, 10, 30, -30, 10, 30, 30, 10, -30, 30, 10),
+               NUMBERS(-10, -10, 10, 10, -10, 10, 10, 10, 10, -10, 10, 10), ANY);
+}
+
+/* Two vertices on planes: they come once, and cost nothing. */
+void test_vertices_on_planes_are_not_repeated(void)
+{
+    expect_cut(NUMBERS(10, -5, 10, 0, 0, 10, 10, 5, 10, 20, 0, 10),
+               NUMBERS(10, -5, 10, 0, 0, 10, 10, 5, 10), 0);
+}
+
+void test_a_touch_is_degenerate(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(10, 0, 10, 20, 5, 10, 20, -5, 10);
+    fxl_clip_result cut = clip(&polygon, &result);
+    TEST_ASSERT_TRUE(cut == FXL_CLIP_DEGENERATE);
+    TEST_ASSERT_NULL(result);
+}
+
+void test_a_sliver_is_refused_where_asked(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_normalised frustum = square();
+    fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
+    room->account = (fxl_clip_account){0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
+    room->account.sliver = V(2);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, room, &result));
+    /* A vertex barely inside stands for the crossing before it. */
+    polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
+    room->account = (fxl_clip_account){V(2), 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
+    TEST_ASSERT_EQUAL(4, result->count);
+    TEST_ASSERT_EQUAL(1, room->account.intersections);
+}
+
+/* Outlines of every kind, also such as no face has: nothing beyond the capacity. */
+void test_the_capacity_is_never_overrun(void)
+{
+    memset(guarded.guard, 0x5A, sizeof guarded.guard);
+    fxl_normalised frustum = square();
+    int refused = 0;
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        fxl_clip_polygon polygon = clip_saw((uint8_t)unit_between(3, FXL_POLYGON_CAPACITY), 50);
+        const fxl_clip_polygon *result;
+        for (int k = 0; k < polygon.count && i % 8 != 0; k++) {
+            polygon.vertices[k].position =
+                (fxl_view_point){unit_wide(61), unit_wide(61), unit_wide(61)};
+        }
+        guarded.room.account = (fxl_clip_account){i % 3 == 0 ? V(1) : 0, 0};
+        fxl_clip_result cut = fxl_clip_once(&polygon, &frustum, &guarded.room, &result);
+        refused += cut == FXL_CLIP_CAPACITY;
+        TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT || cut == FXL_CLIP_INSIDE, result != NULL);
+    }
+    TEST_ASSERT_TRUE(refused > 0);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, guarded.guard, sizeof guarded.guard);
+}
+
+/* Twice the area on the screen, in units of 2^-32 square pixel. */
+static double twice_area(const fxl_normalised *frustum, const fxl_clip_polygon *polygon)
+{
+    fxl_screen_point at[FXL_POLYGON_CAPACITY];
+    double twice = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_normalised_project(frustum, &polygon->vertices[i].position, &at[i]));
+    }
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_screen_point *a = &at[i], *b = &at[(i + 1) % polygon->count];
+        twice += (double)a->x * b->y - (double)b->x * a->y;
+    }
+    return twice;
+}
+
+/* The same piece as plane by plane: the same number of corners, and the same area
+ * to within a unit all round the screen. */
+void test_it_agrees_with_plane_by_plane(void)
+{
+    int cuts = 0, unlike = 0, more = 0;
+    fxl_normalised frustum = square();
+    for (int i = 0; i < UNIT_REPEAT / 5; i++) {
+        const fxl_clip_polygon *once, *each;
+        fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(50, 61));
+        room->account = other_room.account = (fxl_clip_account){0, 0};
+        fxl_clip_result a = fxl_clip_once(&polygon, &frustum, room, &once);
+        fxl_clip_result b = fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
+        double one = once ? twice_area(&frustum, once) : 0;
+        double two = each ? twice_area(&frustum, each) : 0;
+        TEST_ASSERT_TRUE(a == b || (one == 0 && two == 0));
+        unlike += !unit_near(one, two, 4 * 65536.0 * 256);
+        cuts += a == FXL_CLIP_CUT;
+        more += a == FXL_CLIP_CUT && room->account.intersections > other_room.account.intersections;
+    }
+    TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 50);
+    TEST_ASSERT_TRUE(unlike * 1000 < cuts);
+    TEST_ASSERT_TRUE(more < cuts / 2);
+}

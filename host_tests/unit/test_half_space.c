@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: MIT */
+/* Volumes of half-spaces: their distances against exact numbers, points and
+ * polygons. */
+#include "clip_shapes.h"
+#include "wide.h"
+
+static fxl_clip_room room;
+
+/* The window from -2 to -1 and from 1 to 3 at depth 1: all of it up and to the
+ * left; far at 100. */
+static fxl_volume aside(void)
+{
+    fxl_volume volume;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_volume_from_window(Q16(-2), Q16(-1), Q16(1), Q16(3), Q16(1),
+                                                     Q16(100), &volume));
+    return volume;
+}
+
+static int32_t component(void)
+{
+    return (int32_t)(unit_random() % 3 == 0 ? 0 : unit_wide(29));
+}
+
+void test_distances_are_exact_but_for_the_last_unit(void)
+{
+    const int64_t one = (int64_t)1 << 30;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_half_space plane = {{component(), component(), component()}, unit_wide(61)};
+        fxl_view_point point = {unit_wide(61), unit_wide(61), unit_wide(61)};
+        if (i % 8 == 0) { /* the largest sums */
+            plane.normal = (fxl_direction){715827882, -715827882, 715827882};
+            point.x = point.z = ((int64_t)1 << 61) - 1;
+            point.y = -point.x;
+        }
+        fxl_q18_46 distance = fxl_half_space_distance(&plane, &point);
+        wide exact =
+            wide_sum(wide_product(plane.normal.x, point.x), wide_product(plane.normal.y, point.y));
+        exact = wide_sum(exact, wide_product(plane.normal.z, point.z));
+        exact = wide_sum(exact, wide_product(plane.offset, one));
+        int64_t rest;
+        TEST_ASSERT_TRUE(wide_narrow(wide_difference(exact, wide_product(distance, one)), &rest));
+        TEST_ASSERT_TRUE(rest >= 0 && rest < one);
+    }
+}
+
+void test_a_window_is_taken_exactly(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        fxl_q16_16 left = unit_between(-FXL_COORDINATE_MAX, FXL_COORDINATE_MAX - 1);
+        fxl_q16_16 right = unit_between(left + 1, FXL_COORDINATE_MAX);
+        fxl_q16_16 near = unit_between(FXL_NEAR_MIN, Q16(100));
+        fxl_volume volume;
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_volume_from_window(left, right, left, right, near, Q16(200), &volume));
+        for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
+            bool low = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM;
+            int64_t side = low ? left : right;
+            /* The point of the window at that side, and one unit beyond. */
+            for (int64_t beyond = -1; beyond <= 1; beyond++) {
+                fxl_view_point at = {side + (low ? -beyond : beyond),
+                                     side + (low ? -beyond : beyond), near};
+                at.x *= 1 << 30;
+                at.y *= 1 << 30;
+                at.z *= 1 << 30;
+                fxl_q18_46 distance = fxl_half_space_distance(&volume.planes[plane], &at);
+                TEST_ASSERT_TRUE(beyond > 0 ? distance < 0 : distance >= 0);
+                TEST_ASSERT_EQUAL(beyond == 0, distance == 0);
+            }
+        }
+    }
+}
+
+void test_windows_out_of_range_are_refused(void)
+{
+    static const fxl_q16_16 bad[][6] = {
+        {Q16(1), Q16(1), 0, Q16(1), Q16(1), Q16(9)},
+        {0, Q16(1), Q16(1), Q16(0.5), Q16(1), Q16(9)},
+        {0, Q16(1), 0, Q16(1), 255, Q16(9)},
+        {0, Q16(1), 0, Q16(1), Q16(9), Q16(9)},
+        {0, Q16(1), 0, Q16(1), Q16(1), INT32_MAX},
+        {0, Q16(8192), 0, Q16(1), Q16(1), Q16(9)},
+        {0, Q16(1), INT32_MIN, Q16(1), Q16(1), Q16(9)},
+        {0, Q16(1), 0, Q16(1), Q16(8192), Q16(9000)},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        fxl_volume volume, before;
+        memset(&volume, 0x5A, sizeof volume);
+        before = volume;
+        const fxl_q16_16 *b = bad[i];
+        TEST_ASSERT_EQUAL(FXL_E_RANGE,
+                          fxl_volume_from_window(b[0], b[1], b[2], b[3], b[4], b[5], &volume));
+        TEST_ASSERT_EQUAL_MEMORY(&before, &volume, sizeof volume);
+    }
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_volume_from_window(0, 1, 0, 1, 256, 512, NULL));
+}
+
+void test_points(void)
+{
+    fxl_volume volume = aside();
+    static const struct {
+        int x, y, z;
+        uint32_t outside;
+    } points[] = {
+        {-15, 20, 10, 0},
+        {-20, 30, 10, 0}, /* on the edge of left and top */
+        {-10, 10, 10, 0}, /* on that of right and bottom */
+        {-21, 20, 10, 1 << FXL_PLANE_LEFT},
+        {-9, 20, 10, 1 << FXL_PLANE_RIGHT},
+        {-15, 9, 10, 1 << FXL_PLANE_BOTTOM},
+        {-15, 31, 10, 1 << FXL_PLANE_TOP},
+        {0, 0, 0, 1 << FXL_PLANE_NEAR},
+        {-150, 200, 101, 1 << FXL_PLANE_FAR},
+        {15, -20, -10,
+         1 << FXL_PLANE_NEAR | 1 << FXL_PLANE_LEFT | 1 << FXL_PLANE_RIGHT | 1 << FXL_PLANE_BOTTOM |
+             1 << FXL_PLANE_TOP},
+    };
+    for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
+        fxl_view_point at = {V(points[i].x), V(points[i].y), V(points[i].z)};
+        uint32_t expected = points[i].outside;
+        if (i == 9) { /* behind the eye a plane through it may have its inside */
+            expected = fxl_volume_code(&volume, &at);
+            TEST_ASSERT_TRUE((expected >> FXL_PLANE_NEAR & 1u) == 1);
+        }
+        TEST_ASSERT_EQUAL(expected, fxl_volume_code(&volume, &at));
+        TEST_ASSERT_EQUAL(expected == 0, fxl_volume_holds(&volume, &at));
+    }
+}
+
+void test_polygons(void)
+{
+    fxl_volume volume = aside();
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon inside = SHAPE(-12, 12, 10, -12, 28, 10, -18, 28, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_to_volume(&inside, &volume, &room, &result));
+    TEST_ASSERT_EQUAL_PTR(&inside, result);
+    fxl_clip_polygon outside = SHAPE(0, 12, 10, 0, 28, 10, -9, 28, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_to_volume(&outside, &volume, &room, &result));
+    TEST_ASSERT_NULL(result);
+    /* The left half hangs out. */
+    fxl_clip_polygon half = SHAPE(-16, 12, 10, -24, 12, 10, -24, 28, 10, -16, 28, 10);
+    fxl_clip_polygon expected = SHAPE(-16, 12, 10, -20, 12, 10, -20, 28, 10, -16, 28, 10);
+    expected.vertices[1].carried[1] = Q16(0.5);
+    expected.vertices[2].carried[1] = Q16(2.5);
+    room.account = (fxl_clip_account){0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &room, &result));
+    TEST_ASSERT_TRUE(clip_same(&expected, result));
+    TEST_ASSERT_EQUAL(2, room.account.intersections);
+}
+
+/* One half-space: early outs that write nothing, and the input may be any. */
+void test_one_half_space(void)
+{
+    fxl_clip_polygon *const out = &room.polygons[0], *const before = &room.polygons[1];
+    fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+    fxl_clip_account account = {0, 0};
+    fxl_half_space slanted = {{FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4}, V(-1)};
+    memset(out, 0x5A, sizeof *out);
+    *before = *out;
+    fxl_clip_polygon polygon = SHAPE(4, 0, 0, 0, 4, 0, 0, 0, 4); /* on it */
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
+                      fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
+    polygon = SHAPE(3, 0, 0, 0, 3, 0, 0, 0, 3);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE,
+                      fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
+    TEST_ASSERT_EQUAL_MEMORY(before, out, sizeof *out);
+    polygon = SHAPE(8, 0, 0, 0, 0, 0, 0, 8, 0);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                      fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
+    TEST_ASSERT_TRUE(out->count == 4 && out->vertices[1].position.x == V(4));
+}
+
+/* What the guard band leaves can be projected, from the range's ends and the
+ * nearest near plane; without it, it could not. */
+void test_the_guard_band_keeps_the_screen_in_range(void)
+{
+    const uint32_t depths = 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR;
+    int cut_count = 0, beyond = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_lens lens = unit_any_lens();
+        lens.near = FXL_NEAR_MIN;
+        lens.inset = unit_random() % 2 ? 0 : FXL_INSET_DEFAULT;
+        fxl_volume volume;
+        const fxl_clip_polygon *result;
+        fxl_volume_from_lens(&lens, depths | (unit_random() % 2 ? 1u << FXL_PLANE_LEFT : 0),
+                             &volume);
+        fxl_clip_polygon polygon = clip_random_shape(61);
+        polygon.vertices[0].position.z = volume.planes[FXL_PLANE_NEAR].offset * -1;
+        room.account = (fxl_clip_account){0, 0};
+        fxl_screen_point screen;
+        beyond += fxl_project_point(&lens, &polygon.vertices[0].position, &screen) != FXL_OK;
+        if (fxl_clip_to_volume(&polygon, &volume, &room, &result) == FXL_CLIP_CUT) {
+            cut_count++;
+            for (int k = 0; k < result->count; k++) {
+                TEST_ASSERT_EQUAL(FXL_OK,
+                                  fxl_project_point(&lens, &result->vertices[k].position, &screen));
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(cut_count > UNIT_REPEAT / 200 && beyond > UNIT_REPEAT / 50);
+}
+
+static fxl_q16_16 rounded(fxl_q18_46 place)
+{
+    return (fxl_q16_16)((place + (1 << 29)) >> 30);
+}
+
+/* In the world, against the clipper that is made for it: the same verdicts, and the same
+ * vertices but for that one's rounding, which grows with the edge. */
+void test_planes_of_the_world(void)
+{
+    int cuts = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        static fxl_polygon polygon, other;
+        fxl_clip_polygon *const in = &room.polygons[0], *const out = &room.polygons[1];
+        fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+        fxl_clip_account account = {0, 0};
+        fxl_direction normal = unit_direction();
+        fxl_point through = unit_point(Q16(1000));
+        fxl_plane plane = fxl_plane_from_point(&through, &normal, 0);
+        fxl_half_space half_space;
+        fxl_half_space_from_plane(&plane, &half_space);
+        polygon.count = in->count = 3;
+        polygon.textured = true;
+        in->carried = 1;
+        for (int k = 0; k < 3; k++) {
+            fxl_vertex *vertex = &polygon.vertices[k];
+            vertex->position = unit_point(FXL_COORDINATE_MAX);
+            vertex->u = unit_between(-Q16(16383), Q16(16383));
+            fxl_clip_place(&vertex->position, &in->vertices[k].position);
+            in->vertices[k].carried[0] = vertex->u;
+        }
+        fxl_clip_result cut = fxl_clip_to_half_space(in, &half_space, &account, out, distances);
+        TEST_ASSERT_EQUAL(fxl_clip_to_plane(&polygon, &plane, &other, distances), cut);
+        for (int k = 0; cut == FXL_CLIP_CUT && k < out->count; k++) {
+            const fxl_view_point *at = &out->vertices[k].position;
+            const fxl_vertex *expected = &other.vertices[k];
+            TEST_ASSERT_NEAR(rounded(at->x), expected->position.x, 4);
+            TEST_ASSERT_NEAR(rounded(at->y), expected->position.y, 4);
+            TEST_ASSERT_NEAR(rounded(at->z), expected->position.z, 4);
+            TEST_ASSERT_NEAR(out->vertices[k].carried[0], expected->u, 4);
+        }
+        cuts += cut == FXL_CLIP_CUT;
+    }
+    TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 100);
+}

@@ -1,0 +1,312 @@
+/* SPDX-License-Identifier: MIT */
+/* The normalised frustum: its matrix, its planes and what it cuts. */
+#include "clip_shapes.h"
+
+/* One room for all tests: some boards have 16 KB. */
+static struct {
+    fxl_clip_room room;
+    uint8_t guard[64];
+} guarded;
+static fxl_clip_room *const room = &guarded.room;
+
+static fxl_camera straight(void)
+{
+    fxl_camera camera;
+    fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+    return camera;
+}
+
+/* 90 degrees both ways, near 1/16, far 1000, without an inset. */
+static fxl_normalised square(void)
+{
+    fxl_camera camera = straight();
+    fxl_lens lens = unit_lens(64, 64);
+    fxl_normalised frustum;
+    lens.inset = 0;
+    fxl_normalised_from_camera(&camera, &lens, &frustum);
+    return frustum;
+}
+
+static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
+{
+    fxl_normalised frustum = square();
+    room->account = (fxl_clip_account){0, 0};
+    return fxl_clip_normalised(polygon, &frustum, room, result);
+}
+
+void test_ninety_degrees_change_nothing(void)
+{
+    fxl_camera camera = straight();
+    fxl_normalised frustum = square();
+    TEST_ASSERT_EQUAL_MEMORY(&camera.right, &frustum.x.direction, sizeof camera.right);
+    TEST_ASSERT_EQUAL_MEMORY(&camera.up, &frustum.y.direction, sizeof camera.up);
+    TEST_ASSERT_EQUAL_MEMORY(&camera.forward, &frustum.z.direction, sizeof camera.forward);
+    TEST_ASSERT_EQUAL(0, frustum.x.shift + frustum.y.shift + frustum.z.shift);
+    TEST_ASSERT_TRUE(frustum.near == V(1) / 16 && frustum.far == V(1000));
+    TEST_ASSERT_TRUE(frustum.x_inset == 0 && frustum.y_inset == 0);
+}
+
+static void expect_row(const fxl_direction *axis, const fxl_normalised_row *row, double factor)
+{
+    double scale = factor * (double)((int64_t)1 << row->shift);
+    TEST_ASSERT_TRUE(scale > 0.499999 && scale < 1.000001);
+    TEST_ASSERT_NEAR(row->direction.x, axis->x * scale, 1.1);
+    TEST_ASSERT_NEAR(row->direction.y, axis->y * scale, 1.1);
+    TEST_ASSERT_NEAR(row->direction.z, axis->z * scale, 1.1);
+}
+
+/* Any lens and pose: the factors of the definition. */
+void test_rows_are_the_definition(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        fxl_pose pose = unit_pose();
+        fxl_lens lens = unit_any_lens();
+        fxl_camera camera;
+        fxl_normalised frustum;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+        fxl_normalised_from_camera(&camera, &lens, &frustum);
+        double x = lens.focal / (lens.width * 32768.0), y = lens.focal / (lens.height * 32768.0);
+        double largest = x > y ? x : y;
+        largest = largest > 1 ? largest : 1;
+        expect_row(&camera.right, &frustum.x, x / largest);
+        expect_row(&camera.up, &frustum.y, y / largest);
+        expect_row(&camera.forward, &frustum.z, 1 / largest);
+        double near = (lens.near + lens.inset) * (double)(1 << 30) / largest;
+        double far = ((double)lens.far - lens.inset) * (double)(1 << 30) / largest;
+        TEST_ASSERT_NEAR(frustum.near, near, 0.51 + near / (1 << 30));
+        TEST_ASSERT_NEAR(frustum.far, far, 0.51 + far / (1 << 30));
+    }
+}
+
+/* A point that lies the inset inside the plane by the unit vectors of the view. */
+void test_insets_are_distances_along_the_normal(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        fxl_camera camera = straight();
+        fxl_lens lens = unit_any_lens();
+        fxl_normalised frustum;
+        fxl_view_frustum sides;
+        if (lens.height > 2 * lens.width || lens.width > 4 * lens.height) {
+            continue;
+        }
+        fxl_normalised_from_camera(&camera, &lens, &frustum);
+        fxl_view_frustum_from_lens(&lens, &sides);
+        double z = frustum.z.direction.z / 1073741824.0 / (double)(1 << frustum.z.shift);
+        double inset = (double)lens.inset * (1 << 30);
+        double x = inset * z / (sides.x_depth / 1073741824.0);
+        double y = inset * z / (sides.y_depth / 1073741824.0);
+        TEST_ASSERT_NEAR(frustum.x_inset, x, 1 + x / (1 << 25));
+        TEST_ASSERT_NEAR(frustum.y_inset, y, 1 + y / (1 << 25));
+    }
+}
+
+/* Codes by compares are the signs of the distances, to the last unit and at the
+ * range's ends. */
+void test_codes_are_the_signs_of_the_distances(void)
+{
+    const int64_t end = ((int64_t)1 << 61) - 1;
+    uint32_t seen = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_normalised frustum = square();
+        unsigned bits = (unsigned)unit_between(2, 61);
+        frustum.x_inset = unit_random() % 2 ? 0 : (int64_t)unit_random() << 14;
+        frustum.near = unit_wide(bits);
+        frustum.far = unit_wide(bits);
+        fxl_view_point point = {unit_wide(bits), unit_wide(bits), unit_wide(bits)};
+        if (i % 4 == 0) { /* next to a side */
+            point.x = point.z + unit_between(-1, 1);
+            point.y = unit_between(-1, 1) - point.z;
+            point.x = point.x > end ? end : point.x;
+        }
+        uint32_t code = fxl_normalised_code(&frustum, &point);
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            bool outside = fxl_normalised_distance(&frustum, plane, &point) < 0;
+            TEST_ASSERT_EQUAL(outside, code >> plane & 1u);
+        }
+        seen |= code;
+    }
+    TEST_ASSERT_EQUAL((1 << FXL_PLANE_COUNT) - 1, seen);
+}
+
+void test_inside_is_the_input_itself(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(-5, -5, 10, -5, 5, 10, 5, 5, 10, 5, -5, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));
+    TEST_ASSERT_EQUAL_PTR(&polygon, result);
+    polygon = SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result)); /* on the planes */
+    TEST_ASSERT_EQUAL(0, room->account.intersections);
+}
+
+void test_outside_one_plane_is_rejected_by_codes(void)
+{
+    const fxl_clip_polygon *result;
+    static const int numbers[6][9] = {
+        {-50, -5, 10, -50, 5, 10, -11, 0, 10}, {50, -5, 10, 50, 5, 10, 11, 0, 10},
+        {-5, -50, 10, 5, -50, 10, 0, -11, 10}, {-5, 50, 10, 5, 50, 10, 0, 11, 10},
+        {-5, -5, -10, 5, -5, -10, 0, 5, 0},    {-5, -5, 1001, 5, -5, 1001, 0, 5, 2000}};
+    for (int i = 0; i < 6; i++) {
+        fxl_clip_polygon polygon = clip_shape(numbers[i], 3);
+        TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
+        TEST_ASSERT_NULL(result);
+        TEST_ASSERT_EQUAL(0, room->account.intersections);
+    }
+}
+
+/* A square's right half hangs out; what rides along is halved as well. */
+void test_a_square_is_halved(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10);
+    fxl_clip_polygon expected = SHAPE(0, -5, 10, 0, 5, 10, 10, 5, 10, 10, -5, 10);
+    expected.vertices[2].carried[1] = Q16(1.5);
+    expected.vertices[3].carried[1] = Q16(1.5);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_TRUE(clip_same(&expected, result));
+    TEST_ASSERT_EQUAL(2, room->account.intersections);
+}
+
+/* A wall about all of the screen becomes the screen. */
+void test_a_wall_becomes_the_screen(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_clip_polygon polygon = SHAPE(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_EQUAL(4, result->count);
+    for (int i = 0; i < 4; i++) {
+        const fxl_view_point *at = &result->vertices[i].position;
+        TEST_ASSERT_NEAR(at->x < 0 ? -at->x : at->x, V(10), 3);
+        TEST_ASSERT_NEAR(at->y < 0 ? -at->y : at->y, V(10), 3);
+        TEST_ASSERT_TRUE(at->z == V(10));
+    }
+}
+
+/* Touching a plane from outside leaves a point or a line. */
+void test_what_is_left_of_a_touch_is_degenerate(void)
+{
+    const fxl_clip_polygon *result;
+    static const int numbers[2][9] = {{10, 0, 10, 20, 5, 10, 20, -5, 10},
+                                      {10, -5, 10, 10, 5, 10, 20, 0, 10}};
+    for (int i = 0; i < 2; i++) {
+        fxl_clip_polygon polygon = clip_shape(numbers[i], 3);
+        TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, clip(&polygon, &result));
+        TEST_ASSERT_NULL(result);
+    }
+}
+
+void test_the_capacity_is_never_overrun(void)
+{
+    const fxl_clip_polygon *result;
+    memset(guarded.guard, 0x5A, sizeof guarded.guard);
+    fxl_normalised frustum = square();
+    int refused = 0;
+    for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count++) {
+        fxl_clip_polygon polygon = clip_saw(count, 50);
+        guarded.room.account = (fxl_clip_account){0, 0};
+        fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, &guarded.room, &result);
+        TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT, result != NULL);
+        refused += cut == FXL_CLIP_CAPACITY;
+    }
+    TEST_ASSERT_TRUE(refused > 0);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, guarded.guard, sizeof guarded.guard);
+}
+
+/* The sliver rule: a corner that pokes in by less than the rule minds. */
+void test_a_sliver_is_refused_where_asked(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_normalised frustum = square();
+    /* Second vertex one unit inside of the right plane, between two outside. */
+    fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
+    room->account = (fxl_clip_account){0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
+    room->account = (fxl_clip_account){V(2), 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_normalised(&polygon, &frustum, room, &result));
+    room->account.sliver = V(1); /* not less than it minds */
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
+}
+
+/* Barely in after being out counts as out, and stands for the crossing; barely in
+ * after being in counts as in. */
+void test_a_barely_inside_vertex_stands_for_the_crossing(void)
+{
+    const fxl_clip_polygon *result;
+    fxl_normalised frustum = square();
+    fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
+    fxl_clip_polygon expected = SHAPE(9, 5, 10, 0, 0, 10, 9, -5, 10, 10, -4, 10);
+    room->account = (fxl_clip_account){V(2), 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
+    TEST_ASSERT_EQUAL(4, result->count);
+    TEST_ASSERT_EQUAL(1, room->account.intersections);
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_MEMORY(&expected.vertices[i].position, &result->vertices[i].position,
+                                 sizeof(fxl_view_point));
+    }
+    TEST_ASSERT_NEAR(result->vertices[3].position.x, V(10), 3);
+}
+
+/* No vertex leaves the box about the input, what it carries neither, and each lies
+ * on the frustum or inside: 3 units for its own plane, 3 more for each later one,
+ * which moves along edges that are as far off. */
+static void expect_held(const fxl_normalised *frustum, const fxl_clip_polygon *in,
+                        const fxl_clip_polygon *out)
+{
+    for (int i = 0; i < out->count; i++) {
+        const fxl_clip_vertex *vertex = &out->vertices[i];
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            TEST_ASSERT_TRUE(fxl_normalised_distance(frustum, plane, &vertex->position) >= -9);
+        }
+        for (int k = 0; k < in->carried; k++) {
+            fxl_q16_16 low = INT32_MAX, high = INT32_MIN;
+            for (int n = 0; n < in->count; n++) {
+                low = in->vertices[n].carried[k] < low ? in->vertices[n].carried[k] : low;
+                high = in->vertices[n].carried[k] > high ? in->vertices[n].carried[k] : high;
+            }
+            TEST_ASSERT_TRUE(vertex->carried[k] >= low && vertex->carried[k] <= high);
+        }
+    }
+}
+
+void test_results_lie_within_the_frustum(void)
+{
+    int cuts = 0;
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        fxl_camera camera = straight();
+        fxl_lens lens = unit_any_lens();
+        fxl_normalised frustum;
+        const fxl_clip_polygon *result;
+        fxl_normalised_from_camera(&camera, &lens, &frustum);
+        fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(40, 61));
+        room->account = (fxl_clip_account){0, 0};
+        fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, room, &result);
+        TEST_ASSERT_TRUE(cut != FXL_CLIP_CAPACITY);
+        if (cut == FXL_CLIP_CUT) {
+            expect_held(&frustum, &polygon, result);
+            cuts++;
+        }
+    }
+    TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 100);
+}
+
+void test_projection_spans_the_screen(void)
+{
+    fxl_normalised frustum = square();
+    fxl_screen_point at;
+    fxl_view_point point = {V(-10), V(10), V(10)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_normalised_project(&frustum, &point, &at));
+    TEST_ASSERT_TRUE(at.x == 0 && at.y == 0);
+    point = (fxl_view_point){V(5), V(-10), V(10)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_normalised_project(&frustum, &point, &at));
+    TEST_ASSERT_TRUE(at.x == Q16(48) && at.y == Q16(64));
+    point = (fxl_view_point){0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
+    point = (fxl_view_point){((int64_t)1 << 61) - 1, 0, 1};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
+    point = (fxl_view_point){0, 1 - ((int64_t)1 << 61), 1};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
+    point = (fxl_view_point){1, -1, 1}; /* depths below 31 bits */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_normalised_project(&frustum, &point, &at));
+    TEST_ASSERT_TRUE(at.x == Q16(64) && at.y == Q16(64));
+}

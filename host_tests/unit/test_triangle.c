@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT */
+/* Triangles by planes and by the screen's borders: the four cases, and the pieces. */
+#include "clip_shapes.h"
+
+static fxl_triangle_room room;
+static fxl_clip_account account;
+
+/* Inside is x >= 0. */
+static const fxl_half_space wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
+
+static fxl_clip_triangle solid(int x0, int y0, int x1, int y1, int x2, int y2)
+{
+    fxl_clip_polygon shape = SHAPE(x0, y0, 10, x1, y1, 10, x2, y2, 10);
+    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+    return triangle;
+}
+
+/* x, y of each corner, in whole units, and x as it rides along. */
+static void expect_corners(const fxl_clip_triangle *triangle, const int *numbers)
+{
+    for (int i = 0; i < 3; i++) {
+        const fxl_clip_vertex *at = &triangle->corners[i];
+        TEST_ASSERT_TRUE(at->position.x == V(numbers[2 * i]));
+        TEST_ASSERT_NEAR(at->position.y, V(numbers[2 * i + 1]), 1);
+        TEST_ASSERT_TRUE(at->position.z == V(10));
+        TEST_ASSERT_EQUAL(numbers[2 * i] * 65536, at->carried[0]);
+    }
+}
+#define EXPECT(triangle, ...) expect_corners(triangle, (const int[]){__VA_ARGS__})
+
+void test_none_and_all(void)
+{
+    fxl_clip_triangle out[2], in = solid(-1, 0, -5, 0, -3, 4);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    in = solid(1, 0, 5, 0, 3, 4);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    EXPECT(&out[0], 1, 0, 5, 0, 3, 4);
+}
+
+void test_one_corner_inside_leaves_one(void)
+{
+    fxl_clip_triangle out[2], in = solid(4, 0, -4, 8, -4, -8);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    EXPECT(&out[0], 4, 0, 0, 4, 0, -4);
+    in = solid(-4, -8, 4, 0, -4, 8); /* whichever it is */
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    EXPECT(&out[0], 4, 0, 0, 4, 0, -4);
+    in = solid(-4, 8, -4, -8, 4, 0);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    EXPECT(&out[0], 4, 0, 0, 4, 0, -4);
+}
+
+void test_two_corners_inside_leave_two(void)
+{
+    fxl_clip_triangle out[2];
+    const fxl_clip_triangle in[3] = {solid(-4, 0, 4, 8, 4, -8), solid(4, -8, -4, 0, 4, 8),
+                                     solid(4, 8, 4, -8, -4, 0)};
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in[i], &wall, 2, &account, out));
+        EXPECT(&out[0], 4, 8, 4, -8, 0, -4);
+        EXPECT(&out[1], 4, 8, 0, -4, 0, 4);
+    }
+}
+
+/* What touches leaves nothing; a corner on the plane is its own crossing. */
+void test_corners_on_the_plane(void)
+{
+    fxl_clip_triangle out[2], in = solid(0, 0, -4, 8, -4, -8);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    in = solid(0, -4, 0, 4, -4, 0);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    in = solid(0, -4, 0, 4, 4, 0);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    account.intersections = 0;
+    in = solid(0, 0, 4, 4, -4, 4);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(1, account.intersections);
+    in = solid(4, 4, 0, 0, -4, 4);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+}
+
+void test_a_sliver_is_refused_where_asked(void)
+{
+    fxl_clip_triangle out[2], in = solid(-4, 8, 1, 0, -4, -8);
+    account.sliver = V(2);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    account.sliver = V(1);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    account.sliver = 0;
+}
+
+static fxl_screen_triangle flat(int x0, int y0, int x1, int y1, int x2, int y2)
+{
+    fxl_screen_triangle triangle;
+    memset(&triangle, 0, sizeof triangle);
+    triangle.corners[0].at = (fxl_screen_point){x0 * 65536, y0 * 65536};
+    triangle.corners[1].at = (fxl_screen_point){x1 * 65536, y1 * 65536};
+    triangle.corners[2].at = (fxl_screen_point){x2 * 65536, y2 * 65536};
+    for (int i = 0; i < 3; i++) {
+        triangle.corners[i].depth = V(10);
+        triangle.corners[i].carried[0] = i * 65536;
+    }
+    return triangle;
+}
+
+/* Twice the area, in square units; positive as seen on the screen clockwise. */
+static int64_t area_of(const fxl_screen_triangle *triangle)
+{
+    const fxl_screen_point *a = &triangle->corners[0].at, *b = &triangle->corners[1].at;
+    const fxl_screen_point *c = &triangle->corners[2].at;
+    return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
+/* Each border halves a triangle that stands across it: 3/4 or 1/4 of it stays. */
+void test_borders(void)
+{
+    static const int inner[4][6] = {
+        {-4, 8, 4, 0, 4, 16}, {68, 8, 60, 16, 60, 0}, {8, -4, 16, 4, 0, 4}, {8, 68, 0, 60, 16, 60}};
+    for (int border = 0; border < FXL_BORDER_COUNT; border++) {
+        const int *n = inner[border];
+        fxl_screen_triangle out[2], in = flat(n[0], n[1], n[2], n[3], n[4], n[5]);
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, border, 64, 1, &account, out));
+        TEST_ASSERT_TRUE(4 * (area_of(&out[0]) + area_of(&out[1])) == 3 * area_of(&in));
+        TEST_ASSERT_TRUE((area_of(&out[0]) > 0) == (area_of(&in) > 0));
+        /* The same with the other side inside. */
+        bool sideways = border < FXL_BORDER_TOP;
+        int middle = border % 2 == 0 ? 0 : 128;
+        for (int i = 0; i < 3; i++) {
+            fxl_screen_point *at = &in.corners[i].at;
+            at->x = sideways ? middle * 65536 - at->x : at->x;
+            at->y = sideways ? at->y : middle * 65536 - at->y;
+        }
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, border, 64, 1, &account, out));
+        TEST_ASSERT_TRUE(4 * area_of(&out[0]) == area_of(&in));
+    }
+}
+
+void test_screen_touches_and_lines_are_left_out(void)
+{
+    fxl_screen_triangle out[2], in = flat(0, 8, -4, 0, -4, 16);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    in = flat(0, 0, 0, 8, -4, 4);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    in = flat(1, 1, 2, 2, 3, 3);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+}
+
+/* Half way on the screen is not half way in space: with depths 10 and 30 it is a
+ * quarter of the way from the nearer end. */
+void test_what_rides_along_is_cut_as_in_space(void)
+{
+    fxl_screen_triangle out[2], in = flat(4, 0, -4, 0, 4, 8);
+    in.corners[1].depth = V(30);
+    in.corners[1].carried[0] = Q16(100);
+    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    bool found = false;
+    for (int i = 0; i < 6; i++) {
+        const fxl_screen_corner *at = &out[i / 3].corners[i % 3];
+        if (at->at.x == 0 && at->at.y == 0) {
+            TEST_ASSERT_NEAR(at->depth, V(15), 2);
+            TEST_ASSERT_NEAR(at->carried[0], Q16(25), 1);
+            found = true;
+        }
+    }
+    TEST_ASSERT_TRUE(found);
+}
+
+/* The largest depths, distances and ranges: the fraction stays one. */
+void test_the_range_s_ends(void)
+{
+    const int32_t end = FXL_SCREEN_COORDINATE_MAX;
+    const fxl_q18_46 depths[] = {(fxl_q18_46)1 << 37, ((fxl_q18_46)1 << 61) - 1};
+    for (int i = 0; i < 8; i++) {
+        fxl_screen_triangle out[2], in = flat(0, 0, 0, 0, 0, 0);
+        in.corners[0].at = (fxl_screen_point){i & 4 ? 1 : end, 0};
+        in.corners[1].at = (fxl_screen_point){i & 4 ? -1 : -end, end};
+        in.corners[2].at = (fxl_screen_point){end, -end};
+        in.corners[0].depth = depths[i & 1];
+        in.corners[1].depth = depths[i >> 1 & 1];
+        in.corners[1].carried[0] = Q16(16383);
+        uint32_t made = fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 1024, 1, &account, out);
+        TEST_ASSERT_EQUAL(2, made);
+        for (int k = 0; k < 6; k++) {
+            const fxl_screen_corner *at = &out[k / 3].corners[k % 3];
+            TEST_ASSERT_TRUE(at->at.x >= 0 && at->depth >= depths[0] && at->depth <= depths[1]);
+            TEST_ASSERT_TRUE(at->carried[0] >= 0 && at->carried[0] <= Q16(16383));
+        }
+    }
+}
+
+/* Huge triangles around the eye: every piece lies on the screen and none is turned
+ * over. Near and far are those of the lens. */
+void test_pieces_lie_on_the_screen(void)
+{
+    int pieces = 0, most = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_lens lens = unit_any_lens();
+        fxl_volume volume;
+        fxl_clip_polygon shape = clip_random_shape(i % 2 ? 61 : (unsigned)unit_between(44, 61));
+        fxl_clip_triangle triangle = {
+            {shape.vertices[0], shape.vertices[1], shape.vertices[shape.count - 1]}};
+        fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+        fxl_clip_result begun = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &room);
+        if (begun != FXL_CLIP_INSIDE && begun != FXL_CLIP_CUT) {
+            continue;
+        }
+        const fxl_screen_triangle *piece;
+        fxl_status status;
+        int made = 0, clockwise = 0;
+        while ((piece = fxl_triangle_next(&volume, &lens, &room, &status)) != NULL) {
+            made++;
+            /* Slivers may be turned over by their rounding. */
+            int64_t area = area_of(piece);
+            clockwise += area > (int64_t)1 << 30 ? 1 : area < -((int64_t)1 << 30) ? -1000 : 0;
+            for (int k = 0; k < 3; k++) {
+                const fxl_screen_point *at = &piece->corners[k].at;
+                TEST_ASSERT_TRUE(at->x >= 0 && at->x <= lens.width * 65536);
+                TEST_ASSERT_TRUE(at->y >= 0 && at->y <= lens.height * 65536);
+            }
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, status);
+        TEST_ASSERT_TRUE(clockwise >= 0 || clockwise % 1000 == 0);
+        pieces += made;
+        most = made > most ? made : most;
+    }
+    TEST_ASSERT_TRUE(pieces > UNIT_REPEAT / 50 && most >= 6);
+}
+
+/* A wall about the whole screen: its pieces cover it, exactly. */
+void test_a_wall_covers_the_screen(void)
+{
+    fxl_lens lens = unit_lens(64, 48);
+    fxl_volume volume;
+    fxl_clip_polygon shape = SHAPE(-100, -100, 10, 0, 200, 10, 100, -100, 10);
+    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &room));
+    const fxl_screen_triangle *piece;
+    fxl_status status;
+    int64_t area = 0;
+    while ((piece = fxl_triangle_next(&volume, &lens, &room, &status)) != NULL) {
+        area += area_of(piece);
+    }
+    area = area < 0 ? -area : area;
+    int64_t screen = (int64_t)2 * 64 * 48 * 65536 * 65536;
+    TEST_ASSERT_TRUE(area == screen);
+}

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/clip_once.h"
+
+#include "arith.h"
+#include "crossing.h"
+
+/* A way from one vertex to the next, and where a plane cuts it: by the distances of
+ * its ends from the plane, of which one counts as inside. */
+typedef struct {
+    int plane; /* FXL_PLANE_COUNT: none */
+    fxl_q18_46 from, to;
+} crossing;
+
+typedef struct {
+    const fxl_clip_polygon *in;
+    const fxl_normalised *frustum;
+    fxl_clip_once_room *room;
+    fxl_clip_polygon *out;
+    uint32_t any;                        /* planes that a vertex lies outside of */
+    uint8_t codes[FXL_POLYGON_CAPACITY]; /* and which */
+    uint32_t count;                      /* of out, so far */
+    bool full;
+    int exit_plane; /* through which the polygon left the frustum last */
+} pass;
+
+/* a b as 128 bits. */
+static void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
+{
+    *high = fxl_multiply_high(a, b);
+    *low = a * b;
+}
+
+/* Whether the one crossing comes before the other: from / (from - to) as exact
+ * fractions. The differences are below 2^64. */
+static bool before(const crossing *a, const crossing *b)
+{
+    uint64_t a_part = fxl_magnitude(a->from), b_part = fxl_magnitude(b->from);
+    uint64_t a_whole = a_part + fxl_magnitude(a->to), b_whole = b_part + fxl_magnitude(b->to);
+    uint64_t a_high, a_low, b_high, b_low;
+    multiply(a_part, b_whole, &a_high, &a_low);
+    multiply(b_part, a_whole, &b_high, &b_low);
+    return a_high < b_high || (a_high == b_high && a_low < b_low);
+}
+
+static void append(pass *on, const fxl_clip_vertex *vertex)
+{
+    if (on->count == FXL_POLYGON_CAPACITY) {
+        on->full = true;
+        return;
+    }
+    fxl_copy_vertex(vertex, on->in->carried, &on->out->vertices[on->count++]);
+}
+
+/* The vertex where a way is cut, counted from its inside end; outside is whichever
+ * end the plane has outside. An end on the plane is the crossing itself. */
+static void cross(pass *on, const fxl_clip_vertex *inside, const fxl_clip_vertex *outside,
+                  fxl_q18_46 in, fxl_q18_46 out, fxl_clip_vertex *vertex)
+{
+    if (in == 0) {
+        fxl_copy_vertex(inside, on->in->carried, vertex);
+    } else if (out >= 0) { /* by the sliver rule alone */
+        fxl_copy_vertex(outside, on->in->carried, vertex);
+    } else {
+        on->room->account.intersections += 1;
+        fxl_crossing_vertex(inside, outside, fxl_crossing_fraction(in, out), on->in->carried,
+                            vertex);
+    }
+}
+
+static uint32_t next_of(const pass *on, uint32_t vertex)
+{
+    return vertex + 1 == on->in->count ? 0 : vertex + 1;
+}
+
+static bool is_outside(const pass *on, int plane, uint32_t vertex)
+{
+    return ((uint32_t)on->codes[vertex] >> plane & 1u) != 0;
+}
+
+/* A vertex of the input: at most 0 where it counts as outside. */
+static fxl_q18_46 distance(const pass *on, int plane, uint32_t vertex)
+{
+    fxl_q18_46 exact =
+        fxl_normalised_distance(on->frustum, plane, &on->in->vertices[vertex].position);
+    return is_outside(on, plane, vertex) && exact > 0 ? 0 : exact;
+}
+
+/* The last plane through which an edge enters, and the first through which it
+ * leaves. False where it lies outside of one plane, or leaves before it enters: it is
+ * then not seen. */
+static bool find_crossings(const pass *on, uint32_t from, uint32_t to, crossing *enter,
+                           crossing *leave)
+{
+    uint32_t from_code = on->codes[from], to_code = on->codes[to];
+    enter->plane = leave->plane = FXL_PLANE_COUNT;
+    if ((from_code & to_code) != 0) {
+        return false;
+    }
+    for (int plane = 0; (from_code | to_code) >> plane != 0; plane++) {
+        if (((from_code | to_code) >> plane & 1u) == 0) {
+            continue;
+        }
+        crossing one = {plane, distance(on, plane, from), distance(on, plane, to)};
+        if ((from_code >> plane & 1u) != 0) {
+            if (enter->plane == FXL_PLANE_COUNT || before(enter, &one)) {
+                *enter = one;
+            }
+        } else if (leave->plane == FXL_PLANE_COUNT || before(&one, leave)) {
+            *leave = one;
+        }
+    }
+    return enter->plane == FXL_PLANE_COUNT || leave->plane == FXL_PLANE_COUNT ||
+           before(enter, leave);
+}
+
+/* The outline's crossing with a plane on the edge from one vertex to another, of
+ * which one is outside of the plane. */
+static const fxl_clip_vertex *cut_edge(pass *on, int plane, uint32_t from, uint32_t to)
+{
+    bool inward = is_outside(on, plane, from);
+    fxl_clip_vertex *vertex = &on->room->cuts[plane][inward].vertex;
+    if (on->room->cuts[plane][inward].edge != from) {
+        uint32_t inside = inward ? to : from, outside = inward ? from : to;
+        cross(on, &on->in->vertices[inside], &on->in->vertices[outside],
+              distance(on, plane, inside), distance(on, plane, outside), vertex);
+        on->room->cuts[plane][inward].edge = from;
+    }
+    return vertex;
+}
+
+/* Where the outline crosses a plane inward, or outward; null where it does not. */
+static const fxl_clip_vertex *cut_outline(pass *on, int plane, bool inward)
+{
+    for (uint32_t from = 0; from < on->in->count; from++) {
+        uint32_t to = next_of(on, from);
+        bool from_outside = is_outside(on, plane, from);
+        bool to_outside = is_outside(on, plane, to);
+        if (from_outside != to_outside && from_outside == inward) {
+            return cut_edge(on, plane, from, to);
+        }
+    }
+    return NULL;
+}
+
+/* The corner between two planes: along the polygon's cut by the first of them, where
+ * the second crosses it. Which is first is laid down, for a face is flat only to
+ * within a few units of 1/65536, and next to the eye that is a pixel. False where
+ * the second does not cross the cut, by as little. */
+static bool find_corner(pass *on, int plane, int other, fxl_clip_vertex *corner);
+
+/* An end of the polygon's cut by a plane. Where the outline crosses the plane before
+ * near or beyond far, those have cut before, and the end is a corner with them. */
+static bool find_end(pass *on, int plane, bool inward, fxl_clip_vertex *end)
+{
+    const fxl_clip_vertex *cut = cut_outline(on, plane, inward);
+    if (cut == NULL) {
+        return false;
+    }
+    fxl_copy_vertex(cut, on->in->carried, end);
+    for (int depth = FXL_PLANE_NEAR; depth <= FXL_PLANE_FAR && plane > FXL_PLANE_FAR; depth++) {
+        if (fxl_normalised_distance(on->frustum, depth, &end->position) < 0) {
+            fxl_clip_vertex nearer;
+            if (find_corner(on, depth, plane, &nearer)) {
+                fxl_copy_vertex(&nearer, on->in->carried, end);
+            }
+        }
+    }
+    return true;
+}
+
+static bool find_corner(pass *on, int plane, int other, fxl_clip_vertex *corner)
+{
+    int first = plane < other ? plane : other, second = plane < other ? other : plane;
+    fxl_clip_vertex from, to;
+    if (!find_end(on, first, false, &from) || !find_end(on, first, true, &to)) {
+        return false;
+    }
+    fxl_q18_46 a = fxl_normalised_distance(on->frustum, second, &from.position);
+    fxl_q18_46 b = fxl_normalised_distance(on->frustum, second, &to.position);
+    if ((a < 0) == (b < 0)) {
+        return false;
+    }
+    cross(on, a < 0 ? &to : &from, a < 0 ? &from : &to, a < 0 ? b : a, a < 0 ? a : b, corner);
+    return true;
+}
+
+/* The corners from a point on one plane to where the outline comes in again through
+ * another: along the polygon's cut by the plane, until the next plane cuts that off.
+ * A point is inside of what it was found inside of, whatever its rounding says. */
+static void append_corners(pass *on, const fxl_clip_vertex *at, int plane, int last)
+{
+    fxl_clip_vertex corners[2];
+    uint32_t spare = 0;
+    uint32_t met = 0;
+    while (plane != last && !on->full) {
+        crossing first = {FXL_PLANE_COUNT, 0, 0};
+        met |= (uint32_t)1 << plane;
+        const fxl_clip_vertex *end = cut_outline(on, plane, true);
+        if (end == NULL) {
+            return;
+        }
+        for (int other = 0; on->any >> other != 0; other++) {
+            crossing one = {other, fxl_normalised_distance(on->frustum, other, &at->position),
+                            fxl_normalised_distance(on->frustum, other, &end->position)};
+            one.from = one.from < 0 ? 0 : one.from;
+            if ((met >> other & 1u) == 0 && (on->any >> other & 1u) != 0 && one.to < 0 &&
+                (first.plane == FXL_PLANE_COUNT || before(&one, &first))) {
+                first = one;
+            }
+        }
+        if (first.plane == FXL_PLANE_COUNT) { /* the corner is lost in rounding */
+            return;
+        }
+        fxl_clip_vertex *corner = &corners[spare];
+        if (!find_corner(on, plane, first.plane, corner)) {
+            cross(on, at, end, first.from, first.to, corner);
+        }
+        append(on, corner);
+        at = corner;
+        spare ^= 1u;
+        plane = first.plane;
+    }
+}
+
+/* What an edge contributes: its first vertex if that is inside, then where it
+ * enters, after the corners on the way there, then where it leaves. */
+static void append_edge(pass *on, uint32_t from)
+{
+    uint32_t to = next_of(on, from);
+    crossing enter, leave;
+    if (on->codes[from] == 0) {
+        append(on, &on->in->vertices[from]);
+    }
+    if ((on->codes[from] | on->codes[to]) == 0 || !find_crossings(on, from, to, &enter, &leave)) {
+        return;
+    }
+    if (enter.plane != FXL_PLANE_COUNT) {
+        append_corners(on, cut_outline(on, on->exit_plane, false), on->exit_plane, enter.plane);
+        /* A vertex that is inside of all comes with the next edge. */
+        if (enter.to > 0 || on->codes[to] != 0) {
+            append(on, cut_edge(on, enter.plane, from, to));
+        }
+    }
+    if (leave.plane != FXL_PLANE_COUNT) {
+        on->exit_plane = leave.plane;
+        if (leave.from > 0 || on->codes[from] != 0) {
+            append(on, cut_edge(on, leave.plane, from, to));
+        }
+    }
+}
+
+/* An edge through which the polygon leaves the frustum; the count where there is
+ * none. */
+static uint32_t find_exit(const pass *on)
+{
+    crossing enter, leave;
+    uint32_t from = 0;
+    while (from < on->in->count && (on->codes[next_of(on, from)] == 0 ||
+                                    !find_crossings(on, from, next_of(on, from), &enter, &leave) ||
+                                    leave.plane == FXL_PLANE_COUNT)) {
+        from++;
+    }
+    return from;
+}
+
+/* No edge is seen: either the polygon fills the frustum from side to side, and all
+ * its vertices are corners, or there is nothing. The polygon's cut by some plane is
+ * then seen in part. */
+static void append_corners_alone(pass *on)
+{
+    for (int plane = 0; on->any >> plane != 0; plane++) {
+        fxl_clip_vertex corner;
+        crossing enter = {FXL_PLANE_COUNT, 0, 0}, leave = enter;
+        if ((on->any >> plane & 1u) == 0) {
+            continue;
+        }
+        const fxl_clip_vertex *from = cut_outline(on, plane, false);
+        const fxl_clip_vertex *to = cut_outline(on, plane, true);
+        if (from == NULL || to == NULL) {
+            continue;
+        }
+        bool outside = false;
+        for (int other = 0; on->any >> other != 0; other++) {
+            crossing one = {other, fxl_normalised_distance(on->frustum, other, &from->position),
+                            fxl_normalised_distance(on->frustum, other, &to->position)};
+            if (other == plane) {
+                continue;
+            }
+            outside = outside || (one.from < 0 && one.to < 0);
+            if (one.from < 0 && (enter.plane == FXL_PLANE_COUNT || before(&enter, &one))) {
+                enter = one;
+            } else if (one.from >= 0 && one.to < 0 &&
+                       (leave.plane == FXL_PLANE_COUNT || before(&one, &leave))) {
+                leave = one;
+            }
+        }
+        if (!outside && enter.plane != FXL_PLANE_COUNT && leave.plane != FXL_PLANE_COUNT &&
+            before(&enter, &leave)) {
+            if (!find_corner(on, plane, enter.plane, &corner)) {
+                cross(on, to, from, enter.to, enter.from, &corner);
+            }
+            append(on, &corner);
+            append_corners(on, &corner, plane, enter.plane);
+            return;
+        }
+    }
+}
+
+/* By the sliver rule a vertex that counts as outside of a plane gets its bit. */
+static void apply_sliver(pass *on)
+{
+    fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+    for (int plane = 0; on->any >> plane != 0; plane++) {
+        for (uint32_t i = 0; i < on->in->count; i++) {
+            distances[i] =
+                fxl_normalised_distance(on->frustum, plane, &on->in->vertices[i].position);
+        }
+        uint32_t inside = fxl_inside_bits(distances, on->in->count, on->room->account.sliver);
+        for (uint32_t i = 0; i < on->in->count; i++) {
+            on->codes[i] |= (uint8_t)((~inside >> i & 1u) << plane);
+        }
+    }
+}
+
+/* Codes of all vertices; answers what all of them have in common. */
+static uint32_t set_codes(pass *on)
+{
+    uint32_t all = UINT32_MAX;
+    for (uint32_t i = 0; i < on->in->count; i++) {
+        uint32_t code = fxl_normalised_code(on->frustum, &on->in->vertices[i].position);
+        on->codes[i] = (uint8_t)code;
+        on->any |= code;
+    }
+    if (on->room->account.sliver > 0) {
+        apply_sliver(on);
+    }
+    for (uint32_t i = 0; i < on->in->count; i++) {
+        all &= on->codes[i];
+    }
+    return all;
+}
+
+static void start_pass(pass *on, fxl_clip_once_room *room)
+{
+    on->room = room;
+    on->out = &room->polygon;
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        room->cuts[plane][0].edge = room->cuts[plane][1].edge = FXL_POLYGON_CAPACITY;
+    }
+}
+
+fxl_clip_result fxl_clip_once(const fxl_clip_polygon *in, const fxl_normalised *frustum,
+                              fxl_clip_once_room *room, const fxl_clip_polygon **result)
+{
+    FXL_ASSERT(in != &room->polygon && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
+    pass on = {.in = in, .frustum = frustum};
+    start_pass(&on, room);
+    *result = NULL;
+    if (set_codes(&on) != 0) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    if (on.any == 0) {
+        *result = in;
+        return FXL_CLIP_INSIDE;
+    }
+    uint32_t start = find_exit(&on);
+    if (start == in->count) {
+        append_corners_alone(&on);
+    } else {
+        crossing enter, leave;
+        find_crossings(&on, start, next_of(&on, start), &enter, &leave);
+        on.exit_plane = leave.plane;
+        for (uint32_t left = in->count, at = start; left > 0; left--) {
+            at = next_of(&on, at);
+            append_edge(&on, at);
+        }
+    }
+    if (on.full) {
+        return FXL_CLIP_CAPACITY;
+    }
+    if (on.count < 3) {
+        return on.count == 0 ? FXL_CLIP_OUTSIDE : FXL_CLIP_DEGENERATE;
+    }
+    on.out->colour = in->colour;
+    on.out->carried = in->carried;
+    on.out->count = (uint8_t)on.count;
+    *result = on.out;
+    return FXL_CLIP_CUT;
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* Where an edge crosses a plane, for the family of clippers. Not part of the
+ * public interface. */
+#ifndef FXL_CROSSING_H
+#define FXL_CROSSING_H
+
+#include "fixel/clip_record.h"
+
+/* floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside and a
+ * difference below 2^63: as distances of points below 2^61 from one plane have. */
+uint64_t fxl_crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside);
+
+/* from + (to - from) fraction / 2^64 for both below 2^61, rounded towards from:
+ * less than one unit. */
+fxl_q18_46 fxl_crossing_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction);
+
+/* The same for a number that is carried, to the nearest: half a unit. */
+fxl_q16_16 fxl_crossing_carried(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction);
+
+/* The vertex at a fraction of the way from the inside to the outside end. Always
+ * in this direction, so that both owners of an edge get the same bits.
+ * Error: less than 1 unit of 2^-46 a coordinate, 0.51 unit of 2^-16 a number that
+ * is carried. vertex may be neither end. */
+void fxl_crossing_vertex(const fxl_clip_vertex *inside, const fxl_clip_vertex *outside,
+                         uint64_t fraction, uint32_t carried, fxl_clip_vertex *vertex);
+
+/* Cuts a polygon by one plane, from its vertices' distances (Sutherland and
+ * Hodgman): a vertex at distance >= 0 is inside. What is written when is what
+ * fxl_clip_to_plane says. Requires distances below 2^63. */
+fxl_clip_result fxl_cut(const fxl_clip_polygon *in, const fxl_q18_46 *distances,
+                        fxl_clip_account *account, fxl_clip_polygon *out);
+
+/* A bit for each vertex that counts as inside, by its distance and the sliver rule.
+ * Requires count <= 32. */
+uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver);
+
+/* A vertex without the numbers that are not used. */
+void fxl_copy_vertex(const fxl_clip_vertex *from, uint32_t carried, fxl_clip_vertex *to);
+
+#endif

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/half_space.h"
+
+#include "arith.h"
+#include "crossing.h"
+
+/* floor(normal . point / 2^30) for |x| + |y| + |z| < 2^31 of the normal and
+ * coordinates below 2^61, exactly: below 2^62. With v = 2^32 high + low the sum is
+ * 2^32 (normal . high) + normal . low: the first bracket is below 2^60, the second
+ * below 2^63, and 2^32 is divisible by 2^30. Components that are 0, as most are,
+ * cost no product. */
+fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
+{
+    int64_t high = 0, low = 0;
+    if (plane->normal.x != 0) {
+        high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));
+        low += fxl_multiply_su32(plane->normal.x, (uint32_t)point->x);
+    }
+    if (plane->normal.y != 0) {
+        high += fxl_multiply_s32(plane->normal.y, (int32_t)(point->y >> 32));
+        low += fxl_multiply_su32(plane->normal.y, (uint32_t)point->y);
+    }
+    if (plane->normal.z != 0) {
+        high += fxl_multiply_s32(plane->normal.z, (int32_t)(point->z >> 32));
+        low += fxl_multiply_su32(plane->normal.z, (uint32_t)point->z);
+    }
+    return high * 4 + (low >> 30) + plane->offset;
+}
+
+static uint32_t larger_of(fxl_q16_16 a, fxl_q16_16 b)
+{
+    uint64_t first = fxl_magnitude(a), second = fxl_magnitude(b);
+    return (uint32_t)(first > second ? first : second);
+}
+
+/* across * axis + along * depth >= 0, both brought up until the larger one has 30
+ * bits: exact, and their sum stays below 2^31. The larger one is not 0. */
+static fxl_half_space side_plane(bool upright, fxl_q16_16 across, fxl_q16_16 along)
+{
+    uint32_t larger = larger_of(across, along);
+    FXL_ASSERT(larger > 0 && larger < (uint32_t)1 << 30);
+    int32_t up = (int32_t)((uint32_t)1 << (30u - fxl_bit_length(larger)));
+    fxl_half_space plane = {{0, 0, along * up}, 0};
+    if (upright) {
+        plane.normal.y = across * up;
+    } else {
+        plane.normal.x = across * up;
+    }
+    return plane;
+}
+
+/* Depths in 16.16 below 2^31: below 2^61. */
+static void set_depths(fxl_volume *volume, fxl_q18_46 near, fxl_q18_46 far)
+{
+    volume->planes[FXL_PLANE_NEAR] = (fxl_half_space){{0, 0, FXL_Q2_30_ONE}, -near};
+    volume->planes[FXL_PLANE_FAR] = (fxl_half_space){{0, 0, -FXL_Q2_30_ONE}, far};
+}
+
+void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
+{
+    FXL_ASSERT((screen >> FXL_PLANE_NEAR & 1u) != 0 && (screen >> FXL_PLANE_FAR & 1u) != 0);
+    fxl_view_frustum sides;
+    fxl_view_frustum_from_lens(lens, &sides);
+    set_depths(volume, sides.near, sides.far);
+    for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
+        bool upright = plane == FXL_PLANE_BOTTOM || plane == FXL_PLANE_TOP;
+        int32_t sign = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM ? 1 : -1;
+        fxl_half_space *to = &volume->planes[plane];
+        if ((screen >> plane & 1u) == 0) {
+            *to = side_plane(upright, sign * lens->focal, FXL_GUARD_PIXELS * FXL_Q16_16_ONE);
+        } else if (upright) {
+            *to = (fxl_half_space){{0, sign * sides.y_side, sides.y_depth}, -sides.inset};
+        } else {
+            *to = (fxl_half_space){{sign * sides.x_side, 0, sides.x_depth}, -sides.inset};
+        }
+    }
+}
+
+fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 bottom,
+                                  fxl_q16_16 top, fxl_q16_16 near, fxl_q16_16 far,
+                                  fxl_volume *volume)
+{
+    if (volume == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const int32_t limit = FXL_COORDINATE_MAX;
+    if (near < FXL_NEAR_MIN || near > limit || near >= far || far > FXL_FAR_MAX || left >= right ||
+        bottom >= top || left < -limit || right > limit || bottom < -limit || top > limit) {
+        return FXL_E_RANGE;
+    }
+    set_depths(volume, near * (int64_t)FXL_Q2_30_ONE, far * (int64_t)FXL_Q2_30_ONE);
+    volume->planes[FXL_PLANE_LEFT] = side_plane(false, near, -left);
+    volume->planes[FXL_PLANE_RIGHT] = side_plane(false, -near, right);
+    volume->planes[FXL_PLANE_BOTTOM] = side_plane(true, near, -bottom);
+    volume->planes[FXL_PLANE_TOP] = side_plane(true, -near, top);
+    return FXL_OK;
+}
+
+/* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's
+ * distance is below 2^62. */
+void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
+{
+    half_space->normal = plane->normal;
+    half_space->offset = -plane->distance;
+}
+
+void fxl_clip_place(const fxl_point *point, fxl_view_point *place)
+{
+    FXL_ASSERT(fxl_point_in_range(point));
+    place->x = point->x * (int64_t)FXL_Q2_30_ONE;
+    place->y = point->y * (int64_t)FXL_Q2_30_ONE;
+    place->z = point->z * (int64_t)FXL_Q2_30_ONE;
+}
+
+uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point)
+{
+    uint32_t code = 0;
+    for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
+        code |= (uint32_t)(fxl_half_space_distance(&volume->planes[i], point) < 0) << i;
+    }
+    return code;
+}
+
+bool fxl_volume_holds(const fxl_volume *volume, const fxl_view_point *point)
+{
+    for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
+        if (fxl_half_space_distance(&volume->planes[i], point) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+fxl_clip_result fxl_clip_to_half_space(const fxl_clip_polygon *in, const fxl_half_space *plane,
+                                       fxl_clip_account *account, fxl_clip_polygon *out,
+                                       fxl_q18_46 *distances)
+{
+    for (uint32_t i = 0; i < in->count; i++) {
+        distances[i] = fxl_half_space_distance(plane, &in->vertices[i].position);
+    }
+    return fxl_cut(in, distances, account, out);
+}
+
+fxl_clip_result fxl_clip_to_volume(const fxl_clip_polygon *in, const fxl_volume *volume,
+                                   fxl_clip_room *room, const fxl_clip_polygon **result)
+{
+    uint32_t any = 0, all = UINT32_MAX;
+    for (uint32_t i = 0; i < in->count; i++) {
+        uint32_t code = fxl_volume_code(volume, &in->vertices[i].position);
+        any |= code;
+        all &= code;
+    }
+    *result = NULL;
+    if (all != 0) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    const fxl_clip_polygon *current = in;
+    uint32_t spare = in == &room->polygons[0] ? 1 : 0;
+    fxl_clip_result so_far = FXL_CLIP_INSIDE;
+    for (int plane = 0; any >> plane != 0; plane++) {
+        if ((any >> plane & 1u) == 0) {
+            continue;
+        }
+        fxl_clip_polygon *out = &room->polygons[spare];
+        fxl_clip_result cut = fxl_clip_to_half_space(current, &volume->planes[plane],
+                                                     &room->account, out, room->distances);
+        if (cut == FXL_CLIP_CUT) {
+            current = out;
+            spare ^= 1u;
+            so_far = FXL_CLIP_CUT;
+        } else if (cut != FXL_CLIP_INSIDE) {
+            return cut;
+        }
+    }
+    *result = current;
+    return so_far;
+}
