@@ -30,6 +30,18 @@ void fxl_crossing_vertex(const fxl_clip_vertex *inside, const fxl_clip_vertex *o
 fxl_clip_result fxl_cut(const fxl_clip_polygon *in, const fxl_q18_46 *distances,
                         fxl_clip_account *account, fxl_clip_polygon *out);
 
+/* A polygon's distances from one of a clipper's planes. */
+typedef void (*fxl_measure)(const void *planes, int plane, const fxl_clip_polygon *polygon,
+                            fxl_q18_46 *distances);
+
+/* Cuts a polygon by the planes that any of its vertices lies outside of, in order.
+ * any, all: the OR and the AND of the vertices' codes, at most 31 planes. *result
+ * points to the input itself where no plane cut it, else into room; null where
+ * nothing is left. */
+fxl_clip_result fxl_cut_by_planes(const fxl_clip_polygon *in, uint32_t any, uint32_t all,
+                                  fxl_measure measure, const void *planes, fxl_clip_room *room,
+                                  const fxl_clip_polygon **result);
+
 /* A bit for each vertex that counts as inside, by its distance and the sliver rule.
  * Requires count <= 32. */
 uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver);

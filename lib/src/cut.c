@@ -110,3 +110,33 @@ fxl_clip_result fxl_cut(const fxl_clip_polygon *in, const fxl_q18_46 *distances,
     out->count = (uint8_t)cut.count;
     return FXL_CLIP_CUT;
 }
+
+fxl_clip_result fxl_cut_by_planes(const fxl_clip_polygon *in, uint32_t any, uint32_t all,
+                                  fxl_measure measure, const void *planes, fxl_clip_room *room,
+                                  const fxl_clip_polygon **result)
+{
+    *result = NULL;
+    if (all != 0) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    const fxl_clip_polygon *current = in;
+    uint32_t spare = in == &room->polygons[0] ? 1 : 0;
+    fxl_clip_result so_far = FXL_CLIP_INSIDE;
+    for (int plane = 0; any >> plane != 0; plane++) {
+        if ((any >> plane & 1u) == 0) {
+            continue;
+        }
+        fxl_clip_polygon *out = &room->polygons[spare];
+        measure(planes, plane, current, room->distances);
+        fxl_clip_result cut = fxl_cut(current, room->distances, &room->account, out);
+        if (cut == FXL_CLIP_CUT) {
+            current = out;
+            spare ^= 1u;
+            so_far = FXL_CLIP_CUT;
+        } else if (cut != FXL_CLIP_INSIDE) {
+            return cut;
+        }
+    }
+    *result = current;
+    return so_far;
+}

@@ -141,6 +141,16 @@ fxl_clip_result fxl_clip_to_half_space(const fxl_clip_polygon *in, const fxl_hal
     return fxl_cut(in, distances, account, out);
 }
 
+static void measure(const void *planes, int plane, const fxl_clip_polygon *polygon,
+                    fxl_q18_46 *distances)
+{
+    const fxl_volume *volume = planes;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        distances[i] =
+            fxl_half_space_distance(&volume->planes[plane], &polygon->vertices[i].position);
+    }
+}
+
 fxl_clip_result fxl_clip_to_volume(const fxl_clip_polygon *in, const fxl_volume *volume,
                                    fxl_clip_room *room, const fxl_clip_polygon **result)
 {
@@ -150,28 +160,5 @@ fxl_clip_result fxl_clip_to_volume(const fxl_clip_polygon *in, const fxl_volume 
         any |= code;
         all &= code;
     }
-    *result = NULL;
-    if (all != 0) {
-        return FXL_CLIP_OUTSIDE;
-    }
-    const fxl_clip_polygon *current = in;
-    uint32_t spare = in == &room->polygons[0] ? 1 : 0;
-    fxl_clip_result so_far = FXL_CLIP_INSIDE;
-    for (int plane = 0; any >> plane != 0; plane++) {
-        if ((any >> plane & 1u) == 0) {
-            continue;
-        }
-        fxl_clip_polygon *out = &room->polygons[spare];
-        fxl_clip_result cut = fxl_clip_to_half_space(current, &volume->planes[plane],
-                                                     &room->account, out, room->distances);
-        if (cut == FXL_CLIP_CUT) {
-            current = out;
-            spare ^= 1u;
-            so_far = FXL_CLIP_CUT;
-        } else if (cut != FXL_CLIP_INSIDE) {
-            return cut;
-        }
-    }
-    *result = current;
-    return so_far;
+    return fxl_cut_by_planes(in, any, all, measure, volume, room, result);
 }

@@ -155,6 +155,15 @@ fxl_q18_46 fxl_normalised_distance(const fxl_normalised *frustum, int plane,
     }
 }
 
+static void measure(const void *planes, int plane, const fxl_clip_polygon *polygon,
+                    fxl_q18_46 *distances)
+{
+    const fxl_normalised *frustum = planes;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        distances[i] = fxl_normalised_distance(frustum, plane, &polygon->vertices[i].position);
+    }
+}
+
 fxl_clip_result fxl_clip_normalised(const fxl_clip_polygon *in, const fxl_normalised *frustum,
                                     fxl_clip_room *room, const fxl_clip_polygon **result)
 {
@@ -164,33 +173,7 @@ fxl_clip_result fxl_clip_normalised(const fxl_clip_polygon *in, const fxl_normal
         any |= code;
         all &= code;
     }
-    *result = NULL;
-    if (all != 0) {
-        return FXL_CLIP_OUTSIDE;
-    }
-    const fxl_clip_polygon *current = in;
-    uint32_t spare = in == &room->polygons[0] ? 1 : 0;
-    fxl_clip_result so_far = FXL_CLIP_INSIDE;
-    for (int plane = 0; any >> plane != 0; plane++) {
-        if ((any >> plane & 1u) == 0) {
-            continue;
-        }
-        for (uint32_t i = 0; i < current->count; i++) {
-            room->distances[i] =
-                fxl_normalised_distance(frustum, plane, &current->vertices[i].position);
-        }
-        fxl_clip_polygon *out = &room->polygons[spare];
-        fxl_clip_result cut = fxl_cut(current, room->distances, &room->account, out);
-        if (cut == FXL_CLIP_CUT) {
-            current = out;
-            spare ^= 1u;
-            so_far = FXL_CLIP_CUT;
-        } else if (cut != FXL_CLIP_INSIDE) {
-            return cut;
-        }
-    }
-    *result = current;
-    return so_far;
+    return fxl_cut_by_planes(in, any, all, measure, frustum, room, result);
 }
 
 fxl_status fxl_normalised_project(const fxl_normalised *frustum, const fxl_view_point *point,
