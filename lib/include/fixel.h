@@ -43,6 +43,7 @@
 #include "fixel/scan.h"
 #include "fixel/scan_box.h"
 #include "fixel/scene.h"
+#include "fixel/span_buffer.h"
 #include "fixel/sphere.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
