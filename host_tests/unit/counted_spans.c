@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "counted_spans.h"
 
+#include <string.h>
+
 static uint8_t *counted_writes;
 static uint32_t counted_width;
 

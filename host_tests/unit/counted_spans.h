@@ -3,7 +3,7 @@
 #ifndef COUNTED_SPANS_H
 #define COUNTED_SPANS_H
 
-#include "unit.h"
+#include "fixel.h"
 
 /* span_buffer.c, but that each span that it fills is counted. */
 fxl_span_buffer *counted_span_buffer_make(void *memory, uint32_t size, uint16_t height);

@@ -5,11 +5,11 @@
 
 enum {
     WIDTH = 16,
-    HEIGHT = 32,
+    HEIGHT = 24,
     BACKGROUND = 200,
     ORDER = TINY_OBJECTS + 6,
     LIST_WORDS = 9 * FXL_LIST_WORDS(6),
-    INTERVALS = 200 /* more than a frame of the tests ever wants */
+    INTERVALS = 80 /* more than a frame of the tests ever wants */
 };
 
 /* What a frame is drawn with. */

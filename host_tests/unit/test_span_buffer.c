@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The span buffer: each pixel is drawn once, by the first that covers it. */
 #include "counted_spans.h"
+#include "unit.h"
 
 enum {
     WIDTH = 24,
