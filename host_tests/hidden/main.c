@@ -16,7 +16,7 @@
 
 enum {
     BACKGROUND = 0,
-    OTHERS = 8,                  /* ways beside the painter's, for each frame */
+    OTHERS = 24,                 /* ways beside the painter's, for each frame */
     PLENTY = 1u << 20,           /* words of a list that holds any frame here */
     INTERVALS = FXL_COVERED_END, /* of the largest pool */
     CACHE = 256

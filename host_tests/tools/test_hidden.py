@@ -28,7 +28,7 @@ def test_the_span_buffer_draws_the_painters_picture(found):
     """Whole and in bands, with any list and any pool, by both scans."""
     scene, tally = found
     assert tally["frames"] == (1 if scene == "w3" else min(FRAMES, 16 if scene == "tiny" else FRAMES))
-    assert tally["covered"] > 0 and tally["draws"] == 8 * tally["frames"]
+    assert tally["covered"] > 0 and tally["draws"] == 24 * tally["frames"]
     assert min(tally[name] for name in ("in_bands", "with_small_list", "with_least_pool", "by_box")) > 0
     assert tally["differing"] == 0
     assert tally["miscounted"] == 0
