@@ -7,7 +7,7 @@
 #include "fixel/fill.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 440 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 448 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 /* A walk over the scene: with a band it paints, without one it fills the list. */

@@ -26,7 +26,7 @@ typedef struct {
 
 _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "fxl_place");
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 440 bytes and
+/* A renderer, which the caller owns. On a core of 32 bits it takes 448 bytes and
  * 80 for each vertex of FXL_POLYGON_CAPACITY: 3000 where that is 32, 1400 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only, but for the clipper. */
