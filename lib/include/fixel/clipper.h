@@ -33,4 +33,21 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
 fxl_clip_result fxl_clip_by_world(const fxl_placed *placed, const fxl_face *face,
                                   fxl_clipper_work *work, fxl_screen_polygon *screen);
 
+/* The family's clippers (SPEC.md, chapter 6b). Each needs room in placed->view->room
+ * (clipper_room.h), cleared before its first frame. */
+fxl_clip_result fxl_clip_by_normalised(const fxl_placed *placed, const fxl_face *face,
+                                       fxl_clipper_work *work, fxl_screen_polygon *screen);
+fxl_clip_result fxl_clip_by_once(const fxl_placed *placed, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen);
+fxl_clip_result fxl_clip_by_half_spaces(const fxl_placed *placed, const fxl_face *face,
+                                        fxl_clipper_work *work, fxl_screen_polygon *screen);
+fxl_clip_result fxl_clip_by_near(const fxl_placed *placed, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen);
+fxl_clip_result fxl_clip_by_left(const fxl_placed *placed, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen);
+fxl_clip_result fxl_clip_by_triangles(const fxl_placed *placed, const fxl_face *face,
+                                      fxl_clipper_work *work, fxl_screen_polygon *screen);
+bool fxl_next_by_triangles(const fxl_placed *placed, fxl_clipper_work *work,
+                           fxl_screen_polygon *screen);
+
 #endif
