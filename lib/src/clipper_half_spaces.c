@@ -46,8 +46,8 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in,
     return fxl_cut_by_volume(in, any & FXL_PLANES_ALL, &room->volume, &room->clip, result);
 }
 
-fxl_clip_result fxl_clip_by_half_spaces(const fxl_placed *placed, const fxl_face *face,
-                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
+static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
 {
     static const fxl_way way = {see, project, input, cut, FXL_PLANES_ALL};
     const fxl_view *view = placed->view;
@@ -59,3 +59,5 @@ fxl_clip_result fxl_clip_by_half_spaces(const fxl_placed *placed, const fxl_face
     }
     return fxl_family_take(placed, face, screen, &way);
 }
+
+const fxl_clipper fxl_clipper_half_spaces = {clip, NULL, sizeof(fxl_volume_room)};

@@ -16,8 +16,8 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in,
     return fxl_beyond_cut(placed, in, any, SCREEN, result);
 }
 
-fxl_clip_result fxl_clip_by_left(const fxl_placed *placed, const fxl_face *face,
-                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
+static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
 {
     static const fxl_way way = {see, fxl_beyond_project, fxl_beyond_input, cut,
                                 SCREEN | FXL_FAMILY_BEYOND};
@@ -25,3 +25,5 @@ fxl_clip_result fxl_clip_by_left(const fxl_placed *placed, const fxl_face *face,
     fxl_beyond_set_up(placed, SCREEN);
     return fxl_family_take(placed, face, screen, &way);
 }
+
+const fxl_clipper fxl_clipper_left = {clip, NULL, sizeof(fxl_volume_room)};

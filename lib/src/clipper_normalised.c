@@ -30,8 +30,8 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in,
     return fxl_cut_by_normalised(in, any & FXL_PLANES_ALL, &room->frustum, &room->clip, result);
 }
 
-fxl_clip_result fxl_clip_by_normalised(const fxl_placed *placed, const fxl_face *face,
-                                       fxl_clipper_work *work, fxl_screen_polygon *screen)
+static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
 {
     static const fxl_way way = {see, project, input, cut, FXL_PLANES_ALL};
     fxl_normalised_room *room = room_of(placed);
@@ -39,3 +39,5 @@ fxl_clip_result fxl_clip_by_normalised(const fxl_placed *placed, const fxl_face 
     fxl_normalised_set_up(placed->view, &room->frame, &room->frustum);
     return fxl_family_take(placed, face, screen, &way);
 }
+
+const fxl_clipper fxl_clipper_normalised = {clip, NULL, sizeof(fxl_normalised_room)};

@@ -88,11 +88,10 @@ static bool begin_triangle(const fxl_placed *placed, fxl_fan_room *room, fxl_scr
     return whole && has_area(&screen->points[0], &screen->points[1], &screen->points[2]);
 }
 
-bool fxl_next_by_triangles(const fxl_placed *placed, fxl_clipper_work *work,
-                           fxl_screen_polygon *screen)
+/* The face's next piece; false where there is none. */
+static bool next_of_fan(const fxl_placed *placed, fxl_screen_polygon *screen)
 {
     fxl_fan_room *room = room_of(placed);
-    (void)work;
     screen->colour = room->face->colour;
     for (;;) {
         if (next_piece(placed, room, screen)) {
@@ -107,12 +106,13 @@ bool fxl_next_by_triangles(const fxl_placed *placed, fxl_clipper_work *work,
     }
 }
 
-fxl_clip_result fxl_clip_by_triangles(const fxl_placed *placed, const fxl_face *face,
-                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
+static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
 {
     const fxl_view *view = placed->view;
     fxl_fan_room *room = room_of(placed);
     unsigned any = 0, all = FXL_PLANES_ALL;
+    (void)work;
     if (room->frame != view->frame) {
         fxl_volume_from_sides(&view->view_frustum, view->lens.focal, DEPTHS, &room->volume);
         room->frame = view->frame;
@@ -131,8 +131,17 @@ fxl_clip_result fxl_clip_by_triangles(const fxl_placed *placed, const fxl_face *
     room->corner = 2;
     room->clip.flat_count = room->clip.solid_count = 0;
     bool is_cut = (any & FXL_PLANES_ALL) != 0;
-    if (!fxl_next_by_triangles(placed, work, screen)) {
+    if (!next_of_fan(placed, screen)) {
         return is_cut ? FXL_CLIP_OUTSIDE : FXL_CLIP_DEGENERATE;
     }
     return is_cut ? FXL_CLIP_CUT : FXL_CLIP_INSIDE;
 }
+
+static fxl_clip_result next(const fxl_placed *placed, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
+{
+    (void)work;
+    return next_of_fan(placed, screen) ? FXL_CLIP_INSIDE : FXL_CLIP_OUTSIDE;
+}
+
+const fxl_clipper fxl_clipper_triangles = {clip, next, sizeof(fxl_fan_room)};

@@ -28,9 +28,9 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_face *face, fxl_c
     seen->colour = face->colour;
     seen->count = face->count;
     seen->textured = false;
-    fxl_clip_result result = fxl_cut_view_by_planes(seen, &view->view_frustum,
-                                                    (fxl_planes)(of_any & FXL_PLANES_ALL), work,
-                                                    view->room, &clipped);
+    fxl_clip_result result =
+        fxl_cut_view_by_planes(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
+                               work, view->room, &clipped);
     if (clipped == NULL) {
         return result;
     }
@@ -69,3 +69,5 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
     screen->count = face->count;
     return FXL_CLIP_INSIDE;
 }
+
+const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view};

@@ -54,8 +54,8 @@ static inline bool fxl_family_project(const fxl_placed *placed, fxl_seen_vertex 
 
 /* Every vertex as it is. Before one whose state has a bit of stop: FXL_CLIP_CUT. */
 static inline fxl_clip_result fxl_family_take_whole(const fxl_placed *placed, const fxl_face *face,
-                                                    fxl_screen_polygon *screen,
-                                                    const fxl_way *way, unsigned stop)
+                                                    fxl_screen_polygon *screen, const fxl_way *way,
+                                                    unsigned stop)
 {
     const uint16_t *corners = placed->corners + face->first_corner;
     for (uint32_t i = 0; i < face->count; i++) {
@@ -91,8 +91,8 @@ static inline fxl_clip_result fxl_family_show(const fxl_placed *placed,
 static inline fxl_clip_result fxl_family_take(const fxl_placed *placed, const fxl_face *face,
                                               fxl_screen_polygon *screen, const fxl_way *way)
 {
-    fxl_clip_result whole = fxl_family_take_whole(placed, face, screen, way,
-                                                  FXL_PLANES_ALL | FXL_FAMILY_BEYOND);
+    fxl_clip_result whole =
+        fxl_family_take_whole(placed, face, screen, way, FXL_PLANES_ALL | FXL_FAMILY_BEYOND);
     if (whole != FXL_CLIP_CUT) {
         return whole;
     }

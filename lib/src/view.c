@@ -15,8 +15,9 @@ fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)
 {
     fxl_status status = fxl_camera_from_pose(pose, &view->camera);
     if (status == FXL_OK) {
-        view->frame += 1;
         view->frustum_ready = false;
+        view->frame += 1;
+        view->frame += view->frame == 0;
     }
     return status;
 }
