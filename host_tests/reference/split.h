@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* Splitting polygons of the world by planes (SPEC.md 7a), in double. */
+#ifndef REF_SPLIT_H
+#define REF_SPLIT_H
+
+#include "reference/record.h"
+
+typedef struct {
+    int count;
+    ref_point points[REF_POLYGON_CAPACITY];
+} ref_piece;
+
+typedef enum {
+    REF_SPLIT_FRONT,   /* nothing behind the plane */
+    REF_SPLIT_BACK,    /* nothing in front, something behind */
+    REF_SPLIT_BOTH,    /* front and back are its parts */
+    REF_SPLIT_CAPACITY /* a part has more than REF_POLYGON_CAPACITY points: refused */
+} ref_split_result;
+
+/* The point of the edge where the distance is 0, counted from the end in front. */
+ref_point ref_split_edge(const ref_point *front, const ref_point *behind,
+                         long double front_distance, long double behind_distance);
+
+ref_split_result ref_split_piece(const ref_piece *in, const ref_plane *plane, ref_piece *front,
+                                 ref_piece *back);
+
+#endif
