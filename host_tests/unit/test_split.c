@@ -147,13 +147,29 @@ void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
         int64_t da = fxl_plane_distance(&plane, &a), db = fxl_plane_distance(&plane, &b);
         fxl_point at = fxl_split_edge(&a, &b, da, db);
         double t = (double)da / ((double)da - (double)db);
-        TEST_ASSERT_NEAR(at.x, a.x + t * ((double)b.x - a.x), 0.51);
-        TEST_ASSERT_NEAR(at.y, a.y + t * ((double)b.y - a.y), 0.51);
-        TEST_ASSERT_NEAR(at.z, a.z + t * ((double)b.z - a.z), 0.51);
-        TEST_ASSERT_NEAR(unit_of(fxl_plane_distance(&plane, &at)), 0, 0.89);
+        TEST_ASSERT_NEAR(at.x, a.x + t * ((double)b.x - a.x), 0.5 + 0x1p-20);
+        TEST_ASSERT_NEAR(at.y, a.y + t * ((double)b.y - a.y), 0.5 + 0x1p-20);
+        TEST_ASSERT_NEAR(at.z, a.z + t * ((double)b.z - a.z), 0.5 + 0x1p-20);
+        TEST_ASSERT_NEAR(unit_of(fxl_plane_distance(&plane, &at)), 0, 0.87);
         asked++;
     }
     TEST_ASSERT_TRUE(asked > UNIT_REPEAT / 8);
+}
+
+/* Halves go away from the end in front, where the fraction ends (1/2) and where it does not
+ * (1/3 of 1.5 units, 1/10 of 5). */
+void test_halves_go_away_from_the_front(void)
+{
+    const struct {
+        int front, behind, extent, want;
+    } cases[] = {{1, -1, 3, 2}, {1, -1, -3, -2}, {2, -4, 3, 1}, {1, -9, 5, 1}, {1, -9, -25, -3}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fxl_point a = {cases[i].front, 0, 0}, b = {cases[i].behind, cases[i].extent, 0};
+        fxl_point at = fxl_split_edge(&a, &b, fxl_plane_distance(&wall, &a),
+                                      fxl_plane_distance(&wall, &b));
+        TEST_ASSERT_EQUAL_INT32(0, at.x);
+        TEST_ASSERT_EQUAL_INT32(cases[i].want, at.y);
+    }
 }
 
 /* Triangles on both sides of an edge, each walked its own way, and the same planes

@@ -5,15 +5,26 @@
 #include "crossing.h"
 #include "fixel/plane.h"
 
+/* from + (to - from) fraction / 2^64 to the nearest, halves away from `from`. |to - from| is
+ * below 2^31, so the part below 2^62 is good to 2 units of 2^-31: downward, and by 2^-25 more
+ * than a half is added, so that a half counts as one whether or not the fraction is exact. */
+static fxl_q16_16 along(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
+{
+    int64_t extent = (int64_t)to - from;
+    uint64_t part = fxl_multiply_high(fxl_magnitude(extent) << 31, fraction);
+    int64_t whole = (int64_t)((part + (1u << 30) + (1u << 6)) >> 31);
+    return (fxl_q16_16)(extent < 0 ? from - whole : from + whole);
+}
+
 /* The distances' difference is the plane's normal times the difference of two points, so
- * below 2^61; a coordinate's extent is below 2^31. */
+ * below 2^61. */
 fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
                          fxl_q18_46 behind_distance)
 {
+    FXL_ASSERT(front_distance > 0 && behind_distance < 0);
     uint64_t fraction = fxl_crossing_fraction(front_distance, behind_distance);
-    fxl_point point = {fxl_crossing_carried(front->x, behind->x, fraction),
-                       fxl_crossing_carried(front->y, behind->y, fraction),
-                       fxl_crossing_carried(front->z, behind->z, fraction)};
+    fxl_point point = {along(front->x, behind->x, fraction), along(front->y, behind->y, fraction),
+                       along(front->z, behind->z, fraction)};
     return point;
 }
 

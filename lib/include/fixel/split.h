@@ -21,10 +21,12 @@ typedef enum {
 
 /* Where an edge crosses a plane, from the end in front (distance > 0) to the end behind
  * (distance < 0). Always in this direction, so that all owners of an edge get the same
- * bits, whichever way they walk it and on whichever side they lie.
+ * bits, whichever way they walk it and on whichever side they lie. Each coordinate is that
+ * of the exact crossing, rounded to the nearest unit of 1/65536; halves, to within 2^-25
+ * unit, go away from the end in front. Those integers are the crossing.
  * Requires both in range and their distances from one plane (fxl_plane_distance).
- * Error: 0.51 unit of 1/65536 a coordinate from the edge, so 0.89 unit from the edge and
- * from the plane. */
+ * Error: 0.5 + 2^-25 unit a coordinate from the edge, so 0.87 unit from the edge and from
+ * the plane. */
 fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
                          fxl_q18_46 behind_distance);
 
