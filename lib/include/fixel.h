@@ -46,6 +46,7 @@
 #include "fixel/scene.h"
 #include "fixel/span_buffer.h"
 #include "fixel/sphere.h"
+#include "fixel/split.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
 #include "fixel/triangle.h"
