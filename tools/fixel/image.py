@@ -84,6 +84,7 @@ class SceneImage:
     start: tuple = (0, 0, 0, 0, 0, 0)
     gait: tuple = (0, 0, 0, 0)          # acceleration, friction, top speed, turn
     tree: Tree = None
+    moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     size: int = field(default=0, compare=False)
     crc: int = field(default=0, compare=False)
 
@@ -366,7 +367,7 @@ def unpack(blob):
         fail("count", "the header says whose the tree is, but there is none")
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, fields[3], fields[4])
+                      kind, path, start, gait, tree, size=fields[3], crc=fields[4])
 
 
 def load(path):

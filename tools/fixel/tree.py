@@ -322,15 +322,42 @@ def grow(parts, lines, progress=None):
     return nodes, faces, counts
 
 
-def plant(scene, layer, moving=(), progress=None):
-    """The scene with the objects of a layer, but for those that may move, merged into one with a
-    tree; and the counts. Objects of other layers stay as they are, the new one is the last."""
-    members = [i for i, item in enumerate(scene.objects) if item.layer == layer and i not in moving]
+def layers_of(text, scene):
+    """The layers that "all", "5" or "2,4,5" names; "most": the one with the most faces."""
+    faces = {}
+    for item in scene.objects:
+        faces[item.layer] = faces.get(item.layer, 0) + len(scene.models[item.model].faces)
+    if text == "all":
+        return set(faces)
+    if text == "most":
+        return {max(faces, key=lambda layer: (faces[layer], layer))}
+    wanted = {int(part) for part in text.split(",") if part.isascii() and part.isdigit()}
+    if not wanted or len(wanted) != len(text.split(",")) or not wanted <= set(faces):
+        raise ToolError(f"the layers of the tree are '{text}'; they must be like 5, 2,4,5, all or "
+                        f"most, and of {', '.join(map(str, sorted(faces)))}")
+    return wanted
+
+
+def _members(scene, layers, moving):
+    """The objects that the tree is made of, in the order of layers: of faces in one plane the last
+    is drawn last."""
+    members = sorted((item.layer, i) for i, item in enumerate(scene.objects)
+                     if item.layer in layers and i not in moving)
     if not members:
-        raise ToolError(f"there is no object on layer {layer} for a tree")
+        raise ToolError("nothing on the layers of the tree stands still")
     for i in moving:
-        if scene.objects[i].layer == layer and scene.models[scene.objects[i].model].kind != CONVEX:
-            raise ToolError(f"object {i} moves in the tree's layer, and is not convex")
+        item = scene.objects[i]
+        if item.layer in layers and item.layer != max(layers):
+            raise ToolError(f"object {i} moves on a layer of the tree that is not its last")
+        if item.layer in layers and scene.models[item.model].kind != CONVEX:
+            raise ToolError(f"object {i} moves on the tree's layer, and is not convex")
+    return [i for _, i in members]
+
+
+def plant(scene, layers, moving=(), progress=None):
+    """Merges the objects of some layers, but for those that may move, into one with a tree, on the
+    last of them; answers the counts. The others stay as they are; the new object is the last."""
+    members = _members(scene, layers, moving)
     origin, lines = _middle(scene, members), Lines()
     nodes, faces, counts = grow(parts_of(scene, members, origin, lines), lines, progress)
     used = {}
@@ -340,10 +367,10 @@ def plant(scene, layer, moving=(), progress=None):
     counts.vertices_out = len(vertices)
     if len(vertices) > 65535 or len(faces) > 65535:
         raise ToolError(f"the tree's model has {len(vertices):,} vertices and {len(faces):,} faces; "
-                        "a model has at most 65,535 of each, so give its layer fewer")
+                        "a model has at most 65,535 of each, so give its layers fewer")
     for vertex in vertices:
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
-    _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, layer))
+    _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
     scene.tree = Tree(nodes, len(scene.objects) - 1)
     return counts
 
