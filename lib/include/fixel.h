@@ -44,6 +44,7 @@
 #include "fixel/scan_box.h"
 #include "fixel/scene.h"
 #include "fixel/sphere.h"
+#include "fixel/split.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
 #include "fixel/triangle.h"

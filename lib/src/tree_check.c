@@ -14,18 +14,24 @@ static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
 }
 
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
- * other object's, so that nothing else is to be clipped to the tree with it. */
+ * other object's, so that nothing else is to be clipped to the tree with it. What is
+ * clipped to it, the other objects of its layer, is convex. */
 static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->tree_object >= scene->object_count) {
         return fail(fault, "tree", 0, FXL_E_INDEX);
     }
-    uint32_t model = scene->objects[scene->tree_object].model;
+    const fxl_object *owner = &scene->objects[scene->tree_object];
+    uint32_t model = owner->model;
     if (scene->models[model].kind != FXL_MODEL_SORTED) {
         return fail(fault, "tree", 0, FXL_E_RESERVED);
     }
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        if (i != scene->tree_object && scene->objects[i].model == model) {
+        const fxl_object *object = &scene->objects[i];
+        bool shares = object->model == model;
+        bool moves = object->layer == owner->layer;
+        if (object != owner &&
+            (shares || (moves && scene->models[object->model].kind != FXL_MODEL_CONVEX))) {
             return fail(fault, "object", i, FXL_E_TREE);
         }
     }

@@ -54,6 +54,9 @@ def _check_owner(tree, models, objects):
     for i, item in enumerate(objects):
         if item.model == number and i != tree.object:
             fail("tree", f"object {i} has the model of the tree's object {tree.object}")
+        if item.layer == objects[tree.object].layer and models[item.model].kind == SORTED and \
+                i != tree.object:
+            fail("tree", f"object {i}, on the layer of the tree, is not convex")
     return models[number]
 
 
