@@ -23,8 +23,10 @@ CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
 
 CLIPPERS_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text memory_functions draw_combination \
     $(BENCH_FRAMES))
-CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare fxl_renderer_set_clipper fxl_renderer_set_hidden \
+CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_hidden \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
+CLIPPERS_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
+    -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,fxl_frame_draw $(CLIPPERS_ROOTS:%=-Wl,-u,%)
 
 # $(1): the core, $(2): a clipper, $(3): what hides what.
 define CLIPPERS_PROGRAM_RULES
@@ -35,9 +37,7 @@ $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).elf: $(BENCH_OUT)/$(1
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 $(BENCH_OUT)/$(1)/clippers/size/$(call CLIPPERS_NAME,$(2),$(3)).elf: \
         $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(BENCH_LIB) memory_functions)
-	$$(call FIRMWARE_LINK,$(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
-	    -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$$(@:.elf=.map),-e,fxl_frame_draw $(CLIPPERS_ROOTS:%=-Wl,-u,%) \
-	    $$(filter %.o,$$^) -lgcc)
+	$$(call FIRMWARE_LINK,$$(call CLIPPERS_SIZE_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 
 endef
 $(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\

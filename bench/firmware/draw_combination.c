@@ -41,7 +41,7 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: room needed", "", ": ", hidden_used);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init_bare(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
+    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
                    fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
                                             combination_chosen.clipper->room) == FXL_OK &&
                    fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room,

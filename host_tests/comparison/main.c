@@ -61,14 +61,16 @@ static int draw_all(const fxl_scene_image *image)
 
 static void print(const spy_findings *of)
 {
-    printf("{\"faces\": %" PRIu64 ", \"inside\": %" PRIu64 ", \"cut\": %" PRIu64
-           ", \"outside\": %" PRIu64 ", \"degenerate\": %" PRIu64 ", \"refused\": %" PRIu64
-           ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64 ",\n \"missed\": %" PRIu64
-           ", \"max_error_units\": %.6g, \"max_error_units_at_all\": %.6g, \"beyond\": %" PRIu64
-           ", \"vertices\": %d, \"screen_px\": %.6g, \"view_units\": %.8g, \"intersections\": %" PRIu64
-           ", \"distances\": %" PRIu64 "}\n",
-           of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->crossing, of->pieces,
-           of->missed, of->error, of->error_at_all, of->beyond, of->vertices, of->screen, of->view, of->intersections, of->distances);
+    printf(
+        "{\"faces\": %" PRIu64 ", \"inside\": %" PRIu64 ", \"cut\": %" PRIu64
+        ", \"outside\": %" PRIu64 ", \"degenerate\": %" PRIu64 ", \"refused\": %" PRIu64
+        ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64 ",\n \"missed\": %" PRIu64
+        ", \"max_error_units\": %.6g, \"max_error_units_at_all\": %.6g, \"beyond\": %" PRIu64
+        ", \"vertices\": %d, \"screen_px\": %.6g, \"view_units\": %.8g, \"intersections\": %" PRIu64
+        "}\n",
+        of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->crossing,
+        of->pieces, of->missed, of->error, of->error_at_all, of->beyond, of->vertices, of->screen,
+        of->view, of->intersections);
 }
 
 static int run(spy_sides sides)
@@ -92,7 +94,9 @@ static int run(spy_sides sides)
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
-    spy_begin(draw_renderer(), sides);
+    if (!spy_begin(draw_renderer(), sides)) {
+        return SYSTEM_EXIT_RENDER;
+    }
     code = draw_all(&image);
     print(spy_end());
     return code;

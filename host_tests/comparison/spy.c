@@ -2,6 +2,7 @@
 #include "comparison/spy.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "clippers/measure.h"
 
@@ -10,8 +11,12 @@
 #define CLAIMED  1.25
 
 enum {
-    PIECES_MAX = 128
+    PIECES_MAX = 128,
+    ROOM_BYTES = 131072
 };
+
+/* The clipper's, which begins with its account. */
+static uint64_t room[ROOM_BYTES / 8];
 
 static const fxl_clipper *asked;
 static fxl_clipper spy;
@@ -179,17 +184,22 @@ static fxl_clip_result ask_next(const fxl_placed *placed, fxl_clipper_work *work
     return result;
 }
 
-void spy_begin(fxl_renderer *renderer, spy_sides sides)
+bool spy_begin(fxl_renderer *renderer, spy_sides sides)
 {
+    uint32_t wanted = renderer->clipper->room;
+    wanted = wanted > sizeof(fxl_clip_account) ? wanted : (uint32_t)sizeof(fxl_clip_account);
     cut_to = sides;
     asked = renderer->clipper;
-    spy = (fxl_clipper){ask, asked->next != NULL ? ask_next : NULL, asked->room};
-    renderer->clipper = &spy;
+    spy = (fxl_clipper){ask, asked->next != NULL ? ask_next : NULL, wanted};
     found = (spy_findings){.error = 0};
+    return fxl_renderer_set_clipper(renderer, &spy, room, sizeof room) == FXL_OK;
 }
 
 const spy_findings *spy_end(void)
 {
+    fxl_clip_account account;
+    memcpy(&account, room, sizeof account);
     close_face();
+    found.intersections = account.intersections;
     return &found;
 }

@@ -16,21 +16,22 @@ typedef enum {
 typedef struct {
     uint64_t faces, inside, cut, outside, degenerate, refused;
     uint64_t crossing; /* faces that the planes of the lens cut, and that are seen; by double */
-    uint64_t pieces; /* polygons that the faces inside and cut gave */
-    uint64_t missed; /* faces of which something is seen where the clipper says nothing, or the
-                      * other way round: more than 1/65536 square pixel */
-    double error;    /* largest distance of outlines, in 1/65536 pixel, where no plane that
-                      * cuts is nearly parallel to the face (SPEC.md, chapter 6a) */
+    uint64_t pieces;   /* polygons that the faces inside and cut gave */
+    uint64_t missed;   /* faces of which something is seen where the clipper says nothing, or the
+                        * other way round: more than 1/65536 square pixel */
+    double error;      /* largest distance of outlines, in 1/65536 pixel, where no plane that
+                        * cuts is nearly parallel to the face (SPEC.md, chapter 6a) */
     double error_at_all;
     uint64_t beyond; /* outlines of error that are more than 1.25 apart */
     int vertices;    /* the most of a polygon on the screen */
     double screen;   /* the farthest from the screen's middle, in pixels, along x or y */
     double view;     /* the largest coordinate of a vertex in the view that came in, in units */
-    uint64_t intersections, distances; /* worked out; of those that count them in their room */
+    uint64_t intersections; /* worked out, of those that count them in their room */
 } spy_findings;
 
-/* Puts the spy before the clipper of a renderer. One renderer at a time. */
-void spy_begin(fxl_renderer *renderer, spy_sides sides);
+/* Puts the spy before the clipper of a renderer, with room of its own, so that every clipper
+ * that can counts in it. One renderer at a time; false where that does not suit it. */
+bool spy_begin(fxl_renderer *renderer, spy_sides sides);
 
 /* Call it when all is drawn. */
 const spy_findings *spy_end(void);
