@@ -116,7 +116,7 @@ static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_obje
     const fxl_face *faces = &scene->faces[model->first_face];
     const uint32_t first = on->place->faces, front = renderer->front;
     uint32_t number = first;
-    while (number < front && take_face(on, placed, &faces[order[number].index])) {
+    while (number < front && take_face(on, placed, &faces[order[number].face])) {
         number++;
     }
     on->place->faces = (uint16_t)number;
