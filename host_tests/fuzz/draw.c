@@ -54,6 +54,9 @@ static fxl_clip_result checked_by_world(const fxl_placed *placed, const fxl_face
     return cut;
 }
 
+static const fxl_clipper checked_view = {.clip = checked_by_view};
+static const fxl_clipper checked_world = {.clip = checked_by_world};
+
 uint64_t draw_faces_placed(const fxl_scene *scene)
 {
     uint64_t faces = 0;
@@ -136,7 +139,8 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     DEMAND(memory.cache != NULL || cache_entries == 0);
     memset(renderer, GAP, sizeof *renderer);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
-    renderer->clipper = by_world ? checked_by_world : checked_by_view;
+    const fxl_clipper *clipper = by_world ? &checked_world : &checked_view;
+    DEMAND(fxl_renderer_set_clipper(renderer, clipper, NULL, 0) == FXL_OK);
     return renderer;
 }
 

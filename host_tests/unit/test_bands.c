@@ -17,7 +17,7 @@ static fxl_order_entry order[TINY_OBJECTS + 6];
 static fxl_renderer renderer;
 static tiny_scene *tiny;
 
-static void start(uint32_t words, fxl_clipper clipper)
+static void start(uint32_t words, const fxl_clipper *clipper)
 {
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -25,7 +25,7 @@ static void start(uint32_t words, fxl_clipper clipper)
     tiny = tiny_make();
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
-    renderer.clipper = clipper;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
 }
 
 static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
@@ -47,7 +47,7 @@ static fxl_pose random_pose(void)
 }
 
 /* The whole frame into `whole`, without a list. */
-static fxl_counters draw_whole(const fxl_pose *pose, fxl_clipper clipper)
+static fxl_counters draw_whole(const fxl_pose *pose, const fxl_clipper *clipper)
 {
     start(0, clipper);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
@@ -77,7 +77,7 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
     const uint32_t rounds = UNIT_REPEAT / 20;
     uint32_t drawn = 0, spilled = 0, held = 0, full = 0;
     for (uint32_t round = 0; round < rounds; round++) {
-        fxl_clipper clipper = unit_random() % 4 ? fxl_clip_by_view : fxl_clip_by_world;
+        const fxl_clipper *clipper = unit_random() % 4 ? &fxl_clipper_view : &fxl_clipper_world;
         fxl_pose pose = random_pose();
         fxl_counters counters = draw_whole(&pose, clipper);
         uint32_t without = counters.spilled;
@@ -102,12 +102,12 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
 void test_what_does_not_fit_is_counted(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
-    fxl_counters counters = draw_whole(&pose, fxl_clip_by_view);
+    fxl_counters counters = draw_whole(&pose, &fxl_clipper_view);
     fxl_list_record record;
     TEST_ASSERT_TRUE(counters.spilled > 3);
     for (uint32_t words = 0; words <= WORDS; words++) {
         uint32_t place = 0, held = 0;
-        start(words, fxl_clip_by_view);
+        start(words, &fxl_clipper_view);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
         draw_rows(other, 8, 8);
@@ -129,12 +129,14 @@ static fxl_clip_result counting_clipper(const fxl_placed *placed, const fxl_face
     return fxl_clip_by_view(placed, face, work, screen);
 }
 
+static const fxl_clipper counting = {.clip = counting_clipper};
+
 /* With a list that holds the frame, no band looks at the scene again. */
 void test_a_band_does_not_walk_the_scene_again(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
-    fxl_counters counters = draw_whole(&pose, fxl_clip_by_view);
-    start(WORDS, counting_clipper);
+    fxl_counters counters = draw_whole(&pose, &fxl_clipper_view);
+    start(WORDS, &counting);
     asked = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL_UINT32(counters.in - counters.backfacing, asked);
@@ -152,9 +154,9 @@ void test_a_band_does_not_walk_the_scene_again(void)
 void test_a_refused_frame_keeps_the_list(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0}, far = pose;
-    (void)draw_whole(&pose, fxl_clip_by_view);
+    (void)draw_whole(&pose, &fxl_clipper_view);
     for (uint32_t words = 0; words <= WORDS; words += WORDS / 3) {
-        start(words, fxl_clip_by_view);
+        start(words, &fxl_clipper_view);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         draw_rows(other, 0, 5);
         far.position.x = FXL_COORDINATE_MAX + 1;
@@ -167,7 +169,7 @@ void test_a_refused_frame_keeps_the_list(void)
 /* A polygon between two rows of centres takes no place, but is counted as drawn. */
 void test_a_polygon_on_no_row_takes_no_record(void)
 {
-    start(WORDS, fxl_clip_by_view);
+    start(WORDS, &fxl_clipper_view);
     fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     uint32_t drawn = renderer.counters.drawn, used = renderer.list.used;

@@ -11,7 +11,7 @@ enum {
     LIST_WORDS = 18 * FXL_LIST_WORDS(8) /* all faces of the scene, whole or cut */
 };
 
-static const fxl_clipper clippers[] = {fxl_clip_by_view, fxl_clip_by_world};
+static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
 
 static fxl_view random_view(fxl_q16_16 reach)
 {
@@ -74,7 +74,8 @@ void test_a_polygon_inside_is_projected_by_both(void)
         for (int which = 0; which < 2; which++) {
             fxl_screen_polygon screen;
             polygon_face_set(&face, &polygon, &view, (uint32_t)unit_between(1, 8));
-            fxl_clip_result outcome = clippers[which](&face.placed, &face.face, &work, &screen);
+            fxl_clip_result outcome =
+                clippers[which]->clip(&face.placed, &face.face, &work, &screen);
             if (outcome == FXL_CLIP_INSIDE) {
                 expect_projected(&view, &polygon, &screen);
                 inside++;
@@ -173,6 +174,11 @@ static void start(int which)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
 }
 
+static void set_clipper(int which, const fxl_clipper *clipper)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderers[which], clipper, NULL, 0));
+}
+
 static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)
 {
     fxl_band band = {frame, WIDTH, WIDTH, 0, HEIGHT};
@@ -203,15 +209,17 @@ static fxl_clip_result recording_clipper(const fxl_placed *placed, const fxl_fac
     return answer ? *answer : fxl_clip_by_view(placed, face, work, screen);
 }
 
+static const fxl_clipper recording = {.clip = recording_clipper};
+
 void test_the_renderer_asks_the_clipper_that_it_was_given(void)
 {
     start(0);
-    TEST_ASSERT_TRUE(renderers[0].clipper == fxl_clip_by_view);
+    TEST_ASSERT_TRUE(renderers[0].clipper == &fxl_clipper_view);
     fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};
     draw(&renderers[0], &pose, frames[0]);
     fxl_counters counters = renderers[0].counters;
     TEST_ASSERT_TRUE(counters.drawn > 0);
-    renderers[0].clipper = recording_clipper;
+    set_clipper(0, &recording);
     answer = NULL;
     asked = 0;
     draw(&renderers[0], &pose, frames[1]);
@@ -226,7 +234,7 @@ void test_what_a_clipper_answers_is_counted(void)
                                               FXL_CLIP_CAPACITY, FXL_CLIP_RANGE};
     start(0);
     fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};
-    renderers[0].clipper = recording_clipper;
+    set_clipper(0, &recording);
     for (int i = 0; i < 4; i++) {
         answer = &answers[i];
         asked = 0;
@@ -264,7 +272,7 @@ void test_both_clippers_draw_the_same_frames(void)
     uint32_t clipped = 0;
     start(0);
     start(1);
-    renderers[1].clipper = fxl_clip_by_world;
+    set_clipper(1, &fxl_clipper_world);
     for (int round = 0; round < rounds; round++) {
         fxl_pose pose = random_pose();
         draw(&renderers[0], &pose, frames[0]);
@@ -316,14 +324,14 @@ void test_the_clipper_may_change_between_frames(void)
 {
     start(0);
     start(1);
-    renderers[1].clipper = fxl_clip_by_world;
+    set_clipper(1, &fxl_clipper_world);
     for (int round = 0; round < 16; round++) {
         fxl_pose pose = random_pose();
         draw(&renderers[0], &pose, frames[0]);
         draw(&renderers[1], &pose, frames[1]);
-        renderers[0].clipper = fxl_clip_by_world;
+        set_clipper(0, &fxl_clipper_world);
         draw(&renderers[0], &pose, frames[2]);
-        renderers[0].clipper = fxl_clip_by_view;
+        set_clipper(0, &fxl_clipper_view);
         draw(&renderers[0], &pose, frames[3]);
         TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[3], PIXELS);

@@ -12,13 +12,13 @@ static fxl_order_entry order[TINY_OBJECTS + 6];
 static uint8_t pixels[2][HEIGHT * WIDTH];
 
 static fxl_counters draw(tiny_scene *tiny, const fxl_lens *lens, const fxl_pose *pose, int which,
-                         fxl_clipper clipper)
+                         const fxl_clipper *clipper)
 {
     const fxl_memory memory = {order, TINY_OBJECTS + 6, NULL, 0, NULL, 0};
     const fxl_band band = {pixels[which], WIDTH, WIDTH, 0, HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, lens, &memory));
-    renderer.clipper = clipper;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -35,7 +35,7 @@ void test_leaving_objects_out_changes_no_pixel(void)
         fxl_pose pose = unit_pose();
         pose.position = (fxl_point){unit_between(Q16(-8), Q16(8)), unit_between(Q16(-4), Q16(4)),
                                     unit_between(Q16(-8), Q16(20))};
-        fxl_clipper clipper = i % 2 ? fxl_clip_by_view : fxl_clip_by_world;
+        const fxl_clipper *clipper = i % 2 ? &fxl_clipper_view : &fxl_clipper_world;
         tiny->models[0].radius = tiny->models[1].radius = 113512;
         fxl_counters tight = draw(tiny, &lens, &pose, 0, clipper);
         tiny->models[0].radius = tiny->models[1].radius = FXL_RADIUS_MAX;

@@ -161,13 +161,13 @@ void test_a_polygon_cut_by_a_chord(void)
 }
 
 /* From world to screen, as the frame loop does it. */
-static bool to_screen(fxl_clipper clipper, const fxl_polygon *polygon, fxl_view *view,
+static bool to_screen(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view *view,
                       fxl_screen_polygon *screen, bool *cut)
 {
     static fxl_clipper_work work;
     static polygon_face face;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = clipper(&face.placed, &face.face, &work, screen);
+    fxl_clip_result result = clipper->clip(&face.placed, &face.face, &work, screen);
     *cut = result == FXL_CLIP_CUT;
     return *cut || result == FXL_CLIP_INSIDE;
 }
@@ -249,7 +249,7 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
     return leave - enter > 0.01;
 }
 
-static void expect_watertight_through(fxl_clipper clipper)
+static void expect_watertight_through(const fxl_clipper *clipper)
 {
     int judged = 0, edges_cut = 0, both_cut = 0;
     static fxl_view view;
@@ -283,10 +283,10 @@ static void expect_watertight_through(fxl_clipper clipper)
 
 void test_through_the_frustum_of_the_view(void)
 {
-    expect_watertight_through(fxl_clip_by_view);
+    expect_watertight_through(&fxl_clipper_view);
 }
 
 void test_through_the_frustum_of_the_world(void)
 {
-    expect_watertight_through(fxl_clip_by_world);
+    expect_watertight_through(&fxl_clipper_world);
 }

@@ -28,6 +28,7 @@
 #include "fixel/format.h"
 #include "fixel/frustum.h"
 #include "fixel/half_space.h"
+#include "fixel/hidden.h"
 #include "fixel/lens.h"
 #include "fixel/line.h"
 #include "fixel/list.h"

@@ -66,3 +66,5 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
     screen->count = face->count;
     return FXL_CLIP_INSIDE;
 }
+
+const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view};

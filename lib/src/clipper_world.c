@@ -27,3 +27,5 @@ fxl_clip_result fxl_clip_by_world(const fxl_placed *placed, const fxl_face *face
     screen->count = clipped->count;
     return result;
 }
+
+const fxl_clipper fxl_clipper_world = {.clip = fxl_clip_by_world};

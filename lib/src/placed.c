@@ -44,15 +44,22 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_seen_vertex *entries, ui
     forget_all(cache);
 }
 
-void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_object *object,
-                      fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache)
+/* Makes entries of objects placed before stale; answers vertex 0's tag. */
+static uint32_t count_up(fxl_vertex_cache *cache)
 {
-    const fxl_point *eye = &view->camera.position;
     cache->count += TAG_OBJECT;
     if (cache->count == 0) {
         forget_all(cache);
         cache->count = TAG_OBJECT;
     }
+    return cache->count;
+}
+
+void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_object *object,
+                      fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache)
+{
+    const fxl_point *eye = &view->camera.position;
+    placed->tag = count_up(cache);
     placed->view = view;
     placed->entries = cache->entries;
     placed->mask = cache->mask;
@@ -62,6 +69,25 @@ void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_obje
     placed->offset.x = object->centre.x - eye->x;
     placed->offset.y = object->centre.y - eye->y;
     placed->offset.z = object->centre.z - eye->z;
-    placed->tag = cache->count;
+    placed->planes = planes;
+}
+
+void fxl_place_polygon(fxl_placed *placed, const fxl_point *points, fxl_planes planes,
+                       fxl_view *view, fxl_vertex_cache *cache)
+{
+    static const uint16_t corners[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
+                                       11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+                                       22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
+    _Static_assert(sizeof corners / sizeof corners[0] >= FXL_POLYGON_CAPACITY, "all corners");
+    const fxl_point *eye = &view->camera.position;
+    placed->tag = count_up(cache);
+    placed->view = view;
+    placed->entries = cache->entries;
+    placed->mask = cache->mask;
+    placed->vertices = points;
+    placed->corners = corners;
+    placed->offset.x = -eye->x;
+    placed->offset.y = -eye->y;
+    placed->offset.z = -eye->z;
     placed->planes = planes;
 }

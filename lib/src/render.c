@@ -3,163 +3,11 @@
 
 #include <string.h>
 
-#include "face.h"
-#include "fixel/fill.h"
+#include "walk.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 440 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 472 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
-
-/* A walk over the scene: with a band it paints, without one it fills the list. */
-typedef struct {
-    fxl_renderer *renderer;
-    const fxl_band *band; /* null: the list */
-    fxl_place *place;     /* kept where the list is full */
-    fxl_counters *counters;
-} walk;
-
-static fxl_rows rows_of(const fxl_band *band)
-{
-    fxl_rows rows = {band->first_row, (uint16_t)(band->first_row + band->rows)};
-    return rows;
-}
-
-/* scan -> fill, for a scan that was begun. */
-static void paint(fxl_scan *scan, uint8_t colour, const fxl_band *band)
-{
-    const fxl_trapezoid *trapezoid;
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        fxl_fill_trapezoid(band, trapezoid, colour);
-    }
-}
-
-/* Where the polygon on the screen goes; false where the list has no room. One
- * that reaches no row goes nowhere. */
-static bool deliver(const walk *on)
-{
-    const fxl_screen_polygon *screen = &on->renderer->screen;
-    uint16_t height = on->renderer->view.lens.height;
-    if (on->band == NULL) {
-        fxl_rows rows = fxl_scan_rows(screen, height);
-        return rows.first == rows.end || fxl_list_append(&on->renderer->list, screen, rows);
-    }
-    fxl_scan *scan = &on->renderer->work.scan;
-    fxl_scan_outline(screen->points, screen->count, on->band, scan);
-    if (fxl_scan_is_on_screen(scan, height)) {
-        on->counters->spilled += 1;
-        paint(scan, screen->colour, on->band);
-    }
-    return true;
-}
-
-/* transform, clip and project -> list or band, for a face that faces the eye. False where the list
- * has no room: the face is then not counted. */
-static bool take_face(const walk *on, const fxl_placed *placed, const fxl_face *face)
-{
-    fxl_renderer *renderer = on->renderer;
-    fxl_counters *counters = on->counters;
-    fxl_clip_result cut = renderer->clipper(placed, face, &renderer->work.clip, &renderer->screen);
-    switch (cut) {
-    case FXL_CLIP_OUTSIDE:
-        counters->outside += 1;
-        return true;
-    case FXL_CLIP_DEGENERATE:
-        counters->degenerate += 1;
-        return true;
-    case FXL_CLIP_CAPACITY:
-    case FXL_CLIP_RANGE:
-        counters->refused += 1;
-        return true;
-    case FXL_CLIP_INSIDE:
-    case FXL_CLIP_CUT:
-        break;
-    }
-    if (!deliver(on)) {
-        return false;
-    }
-    counters->drawn += 1;
-    counters->clipped += cut == FXL_CLIP_CUT;
-    return true;
-}
-
-/* A convex object: its faces hide none of each other, so any order will do. */
-static bool walk_convex(const walk *on, const fxl_placed *placed, const fxl_model *model)
-{
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const uint32_t first = on->place->faces;
-    uint32_t number, backfacing = 0;
-    for (number = first; number < model->face_count; number++) {
-        if (!fxl_placed_face_is_front(placed, &faces[number])) {
-            backfacing++;
-        } else if (!take_face(on, placed, &faces[number])) {
-            break;
-        }
-    }
-    on->place->faces = (uint16_t)number;
-    on->counters->in += number - first;
-    on->counters->backfacing += backfacing;
-    return number == model->face_count;
-}
-
-/* The faces that face the eye, in their order; then the others are counted. */
-static bool walk_sorted(const walk *on, const fxl_placed *placed, const fxl_object *object,
-                        const fxl_model *model)
-{
-    const fxl_scene *scene = on->renderer->scene;
-    fxl_renderer *renderer = on->renderer;
-    fxl_order_entry *order = renderer->order + scene->object_count;
-    if (renderer->sorted != on->place->objects) {
-        renderer->sorted = on->place->objects;
-        renderer->front =
-            (uint16_t)fxl_order_faces(scene, object, &renderer->view.camera.position, order);
-    }
-    const fxl_face *faces = &scene->faces[model->first_face];
-    const uint32_t first = on->place->faces, front = renderer->front;
-    uint32_t number = first;
-    while (number < front && take_face(on, placed, &faces[order[number].index])) {
-        number++;
-    }
-    on->place->faces = (uint16_t)number;
-    on->counters->in += number - first;
-    if (number < front) {
-        return false;
-    }
-    on->counters->in += model->face_count - front;
-    on->counters->backfacing += model->face_count - front;
-    return true;
-}
-
-/* From the walk's place to the end of the scene, or to where the list is full. */
-static void walk_scene(const walk *on)
-{
-    const fxl_scene *scene = on->renderer->scene;
-    for (; on->place->objects < on->renderer->in_sight; on->place->objects++) {
-        const fxl_order_entry *entry = &on->renderer->order[on->place->objects];
-        const fxl_object *object = &scene->objects[entry->index];
-        const fxl_model *model = &scene->models[object->model];
-        fxl_placed placed;
-        fxl_place_object(&placed, scene, object, entry->planes, &on->renderer->view,
-                         &on->renderer->cache);
-        bool done = model->kind == FXL_MODEL_SORTED ? walk_sorted(on, &placed, object, model)
-                                                    : walk_convex(on, &placed, model);
-        if (!done) {
-            return;
-        }
-        on->place->faces = 0;
-    }
-}
-
-/* What the list holds of the band. */
-static void play_list(fxl_renderer *renderer, const fxl_band *band)
-{
-    fxl_rows wanted = rows_of(band);
-    fxl_list_record record;
-    uint32_t place = 0;
-    while (fxl_list_next(&renderer->list, wanted, &place, &record)) {
-        fxl_scan_outline(record.points, record.count, band, &renderer->work.scan);
-        paint(&renderer->work.scan, record.colour, band);
-    }
-}
 
 static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
 {
@@ -180,7 +28,12 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, con
     }
     renderer->scene = scene;
     fxl_view_set_lens(&renderer->view, lens);
-    renderer->clipper = fxl_clip_by_view;
+    renderer->clipper = &fxl_clipper_view;
+    renderer->hidden = &fxl_hidden_sorted;
+    renderer->light = NULL;
+    renderer->walk_room = NULL;
+    renderer->paint_room = NULL;
+    renderer->paint_room_size = 0;
     renderer->order = memory->order;
     renderer->list.words = memory->list;
     renderer->list.capacity = memory->list_capacity;
@@ -192,6 +45,60 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, con
     }
     renderer->ready = false;
     memset(&renderer->counters, 0, sizeof renderer->counters);
+    return FXL_OK;
+}
+
+/* Room of the caller's, as it is to be. */
+static bool is_room(const void *room, uint32_t wanted)
+{
+    return wanted == 0 || (room != NULL && ((uintptr_t)room & 7u) == 0);
+}
+
+fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper, void *room,
+                                    uint32_t room_size)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (clipper == NULL || !is_room(room, clipper->room)) {
+        return refuse(renderer, FXL_E_ARGUMENT);
+    }
+    if (room_size < clipper->room) {
+        return refuse(renderer, FXL_E_CAPACITY);
+    }
+    if (clipper->room > 0) {
+        memset(room, 0, clipper->room);
+    }
+    renderer->clipper = clipper;
+    renderer->view.room = room;
+    renderer->ready = false;
+    return FXL_OK;
+}
+
+fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hidden, void *room,
+                                   uint32_t room_size)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (hidden == NULL) {
+        return refuse(renderer, FXL_E_ARGUMENT);
+    }
+    const fxl_painter *painter = hidden->painter;
+    uint32_t walk = hidden->walk_room != NULL ? hidden->walk_room(renderer->scene) : 0;
+    uint32_t paint = painter->room != NULL ? painter->room(&renderer->view.lens) : 0;
+    walk = (walk + 7u) & ~7u;
+    if (!is_room(room, walk + paint)) {
+        return refuse(renderer, FXL_E_ARGUMENT);
+    }
+    if (room_size < walk || room_size - walk < paint) {
+        return refuse(renderer, FXL_E_CAPACITY);
+    }
+    renderer->hidden = hidden;
+    renderer->walk_room = room;
+    renderer->paint_room = paint > 0 ? (uint8_t *)room + walk : NULL;
+    renderer->paint_room_size = paint > 0 ? room_size - walk : 0;
+    renderer->ready = false;
     return FXL_OK;
 }
 
@@ -217,11 +124,30 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     renderer->sorted = UINT16_MAX; /* no object's place: those are below in_sight */
     renderer->rest.objects = 0;
     renderer->rest.faces = 0;
-    const walk on = {renderer, NULL, &renderer->rest, &renderer->counters};
-    walk_scene(&on);
+    const fxl_walk on = {renderer, NULL, &renderer->rest, &renderer->counters,
+                         fxl_walk_taker(renderer, NULL)};
+    (void)renderer->hidden->walk(&on);
     renderer->ready = true;
     renderer->counted = false;
     return FXL_OK;
+}
+
+bool fxl_draw_part(fxl_renderer *renderer, const fxl_band *part)
+{
+    const fxl_hidden *hidden = renderer->hidden;
+    fxl_place place = renderer->rest;
+    fxl_counters uncounted = {0};
+    const fxl_walk on = {renderer, part, &place,
+                         renderer->counted ? &uncounted : &renderer->counters,
+                         fxl_walk_taker(renderer, part)};
+    if (hidden->painter->begin != NULL) {
+        hidden->painter->begin(renderer, part);
+    }
+    if (!fxl_walk_list(&on) || !hidden->walk(&on)) {
+        return false;
+    }
+    renderer->counted = true;
+    return true;
 }
 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
@@ -239,11 +165,11 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         band->first_row + band->rows > renderer->view.lens.height) {
         return refuse(renderer, FXL_E_RANGE);
     }
-    play_list(renderer, band);
-    fxl_place place = renderer->rest;
-    fxl_counters uncounted = {0};
-    const walk on = {renderer, band, &place, renderer->counted ? &uncounted : &renderer->counters};
-    walk_scene(&on);
-    renderer->counted = true;
+    const fxl_painter *painter = renderer->hidden->painter;
+    if (painter->draw != NULL) {
+        painter->draw(renderer, band);
+    } else {
+        (void)fxl_draw_part(renderer, band);
+    }
     return FXL_OK;
 }

@@ -5,6 +5,8 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens)
 {
     view->lens = *lens;
     view->frustum_ready = false;
+    view->frame = 0;
+    view->room = NULL;
     fxl_view_frustum_from_lens(lens, &view->view_frustum);
     fxl_projection_from_lens(lens, &view->projection);
 }
@@ -14,6 +16,8 @@ fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)
     fxl_status status = fxl_camera_from_pose(pose, &view->camera);
     if (status == FXL_OK) {
         view->frustum_ready = false;
+        view->frame += 1;
+        view->frame += view->frame == 0;
     }
     return status;
 }

@@ -14,16 +14,30 @@ typedef union {
     fxl_clip_work by_world;
 } fxl_clipper_work;
 
-/* Takes a face from its object to the screen. *screen is written for
- * FXL_CLIP_INSIDE and FXL_CLIP_CUT; else its points mean nothing. Contents of
- * work mean nothing between calls. Requires a placed object of a checked scene,
- * whose planes may leave out those that all its vertices are inside of. */
-typedef fxl_clip_result (*fxl_clipper)(const fxl_placed *placed, const fxl_face *face,
-                                       fxl_clipper_work *work, fxl_screen_polygon *screen);
+/* A clipper. Requires a placed object of a checked scene or a placed polygon, whose planes
+ * may leave out those that all its vertices are inside of. Contents of work mean nothing
+ * between calls: what is to last lies in placed->view->room, which is zeroed when the clipper
+ * is set; placed->view->frame tells one frame from the next, and is never 0. */
+typedef struct {
+    /* Takes a face from its object to the screen. *screen is written for
+     * FXL_CLIP_INSIDE and FXL_CLIP_CUT; else its points mean nothing. */
+    fxl_clip_result (*clip)(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen);
+    /* Null where a face gives one polygon at most. Else it is called after clip gave
+     * FXL_CLIP_INSIDE or FXL_CLIP_CUT, and gives the face's next polygon by one of these;
+     * any other: there is none. After
+     * FXL_CLIP_CAPACITY or FXL_CLIP_RANGE the face is counted as refused, though some of it
+     * may be drawn. */
+    fxl_clip_result (*next)(const fxl_placed *placed, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen);
+    uint32_t room; /* bytes of the caller's memory, aligned to 8, that it wants */
+} fxl_clipper;
 
-/* Transform, then clip on exact sums: the precise way, and what a renderer
- * uses unless told otherwise. Outline on the screen within 1.25/65536 pixel of
- * the exact one, but for what SPEC.md, chapter 6a, excepts. */
+extern const fxl_clipper fxl_clipper_view;  /* fxl_clip_by_view: used unless told otherwise */
+extern const fxl_clipper fxl_clipper_world; /* fxl_clip_by_world */
+
+/* Transform, then clip on exact sums: the precise way. Outline on the screen within 1.25/65536
+ * pixel of the exact one, but for what SPEC.md, chapter 6a, excepts. */
 fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen);
 

@@ -47,6 +47,12 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_seen_vertex *entries, ui
 void fxl_place_object(fxl_placed *placed, const fxl_scene *scene, const fxl_object *object,
                       fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache);
 
+/* Places a polygon of the world, of FXL_POLYGON_CAPACITY points at most, each within
+ * FXL_COORDINATE_MAX, which must outlive *placed: its faces are those whose first corner is
+ * 0. What the cache holds of others is stale. */
+void fxl_place_polygon(fxl_placed *placed, const fxl_point *points, fxl_planes planes,
+                       fxl_view *view, fxl_vertex_cache *cache);
+
 /* A vertex of the model relative to the eye, along the world's axes. Exact: the
  * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each
  * coordinate is below 2^30. */

@@ -146,6 +146,7 @@ typedef struct {
     uint32_t clipped;       /* of those drawn: cut by at least one plane */
     uint32_t refused_calls; /* public calls that returned an error */
     uint32_t spilled;       /* of those drawn: not in the list, so worked out anew for every band */
+    uint32_t split_bands;   /* bands or parts of bands that were drawn again in halves */
 } fxl_counters;
 
 #endif

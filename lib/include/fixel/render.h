@@ -4,6 +4,7 @@
 #define FXL_RENDER_H
 
 #include "fixel/clipper.h"
+#include "fixel/hidden.h"
 #include "fixel/list.h"
 #include "fixel/order.h"
 #include "fixel/scan.h"
@@ -26,30 +27,37 @@ typedef struct {
 
 _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "fxl_place");
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 440 bytes and
- * 80 for each vertex of FXL_POLYGON_CAPACITY: 3000 where that is 32, 1400 where
+typedef struct fxl_light fxl_light;
+
+/* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
+ * 80 for each vertex of FXL_POLYGON_CAPACITY: 3032 where that is 32, 1432 where
  * it is 12. Several may live at once; none knows of another. Members are for
- * reading only, but for the clipper. */
-typedef struct {
+ * reading only, but for light. */
+struct fxl_renderer {
     const fxl_scene *scene;
-    fxl_order_entry *order; /* objects; from scene->object_count on, one model's faces */
-    fxl_clipper clipper;    /* fxl_clip_by_view, or another set between two frames */
-    bool ready;             /* a frame has begun */
-    bool counted;           /* a band was drawn: what is not in the list is counted */
-    uint16_t in_sight;      /* objects in order: those that the frame looks into */
-    uint16_t sorted, front; /* whose faces are in order, as fxl_place counts; how many */
+    fxl_order_entry *order;     /* objects; from scene->object_count on, one model's faces */
+    const fxl_clipper *clipper; /* fxl_clipper_view, or another */
+    const fxl_hidden *hidden;   /* fxl_hidden_sorted, or another */
+    const fxl_light *light;     /* null, or what splits faces; set between two frames */
+    bool ready;                 /* a frame has begun */
+    bool counted;               /* a band was drawn: what is not in the list is counted */
+    uint16_t in_sight;          /* objects in order: those that the frame looks into */
+    uint16_t sorted, front;     /* whose faces are in order, as fxl_place counts; how many */
     fxl_list list;
     fxl_place rest; /* where the list was full */
     fxl_counters counters;
     fxl_view view;
     fxl_vertex_cache cache;
     fxl_seen_vertex spare; /* all of the cache where the caller gave none */
+    void *walk_room;       /* what the caller gave for hidden, in two parts */
+    void *paint_room;
+    uint32_t paint_room_size;
     fxl_screen_polygon screen;
     union { /* a polygon is scanned when its clipping is over */
         fxl_clipper_work clip;
         fxl_scan scan;
     } work;
-} fxl_renderer;
+};
 
 /* The symbol of fxl_renderer_init ends in FXL_POLYGON_CAPACITY (format.h). */
 #define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
@@ -64,6 +72,20 @@ typedef struct {
  * FXL_E_ARGUMENT, FXL_E_CAPACITY (order): renderer untouched. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
                              const fxl_memory *memory);
+
+/* Sets the clipper, and room of the caller's for it: clipper->room bytes aligned to 8, of
+ * which it keeps hold; may be null where that is 0. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_CAPACITY (room_size): renderer untouched but for
+ * refused_calls. */
+fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper, void *room,
+                                    uint32_t room_size);
+
+/* Sets what hides what, and room of the caller's for it, aligned to 8, of which it keeps
+ * hold; may be null where the method wants none. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_CAPACITY (room_size is less than the method wants for this scene and
+ * this lens): renderer untouched but for refused_calls. */
+fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hidden, void *room,
+                                   uint32_t room_size);
 
 /* Begins a frame: camera, frustum, order of the objects in sight; then every polygon on
  * its way to the screen, as far as the list reaches. Zeroes the counters except

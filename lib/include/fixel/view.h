@@ -14,9 +14,11 @@ typedef struct {
     fxl_view_frustum view_frustum;
     fxl_frustum frustum; /* the same in the world: ask fxl_view_world_frustum */
     bool frustum_ready;
+    uint32_t frame; /* counts poses; 0: none yet */
+    void *room;     /* the clipper's, of the caller's memory; or null */
 } fxl_view;
 
-/* Requires a lens made by its function. */
+/* Sets frame and room to 0 and null. Requires a lens made by its function. */
 void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
 
 /* FXL_E_ARGUMENT, FXL_E_RANGE (pose): view untouched. */

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* What hides what: one constant record a method, in a file of its own, so that
+ * one which is not named is not linked. A method is two matters: the order in
+ * which faces come (a walk), and what becomes of one where something was drawn
+ * already (a painter). Any walk goes with any painter of its order. */
+#ifndef FXL_HIDDEN_H
+#define FXL_HIDDEN_H
+
+#include "fixel/scan.h"
+#include "fixel/scene.h"
+
+typedef struct fxl_renderer fxl_renderer;
+typedef struct fxl_walk fxl_walk; /* walk.h, which is internal */
+
+/* How a polygon's pixels get into a band. A depth buffer would be one more; it
+ * wants each vertex's depth in fxl_screen_polygon and in the list. */
+typedef struct {
+    /* The least bytes of the caller's memory that it works in. Null: none. */
+    uint32_t (*room)(const fxl_lens *lens);
+    /* Draws a band, and sees to what the room does not hold. Null: at one go. */
+    void (*draw)(fxl_renderer *renderer, const fxl_band *band);
+    /* Nothing of a band was painted. Null where nothing need be done. */
+    void (*begin)(fxl_renderer *renderer, const fxl_band *band);
+    /* An outline that reaches rows of the screen, which the band need not hold.
+     * False where the room is full: then some of it may have been painted. */
+    bool (*paint)(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+                  uint8_t colour, const fxl_band *band);
+} fxl_painter;
+
+typedef struct {
+    bool front_to_back; /* else what comes later covers what came before */
+    /* Gives every face from the walk's place on, in the order of drawing or, front
+     * to back, in the opposite one exactly. False where it was stopped: the place
+     * is then that of the face that found no room. */
+    bool (*walk)(const fxl_walk *on);
+    /* Bytes of the caller's memory that the walk wants. Null: none. */
+    uint32_t (*walk_room)(const fxl_scene *scene);
+    const fxl_painter *painter;
+} fxl_hidden;
+
+/* One over another: for back to front. */
+extern const fxl_painter fxl_painter_over;
+
+/* Objects by layer and distance, the faces of a sorted model by distance, far to
+ * near, one over another: what a renderer uses unless told otherwise. */
+extern const fxl_hidden fxl_hidden_sorted;
+
+#endif
