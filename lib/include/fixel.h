@@ -23,6 +23,7 @@
 #include "fixel/clip_once.h"
 #include "fixel/clip_record.h"
 #include "fixel/clipper.h"
+#include "fixel/clipper_room.h"
 #include "fixel/cull.h"
 #include "fixel/fill.h"
 #include "fixel/format.h"

@@ -2,6 +2,8 @@
 #include "fixel/clipper.h"
 #include "fixel/project.h"
 
+#include "counted.h"
+
 _Static_assert((FXL_PLANES_ALL & FXL_SEEN_UNPROJECTED) == 0, "both share a byte");
 
 /* A face with a vertex that is outside: assembled, cut by the planes that a
@@ -26,8 +28,9 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_face *face, fxl_c
     seen->colour = face->colour;
     seen->count = face->count;
     seen->textured = false;
-    fxl_clip_result result = fxl_clip_view_to_planes(
-        seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work, &clipped);
+    fxl_clip_result result =
+        fxl_cut_view_by_planes(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
+                               work, view->room, &clipped);
     if (clipped == NULL) {
         return result;
     }

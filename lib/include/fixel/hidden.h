@@ -45,4 +45,9 @@ extern const fxl_painter fxl_painter_over;
  * near, one over another: what a renderer uses unless told otherwise. */
 extern const fxl_hidden fxl_hidden_sorted;
 
+/* The same, but every pixel of a polygon's bounding box is tested (scan_box.h): the same
+ * pixels, without edges. */
+extern const fxl_painter fxl_painter_box;
+extern const fxl_hidden fxl_hidden_box;
+
 #endif
