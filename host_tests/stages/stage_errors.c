@@ -95,8 +95,7 @@ static void take_split(stages_tally *split, const fxl_frustum *frustum, const fx
         piece.points[i] = polygon->vertices[i].position;
     }
     for (int i = 0; i < FXL_PLANE_COUNT; i++) {
-        fxl_plane through =
-            fxl_plane_from_point(&piece.points[0], &frustum->planes[i].normal, 0);
+        fxl_plane through = fxl_plane_from_point(&piece.points[0], &frustum->planes[i].normal, 0);
         stages_measure_split(split, &frustum->planes[i], &piece);
         stages_measure_split(split, &through, &piece);
     }
@@ -330,7 +329,7 @@ static void take_random(tallies *to, const options *wanted)
 static void print_tallies(const tallies *of, const char *end)
 {
     const stages_tally *all[] = {&of->sphere,  &of->clip, &of->clip_world, &of->transform,
-                                 &of->project, &of->list, &of->fill, &of->split};
+                                 &of->project, &of->list, &of->fill,       &of->split};
     for (int i = 0; i < 8; i++) {
         stages_print(all[i]);
         puts(i < 7 ? "," : end);
