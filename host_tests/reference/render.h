@@ -17,7 +17,9 @@ typedef struct {
     ref_lattice_point eye;
     ref_order_entry *objects, *faces;
     ref_counters counters;
-    ref_list list; /* the frame's polygons */
+    ref_list list;    /* the frame's polygons */
+    bool by_tree;     /* set before a frame: what hides what is the scene's tree, if it has one */
+    uint32_t unsplit; /* objects of the frame that were not cut to the tree */
 } ref_renderer;
 
 /* False where memory is short. The scene must outlive the renderer. */

@@ -49,6 +49,7 @@
 #include "fixel/split.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
+#include "fixel/tree.h"
 #include "fixel/triangle.h"
 #include "fixel/view.h"
 #include "fixel/viewer.h"
