@@ -108,7 +108,7 @@ static void count_once(const ref_counters *pieces, ref_counters *counters)
 /* A face of an object that a beam may reach: in pieces, lit and dark. */
 static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
 {
-    static ref_lit_pieces pieces;
+    ref_lit_pieces pieces; /* judges run in threads */
     const ref_scene *scene = renderer->scene;
     const ref_object *object = &scene->objects[object_number];
     const ref_face *face = &scene->faces[scene->models[object->model].first_face + face_number];
