@@ -7,7 +7,8 @@
 
 CLIPPERS_PLAN := bench/clippers.toml
 CLIPPERS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
-# name:record of each clipper, name:record:room of each method.
+# name:record of each clipper, name:record:room of each method: a program for each pair, even for
+# those that the plan does not compare.
 CLIPPERS_READ = $(shell awk -v kind='[[$(1)]]' '/^\[/ {here = $$0 == kind} \
     here && $$1 == "name" {name = $$3} here && $$1 == "record" {record = $$3} \
     here && $$1 == "$(2)" {print name ":" record ($$1 == "record" ? "" : ":" $$3)}' $(CLIPPERS_PLAN) | tr -d '"')

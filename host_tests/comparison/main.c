@@ -67,10 +67,10 @@ static void print(const spy_findings *of)
         ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64 ",\n \"missed\": %" PRIu64
         ", \"max_error_units\": %.6g, \"max_error_units_at_all\": %.6g, \"beyond\": %" PRIu64
         ", \"vertices\": %d, \"screen_px\": %.6g, \"view_units\": %.8g, \"intersections\": %" PRIu64
-        "}\n",
+        ", \"distances\": %" PRIu64 "}\n",
         of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->crossing,
         of->pieces, of->missed, of->error, of->error_at_all, of->beyond, of->vertices, of->screen,
-        of->view, of->intersections);
+        of->view, of->intersections, of->distances);
 }
 
 static int run(spy_sides sides)

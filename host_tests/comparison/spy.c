@@ -201,5 +201,6 @@ const spy_findings *spy_end(void)
     memcpy(&account, room, sizeof account);
     close_face();
     found.intersections = account.intersections;
+    found.distances = account.distances;
     return &found;
 }

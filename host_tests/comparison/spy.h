@@ -26,7 +26,7 @@ typedef struct {
     int vertices;    /* the most of a polygon on the screen */
     double screen;   /* the farthest from the screen's middle, in pixels, along x or y */
     double view;     /* the largest coordinate of a vertex in the view that came in, in units */
-    uint64_t intersections; /* worked out, of those that count them in their room */
+    uint64_t intersections, distances; /* worked out, of those that count them in their room */
 } spy_findings;
 
 /* Puts the spy before the clipper of a renderer, with room of its own, so that every clipper

@@ -20,19 +20,20 @@ def row(plan, core, combination, scene, host, drawn, text_bytes):
             "equal_to_host": clippers_run.frame_sums(drawn.pixels) == host.sums,
             "crcs": [f"{value:08x}" for value in host.sums],
             **{key: found[key] for key in ("faces", "crossing", "missed", "refused", "beyond", "vertices",
-                                           "screen_px", "view_units", "intersections")},
+                                           "screen_px", "view_units", "intersections", "distances")},
             "split_bands": sum(frame.counters.get("split_bands", 0) for frame in host.drawn.frames)}
 
 
 def operation_rows(counted, hosts, hidden):
-    """[{clipper, scene, intersections, multiplications, divisions}] of a polygon that the frustum cuts."""
+    """[{clipper, scene, intersections, distances, multiplications, divisions}] of a polygon that the frustum cuts."""
     rows = []
     for (clipper, scene), taken in counted.items():
         found = hosts[clipper, hidden, scene].found
         crossing = found["crossing"]
         rows.append({"clipper": clipper, "scene": scene, "crossing": crossing, "cut": found["cut"],
                      **{key: round(value / crossing, 2) if crossing else None for key, value in
-                        (("intersections", found["intersections"]), *taken.items())}})
+                        (("intersections", found["intersections"]), ("distances", found["distances"]),
+                                       *taken.items())}})
     return rows
 
 
