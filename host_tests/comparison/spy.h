@@ -33,6 +33,10 @@ typedef struct {
  * that can counts in it. One renderer at a time; false where that does not suit it. */
 bool spy_begin(fxl_renderer *renderer, spy_sides sides);
 
+/* It stands there, or the clipper itself does. What fills a list may leave a face half way,
+ * to take it up anew: that is not to be watched. */
+void spy_watch(fxl_renderer *renderer, bool watching);
+
 /* Call it when all is drawn. */
 const spy_findings *spy_end(void);
 
