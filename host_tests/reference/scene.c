@@ -184,6 +184,46 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
+/* True where there is none. Nodes are listed as one comes upon them, so a child's number is
+ * greater than its parent's: no way down ends where it began. */
+static bool read_tree(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
+    if (ref_u16(bytes + 4) == 2) {
+        return ref_u32(bytes + 148) == 0 && ref_u32(bytes + 152) == 0 && ref_u32(bytes + 156) == 0;
+    }
+    scene->tree_object = ref_u32(bytes + 156);
+    if (ref_u32(bytes + 152) == 0) {
+        return ref_u32(bytes + 148) == 0 && scene->tree_object == 0;
+    }
+    const uint8_t *nodes = table_at(bytes, size, 148, 32, 65535, &scene->node_count);
+    scene->nodes = nodes ? calloc(scene->node_count, sizeof *scene->nodes) : NULL;
+    if (!scene->nodes || scene->tree_object >= scene->object_count) {
+        return false;
+    }
+    const ref_model *model = &scene->models[scene->objects[scene->tree_object].model];
+    for (uint32_t i = 0; i < scene->node_count; i++) {
+        const uint8_t *p = nodes + 32 * (size_t)i;
+        ref_node *node = &scene->nodes[i];
+        *node = (ref_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
+                           (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),
+                           ref_u16(p + 20),
+                           ref_u16(p + 22),
+                           ref_u16(p + 24),
+                           ref_u16(p + 26),
+                           ref_u16(p + 28)};
+        const uint32_t below[2] = {node->front, node->back};
+        for (int k = 0; k < 2; k++) {
+            if (below[k] != REF_NODE_NONE && (below[k] <= i || below[k] >= scene->node_count)) {
+                return false;
+            }
+        }
+        if (node->first_face + node->face_count > model->face_count) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     bool strides = bytes[37] == 1;
@@ -228,7 +268,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
-    if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 6) != 160) {
+    if ((ref_u16(bytes + 4) != 2 && ref_u16(bytes + 4) != 3) || ref_u16(bytes + 6) != 160) {
         return "it is a scene image of another version";
     }
     uint32_t stated = ref_u32(bytes + 8);
@@ -255,6 +295,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";
     }
+    if (!read_tree(bytes, stated, &image->scene)) {
+        return "the scene image's tree is not usable";
+    }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";
     }
@@ -278,6 +321,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.faces);
     free(image->scene.models);
     free(image->scene.objects);
+    free(image->scene.nodes);
     free(image->poses);
     free(image->strides);
     memset(image, 0, sizeof *image);

@@ -29,6 +29,15 @@ typedef struct {
     uint8_t layer;
 } ref_object;
 
+#define REF_NODE_NONE 65535u
+
+/* Of a tree (SPEC.md 7a), relative to its object's centre. */
+typedef struct {
+    int32_t normal[3]; /* 2.30 */
+    int64_t distance;  /* 18.46 */
+    uint32_t front, back, parent, first_face, face_count;
+} ref_node;
+
 typedef struct {
     uint16_t keys, frames;
 } ref_stride;
@@ -40,6 +49,8 @@ typedef struct {
     ref_model *models;
     ref_object *objects;
     uint32_t vertex_count, corner_count, face_count, model_count, object_count;
+    ref_node *nodes; /* null where there is no tree */
+    uint32_t node_count, tree_object;
 } ref_scene;
 
 typedef struct {

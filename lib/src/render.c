@@ -94,6 +94,9 @@ fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hid
     if (room_size < walk || room_size - walk < paint) {
         return refuse(renderer, FXL_E_CAPACITY);
     }
+    if (walk > 0) {
+        memset(room, 0, walk);
+    }
     renderer->hidden = hidden;
     renderer->walk_room = room;
     renderer->paint_room = paint > 0 ? (uint8_t *)room + walk : NULL;
