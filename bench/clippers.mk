@@ -80,5 +80,9 @@ CLIPPERS_HOST := $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
 CLIPPERS_BUILT := $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf))
+# What the tests run.
+CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
+CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(if $(filter m3,$(CLIPPERS_CORES)),\
+    $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf))
 
 -include $(wildcard $(COMPARISON_OUT)/*.d)

@@ -76,13 +76,14 @@ static void print(const spy_findings *of)
     printf(
         "{\"faces\": %" PRIu64 ", \"inside\": %" PRIu64 ", \"cut\": %" PRIu64
         ", \"outside\": %" PRIu64 ", \"degenerate\": %" PRIu64 ", \"refused\": %" PRIu64
-        ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64 ",\n \"missed\": %" PRIu64
+        ", \"between\": %" PRIu64 ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64
+        ",\n \"missed\": %" PRIu64
         ", \"max_error_units\": %.6g, \"max_error_units_at_all\": %.6g, \"beyond\": %" PRIu64
         ", \"vertices\": %d, \"screen_px\": %.6g, \"view_units\": %.8g, \"intersections\": %" PRIu64
         ", \"distances\": %" PRIu64 "}\n",
-        of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->crossing,
-        of->pieces, of->missed, of->error, of->error_at_all, of->beyond, of->vertices, of->screen,
-        of->view, of->intersections, of->distances);
+        of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->between,
+        of->crossing, of->pieces, of->missed, of->error, of->error_at_all, of->beyond, of->vertices,
+        of->screen, of->view, of->intersections, of->distances);
 }
 
 static int run(spy_sides sides)

@@ -6,9 +6,7 @@
 
 #include "clippers/measure.h"
 
-/* A polygon of less is not missed: 1/65536 square pixel. */
-#define AREA_MIN 0x1p-16
-#define CLAIMED  1.25
+#define CLAIMED 1.25
 
 enum {
     PIECES_MAX = 128,
@@ -79,13 +77,10 @@ static double distance_of_pieces(const outline *expected)
     return worst;
 }
 
-static double area_of_pieces(void)
+/* Rounding to 1/65536 pixel may leave nothing of what is thinner than 2 of them. */
+static bool is_something(const outline *of)
 {
-    double area = 0;
-    for (int k = 0; k < current.count; k++) {
-        area += fabs(outline_area(&current.pieces[k]));
-    }
-    return area;
+    return fabs(outline_area(of)) > outline_length(of) / 65536;
 }
 
 /* All that came of the face is there. */
@@ -104,11 +99,13 @@ static void close_face(void)
         ref_lens lens = bridge_lens(&current.face.lens);
         ref_volume_from_lens(&lens, planes);
         seen = case_expected(&current.face, planes, &expected, &parallel);
-        found.missed += seen && fabs(outline_area(&expected)) > AREA_MIN;
+        found.missed += seen && is_something(&expected);
         return;
     }
     if (!seen) {
-        found.missed += area_of_pieces() > AREA_MIN;
+        for (int k = 0; k < current.count; k++) {
+            found.missed += is_something(&current.pieces[k]);
+        }
         return;
     }
     double distance = current.count == 1 ? outline_distance(&current.pieces[0], &expected)
@@ -172,6 +169,10 @@ static fxl_clip_result ask(const fxl_placed *placed, const fxl_face *face, fxl_c
         break;
     case FXL_CLIP_DEGENERATE:
         found.degenerate++;
+        break;
+    case FXL_CLIP_BETWEEN:
+        found.between++;
+        current.open = false;
         break;
     default:
         found.refused++;

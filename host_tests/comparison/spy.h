@@ -15,10 +15,11 @@ typedef enum {
 
 typedef struct {
     uint64_t faces, inside, cut, outside, degenerate, refused;
+    uint64_t between;  /* inside, and not handed on, since no pixel's centre is covered */
     uint64_t crossing; /* faces that the planes of the lens cut, and that are seen; by double */
     uint64_t pieces;   /* polygons that the faces inside and cut gave */
     uint64_t missed;   /* faces of which something is seen where the clipper says nothing, or the
-                        * other way round: more than 1/65536 square pixel */
+                        * other way round: more than 2/65536 pixel of it */
     double error;      /* largest distance of outlines, in 1/65536 pixel, where no plane that
                         * cuts is nearly parallel to the face (SPEC.md, chapter 6a) */
     double error_at_all;

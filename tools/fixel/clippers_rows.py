@@ -37,7 +37,7 @@ def operation_rows(counted, hosts, hidden):
     return rows
 
 
-def complaints(result):
+def complaints(plan, result):
     """Everything that is not as it should be, in sentences."""
     found = []
     for each in result["rows"]:
@@ -46,6 +46,10 @@ def complaints(result):
             found.append(f"{name}: {each['pixels_unexplained']:,} pixels differ from double without explanation")
         if not each["equal_to_host"]:
             found.append(f"{name}: the frames of the emulated core are not those of the host")
+        claim = plan.clippers[each["clipper"]].get("claim")
+        if claim and each["max_error_units"] > claim and each["beyond"] > CLAIM_BEYOND * each["faces"]:
+            found.append(f"{name}: {each['beyond']:,} of {each['faces']:,} outlines err by more than {claim}/65536 "
+                         f"pixel, by {each['max_error_units']:.3g} at most")
         if each["missed"]:
             found.append(f"{name}: {each['missed']:,} faces are there or not, otherwise than exact clipping says")
         if each["refused"]:
