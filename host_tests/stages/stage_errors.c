@@ -29,11 +29,7 @@ typedef struct {
 } options;
 
 typedef struct {
-<<<<<<< HEAD
-    stages_tally sphere, clip, clip_world, transform, project, list, fill, split;
-=======
-    stages_tally sphere, clip, clip_world, transform, project, list, fill, cover;
->>>>>>> list
+    stages_tally sphere, clip, clip_world, transform, project, list, fill, cover, split;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
@@ -48,14 +44,10 @@ static int fail(const char *where, const char *what)
 
 static tallies tallies_for(const char *input)
 {
-    return (tallies){stages_sphere_tally(input),     stages_clip_tally(input),
-                     stages_clip_world_tally(input), stages_transform_tally(input),
-                     stages_project_tally(input),    stages_list_tally(input),
-<<<<<<< HEAD
-                     stages_fill_tally(input),       stages_split_tally(input)};
-=======
-                     stages_fill_tally(input),       stages_cover_tally(input)};
->>>>>>> list
+    return (tallies){
+        stages_sphere_tally(input),    stages_clip_tally(input),    stages_clip_world_tally(input),
+        stages_transform_tally(input), stages_project_tally(input), stages_list_tally(input),
+        stages_fill_tally(input),      stages_cover_tally(input),   stages_split_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -344,15 +336,12 @@ static void take_random(tallies *to, const options *wanted)
 
 static void print_tallies(const tallies *of, const char *end)
 {
-    const stages_tally *all[] = {&of->sphere,  &of->clip, &of->clip_world, &of->transform,
-<<<<<<< HEAD
-                                 &of->project, &of->list, &of->fill,       &of->split};
-=======
-                                 &of->project, &of->list, &of->fill,       &of->cover};
->>>>>>> list
-    for (int i = 0; i < 8; i++) {
+    const stages_tally *all[] = {&of->sphere,    &of->clip,    &of->clip_world,
+                                 &of->transform, &of->project, &of->list,
+                                 &of->fill,      &of->cover,   &of->split};
+    for (int i = 0; i < 9; i++) {
         stages_print(all[i]);
-        puts(i < 7 ? "," : end);
+        puts(i < 8 ? "," : end);
     }
 }
 
