@@ -228,7 +228,7 @@ void test_too_little_room_is_said(void)
     const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
     const fxl_beam beam = shaft(window, 4);
     bool done = false;
-    uint32_t needed = fxl_lit_corners_needed(&beam, 1) - FXL_FACE_VERTICES_MAX + 4;
+    uint32_t needed = fxl_lit_corners_needed(&beam, 1);
     for (uint32_t size = 0; size <= needed; size++) {
         fxl_lit_pieces small = {corners, table, size, PIECES, 0, 0};
         memset(corners, 0x5A, sizeof corners);

@@ -6,6 +6,7 @@
 #include "arith.h"
 #include "fixel/plane.h"
 #include "square_root.h"
+#include "unit_vector.h"
 
 /* How exactly the corners of a window say on which side of a plane they lie, in units of
  * 2^-46: a normal's error of 2 units in each of three components, times a difference below
@@ -51,19 +52,25 @@ bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 
     return true;
 }
 
-/* --- a beam as a table ------------------------------------------------------- */
-
-/* Below 2^30 + 1 each, so the sum below 3 * 2^61. */
-static bool is_unit(const fxl_direction *d)
+static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam_count)
 {
-    if (!fxl_within(d->x, FXL_Q2_30_ONE) || !fxl_within(d->y, FXL_Q2_30_ONE) ||
-        !fxl_within(d->z, FXL_Q2_30_ONE)) {
-        return false;
+    uint32_t planes = 0;
+    for (uint32_t i = first; i < beam_count; i++) {
+        planes += beams[i].plane_count;
     }
-    int64_t square =
-        fxl_multiply_s32(d->x, d->x) + fxl_multiply_s32(d->y, d->y) + fxl_multiply_s32(d->z, d->z);
-    return fxl_within(square - ((int64_t)1 << 60), FXL_NORMAL_SQUARE_MAX_ERROR);
+    return planes;
 }
+
+/* Of a piece, each corner is one of the face's or lies on a plane's line, which meets the
+ * border of something convex twice; of the first beam's planes one cuts what the one before
+ * left, and gives each part one corner more than it takes. */
+bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
+{
+    return face_vertices + planes_from(beams, 0, beam_count) + planes_from(beams, 1, beam_count) <=
+           FXL_FACE_VERTICES_MAX;
+}
+
+/* --- a beam as a table ------------------------------------------------------- */
 
 static bool is_unused(const fxl_beam_plane *plane)
 {
@@ -81,7 +88,7 @@ fxl_status fxl_beam_check(const fxl_beam *beam)
     }
     const fxl_direction travel = direction_of(beam);
     const fxl_point light = {beam->from[0], beam->from[1], beam->from[2]};
-    if (beam->kind == FXL_BEAM_DIRECTION && !is_unit(&travel)) {
+    if (beam->kind == FXL_BEAM_DIRECTION && !fxl_is_unit(&travel)) {
         return FXL_E_NORMAL;
     }
     if (beam->kind == FXL_BEAM_POINT && !fxl_point_in_range(&light)) {
@@ -95,7 +102,7 @@ fxl_status fxl_beam_check(const fxl_beam *beam)
             }
             continue;
         }
-        if (!is_unit(&plane->normal)) {
+        if (!fxl_is_unit(&plane->normal)) {
             return FXL_E_NORMAL;
         }
         if (!fxl_within(fxl_beam_plane_at(beam, i).distance, ((int64_t)1 << 61) - 1)) {
@@ -276,7 +283,7 @@ fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point 
     if (travel == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (!is_unit(travel)) {
+    if (!fxl_is_unit(travel)) {
         return FXL_E_RANGE;
     }
     fxl_beam made;

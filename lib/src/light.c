@@ -19,27 +19,9 @@ static uint32_t rounded_up(size_t size)
     return ((uint32_t)size + 7u) & ~7u;
 }
 
-static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam_count)
-{
-    uint32_t planes = 0;
-    for (uint32_t i = first; i < beam_count; i++) {
-        planes += beams[i].plane_count;
-    }
-    return planes;
-}
-
-/* Of a piece, each corner is one of the face's or lies on a plane's line, which meets the
- * border of something convex twice; of the first beam's planes one cuts what the one before
- * left, and gives each part one corner more than it takes. */
-bool fxl_light_fits(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
-{
-    return face_vertices + planes_from(beams, 0, beam_count) + planes_from(beams, 1, beam_count) <=
-           FXL_FACE_VERTICES_MAX;
-}
-
 uint32_t fxl_light_room(const fxl_beam *beams, uint32_t beam_count)
 {
-    if (beam_count < 1 || beam_count > FXL_BEAMS_MAX || !fxl_light_fits(beams, beam_count, 3)) {
+    if (beam_count < 1 || beam_count > FXL_BEAMS_MAX || !fxl_beams_fit(beams, beam_count, 3)) {
         return 0;
     }
     return rounded_up(sizeof(lighting)) + rounded_up(sizeof(fxl_lit_pieces)) +
@@ -121,7 +103,7 @@ static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t 
         }
     }
     for (uint32_t i = 0; i < scene->face_count; i++) {
-        if (!fxl_light_fits(beams, beam_count, scene->faces[i].count)) {
+        if (!fxl_beams_fit(beams, beam_count, scene->faces[i].count)) {
             return FXL_E_CAPACITY;
         }
     }

@@ -14,9 +14,10 @@
 #define ON_PLANE ((fxl_q18_46)4 << 30)
 
 /* A cut of one piece by one plane makes two crossings, each a corner of both parts and of a
- * piece beyond the edge; two more are for edges that lie in a plane. */
+ * piece beyond the edge. And some are for edges that lie in a plane. */
 enum {
-    CORNERS_A_CUT = 8
+    CORNERS_A_CUT = 6,
+    CORNERS_ON_PLANES = 16
 };
 
 uint32_t fxl_lit_pieces_needed(const fxl_beam *beams, uint32_t beam_count)
@@ -30,7 +31,12 @@ uint32_t fxl_lit_pieces_needed(const fxl_beam *beams, uint32_t beam_count)
 
 uint32_t fxl_lit_corners_needed(const fxl_beam *beams, uint32_t beam_count)
 {
-    return FXL_FACE_VERTICES_MAX + CORNERS_A_CUT * (fxl_lit_pieces_needed(beams, beam_count) - 1);
+    uint32_t vertices = FXL_FACE_VERTICES_MAX;
+    while (!fxl_beams_fit(beams, beam_count, vertices)) {
+        vertices--;
+    }
+    return vertices + CORNERS_ON_PLANES +
+           CORNERS_A_CUT * (fxl_lit_pieces_needed(beams, beam_count) - 1);
 }
 
 static bool same(const fxl_point *a, const fxl_point *b)

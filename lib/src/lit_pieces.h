@@ -26,7 +26,8 @@ typedef struct {
     uint32_t corner_count, piece_count;
 } fxl_lit_pieces;
 
-/* Corners and pieces that one face of FXL_FACE_VERTICES_MAX vertices may need. */
+/* Corners and pieces that one face may need that fits (fxl_beams_fit). Requires beams that fit
+ * with a face of some vertices. */
 uint32_t fxl_lit_corners_needed(const fxl_beam *beams, uint32_t beam_count);
 uint32_t fxl_lit_pieces_needed(const fxl_beam *beams, uint32_t beam_count);
 

@@ -51,6 +51,11 @@ fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point 
  * FXL_E_RANGE (point, distance), FXL_E_NORMAL (a normal or a direction not of unit length). */
 fxl_status fxl_beam_check(const fxl_beam *beam);
 
+/* Whether every part of a face of so many vertices fits a polygon that a clipper may cut: the
+ * face's vertices, the planes of the first beam, and twice those of each further one add up
+ * to no more than FXL_FACE_VERTICES_MAX. Requires checked beams. */
+bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices);
+
 /* A beam's plane for the functions that take one. */
 fxl_plane fxl_beam_plane_at(const fxl_beam *beam, uint32_t number);
 

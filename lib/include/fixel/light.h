@@ -7,20 +7,15 @@
 #include "fixel/render.h"
 
 /* Bytes that beams want of the caller's memory, aligned to 8. With one beam of 4, 5 or 8
- * planes 920, 1,016 or 1,320 on a core of 32 bits. 0 where they are out of what fxl_light_fits
+ * planes 920, 1,016 or 1,320 on a core of 32 bits. 0 where they are out of what fxl_beams_fit
  * allows. Requires checked beams. */
 uint32_t fxl_light_room(const fxl_beam *beams, uint32_t beam_count);
-
-/* Whether every part of a face of so many vertices fits a polygon that a clipper may cut: the
- * face's vertices, the planes of the first beam, and twice those of each further one add up
- * to no more than FXL_FACE_VERTICES_MAX. Requires checked beams. */
-bool fxl_light_fits(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices);
 
 /* Has a renderer draw by the light of 1..FXL_BEAMS_MAX beams; none, with whatever else, puts
  * the light out. lit[c] is the colour of what is drawn in colour c and lies in a beam. beams,
  * lit and room are kept hold of. Then a frame must begin anew.
  * FXL_E_ARGUMENT; FXL_E_COUNT; what fxl_beam_check says; FXL_E_CAPACITY where the room does
- * not suffice, or a face of the renderer's scene has too many vertices (fxl_light_fits):
+ * not suffice, or a face of the renderer's scene has too many vertices (fxl_beams_fit):
  * renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_light(fxl_renderer *renderer, const fxl_beam *beams,
                                   uint32_t beam_count, const uint8_t *lit, void *room,
