@@ -116,8 +116,9 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
     if (above + rows == 1) {
         int32_t left;
-        edge->x = (start >> 16) + 1 +
-                  fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &left);
+        edge->x =
+            (start >> 16) + 1 +
+            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &left);
         edge->fraction = 0;
         edge->step = 0;
         edge->step_fraction = 0;
