@@ -64,7 +64,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, bool once, fxl
     fxl_normalised frustum;
     fxl_normalised_from_camera(&of->camera, &of->lens, &frustum);
     load(of, &frustum, &polygon);
-    room.account = once_room.account = (fxl_clip_account){sliver, 0};
+    room.account = once_room.account = (fxl_clip_account){sliver, 0, 0};
     fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_room, &result)
                                : fxl_clip_normalised(&polygon, &frustum, &room, &result);
     if (cut == FXL_CLIP_CUT) {

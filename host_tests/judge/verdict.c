@@ -21,6 +21,7 @@ enum {
 typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
+    unsigned cuts;
     double distance;
     judge_frame *frames;
     judge_dump *twin;
@@ -169,6 +170,7 @@ static void *run_worker(void *argument)
     uint8_t *pixels = malloc(area);
     bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
     bool sound = pixels && ready;
+    renderer.cuts = work->cuts;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
         uint32_t number = work->next++;
@@ -187,11 +189,12 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, double distance,
-                  judge_frame *frames, judge_dump *twin)
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts,
+                  double distance, judge_frame *frames, judge_dump *twin)
 {
     job work = {.image = image,
                 .dump = dump,
+                .cuts = cuts,
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,

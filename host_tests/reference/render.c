@@ -20,6 +20,7 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
     memset(renderer, 0, sizeof *renderer);
     renderer->scene = scene;
     renderer->lens = *lens;
+    renderer->cuts = REF_CUT_ALL;
     renderer->objects = calloc(scene->object_count, sizeof *renderer->objects);
     renderer->faces = calloc((size_t)faces + 1, sizeof *renderer->faces);
     if (!renderer->objects || !renderer->faces) {
@@ -37,6 +38,19 @@ void ref_renderer_close(ref_renderer *renderer)
     memset(renderer, 0, sizeof *renderer);
 }
 
+/* Whether all vertices lie outside of one plane of the view: such a face is left out by
+ * every clipper, also by one that leaves that plane's side to the scan. */
+static bool is_outside(const ref_renderer *renderer, const ref_polygon *polygon)
+{
+    unsigned all = REF_CUT_ALL;
+    for (int i = 0; i < polygon->count; i++) {
+        ref_view_point seen =
+            ref_transform_point(&renderer->camera, &polygon->vertices[i].position);
+        all &= ref_outcode(&renderer->view_frustum, &seen);
+    }
+    return all != 0;
+}
+
 /* A face that faces the eye, from the world to the list. */
 static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
 {
@@ -45,6 +59,10 @@ static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t f
     const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
     ref_polygon whole, clipped;
     ref_face_to_polygon(renderer->scene, object, face, &whole);
+    if (renderer->cuts != REF_CUT_ALL && is_outside(renderer, &whole)) {
+        renderer->counters.outside++;
+        return true;
+    }
     switch (ref_clip_to_frustum(&whole, &renderer->frustum, &clipped)) {
     case REF_CLIP_OUTSIDE:
         renderer->counters.outside++;
@@ -111,7 +129,8 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
 {
     renderer->eye = pose->position;
     renderer->camera = ref_camera_from_pose(pose);
-    renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
+    renderer->frustum = ref_frustum_with_guard(&renderer->camera, &renderer->lens, renderer->cuts,
+                                               REF_GUARD_PIXELS);
     renderer->counters = (ref_counters){0};
     renderer->list.count = 0;
     renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);

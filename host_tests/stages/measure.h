@@ -14,6 +14,7 @@ stages_tally stages_transform_tally(const char *input);
 stages_tally stages_project_tally(const char *input);
 stages_tally stages_list_tally(const char *input);
 stages_tally stages_fill_tally(const char *input);
+stages_tally stages_split_tally(const char *input);
 
 /* A sphere on both sides; answers what the library does. */
 uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
@@ -59,5 +60,8 @@ void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons
  * and are 0 again afterwards. */
 void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
                          const fxl_band *band);
+
+/* Splits a piece of the world on both sides. Samples are the parts. */
+void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const fxl_piece *piece);
 
 #endif

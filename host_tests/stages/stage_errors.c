@@ -27,7 +27,7 @@ typedef struct {
 } options;
 
 typedef struct {
-    stages_tally sphere, clip, clip_world, transform, project, list, fill;
+    stages_tally sphere, clip, clip_world, transform, project, list, fill, split;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
@@ -45,7 +45,7 @@ static tallies tallies_for(const char *input)
     return (tallies){stages_sphere_tally(input),     stages_clip_tally(input),
                      stages_clip_world_tally(input), stages_transform_tally(input),
                      stages_project_tally(input),    stages_list_tally(input),
-                     stages_fill_tally(input)};
+                     stages_fill_tally(input),       stages_split_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -87,12 +87,28 @@ static void take_vertices(stages_tally *transform, const fxl_camera *camera,
     }
 }
 
+/* By the planes that the frustum has in the world, and by one through a corner. */
+static void take_split(stages_tally *split, const fxl_frustum *frustum, const fxl_polygon *polygon)
+{
+    fxl_piece piece = {.count = polygon->count};
+    for (uint32_t i = 0; i < piece.count; i++) {
+        piece.points[i] = polygon->vertices[i].position;
+    }
+    for (int i = 0; i < FXL_PLANE_COUNT; i++) {
+        fxl_plane through =
+            fxl_plane_from_point(&piece.points[0], &frustum->planes[i].normal, 0);
+        stages_measure_split(split, &frustum->planes[i], &piece);
+        stages_measure_split(split, &through, &piece);
+    }
+}
+
 /* One polygon down the library's own way, measured at every boundary; and, to
  * the side, through the world's clipper. */
 static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon)
 {
     fxl_view_polygon seen;
     take_vertices(&to->transform, &view->camera, polygon, &seen);
+    take_split(&to->split, &view->frustum, polygon);
     stages_measure_clip_world(&to->clip_world, &view->frustum, polygon);
     if (!stages_measure_clip(&to->clip, &view->view_frustum, &seen)) {
         return;
@@ -231,6 +247,7 @@ static void take_random_polygon(tallies *to, stages_random *random)
         }
     }
     stages_measure_clip(&to->clip, &view.view_frustum, &seen);
+    take_split(&to->split, &view.frustum, &polygon);
     stages_measure_clip_world(&to->clip_world, &view.frustum, &polygon);
 }
 
@@ -313,10 +330,10 @@ static void take_random(tallies *to, const options *wanted)
 static void print_tallies(const tallies *of, const char *end)
 {
     const stages_tally *all[] = {&of->sphere,  &of->clip, &of->clip_world, &of->transform,
-                                 &of->project, &of->list, &of->fill};
-    for (int i = 0; i < 7; i++) {
+                                 &of->project, &of->list, &of->fill, &of->split};
+    for (int i = 0; i < 8; i++) {
         stages_print(all[i]);
-        puts(i < 6 ? "," : end);
+        puts(i < 7 ? "," : end);
     }
 }
 

@@ -169,7 +169,7 @@ static bool to_screen(const fxl_clipper *clipper, const fxl_polygon *polygon, fx
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     fxl_clip_result result = clipper->clip(&face.placed, &face.face, &work, screen);
     *cut = result == FXL_CLIP_CUT;
-    return *cut || result == FXL_CLIP_INSIDE;
+    return *cut || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN;
 }
 
 static void random_view(fxl_view *view)

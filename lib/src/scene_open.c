@@ -25,8 +25,8 @@ typedef struct {
     uint32_t turn;
     table palette, vertices, corners, faces, models, objects, path;
     uint32_t frame_count;
-    table keys;
-    uint8_t reserved_tail[12];
+    table keys, nodes;
+    uint32_t tree_object;
 } header;
 
 _Static_assert(sizeof(header) == 160, "SPEC.md, chapter 8");
@@ -38,12 +38,15 @@ _Static_assert(sizeof(fxl_face) == 20, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_model) == 28, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_object) == 16, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_face_key) == 20, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, nodes) == 148, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_tree_node) == 32, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_stride) == 4, "SPEC.md, chapter 8");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
 #define MAGIC           0x534C5846u /* "FXLS" */
 #define VERSION         2u
+#define VERSION_TREE    3u
 #define PALETTE_ENTRIES 256u
 
 enum {
@@ -68,7 +71,7 @@ static fxl_status check_envelope(const header *head, size_t size)
     if (head->magic != MAGIC) {
         return FXL_E_MAGIC;
     }
-    if (head->version != VERSION) {
+    if (head->version != VERSION && head->version != VERSION_TREE) {
         return FXL_E_VERSION;
     }
     if (head->header_size != sizeof *head || head->image_size < sizeof *head ||
@@ -83,12 +86,8 @@ static fxl_status check_envelope(const header *head, size_t size)
     if (head->reserved != 0 || head->path_kind > PATH_STRIDES) {
         return FXL_E_RESERVED;
     }
-    for (size_t i = 0; i < sizeof head->reserved_tail; i++) {
-        if (head->reserved_tail[i] != 0) {
-            return FXL_E_RESERVED;
-        }
-    }
-    return FXL_OK;
+    bool tree = (head->nodes.offset | head->nodes.count | head->tree_object) != 0;
+    return tree && head->version == VERSION ? FXL_E_RESERVED : FXL_OK;
 }
 
 /* Lens, start and gait; a step without keys checks the last two by the very
@@ -118,7 +117,7 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
 }
 
 /* One table: aligned, behind the header, within the image. A count times at
- * most 24 bytes is below 2^37. */
+ * most 32 bytes is below 2^37. */
 static fxl_status check_table(const header *head, const table *entry, uint32_t entry_size,
                               uint32_t count_max, const char *what, fxl_scene_fault *fault)
 {
@@ -152,16 +151,20 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
         {&head->objects, sizeof(fxl_object), FXL_SCENE_OBJECTS_MAX, "object table"},
         {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
         {&head->keys, sizeof(fxl_face_key), FXL_SCENE_FACES_MAX, "key table"},
+        {&head->nodes, sizeof(fxl_tree_node), FXL_TREE_NODES_MAX, "node table"},
     };
-    /* Without sorted models there are no keys, and so no table. */
-    size_t count = sizeof tables / sizeof tables[0] - (head->keys.count == 0);
-    if (head->keys.count == 0 && head->keys.offset != 0) {
-        return fail(fault, "key table", 0, FXL_E_OFFSET);
-    }
+    const size_t count = sizeof tables / sizeof tables[0];
     if (head->palette.count != PALETTE_ENTRIES) {
         return fail(fault, "palette table", 0, FXL_E_COUNT);
     }
     for (size_t i = 0; i < count; i++) {
+        /* The last two need not be: without sorted models there are no keys. */
+        if (i >= count - 2 && tables[i].entry->count == 0) {
+            if (tables[i].entry->offset != 0) {
+                return fail(fault, tables[i].what, 0, FXL_E_OFFSET);
+            }
+            continue;
+        }
         fxl_status status = check_table(head, tables[i].entry, tables[i].entry_size,
                                         tables[i].count_max, tables[i].what, fault);
         if (status != FXL_OK) {
@@ -186,6 +189,9 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
     opened->scene.objects = at(head, head->objects.offset);
     opened->scene.keys = head->keys.count > 0 ? at(head, head->keys.offset) : NULL;
     opened->scene.key_count = head->keys.count;
+    opened->scene.nodes = head->nodes.count > 0 ? at(head, head->nodes.offset) : NULL;
+    opened->scene.node_count = head->nodes.count;
+    opened->scene.tree_object = head->tree_object;
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.corner_count = head->corners.count;
     opened->scene.face_count = head->faces.count;

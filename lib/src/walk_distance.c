@@ -51,7 +51,7 @@ static bool walk_sorted(const fxl_walk *on, const fxl_placed *placed, const fxl_
     const bool reverse = renderer->hidden->front_to_back;
     uint32_t number = first;
     while (number < front &&
-           take(on, placed, &faces[order[reverse ? front - 1 - number : number].index])) {
+           take(on, placed, &faces[order[reverse ? front - 1 - number : number].face])) {
         number++;
     }
     on->place->faces = (uint16_t)number;

@@ -221,6 +221,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None):
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     models, placed = _models(placements, indices)
     scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
+    scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
     return scene, list(dict.fromkeys(notes))
 
 

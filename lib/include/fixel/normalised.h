@@ -41,6 +41,10 @@ void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
 void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
                           fxl_view_point *seen);
 
+/* The same for a point relative to the eye, along the world's axes; each below 2^30. */
+void fxl_normalised_from_eye(const fxl_normalised *frustum, const fxl_point *from_eye,
+                             fxl_view_point *seen);
+
 /* A bit, 1 << FXL_PLANE_..., for each plane that the point lies outside of.
  * Exact. Requires |x|, |y|, |z| < 2^61. */
 uint32_t fxl_normalised_code(const fxl_normalised *frustum, const fxl_view_point *point);
