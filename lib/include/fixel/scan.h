@@ -38,12 +38,12 @@ typedef struct {
  * the points are kept, and edges are what crosses the row. */
 typedef struct {
     const fxl_screen_point *points;
-    fxl_crossing_edge edges[FXL_POLYGON_CAPACITY]; /* by first row */
-    uint8_t crossings[FXL_POLYGON_CAPACITY];       /* edges that cross the row, by x */
+    int16_t row, width;
+    int16_t end_row;                               /* where points are kept */
     uint8_t edge_count, next_edge;                 /* edges; the first not yet reached */
     uint8_t crossing_count, next_crossing;         /* crossings; the first not yet used */
-    int16_t row, width;
-    int16_t end_row; /* where points are kept */
+    uint8_t crossings[FXL_POLYGON_CAPACITY];       /* edges that cross the row, by x */
+    fxl_crossing_edge edges[FXL_POLYGON_CAPACITY]; /* by first row */
 } fxl_crossings;
 
 /* A polygon being scanned. The caller owns it; all members belong to scan. */

@@ -77,13 +77,21 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
     }
 }
 
-/* Faces are of one layer. */
+/* Faces, which are of one layer. */
+static void sort_faces(fxl_order_entry *entries, uint32_t count)
+{
+    fxl_order_sort(entries, count);
+    for (uint32_t i = 0; i < count; i++) {
+        entries[i].face = entries[i].index;
+    }
+}
+
 void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         entries[i].next = 0;
     }
-    fxl_order_sort(entries, count);
+    sort_faces(entries, count);
 }
 
 uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
@@ -122,10 +130,11 @@ uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const
         const fxl_point *first = &vertices[*corners];
         /* Of vectors below 2^30 in each coordinate: fxl_placed_face_is_front's sum. */
         if (fxl_dot(&face->normal, from.x - first->x, from.y - first->y, from.z - first->z) > 0) {
-            entries[count++] = fxl_order_entry_of(
-                box_distance(vertices, corners, face->count, &from), (uint16_t)i, 0);
+            fxl_order_entry *entry = &entries[count++];
+            *entry = fxl_order_entry_of(box_distance(vertices, corners, face->count, &from),
+                                        (uint16_t)i, 0);
         }
     }
-    fxl_order_sort(entries, count);
+    sort_faces(entries, count);
     return count;
 }

@@ -10,36 +10,46 @@
 typedef struct {
     uint32_t depth;
     unsigned shift;
+    fxl_q16_16 focal;
 } scaled_depth;
 
 static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;
-    scaled.shift = fxl_bit_length((uint64_t)z) - 31u;
-    scaled.depth = (uint32_t)fxl_round_shift(z, scaled.shift);
+    unsigned zeros = fxl_leading_zeros((uint32_t)((uint64_t)z >> 32));
+    uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32);
+    scaled.shift = 33u - zeros;
+    scaled.depth = (high >> 1) + (high & 1u);
     return scaled;
 }
 
 /* round(focal side / depth) + centre, half a unit downward; false where that lies beyond the
  * screen's range before it is rounded. centre is a whole number, so it may come before
  * the division. */
-static bool place_of(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled, int32_t centre,
-                     int32_t *place)
+static bool place_of(fxl_q18_46 side, const scaled_depth *scaled, int32_t centre, int32_t *place)
 {
-    /* focal is below 2^29 and |side| below 2^61: with side = 2^32 high + low the product is
-     * 2^32 (focal high) + focal low, the first bracket below 2^58, the second below 2^61. */
-    int64_t high = fxl_multiply_s32(focal, (int32_t)(side >> 32));
-    int64_t low = fxl_multiply_su32(focal, (uint32_t)side);
-    /* Beyond that the product is beyond 2^61, and the range's end times the depth below 2^60. */
-    if (((high >> scaled->shift) + (1 << 29)) >> 30 != 0) {
+    /* Their product in three words. focal is below 2^29, |side| below 2^61. */
+    fxl_q16_16 focal = scaled->focal;
+    uint64_t low = fxl_multiply_u32((uint32_t)focal, (uint32_t)side);
+    int64_t high = fxl_multiply_s32(focal, (int32_t)((uint64_t)side >> 32)) + (int64_t)(low >> 32);
+    int32_t top = (int32_t)((uint64_t)high >> 32);
+    unsigned shift = scaled->shift, rest = 32u - shift;
+    /* Shifted, beyond 2^62: the range's end times the depth is below 2^60. */
+    if ((uint32_t)(top >> (shift - 2)) + 1u > 1u) {
         return false;
     }
-    int64_t product = (int64_t)((uint64_t)high << (32 - scaled->shift)) + (low >> scaled->shift) +
+    int64_t product = (int64_t)((uint64_t)((uint32_t)high >> shift | (uint32_t)top << rest) << 32 |
+                                ((uint32_t)low >> shift | (uint32_t)high << rest)) +
                       fxl_multiply_su32(centre, scaled->depth);
     if (!fxl_within(product, fxl_multiply_su32(FXL_SCREEN_COORDINATE_MAX, scaled->depth))) {
         return false;
     }
-    *place = fxl_divide_round(product, scaled->depth);
+    /* floor((product + depth / 2) / depth); of -1 - n it is -1 less that of n. */
+    uint32_t none;
+    product += scaled->depth >> 1;
+    int64_t sign = product >> 63;
+    *place =
+        (int32_t)fxl_divide_u64((uint64_t)(product ^ sign), scaled->depth, &none) ^ (int32_t)sign;
     return true;
 }
 
@@ -49,11 +59,11 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
     if (view->z < FXL_PROJECT_DEPTH_MIN) {
         return FXL_E_RANGE;
     }
-    fxl_q16_16 focal = (fxl_q16_16)(projection->factor >> 2);
     scaled_depth scaled = scale_depth(view->z);
+    scaled.focal = (fxl_q16_16)(projection->factor >> 2);
     int32_t x, y;
-    if (!place_of(focal, view->x, &scaled, projection->centre_x, &x) ||
-        !place_of(focal, view->y, &scaled, -projection->centre_y, &y)) {
+    if (!place_of(view->x, &scaled, projection->centre_x, &x) ||
+        !place_of(view->y, &scaled, -projection->centre_y, &y)) {
         return FXL_E_RANGE;
     }
     screen->x = x;

@@ -83,16 +83,16 @@ static bool next_row(fxl_crossings *crossings)
 static void next_stretch(fxl_crossings *crossings, int32_t *x0, int32_t *x1)
 {
     const fxl_crossing_edge *edge = &crossings->edges[crossings->next_crossing];
-    const fxl_crossing_edge *end = &crossings->edges[crossings->crossing_count];
     int32_t winding = 0;
     *x0 = edge->x;
     do {
         *x1 = edge->x;
         winding += edge->winding;
         edge++;
-    } while (edge < end && (winding != 0 || edge->x == *x1));
+        crossings->next_crossing += 1;
+    } while (crossings->next_crossing < crossings->crossing_count &&
+             (winding != 0 || edge->x == *x1));
     FXL_ASSERT(winding == 0);
-    crossings->next_crossing = (uint8_t)(edge - crossings->edges);
 }
 
 bool fxl_crossings_next(fxl_crossings *crossings, fxl_span *span)

@@ -48,7 +48,7 @@ bool fxl_walk_account(const fxl_walk *on, fxl_fate fate, uint32_t used)
     }
     if (fate & (1u << FXL_CLIP_CAPACITY | 1u << FXL_CLIP_RANGE)) {
         counters->refused += 1;
-    } else if (fate & (1u << FXL_CLIP_INSIDE | 1u << FXL_CLIP_CUT)) {
+    } else if (fate & (1u << FXL_CLIP_INSIDE | 1u << FXL_CLIP_CUT | 1u << FXL_CLIP_BETWEEN)) {
         counters->drawn += 1;
         counters->clipped += fate >> FXL_CLIP_CUT & 1u;
         counters->spilled += (fate & FXL_FATE_SPILLED) != 0;

@@ -20,7 +20,7 @@ static bool walk_faces(const fxl_walk *on, const fxl_placed *placed, const fxl_m
     for (; on->place->faces < count; on->place->faces++) {
         uint32_t at = on->place->faces;
         at = on->renderer->hidden->front_to_back ? count - 1 - at : at;
-        const fxl_face *face = &faces[order != NULL ? order[at].index : at];
+        const fxl_face *face = &faces[order != NULL ? order[at].face : at];
         if (order == NULL && !fxl_placed_face_is_front(placed, face)) {
             counters->backfacing += 1;
         } else if (!take(on, placed, face)) {
