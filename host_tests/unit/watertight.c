@@ -105,7 +105,7 @@ static int to_screen(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     fxl_clip_result result = clipper->clip(&face.placed, &face.face, &work, &screens[0]);
     *cut = result == FXL_CLIP_CUT;
-    while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE) {
+    while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN) {
         count++;
         if (clipper->next == NULL) {
             break;

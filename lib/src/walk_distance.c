@@ -2,7 +2,8 @@
 #include "face.h"
 #include "walk.h"
 
-static fxl_face_taker taker_of(const fxl_walk *on, const fxl_object *object, const fxl_model *model)
+fxl_face_taker fxl_walk_taker_of(const fxl_walk *on, const fxl_object *object,
+                                 const fxl_model *model)
 {
     const fxl_light *light = on->renderer->light;
     return light != NULL && light->reaches(light, &object->centre, model->radius) ? light->face
@@ -49,9 +50,10 @@ static bool walk_sorted(const fxl_walk *on, const fxl_placed *placed, const fxl_
     const fxl_face *faces = &scene->faces[model->first_face];
     const uint32_t first = on->place->faces, front = renderer->front;
     const bool reverse = renderer->hidden->front_to_back;
+    const fxl_order_entry *at = &order[reverse ? front - 1 - first : first];
     uint32_t number = first;
-    while (number < front &&
-           take(on, placed, &faces[order[reverse ? front - 1 - number : number].index])) {
+    while (number < front && take(on, placed, &faces[at->face])) {
+        at += reverse ? -1 : 1;
         number++;
     }
     on->place->faces = (uint16_t)number;
@@ -70,7 +72,7 @@ bool fxl_walk_object(const fxl_walk *on, const fxl_order_entry *entry)
     const fxl_scene *scene = renderer->scene;
     const fxl_object *object = &scene->objects[entry->index];
     const fxl_model *model = &scene->models[object->model];
-    const fxl_face_taker take = taker_of(on, object, model);
+    const fxl_face_taker take = fxl_walk_taker_of(on, object, model);
     fxl_placed placed;
     fxl_place_object(&placed, scene, object, entry->planes, &renderer->view, &renderer->cache);
     return model->kind == FXL_MODEL_SORTED ? walk_sorted(on, &placed, object, model, take)
