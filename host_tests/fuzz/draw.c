@@ -61,7 +61,9 @@ static fxl_clip_result checked_clip(const fxl_placed *placed, const fxl_face *fa
                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     fxl_clip_result cut = of_family->clip(placed, face, work, screen);
-    DEMAND(cut != FXL_CLIP_RANGE); /* the guard band, or all planes, rule it out */
+    /* The guard band, or all planes, rule it out; but a face that is not convex is not for
+     * the one that goes by edges. */
+    DEMAND(cut != FXL_CLIP_RANGE || of_family == &fxl_clipper_once);
     judge_screen(cut, screen);
     return cut;
 }
