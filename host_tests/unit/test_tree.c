@@ -212,6 +212,31 @@ void test_what_a_ray_sees_first_is_seen(void)
     TEST_ASSERT_TRUE(moved > rounds && through > rounds);
 }
 
+/* Vertices and edges on the planes of the tree: cubes that stand straight, on a grid. */
+void test_cubes_that_touch_the_planes(void)
+{
+    uint32_t judged = 0;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_pose pose = shuffle();
+        tree_scene *straight = tree_make();
+        tilted = upright;
+        straight->tiny->objects[0].centre =
+            (fxl_point){Q16(0.5) * unit_between(-4, 4), Q16(0.5) * unit_between(-4, 4),
+                        Q16(10) + Q16(0.5) * unit_between(-4, 4)};
+        straight->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        start_with(0, &fxl_hidden_tree, sizeof pieces);
+        draw(whole, &pose);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            sight seen = look(&pose, i % WIDTH, i / WIDTH);
+            if (seen.margin > 1e-3) {
+                TEST_ASSERT_EQUAL_UINT8(seen.colour, whole[i]);
+                judged++;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(judged > UNIT_REPEAT / 100 * WIDTH * HEIGHT / 4);
+}
+
 /* --- other orders, other bands ---------------------------------------------- */
 
 void test_any_bands_and_any_list_give_the_same_frame(void)
