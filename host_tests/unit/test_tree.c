@@ -68,11 +68,11 @@ static fxl_direction times_sign(const fxl_direction *of, int32_t sign)
     return (fxl_direction){of->x * sign, of->y * sign, of->z * sign};
 }
 
-/* Turns the cube that moves, so that no plane of the tree cuts it along an axis. */
-static void tilt(void)
+/* Turns the cube that moves. */
+static void tilt(fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
 {
     const fxl_pose straight = {{0, 0, 0}, 0, 0, 0};
-    const fxl_pose pose = {{0, 0, 0}, unit_random(), unit_random(), unit_random()};
+    const fxl_pose pose = {{0, 0, 0}, yaw, pitch, roll};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&straight, &upright));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
     const fxl_direction *const axes[3] = {&tilted.right, &tilted.up, &tilted.forward};
@@ -93,7 +93,7 @@ static fxl_pose shuffle(void)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     made = tree_make();
-    tilt();
+    tilt(unit_random(), unit_random(), unit_random());
     for (uint32_t i = 0; i < TINY_OBJECTS; i += 2) {
         fxl_point *centre = &made->tiny->objects[i].centre;
         centre->x = unit_between(-Q16(2), Q16(2));
@@ -212,18 +212,20 @@ void test_what_a_ray_sees_first_is_seen(void)
     TEST_ASSERT_TRUE(moved > rounds && through > rounds);
 }
 
-/* Vertices and edges on the planes of the tree: cubes that stand straight, on a grid. */
+/* Vertices, edges and faces on the planes of the tree: cubes that stand straight, or on an
+ * edge, on a grid. A plane then goes through vertices that it does not add. */
 void test_cubes_that_touch_the_planes(void)
 {
     uint32_t judged = 0;
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = shuffle();
-        tree_scene *straight = tree_make();
-        tilted = upright;
-        straight->tiny->objects[0].centre =
+        made = tree_make();
+        tilt(0, 0, round % 4 ? DEGREES(45) : 0);
+        TEST_ASSERT_TRUE(round % 4 == 0 || made->tiny->vertices[0].x == 0);
+        made->tiny->objects[0].centre =
             (fxl_point){Q16(0.5) * unit_between(-4, 4), Q16(0.5) * unit_between(-4, 4),
                         Q16(10) + Q16(0.5) * unit_between(-4, 4)};
-        straight->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
         start_with(0, &fxl_hidden_tree, sizeof pieces);
         draw(whole, &pose);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -359,7 +361,7 @@ void test_any_room_for_pieces(void)
     uint32_t last = 2;
     fxl_pose pose = {{Q16(-3), Q16(2), Q16(5)}, DEGREES(30), DEGREES(-18), 0};
     made = tree_make();
-    tilt();
+    tilt(unit_random(), unit_random(), unit_random());
     made->tiny->objects[0].centre = (fxl_point){Q16(0.75), Q16(0.5), Q16(9.5)};
     made->tiny->objects[2].centre = (fxl_point){Q16(-0.5), Q16(-0.75), Q16(10.25)};
     start_with(0, &fxl_hidden_tree, sizeof pieces);
