@@ -11,22 +11,28 @@ LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:corte
 LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
-# A compiler's flags -> the family of the core that -mcpu names; portable for any other.
-LIB_FAMILY = $(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+# A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
+# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes.
+LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
 # Every object of the library, whatever the family; its source is the first of
 # LIB_PATTERNS that there is: a makefile has a rule for each, in this order.
 LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/portable/*.c))))
-LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(filter-out portable,$(1)) $(LIB_BASES.$(1)) portable) lib/src
+LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(foreach family,$(filter-out portable,$(subst +, ,$(1))),\
+    $(family) $(LIB_BASES.$(family))) portable) lib/src
 LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
     $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
+# With -Os: what the compiler moves out of loops, or unrolls, it pays for in bytes.
+LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-ipa-cp \
+    --param=max-completely-peeled-insns=4
 # The kernels' own loops must not become calls of memset. Code of the compiler's is
 # arranged as for a Cortex-M3, whose pipeline a Cortex-M4 shares: as it is for the
 # others it takes 1 % more instructions.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
-    $(if $(filter armv7em armv81m,$(1)),-mtune=cortex-m3)
+    $(if $(filter armv7em armv81m,$(subst +, ,$(1))),-mtune=cortex-m3) \
+    $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 
@@ -49,12 +55,14 @@ $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 
 # CORE is a name that gcc's -mcpu knows, or "host". LIB_FLAGS adds to the flags,
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
+# SIZE=1 asks for few bytes instead of few instructions: -Os, and the kernels of small.
 LIB_OUT := $(BUILD)/lib/$(CORE)
 LIB_FLAGS ?=
 LIB_CORE_FLAGS := $(if $(filter host,$(CORE)),,-mcpu=$(CORE) -mthumb)
 LIB_CC := $(if $(filter host,$(CORE)),$(HOSTCC),$(CROSS)gcc)
 LIB_AR := $(if $(filter host,$(CORE)),ar,$(CROSS)ar)
-LIB_KERNELS := $(call LIB_FAMILY,$(LIB_CORE_FLAGS))
+LIB_OPTIMISE := $(if $(SIZE),-Os,-O2)
+LIB_KERNELS := $(call LIB_FAMILY,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS))
 LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
 
 .PHONY: lib
@@ -64,14 +72,14 @@ lib: $(LIB_OUT)/libfixel.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
 # Flags are part of what was built: another choice builds anew.
 $(LIB_OUT)/flags: FORCE
 	@mkdir -p $(@D)
-	@echo '$(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
-	    echo '$(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
+	@echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
+	    echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
 
 define LIB_RULE
 $(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
 	@mkdir -p $$(@D)
 	@printf '  %-4s %s\n' CC $$@
-	@$$(LIB_CC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) -O2 $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) \
+	@$$(LIB_CC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) \
 	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS)),$(eval $(call LIB_RULE,$(pattern))))

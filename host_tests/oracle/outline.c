@@ -110,7 +110,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
         verdict->extras[REFUSED] = 1;
         verdict->value = ORACLE_REFUSED;
     }
-    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT) {
+    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT && result != FXL_CLIP_BETWEEN) {
         screen.count = 0;
     }
     oracle_spot spots[FXL_POLYGON_CAPACITY];
@@ -125,7 +125,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     if (exact.count == 0 && screen.count == 0) {
         return verdict->extras[REFUSED] ? ORACLE_COUNTED : ORACLE_SKIPPED;
     }
-    verdict->extras[CUT] = result != FXL_CLIP_INSIDE;
+    verdict->extras[CUT] = result != FXL_CLIP_INSIDE && result != FXL_CLIP_BETWEEN;
     if (verdict->extras[REFUSED]) {
         return ORACLE_COUNTED;
     }

@@ -126,7 +126,7 @@ static int draw(fxl_view *view, const fxl_polygon *polygon, fxl_screen_polygon *
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, screen);
     verdict->extras[CUT_PIECES] += result == FXL_CLIP_CUT;
-    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT) {
+    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT && result != FXL_CLIP_BETWEEN) {
         screen->count = 0;
         return result != FXL_CLIP_CAPACITY && result != FXL_CLIP_RANGE;
     }

@@ -6,7 +6,9 @@
 
 #include "reference/clip.h"
 #include "reference/cull.h"
+#include "reference/camera.h"
 #include "reference/fill.h"
+#include "reference/light.h"
 #include "reference/project.h"
 #include "reference/scan.h"
 #include "reference/render_tree.h"
@@ -88,10 +90,59 @@ bool ref_take_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t
     return ref_list_append(&renderer->list, &drawn);
 }
 
+/* One face of which the pieces were counted in one by one. */
+static void count_once(const ref_counters *pieces, ref_counters *counters)
+{
+    if (pieces->refused) {
+        counters->refused++;
+    } else if (pieces->drawn) {
+        counters->drawn++;
+        counters->clipped += pieces->clipped > 0;
+    } else if (pieces->degenerate) {
+        counters->degenerate++;
+    } else {
+        counters->outside++;
+    }
+}
+
+/* A face of an object that a beam may reach: in pieces, lit and dark. */
+static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+{
+    ref_lit_pieces pieces; /* judges run in threads */
+    const ref_scene *scene = renderer->scene;
+    const ref_object *object = &scene->objects[object_number];
+    const ref_face *face = &scene->faces[scene->models[object->model].first_face + face_number];
+    ref_piece whole = {.count = face->count};
+    ref_counters counted = {0};
+    for (int i = 0; i < whole.count; i++) {
+        whole.points[i] = ref_face_corner(scene, object, face, i);
+    }
+    if (!ref_light_split(scene, &whole, face->normal, &pieces)) {
+        pieces.count = 1;
+        pieces.pieces[0] = (ref_lit_piece){whole, false};
+    }
+    for (int i = 0; i < pieces.count; i++) {
+        const ref_lit_piece *piece = &pieces.pieces[i];
+        ref_polygon polygon = {.colour = piece->lit ? scene->lit[face->colour] : face->colour,
+                               .count = piece->shape.count};
+        for (int k = 0; k < polygon.count; k++) {
+            polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
+        }
+        if (!ref_take_polygon(renderer, &polygon, object_number, face_number, &counted)) {
+            return false;
+        }
+    }
+    count_once(&counted, &renderer->counters);
+    return true;
+}
+
 bool ref_take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
 {
     const ref_object *object = &renderer->scene->objects[object_number];
     const ref_model *model = &renderer->scene->models[object->model];
+    if (ref_light_reaches(renderer->scene, &object->centre, model->radius)) {
+        return take_lit_face(renderer, object_number, face_number);
+    }
     ref_polygon whole;
     ref_face_to_polygon(renderer->scene, object,
                         &renderer->scene->faces[model->first_face + face_number], &whole);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -263,16 +264,60 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset >= 0 && inset <= 1 && near + 2 * inset < far;
 }
 
+/* A distance of 18.46, low word first, to all of its bits. */
+static long double distance_read(const uint8_t *bytes)
+{
+    return ldexpl((long double)ref_i32(bytes + 4), -14) + ldexpl((long double)ref_u32(bytes), -46);
+}
+
+static void beam_read(const uint8_t *bytes, ref_beam *beam)
+{
+    for (int i = 0; i < 3; i++) {
+        beam->from[i] = ref_i32(bytes + 4 * i);
+    }
+    beam->kind = bytes[12];
+    beam->plane_count = bytes[13];
+    for (int i = 0; i < beam->plane_count && i < 8; i++) {
+        const uint8_t *p = bytes + 16 + 20 * i;
+        beam->planes[i] = (ref_plane){
+            {ldexp(ref_i32(p), -30), ldexp(ref_i32(p + 4), -30), ldexp(ref_i32(p + 8), -30)},
+            distance_read(p + 12)};
+    }
+}
+
+static bool read_beams(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
+    if (ref_u16(bytes + 6) == 160) {
+        return true;
+    }
+    const uint8_t *beams = table_at(bytes, size, 160, 176, 4, &scene->beam_count);
+    uint64_t lit = ref_u32(bytes + 168);
+    if (!beams || lit + 256 > size) {
+        return false;
+    }
+    memcpy(scene->lit, bytes + lit, 256);
+    scene->beams = calloc(scene->beam_count, sizeof *scene->beams);
+    for (uint32_t i = 0; scene->beams && i < scene->beam_count; i++) {
+        beam_read(beams + 176 * (size_t)i, &scene->beams[i]);
+        if (scene->beams[i].plane_count < 1 || scene->beams[i].plane_count > 8 ||
+            scene->beams[i].kind > REF_BEAM_DIRECTION) {
+            return false;
+        }
+    }
+    return scene->beams != NULL;
+}
+
 static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
-    if ((ref_u16(bytes + 4) != 2 && ref_u16(bytes + 4) != 3) || ref_u16(bytes + 6) != 160) {
+    if ((ref_u16(bytes + 4) != 2 && ref_u16(bytes + 4) != 3) ||
+        (ref_u16(bytes + 6) != 160 && ref_u16(bytes + 6) != 176)) {
         return "it is a scene image of another version";
     }
     uint32_t stated = ref_u32(bytes + 8);
-    if (stated < 160 || stated > size || stated > 16u << 20) {
+    if (stated < ref_u16(bytes + 6) || stated > size || stated > 16u << 20) {
         return "the scene image is shorter than it says";
     }
     if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
@@ -298,6 +343,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_tree(bytes, stated, &image->scene)) {
         return "the scene image's tree is not usable";
     }
+    if (!read_beams(bytes, stated, &image->scene)) {
+        return "the scene image's beams are not usable";
+    }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";
     }
@@ -322,6 +370,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.models);
     free(image->scene.objects);
     free(image->scene.nodes);
+    free(image->scene.beams);
     free(image->poses);
     free(image->strides);
     memset(image, 0, sizeof *image);

@@ -42,6 +42,19 @@ typedef struct {
     uint16_t keys, frames;
 } ref_stride;
 
+enum {
+    REF_BEAM_POINT = 0,
+    REF_BEAM_DIRECTION = 1
+};
+
+/* A convex part of the world that light falls through. */
+typedef struct {
+    int32_t from[3]; /* a point in 16.16, or the way that light goes in 2.30 */
+    uint8_t kind;
+    int plane_count;
+    ref_plane planes[8];
+} ref_beam;
+
 typedef struct {
     ref_lattice_point *vertices; /* relative to the object's centre */
     uint16_t *corners;
@@ -51,6 +64,9 @@ typedef struct {
     uint32_t vertex_count, corner_count, face_count, model_count, object_count;
     ref_node *nodes; /* null where there is no tree */
     uint32_t node_count, tree_object;
+    ref_beam *beams; /* null where there are none */
+    uint32_t beam_count;
+    uint8_t lit[256]; /* the colour that each colour has in a beam */
 } ref_scene;
 
 typedef struct {

@@ -48,7 +48,7 @@ static fxl_polygon random_triangle(const fxl_view *view)
 
 static bool is_kept(fxl_clip_result result)
 {
-    return result == FXL_CLIP_INSIDE || result == FXL_CLIP_CUT;
+    return result == FXL_CLIP_INSIDE || result == FXL_CLIP_CUT || result == FXL_CLIP_BETWEEN;
 }
 
 static void expect_projected(const fxl_view *view, const fxl_polygon *polygon,

@@ -17,6 +17,7 @@
 #define FIXEL_H
 
 #include "fixel/angle.h"
+#include "fixel/beam.h"
 #include "fixel/camera.h"
 #include "fixel/clip.h"
 #include "fixel/clip_view.h"
@@ -31,6 +32,7 @@
 #include "fixel/half_space.h"
 #include "fixel/hidden.h"
 #include "fixel/lens.h"
+#include "fixel/light.h"
 #include "fixel/line.h"
 #include "fixel/list.h"
 #include "fixel/normalised.h"
@@ -44,6 +46,7 @@
 #include "fixel/scan.h"
 #include "fixel/scan_box.h"
 #include "fixel/scene.h"
+#include "fixel/span_buffer.h"
 #include "fixel/sphere.h"
 #include "fixel/split.h"
 #include "fixel/status.h"

@@ -3,14 +3,34 @@
 #include "fixel/project.h"
 
 #include "counted.h"
+#include "seen.h"
 
-_Static_assert((FXL_PLANES_ALL & FXL_SEEN_UNPROJECTED) == 0, "both share a byte");
+_Static_assert((FXL_PLANES_ALL & FXL_SEEN_UNPROJECTED) == 0 &&
+                   (FXL_PLANES_ALL | FXL_SEEN_UNPROJECTED) <= FXL_SEEN_OUTSIDE,
+               "all share a byte");
 
-/* A face with a vertex that is outside: assembled, cut by the planes that a
- * vertex is outside of, and projected. */
-static fxl_clip_result cut(const fxl_placed *placed, const fxl_face *face, fxl_clip_view_work *work,
-                           fxl_screen_polygon *screen)
+/* The kernels in assembly know where members lie. */
+#ifdef __arm__
+_Static_assert(offsetof(fxl_placed, entries) == 4 && offsetof(fxl_placed, mask) == 8 &&
+                   offsetof(fxl_placed, tag) == 12 && offsetof(fxl_placed, corners) == 20 &&
+                   sizeof(fxl_seen_vertex) == 40 && offsetof(fxl_seen_vertex, state) == 4 &&
+                   offsetof(fxl_seen_vertex, screen) == 8 &&
+                   offsetof(fxl_seen_vertex, position) == 16,
+               "lib/kernels: seen vertex");
+_Static_assert(offsetof(fxl_face, first_corner) == 12 && offsetof(fxl_face, count) == 16 &&
+                   offsetof(fxl_face, colour) == 17 && offsetof(fxl_screen_polygon, colour) == 0 &&
+                   offsetof(fxl_screen_polygon, count) == 1 &&
+                   offsetof(fxl_screen_polygon, points) == 4,
+               "lib/kernels: face and polygon");
+_Static_assert(offsetof(fxl_view, projection) == 68 && FXL_CLIP_INSIDE == 0 &&
+                   FXL_CLIP_RANGE == 5 && FXL_CLIP_BETWEEN == 6,
+               "lib/kernels: projection and results");
+#endif
+
+fxl_clip_result fxl_clip_seen(const fxl_placed *placed, const fxl_face *face,
+                              fxl_clipper_work *room, fxl_screen_polygon *screen)
 {
+    fxl_clip_view_work *work = &room->by_view;
     const uint16_t *corners = placed->corners + face->first_corner;
     const fxl_view *view = placed->view;
     fxl_view_polygon *seen = &work->polygons[0];
@@ -43,31 +63,6 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_face *face, fxl_c
         }
     }
     return result;
-}
-
-/* Mostly every vertex is inside: then their places on the screen are the result. */
-fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
-                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
-{
-    const uint16_t *corners = placed->corners + face->first_corner;
-    fxl_screen_point *point = screen->points;
-    for (const uint16_t *end = corners + face->count; corners < end; corners++, point++) {
-        fxl_seen_vertex *vertex = fxl_see(placed, *corners);
-        if (vertex->state != 0) {
-            if (vertex->state != FXL_SEEN_UNPROJECTED) {
-                return cut(placed, face, &work->by_view, screen);
-            }
-            if (fxl_project_seen(&placed->view->projection, &vertex->position, &vertex->screen) !=
-                FXL_OK) {
-                return FXL_CLIP_RANGE;
-            }
-            vertex->state = 0;
-        }
-        *point = vertex->screen;
-    }
-    screen->colour = face->colour;
-    screen->count = face->count;
-    return FXL_CLIP_INSIDE;
 }
 
 const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view};

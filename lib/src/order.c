@@ -3,27 +3,20 @@
 
 #include "arith.h"
 #include "face_key.h"
+#include "front_faces.h"
 
-/* Below 2^62 for |value| < 2^31. */
-static inline uint64_t square(int32_t value)
-{
-    return (uint64_t)fxl_multiply_s32(value, value);
-}
+#ifdef __arm__
+_Static_assert(sizeof(fxl_face) == 20 && offsetof(fxl_face, normal) == 0 &&
+                   sizeof(fxl_face_key) == 20 && offsetof(fxl_face_key, box_x) == 8 &&
+                   sizeof(fxl_order_entry) == 12 && offsetof(fxl_order_entry, index) == 8,
+               "front_faces.S");
+#endif
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));
-    return square(point->x - eye->x) + square(point->y - eye->y) + square(point->z - eye->z);
-}
-
-/* The key of a face whose box and whose eye are relative to the same point: of
- * box - 2 eye. The difference of two points of the world is below 2^30, so each
- * coordinate is below 2^31; what wraps on the way cancels. */
-static inline uint64_t box_distance(int32_t x, int32_t y, int32_t z, const fxl_point *eye)
-{
-    return square((int32_t)((uint32_t)x - 2 * (uint32_t)eye->x)) +
-           square((int32_t)((uint32_t)y - 2 * (uint32_t)eye->y)) +
-           square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
+    return fxl_square(point->x - eye->x) + fxl_square(point->y - eye->y) +
+           fxl_square(point->z - eye->z);
 }
 
 /* The eye as a model sees it. Both within FXL_COORDINATE_MAX: below 2^30. */
@@ -39,7 +32,7 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
     fxl_point relative = relative_to(eye, &object->centre);
     fxl_point box = fxl_face_box(&scene->vertices[scene->models[object->model].first_vertex],
                                  &scene->corners[face->first_corner], face->count);
-    return box_distance(box.x, box.y, box.z, &relative);
+    return fxl_box_distance(box.x, box.y, box.z, &relative);
 }
 
 /* Whether a is drawn before b. */
@@ -139,27 +132,22 @@ static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *pla
     return head;
 }
 
-/* Puts a chain's entries where it says (MacLaren 1966). What lay in a place that
- * was filled is found by the place's next; no entry moves into a place before,
- * so all that following is no longer than the chain. */
-static void put_in_place(fxl_order_entry *entries, uint32_t head, uint32_t count)
+/* Writes the numbers of a chain's faces down, from the entry at `place` on; answers
+ * where it ended. Distances are lost by it, links are not. */
+static uint32_t put_in_order(fxl_order_entry *entries, uint32_t chain, uint32_t place)
 {
-    for (uint32_t place = 0; place < count; place++) {
-        while (head < place) {
-            head = entries[head].next;
-        }
-        fxl_order_entry entry = entries[head];
-        entries[head] = entries[place];
-        entries[place] = entry;
-        entries[place].next = (uint16_t)head;
-        head = entry.next;
+    while (chain != END) {
+        const fxl_order_entry *entry = &entries[chain];
+        entries[place++].face = entry->index;
+        chain = entry->next;
     }
+    return place;
 }
 
 /* Merging of runs: in place, without recursion. chains[i] is made of 2^i runs
  * that come before those of chains[i - 1]; a run is two entries at least, but for
  * the last. */
-void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
+static void sort_by_merging(fxl_order_entry *entries, uint32_t count)
 {
     uint16_t chains[16];
     uint32_t levels = 0, place = 0;
@@ -180,7 +168,92 @@ void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
             all = all == END ? chains[level] : merge(entries, chains[level], all);
         }
     }
-    put_in_place(entries, all, count);
+    put_in_order(entries, all, 0);
+}
+
+/* Buckets of equal width, the farthest first: 128 bytes of stack. */
+#define BUCKETS 64u
+
+/* How far a bucket may be gone through for each face, before something else sorts. */
+#define STEPS_A_FACE 4u
+
+/* Which bucket a distance belongs to. */
+typedef struct {
+    uint64_t far;    /* none of the buckets' is farther */
+    uint64_t range;  /* far less the nearest; what is beyond either joins the bucket there */
+    uint32_t factor; /* below BUCKETS 2^(32 + shift) / range */
+    uint32_t shift;
+} buckets;
+
+/* What a look at some of the faces says. */
+static void survey_distances(const fxl_order_entry *entries, uint32_t count, buckets *by)
+{
+    uint64_t far = 0, near = UINT64_MAX;
+    for (uint32_t i = 0; i < count; i += count / 64 | 1) {
+        uint64_t distance = fxl_order_distance(&entries[i]);
+        far = distance > far ? distance : far;
+        near = distance < near ? distance : near;
+    }
+    by->far = far;
+    by->range = far - near;
+    unsigned bits = fxl_bit_length(by->range | UINT16_MAX);
+    uint32_t factor = UINT32_MAX / ((uint32_t)((by->range << (64 - bits)) >> 48) + 1);
+    by->factor = bits < 32   ? factor << 15
+                 : bits < 47 ? factor << (47 - bits)
+                             : factor >> (bits - 47);
+    by->shift = bits < 32 ? bits - 7 : 25;
+}
+
+/* floor((far - distance) factor / 2^(32 + shift)). The range is below 2^bits, and its upper
+ * 16 bits, plus 1, times the first factor below 2^32: so range factor is below 2^63 where
+ * bits >= 32, else below 2^(31 + bits); nothing wraps, and the result is below 2^6. */
+static inline uint32_t bucket_of(const buckets *by, uint64_t distance)
+{
+    uint64_t nearer = by->far - distance;
+    if (nearer > by->range) {
+        return distance > by->far ? 0 : BUCKETS - 1;
+    }
+    uint32_t high = (uint32_t)(nearer >> 32) * by->factor;
+    return (high + (uint32_t)(fxl_multiply_u32((uint32_t)nearer, by->factor) >> 32)) >> by->shift;
+}
+
+/* Each face into its bucket, a chain in order, from the last number to the first: so one goes
+ * before its equals. Squared distances of a surface's points are spread evenly where it is
+ * flat or a sphere, so that a bucket holds few. False, and nothing but links is changed, where
+ * too many are in few. */
+static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count)
+{
+    buckets by;
+    uint16_t chains[BUCKETS];
+    uint32_t steps = STEPS_A_FACE * count;
+    survey_distances(entries, count, &by);
+    for (uint32_t i = 0; i < BUCKETS; i++) {
+        chains[i] = END;
+    }
+    for (uint32_t i = count; i-- > 0;) {
+        uint64_t distance = fxl_order_distance(&entries[i]);
+        uint16_t *link = &chains[bucket_of(&by, distance)];
+        while (*link != END && fxl_order_distance(&entries[*link]) > distance) {
+            link = &entries[*link].next;
+            if (steps-- == 0) {
+                return false;
+            }
+        }
+        entries[i].next = *link;
+        *link = (uint16_t)i;
+    }
+    uint32_t place = 0;
+    for (uint32_t i = 0; i < BUCKETS; i++) {
+        place = put_in_order(entries, chains[i], place);
+    }
+    return true;
+}
+
+void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
+{
+    if (!sort_by_buckets(entries, count)) {
+        sort_by_merging(entries, count);
+    }
 }
 
 uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
@@ -206,19 +279,7 @@ uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
-/* Puts down a face; answers where the next one goes. */
-static inline fxl_order_entry *put(fxl_order_entry *entry, uint64_t distance, uint32_t index)
-{
-    entry->distance_low = (uint32_t)distance;
-    entry->distance_high = (uint32_t)(distance >> 32);
-    entry->index = (uint16_t)index;
-    return entry + 1;
-}
-
-/* The faces of a model that are turned to an eye which the model sees at `from`:
- * where normal . from > normal . first vertex. Both sums are below 2^61, and their
- * difference is what fxl_face_is_front takes the sign of. Answers behind the last
- * entry. */
+/* fxl_front_faces of a scene that has no keys: by what they are made of. */
 static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
                                    const fxl_point *from, fxl_order_entry *entry)
 {
@@ -229,24 +290,8 @@ static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *mode
         if (fxl_dot(&faces[i].normal, from->x, from->y, from->z) >
             fxl_face_height(vertices, corners, &faces[i])) {
             fxl_point box = fxl_face_box(vertices, corners, faces[i].count);
-            entry = put(entry, box_distance(box.x, box.y, box.z, from), i);
-        }
-    }
-    return entry;
-}
-
-/* The same by the scene's keys, which the loader has found to be the same numbers. */
-static fxl_order_entry *find_front_by_keys(const fxl_scene *scene, const fxl_model *model,
-                                           const fxl_point *from, fxl_order_entry *entry)
-{
-    const fxl_point eye = *from;
-    const fxl_face *face = &scene->faces[model->first_face];
-    const fxl_face_key *first = &scene->keys[model->first_key];
-    const fxl_face_key *end = first + model->face_count;
-    for (const fxl_face_key *key = first; key < end; key++, face++) {
-        if (fxl_dot(&face->normal, eye.x, eye.y, eye.z) > fxl_face_key_height(key)) {
-            uint64_t distance = box_distance(key->box_x, key->box_y, key->box_z, &eye);
-            entry = put(entry, distance, (uint32_t)(key - first));
+            *entry++ =
+                fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, from), (uint16_t)i, 0);
         }
     }
     return entry;
@@ -257,9 +302,11 @@ uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const
 {
     const fxl_model *model = &scene->models[object->model];
     const fxl_point from = relative_to(eye, &object->centre);
-    const fxl_order_entry *end = scene->keys != NULL
-                                     ? find_front_by_keys(scene, model, &from, entries)
-                                     : find_front(scene, model, &from, entries);
+    const fxl_order_entry *end =
+        scene->keys != NULL
+            ? fxl_front_faces(&scene->faces[model->first_face], &scene->keys[model->first_key],
+                              &from, entries, model->face_count)
+            : find_front(scene, model, &from, entries);
     uint32_t count = (uint32_t)(end - entries);
     fxl_order_sort_faces(entries, count);
     return count;

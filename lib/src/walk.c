@@ -47,7 +47,7 @@ bool fxl_walk_account(const fxl_walk *on, fxl_fate fate, uint32_t used)
     }
     if (fate & (1u << FXL_CLIP_CAPACITY | 1u << FXL_CLIP_RANGE)) {
         counters->refused += 1;
-    } else if (fate & (1u << FXL_CLIP_INSIDE | 1u << FXL_CLIP_CUT)) {
+    } else if (fate & (1u << FXL_CLIP_INSIDE | 1u << FXL_CLIP_CUT | 1u << FXL_CLIP_BETWEEN)) {
         counters->drawn += 1;
         counters->clipped += fate >> FXL_CLIP_CUT & 1u;
         counters->spilled += (fate & FXL_FATE_SPILLED) != 0;
@@ -69,9 +69,10 @@ static bool take_face(const fxl_walk *on, const fxl_placed *placed, const fxl_fa
 /* scan -> fill, for a scan that was begun. */
 static void paint(fxl_scan *scan, uint8_t colour, const fxl_band *band)
 {
-    const fxl_trapezoid *trapezoid;
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+    const fxl_trapezoid *trapezoid = fxl_scan_next_trapezoid(scan);
+    while (trapezoid != NULL) {
         fxl_fill_trapezoid(band, trapezoid, colour);
+        trapezoid = fxl_scan_is_over(scan) ? NULL : fxl_scan_next_trapezoid(scan);
     }
 }
 
@@ -84,6 +85,10 @@ static bool paint_face(const fxl_walk *on, const fxl_placed *placed, const fxl_f
     fxl_counters *counters = on->counters;
     fxl_clip_result cut =
         renderer->clipper->clip(placed, face, &renderer->work.clip, &renderer->screen);
+    if (cut == FXL_CLIP_BETWEEN) {
+        counters->drawn += 1;
+        return true;
+    }
     if (cut != FXL_CLIP_INSIDE && cut != FXL_CLIP_CUT) {
         return fxl_walk_account(on, (fxl_fate)1 << cut, 0);
     }

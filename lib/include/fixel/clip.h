@@ -12,7 +12,8 @@ typedef enum {
     FXL_CLIP_OUTSIDE,    /* no vertex inside */
     FXL_CLIP_DEGENERATE, /* fewer than three vertices left */
     FXL_CLIP_CAPACITY,   /* more than FXL_POLYGON_CAPACITY vertices: refused */
-    FXL_CLIP_RANGE       /* a clipper's alone: off FXL_SCREEN_COORDINATE_MAX: refused */
+    FXL_CLIP_RANGE,      /* a clipper's alone: off FXL_SCREEN_COORDINATE_MAX: refused */
+    FXL_CLIP_BETWEEN     /* a clipper's alone: inside, and no pixel's centre is covered */
 } fxl_clip_result;
 
 /* What the clipper needs beside its input. The caller owns it; its contents

@@ -20,7 +20,7 @@ typedef union {
  * is set; placed->view->frame tells one frame from the next, and is never 0. */
 typedef struct {
     /* Takes a face from its object to the screen. *screen is written for
-     * FXL_CLIP_INSIDE and FXL_CLIP_CUT; else its points mean nothing. */
+     * FXL_CLIP_INSIDE, FXL_CLIP_CUT and FXL_CLIP_BETWEEN; else its points mean nothing. */
     fxl_clip_result (*clip)(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
                             fxl_screen_polygon *screen);
     /* Null where a face gives one polygon at most. Else it is called after clip gave

@@ -11,14 +11,18 @@
  * 2^-32 (objects) or 2^-34 (faces), whole; in two halves, because a member of
  * 64 bits would make it 16. */
 typedef struct {
-    uint32_t distance_low, distance_high;
+    union {
+        uint32_t distance_low;
+        uint32_t face; /* once faces are sorted: which comes at this place */
+    };
+    uint32_t distance_high;
     uint16_t index; /* of an object of the scene, or of a face of its model */
     union {
         struct {
             uint8_t layer;
             uint8_t planes; /* that the object may cross (fxl_sphere_planes) */
         };
-        uint16_t next; /* faces, while they are sorted; means nothing afterwards */
+        uint16_t next; /* faces, while they are sorted */
     };
 } fxl_order_entry;
 
@@ -54,9 +58,10 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
  * downward, then index upward. A total order, so the result is unique. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count);
 
-/* Sorts faces in place: distance downward, then index upward. Requires that the
+/* Sorts faces: distance downward, then index upward. Entry n becomes that of the n-th
+ * face of this order: its `face` is it, all else means nothing. Requires that the
  * entries come by rising index, and count <= FXL_MODEL_FACES_MAX. Quick where
- * distances rise or fall for a while, never slow. */
+ * distances are spread evenly, or rise or fall for a while; never slow. */
 void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count);
 
 /* Fills entries with the scene's objects in the order of drawing, but for those
@@ -67,7 +72,8 @@ uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
                            uint32_t *left_out);
 
 /* Fills entries with those faces of an object that face the eye, in the order
- * of drawing; answers how many. Requires room for the model's face_count. */
+ * of drawing (their `face` alone means something); answers how many. Requires room for the model's
+ * face_count. */
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const fxl_point *eye,
                          fxl_order_entry *entries);
 

@@ -11,10 +11,14 @@
 /* Its place on the screen was not worked out yet. */
 #define FXL_SEEN_UNPROJECTED 0x80u
 
+/* What of a state is planes and the above: 0 for a vertex inside of all, on the screen. */
+#define FXL_SEEN_OUTSIDE 0xFFu
+
 /* A vertex in the view. */
 typedef struct {
-    uint32_t tag;  /* which vertex of which object in the cache's count; 0: none */
-    uint8_t state; /* the planes that it lies outside of; FXL_SEEN_UNPROJECTED */
+    uint32_t tag;   /* which vertex of which object in the cache's count; 0: none */
+    uint32_t state; /* the planes that it lies outside of; FXL_SEEN_UNPROJECTED; where those
+                       are 0, the first centre from its place on (seen.h) */
     fxl_screen_point screen;
     fxl_view_point position;
 } fxl_seen_vertex;

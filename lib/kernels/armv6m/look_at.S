@@ -148,7 +148,7 @@ fxl_look_at:
 decided:
     movs    r0, #UNPROJECTED
     orrs    r6, r6, r0
-    strb    r6, [r2, #STATE]
+    str     r6, [r2, #STATE]
     add     sp, sp, #20
     pop     {r4-r7, pc}
 

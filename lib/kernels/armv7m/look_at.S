@@ -105,7 +105,7 @@ fxl_look_at:
 
 decided:
     orr     r1, r1, #UNPROJECTED
-    strb    r1, [entry, #STATE]
+    str     r1, [entry, #STATE]
     pop     {r3-r11, pc}
 
 open:
@@ -115,7 +115,7 @@ open:
     add     r2, entry, #POSITION
     bl      fxl_outcode
     orr     r0, r0, #UNPROJECTED
-    strb    r0, [r4, #STATE]
+    str     r0, [r4, #STATE]
     pop     {r3-r11, pc}
 
     .size fxl_look_at, . - fxl_look_at

@@ -16,5 +16,5 @@ void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *ent
     if (placed->planes != 0) {
         outside = fxl_outside(&view->view_frustum, placed->planes, &entry->position);
     }
-    entry->state = (uint8_t)(outside | FXL_SEEN_UNPROJECTED);
+    entry->state = outside | FXL_SEEN_UNPROJECTED;
 }

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline; the contract is
+ * lib/include/fixel/clipper.h, the bits are those of lib/kernels/portable/clip_by_view.c. */
+
+    .syntax unified
+    .thumb
+
+/* Of fxl_placed, fxl_face, fxl_seen_vertex, fxl_screen_polygon and fxl_view, and the
+ * results: clipper_view.c holds them against the structures. */
+#define FIRST_CORNER 12
+#define COUNT        16      /* and the colour beside it */
+#define STATE        4
+#define SCREEN       8
+#define POSITION     16
+#define POINTS       4
+#define PROJECTION   68
+#define UNPROJECTED  0x80
+#define RANGE        5
+#define BETWEEN      6
+
+/* On the stack: placed, face, work, screen, r4-r11, the vertex, lr. */
+#define AT_FACE     4
+#define AT_SCREEN   12
+#define AT_VERTEX   48
+
+vertex  .req r2
+of_all  .req r4
+entries .req r5
+mask    .req r6
+tag     .req r7
+point   .req r8
+corner  .req r9
+count   .req r10
+of_any  .req r11
+state   .req r12
+
+    .section .text.fxl_clip_by_view, "ax", %progbits
+    .global fxl_clip_by_view
+    .type fxl_clip_by_view, %function
+    .thumb_func
+
+/* r0: placed, r1: face, r2: work, r3: screen */
+fxl_clip_by_view:
+    push    {r0-r12, lr}
+    ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, corners */
+    ldr     r2, [r1, #FIRST_CORNER]
+    ldrb    count, [r1, #COUNT]
+    add     corner, corner, r2, lsl #1
+    add     point, r3, #POINTS
+    mov     of_any, #0
+    mvn     of_all, #0
+.Lcorner:
+    ldrh    r1, [corner], #2
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2              /* 40 bytes each */
+    add     vertex, entries, r2, lsl #3
+    ldrd    r0, state, [vertex]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lunknown
+.Lknown:
+    lsls    r0, state, #24
+    bne     .Lunprojected
+.Lready:
+    ldrd    r0, r1, [vertex, #SCREEN]
+    orr     of_any, of_any, state
+    and     of_all, of_all, state
+    stm     point!, {r0, r1}
+    subs    count, count, #1
+    bne     .Lcorner
+
+    ldr     r1, [sp, #AT_FACE]
+    ldr     r2, [sp, #AT_SCREEN]
+    ldrh    r3, [r1, #COUNT]
+    rev16   r3, r3                          /* colour, count */
+    strh    r3, [r2]
+    eor     r1, of_any, of_all
+    movs    r0, #0
+    lsls    r2, r1, #12                     /* columns */
+    it      ne
+    lsrsne  r2, r1, #20                     /* rows */
+    it      eq
+    moveq   r0, #BETWEEN
+.Ldone:
+    add     sp, sp, #16
+    pop     {r4-r12, pc}
+
+.Lunknown:
+    ldr     r0, [sp]
+    str     vertex, [sp, #AT_VERTEX]
+    bl      fxl_look_at
+    ldr     vertex, [sp, #AT_VERTEX]
+    ldr     state, [vertex, #STATE]
+    b       .Lknown
+
+.Lunprojected:
+    cmp     state, #UNPROJECTED
+    bne     .Loutside
+    str     vertex, [sp, #AT_VERTEX]
+    ldr     r0, [sp]
+    ldr     r0, [r0]
+    add     r1, vertex, #POSITION
+    adds    r2, vertex, #SCREEN
+    adds    r0, r0, #PROJECTION
+    bl      fxl_project_seen
+    cbnz    r0, .Lrange
+    ldr     vertex, [sp, #AT_VERTEX]
+    ldrd    r0, r1, [vertex, #SCREEN]
+    movw    r3, #0x7FFF
+    add     r0, r0, r3
+    add     r1, r1, r3
+    asrs    r0, r0, #16
+    asrs    r1, r1, #16
+    lsls    r1, r1, #20
+    orr     state, r1, r0, lsl #8
+    str     state, [vertex, #STATE]
+    b       .Lready
+
+.Loutside:
+    pop     {r0-r12, lr}
+    b.w     fxl_clip_seen
+
+.Lrange:
+    movs    r0, #RANGE
+    b       .Ldone
+
+    .size fxl_clip_by_view, . - fxl_clip_by_view
