@@ -216,6 +216,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->by_world, in);
     draw_all_objects(renderer, pose, &whole, choice->by_world);
+    draw_by_tree(scene, lens, pose, in);
     free(whole.pixels);
     free_renderer(renderer);
 }
