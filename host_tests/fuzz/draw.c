@@ -281,6 +281,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     draw_again(renderer, pose, &whole, choice->clipper, in);
     draw_all_objects(renderer, pose, &whole, choice->clipper);
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
+    draw_by_tree(scene, lens, pose, in);
     free(whole.pixels);
     free_renderer(renderer);
 }

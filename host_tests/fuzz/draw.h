@@ -26,4 +26,8 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 /* Faces that a frame looks at. */
 uint64_t draw_faces_placed(const fxl_scene *scene);
 
+/* The first rows of a frame by the scene's tree, if it has one: whole, in bands, near to far. */
+void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                  fuzz_input *in);
+
 #endif
