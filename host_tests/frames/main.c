@@ -151,8 +151,8 @@ static const char *open_session(const options *wanted, session *run)
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         const uint32_t room = fxl_light_room(scene->beams, scene->beam_count);
-        status = fxl_renderer_set_light(&run->renderer, scene->beams, scene->beam_count,
-                                        scene->lit, need(room), room);
+        status = fxl_renderer_set_light(&run->renderer, scene->beams, scene->beam_count, scene->lit,
+                                        need(room), room);
     }
     run->room.account.sliver = (fxl_q18_46)wanted->sliver << 30;
     return status == FXL_OK ? NULL : fxl_status_text(status);
