@@ -160,7 +160,7 @@ TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
     $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
-    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(EQUALITY_PROGRAMS) \
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
 # For tools: a board, its unit tests; a board, the unit tests that it has no room for.
 UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \

@@ -7,7 +7,8 @@
 
 CLIPPERS_PLAN := bench/clippers.toml
 CLIPPERS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
-# name:record of each clipper, name:record:room of each method.
+# name:record of each clipper, name:record:room of each method: a program for each pair, even for
+# those that the plan does not compare.
 CLIPPERS_READ = $(shell awk -v kind='[[$(1)]]' '/^\[/ {here = $$0 == kind} \
     here && $$1 == "name" {name = $$3} here && $$1 == "record" {record = $$3} \
     here && $$1 == "$(2)" {print name ":" record ($$1 == "record" ? "" : ":" $$3)}' $(CLIPPERS_PLAN) | tr -d '"')
@@ -79,5 +80,9 @@ CLIPPERS_HOST := $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
 CLIPPERS_BUILT := $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf))
+# What the tests run.
+CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
+CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(if $(filter m3,$(CLIPPERS_CORES)),\
+    $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf))
 
 -include $(wildcard $(COMPARISON_OUT)/*.d)

@@ -51,7 +51,7 @@ def measure(plan, cores, folder, frames):
                               sizes[core, each]) for (core, each, name), one in drawn.items()]
     result = {"frames": {name: scene["image"].frames for name, scene in scenes.items()}, "rows": rows,
               "operations": {**counting, "rows": clippers_rows.operation_rows(counted, hosts, counting["hidden"])}}
-    return {**result, "complaints": clippers_rows.complaints(result)}, hosts
+    return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
 
 
 def read_options(argv):

@@ -17,6 +17,7 @@ static const named_clipper clippers[] = {
 
 static const named_hidden methods[] = {
     {"sorted", &fxl_hidden_sorted},
+    {"tree", &fxl_hidden_tree},
 };
 
 const named_clipper *find_clipper(const char *name)

@@ -132,8 +132,9 @@ static ref_tree_result cut_piece(const ref_scene *scene, ref_tree_pieces *all, s
         go_on(scene, piece, behind);
         return REF_TREE_CUT;
     }
-    ref_tree_piece front = *piece, back = *piece;
-    if (!divide(scene, all, first, &front, &front.shape, &back.shape)) {
+    const ref_tree_piece whole = *piece;
+    ref_tree_piece front = whole, back = whole;
+    if (!divide(scene, all, first, &whole, &front.shape, &back.shape)) {
         return REF_TREE_WHOLE;
     }
     go_on(scene, &front, false);

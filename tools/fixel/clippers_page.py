@@ -66,13 +66,13 @@ EXACT_HEADER = ["clipper", "hidden", "error", "at all", "differ", "of a million"
 
 
 def operation_cells(result):
-    """[[clipper, intersections, multiplications, divisions of a polygon that the frustum cuts]], over all scenes."""
+    """[[clipper, intersections, distances, multiplications, divisions of a polygon that the frustum cuts]], over all scenes."""
     cells, rows = [], result["operations"]["rows"]
     for clipper in _values(rows, "clipper"):
         found = [row for row in rows if row["clipper"] == clipper and row["crossing"]]
         crossing = sum(row["crossing"] for row in found)
         cells.append([clipper, *[round(sum(row[key] * row["crossing"] for row in found) / crossing, 2) if crossing
-                                 else None for key in ("intersections", "multiplications", "divisions")]])
+                                 else None for key in ("intersections", "distances", "multiplications", "divisions")]])
     return cells
 
 
@@ -87,7 +87,7 @@ def terminal(plan, result):
         parts.append("error in 1/65536 pixel\n" + table(exact_cells(rows), EXACT_HEADER))
     if result["operations"]["rows"]:
         parts.append(f"a polygon that the frustum cuts, {NAMES[result['operations']['core']]}\n" +
-                     table(operation_cells(result), ["clipper", "intersections", "multiplications", "divisions"]))
+                     table(operation_cells(result), ["clipper", "intersections", "distances", "multiplications", "divisions"]))
     return "\n\n".join(parts)
 
 

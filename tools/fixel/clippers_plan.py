@@ -72,7 +72,8 @@ class Plan:
 
     def combinations(self):
         """All of them, one clipper after the other."""
-        return [Combination(clipper, hidden) for clipper in self.clippers for hidden in self.hidden]
+        return [Combination(clipper, name) for clipper in self.clippers for name, hidden in self.hidden.items()
+                if clipper in hidden.get("only", self.clippers)]
 
     def explained(self, clipper, scene):
         """The distance from an edge, in pixels, that explains a differing pixel of a SceneImage."""

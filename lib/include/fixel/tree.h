@@ -36,4 +36,7 @@ typedef struct {
  * layer, 4 bytes for each node and 12 for each of them. */
 extern const fxl_hidden fxl_hidden_tree;
 
+/* The same near to far into a span buffer; its room is behind the tree's. */
+extern const fxl_hidden fxl_hidden_tree_spans;
+
 #endif
