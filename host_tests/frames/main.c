@@ -144,7 +144,9 @@ static const char *open_session(const options *wanted, session *run)
     if (status == FXL_OK) {
         run->hidden = *wanted->hidden->hidden;
         if (wanted->clipper->painter) {
-            run->hidden.painter = wanted->clipper->painter;
+            run->hidden.painter = run->hidden.painter == &fxl_painter_spans
+                                      ? &fxl_painter_spans_box
+                                      : wanted->clipper->painter;
         }
         const uint32_t room =
             (run->hidden.walk_room ? run->hidden.walk_room(scene) + 8 : 0) +
