@@ -105,7 +105,7 @@ void test_what_a_beam_holds(void)
     beam_half(FXL_E_COUNT, at + 12, 9 << 8);
     beam_half(FXL_E_NORMAL, at + 12, 6 << 8); /* a plane without a normal */
     beam_half(FXL_E_RESERVED, at + 12, 4 << 8);
-    beam_word(FXL_E_NORMAL, at + 16, 0);
+    beam_word(FXL_E_NORMAL, at + 16, 0x12345678u);
     beam_word(FXL_E_RANGE, at + 32, 0x40000000u);
 }
 
