@@ -19,37 +19,39 @@ FRAMES_MAX = 100_000
 
 
 def compile_scenes(plan, folder, frames):
-    """{name: its entry with "file" and "image"} of the scenes that are there."""
-    scenes = {}
+    """{(name, whether in a tree): the scene's entry with "file" and "image"} of the scenes that are there."""
+    jobs = {}
     for name, entry in plan.scenes.items():
-        compiled = clippers_plan.compile_scene(plan, entry, folder, frames)
-        if compiled is None:
-            print(f"left out, since it is not here: {entry['scene']}", file=sys.stderr)
+        if clippers_plan.is_here(entry):
+            for tree in sorted({method["tree"] for method in plan.hidden.values()}):
+                jobs[name, tree] = (clippers_plan.compile_scene, plan, entry, folder, tree, frames)
         else:
-            scenes[name] = {**entry, "file": compiled[0], "image": compiled[1]}
-    return scenes
+            print(f"left out, since it is not here: {entry['scene']}", file=sys.stderr)
+    return {key: {**plan.scenes[key[0]], "file": made[0], "image": made[1]}
+            for key, made in parallel.run("compiling scenes", jobs).items()}
 
 
 def measure(plan, cores, folder, frames):
     """(clippers.json, what the host drew)."""
     scenes = compile_scenes(plan, folder, frames)
-    combinations = plan.combinations()
+    tasks = [(each, scene) for each in plan.combinations() for (_, tree), scene in scenes.items()
+             if tree == plan.hidden[each.hidden]["tree"]]
     hosts = parallel.run("drawing on the host, and judging", {
         (each.clipper, each.hidden, scene["name"]): (clippers_run.on_host, plan, each, scene, scene["file"], folder)
-        for each in combinations for scene in scenes.values()})
+        for each, scene in tasks})
     drawn = parallel.run("drawing on emulated cores", {
-        (core, each, name): (clippers_run.on_core, plan, core, each, scene["file"])
-        for core in cores for each in combinations for name, scene in scenes.items()})
-    counting = plan.operations
-    counted = {}
-    if counting["core"] in cores and counting["hidden"] in plan.hidden:
+        (core, each, scene["name"]): (clippers_run.on_core, plan, core, each, scene["file"])
+        for core in cores for each, scene in tasks})
+    counting, counted = plan.operations, {}
+    if counting["core"] in cores:
         counted = parallel.run("counting multiplications and divisions", {
-            (each.clipper, name): (clippers_run.operations, plan, counting["core"], each, scene["file"])
-            for each in combinations if each.hidden == counting["hidden"] for name, scene in scenes.items()})
-    sizes = {(core, each): clippers_run.size(plan, core, each) for core in cores for each in combinations}
-    rows = [clippers_rows.row(plan, core, each, scenes[name], hosts[each.clipper, each.hidden, name], one,
+            (each.clipper, scene["name"]): (clippers_run.operations, plan, counting["core"], each, scene["file"])
+            for each, scene in tasks if each.hidden == counting["hidden"] and scene["name"] in counting["scenes"]})
+    sizes = {(core, each): clippers_run.size(plan, core, each) for core, each, _ in drawn}
+    images = {(each, scene["name"]): scene for each, scene in tasks}
+    rows = [clippers_rows.row(plan, core, each, images[each, name], hosts[each.clipper, each.hidden, name], one,
                               sizes[core, each]) for (core, each, name), one in drawn.items()]
-    result = {"frames": {name: scene["image"].frames for name, scene in scenes.items()}, "rows": rows,
+    result = {"frames": {name: scene["image"].frames for (name, _), scene in scenes.items()}, "rows": rows,
               "operations": {**counting, "rows": clippers_rows.operation_rows(counted, hosts, counting["hidden"])}}
     return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
 

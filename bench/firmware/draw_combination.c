@@ -12,7 +12,7 @@ static fxl_order_entry order[ORDER_ENTRIES];
 static fxl_seen_vertex cache[CACHE_ENTRIES];
 static uint64_t clipper_room[ROOM_BYTES / 8u], hidden_room[ROOM_BYTES / 8u];
 static fxl_renderer renderer;
-static uint32_t order_used, hidden_used;
+static uint32_t order_used, hidden_used, pieces_used;
 
 /* Bytes for what hides what: what was chosen, or what it wants at the least. */
 static uint32_t room_for_hidden(const fxl_scene_image *image)
@@ -41,13 +41,15 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: room needed", "", ": ", hidden_used);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
-                   fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
-                                            combination_chosen.clipper->room) == FXL_OK &&
-                   fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room,
-                                           hidden_used) == FXL_OK
-               ? SYSTEM_EXIT_DONE
-               : SYSTEM_EXIT_RENDER;
+    if (fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) != FXL_OK ||
+        fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
+                                 combination_chosen.clipper->room) != FXL_OK ||
+        fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room, hidden_used) !=
+            FXL_OK) {
+        return SYSTEM_EXIT_RENDER;
+    }
+    combination_prepare(&renderer);
+    return SYSTEM_EXIT_DONE;
 }
 
 bool draw_frame(const fxl_pose *pose, const fxl_band *band)
@@ -58,11 +60,13 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 uint32_t draw_memory(void)
 {
     return (uint32_t)(sizeof renderer + sizeof cache + order_used * sizeof order[0]) +
-           combination_chosen.clipper->room + hidden_used;
+           combination_chosen.clipper->room + hidden_used + pieces_used;
 }
 
+/* Asked for after each frame. */
 const fxl_counters *draw_counters(void)
 {
+    pieces_used = combination_memory(&renderer);
     return &renderer.counters;
 }
 
