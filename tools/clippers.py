@@ -11,11 +11,13 @@ import sys
 import tempfile
 
 from fixel import clippers_page, clippers_plan, clippers_rows, clippers_run, output, parallel, qemu
-from fixel.errors import run_main
+from fixel.errors import ToolError, run_main
+from fixel.programs import read_json
 from fixel.table import coloured
 
 PATTERNS = ["clippers.html", "clippers.json"]
 FRAMES_MAX = 100_000
+KEPT, DOCUMENT = pathlib.Path("bench/clippers.json"), pathlib.Path("docs/clipping.md")
 
 
 def compile_scenes(plan, folder, frames):
@@ -56,6 +58,23 @@ def measure(plan, cores, folder, frames):
     return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
 
 
+def accept(plan, out):
+    """Makes the run that is there the one that docs/clipping.md tells of."""
+    result = read_json(pathlib.Path(out) / "clippers.json")
+    if result["complaints"]:
+        raise ToolError(f"{out}: not all is as it should be: {result['complaints'][0]}")
+    missing = {(each.clipper, each.hidden, scene, core) for each in plan.combinations() for scene in plan.scenes
+               for core in plan.cores} - {tuple(row[key] for key in ("clipper", "hidden", "scene", "board"))
+                                          for row in result["rows"]}
+    if missing:
+        raise ToolError(f"{out}: of all combinations {len(missing)} are missing, {' '.join(min(missing))} for one: "
+                        f"run make clippers without ONLY=, where all models are")
+    text = clippers_page.replace_tables(DOCUMENT.read_text(encoding="utf-8"), plan, result)
+    output.write_file(KEPT, clippers_rows.as_lines(result))
+    output.write_file(DOCUMENT, text)
+    print(f"{KEPT}, {DOCUMENT}: renewed", file=sys.stderr)
+
+
 def read_options(argv):
     """The command line, checked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -64,6 +83,8 @@ def read_options(argv):
     parser.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
     parser.add_argument("--out", default="build/clippers", help="folder for the results")
     parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--accept", action="store_true",
+                        help="only put the run that is there into docs/clipping.md and bench/clippers.json")
     options = parser.parse_args(argv)
     if options.frames is not None and not 1 <= options.frames <= FRAMES_MAX:
         parser.error(f"--frames {options.frames} is outside 1..{FRAMES_MAX}")
@@ -73,6 +94,9 @@ def read_options(argv):
 def main(argv):
     options = read_options(argv)
     plan = clippers_plan.Plan(options.build, options.only)
+    if options.accept:
+        accept(plan, options.out)
+        return 0
     qemu.find_qemu()
     cores = [core for core in plan.cores if core in options.cores]
     with output.replaced_folder(options.out, PATTERNS) as folder, \

@@ -4,7 +4,7 @@
 #include "contract/system.h"
 #include "text.h"
 
-#define ORDER_ENTRIES 4096u
+#define ORDER_ENTRIES 16384u
 #define CACHE_ENTRIES 256u
 #define ROOM_BYTES    131072u /* each, at most */
 
