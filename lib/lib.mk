@@ -11,11 +11,9 @@ LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:corte
 LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
-# What stands in for a core's kernels, and for stages, where -Os asks for few bytes.
-LIB_SMALL := small
 # A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
-# it is small+FAMILY.
-LIB_FAMILY = $(if $(filter -Os,$(1)),$(LIB_SMALL)+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes.
+LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
@@ -26,11 +24,15 @@ LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(foreach family,$(filter-out portable,
     $(family) $(LIB_BASES.$(family))) portable) lib/src
 LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
     $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
+# With -Os: what the compiler moves out of loops, or unrolls, it pays for in bytes.
+LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-ipa-cp \
+    --param=max-completely-peeled-insns=4
 # The kernels' own loops must not become calls of memset. Code of the compiler's is
 # arranged as for a Cortex-M3, whose pipeline a Cortex-M4 shares: as it is for the
 # others it takes 1 % more instructions.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
-    $(if $(filter armv7em armv81m,$(subst +, ,$(1))),-mtune=cortex-m3)
+    $(if $(filter armv7em armv81m,$(subst +, ,$(1))),-mtune=cortex-m3) \
+    $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 
