@@ -44,7 +44,7 @@ NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
-NEEDS_tools  := compare bench-diff bench-baseline
+NEEDS_tools  := compare bench-diff bench-baseline clippers-accept
 NEEDS_gdb    := gdb
 NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
 SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
@@ -79,8 +79,8 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers bench-diff \
-    bench-baseline profile equality fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench \
+    clippers clippers-accept bench-diff bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -181,6 +181,9 @@ bench: $(BENCH_BUILT) ## executed instructions of the workloads and kernels on f
 clippers: $(CLIPPERS_BUILT) $(HOST_WALK) ## every clipper times every hidden-surface method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
 	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
+
+clippers-accept: ## the last make clippers into docs/clipping.md and bench/clippers.json
+	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --accept
 
 bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')
