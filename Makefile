@@ -39,7 +39,7 @@ endif
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
 NEEDS_run    := run view flash boot size screen bench profile equality
-NEEDS_report := report all
+NEEDS_report := report all clippers
 NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
@@ -66,6 +66,7 @@ include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk)
 include bench/bench.mk
+include bench/clippers.mk
 include firmware/equality/equality.mk
 
 HOST_WALK := $(BOARD_WALK.host)
@@ -78,7 +79,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench bench-diff \
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench clippers bench-diff \
     bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
@@ -155,7 +156,7 @@ TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
     $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
-    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(EQUALITY_PROGRAMS) \
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
 # For tools: a board, its unit tests; a board, the unit tests that it has no room for.
 UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
@@ -172,6 +173,10 @@ boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board))
 bench: $(BENCH_BUILT) ## executed instructions of the workloads and kernels on four cores, the chapter's listing beside
 	@$(PY) tools/bench.py --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
+
+clippers: $(CLIPPERS_BUILT) $(HOST_WALK) ## every clipper times every hidden-surface method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
+	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
+	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
 
 bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')

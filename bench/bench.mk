@@ -81,7 +81,7 @@ $(BENCH_OUT)/$(1)/path.o: firmware/walk/path.c bench/bench.mk
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
@@ -89,19 +89,22 @@ $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 $(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline))
 endef
 
-# $(1): the core, $(2): a pattern of the library's sources.
-define BENCH_LIB_RULES
-$(BENCH_OUT)/$(1)/lib/%.o: $(2) bench/bench.mk lib/lib.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding)
-$(BENCH_OUT)/$(1)/os/lib/%.o: $(2) bench/bench.mk lib/lib.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding)
+# $(1): the core, $(2): what its flags are called here, $(3): a folder, $(4): a pattern of the
+# library's sources.
+define BENCH_LIB_RULE
+$(BENCH_OUT)/$(1)/$(3)lib/%.o: $(4) bench/bench.mk lib/lib.mk
+	$$(call FIRMWARE_COMPILE,$$($(2).$(1)) $$($(2)_FAMILY.$(1)) -ffreestanding)
 
+endef
+# $(1), $(2), $(3): the same, $(4): the family.
+define BENCH_LIB_RULES
+$(2)_FAMILY.$(1) := $(call LIB_FAMILY_CFLAGS,$(4))
+$(foreach pattern,$(call LIB_PATTERNS,$(4)),$(call BENCH_LIB_RULE,$(1),$(2),$(3),$(pattern)))
 endef
 
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
-    $(eval BENCH_FAMILY_CFLAGS.$(core) := $(call LIB_FAMILY_CFLAGS,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))))\
-    $(foreach pattern,$(call LIB_PATTERNS,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))),\
-    $(eval $(call BENCH_LIB_RULES,$(core),$(pattern)))))
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))))\
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/,$(call LIB_FAMILY,-Os $(BENCH_FLAGS.$(core))))))
 
 # --- sizes -----------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 # Programs for every board of BOARDS. Wants BUILD, WARNINGS (with -std=c11),
 # CROSS and HOSTCC. boards/<board>/board.mk sets
 #   BOARD_CPU               the core, for people and for the report
-#   BOARD_CORE              compiler flags that choose the core
+#   BOARD_CORE              compiler flags that choose the core; -Os among them, the library's small kernels
 #   BOARD_QEMU              what QEMU is told to be this board
 #   BOARD_BAND_BYTES        memory for a band of pixels
 #   BOARD_ORDER_ENTRIES     entries for the order of drawing
@@ -85,7 +85,7 @@ endef
 # $(1): the first board with this core.
 define CORE_RULES
 CORE_FAMILY.$(call CORE_NAME,$(1)) := $(call LIB_FAMILY,$(BOARD_CORE.$(1)))
-CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(call CORE_CHOICE,$(1)) $(FIRMWARE_CFLAGS)
+CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(call CORE_CHOICE,$(1))
 endef
 
 CORES_READ :=

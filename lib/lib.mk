@@ -11,15 +11,19 @@ LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:corte
 LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
-# A compiler's flags -> the family of the core that -mcpu names; portable for any other.
-LIB_FAMILY = $(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+# What stands in for a core's kernels, and for stages, where -Os asks for few bytes.
+LIB_SMALL := small
+# A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
+# it is small+FAMILY.
+LIB_FAMILY = $(if $(filter -Os,$(1)),$(LIB_SMALL)+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
 # Every object of the library, whatever the family; its source is the first of
 # LIB_PATTERNS that there is: a makefile has a rule for each, in this order.
 LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/portable/*.c))))
-LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(filter-out portable,$(1)) $(LIB_BASES.$(1)) portable) lib/src
+LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(foreach family,$(filter-out portable,$(subst +, ,$(1))),\
+    $(family) $(LIB_BASES.$(family))) portable) lib/src
 LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
     $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
 # The kernels' own loops must not become calls of memset. No code touches a register for
@@ -28,8 +32,8 @@ LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%
 # A Cortex-M55's is of more instructions in the larger part of the stages, whatever it is
 # scheduled for, so that it gets the Cortex-M3's too. These come after what says the core.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
-    $(if $(filter armv7em,$(1)),-mtune=cortex-m3 -mgeneral-regs-only) \
-    $(if $(filter armv81m,$(1)),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only)
+    $(if $(filter armv7em,$(subst +, ,$(1))),-mtune=cortex-m3 -mgeneral-regs-only) \
+    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only)
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 
@@ -52,12 +56,14 @@ $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 
 # CORE is a name that gcc's -mcpu knows, or "host". LIB_FLAGS adds to the flags,
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
+# SIZE=1 asks for few bytes instead of few instructions: -Os, and the kernels of small.
 LIB_OUT := $(BUILD)/lib/$(CORE)
 LIB_FLAGS ?=
 LIB_CORE_FLAGS := $(if $(filter host,$(CORE)),,-mcpu=$(CORE) -mthumb)
 LIB_CC := $(if $(filter host,$(CORE)),$(HOSTCC),$(CROSS)gcc)
 LIB_AR := $(if $(filter host,$(CORE)),ar,$(CROSS)ar)
-LIB_KERNELS := $(call LIB_FAMILY,$(LIB_CORE_FLAGS))
+LIB_OPTIMISE := $(if $(SIZE),-Os,-O2)
+LIB_KERNELS := $(call LIB_FAMILY,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS))
 LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
 
 .PHONY: lib
@@ -67,14 +73,14 @@ lib: $(LIB_OUT)/libfixel.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
 # Flags are part of what was built: another choice builds anew.
 $(LIB_OUT)/flags: FORCE
 	@mkdir -p $(@D)
-	@echo '$(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
-	    echo '$(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
+	@echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
+	    echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
 
 define LIB_RULE
 $(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
 	@mkdir -p $$(@D)
 	@printf '  %-4s %s\n' CC $$@
-	@$$(LIB_CC) $$(LIB_CFLAGS) -O2 $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) \
+	@$$(LIB_CC) $$(LIB_CFLAGS) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) \
 	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS)),$(eval $(call LIB_RULE,$(pattern))))

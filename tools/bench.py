@@ -6,16 +6,15 @@ Writes bench.json, bench.md, and plots. Two runs give the same numbers. Exit: 0 
 """
 
 import argparse
-import concurrent.futures
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-from fixel import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, qemu
+from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, parallel,
+                   qemu)
 from fixel.errors import ToolError, run_main
-from fixel.progress import Progress
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
 # A renderer that draws something else was measured in vain: the share of pixels that may differ from
@@ -30,22 +29,6 @@ def tool_version(*command):
     except (OSError, subprocess.CalledProcessError) as error:
         raise ToolError(f"{command[0]} does not say its version: {error}") from error
     return done.stdout.splitlines()[0]
-
-
-def in_parallel(label, jobs):
-    """{key: result} of {key: (function, arguments...)}, as many at a time as there are processors."""
-    results = {}
-    with Progress(label, len(jobs)) as progress, \
-            concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        waiting = {pool.submit(*job): key for key, job in jobs.items()}
-        try:
-            for future in concurrent.futures.as_completed(waiting):
-                results[waiting[future]] = future.result()
-                progress(len(results))
-        except BaseException:
-            pool.shutdown(cancel_futures=True)
-            raise
-    return {key: results[key] for key in jobs}
 
 
 def check_pictures(pictures):
@@ -66,7 +49,7 @@ def draw_all(plan, cores, folder):
     jobs = {key: (bench_run.draw, plan, key[0], key[2], images[key[1]]) for key in plan.runs(cores)}
     profiles = {(core, name): (bench_run.profile, plan, core, "fixel", images[name])
                 for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
-    return in_parallel("drawing the workloads", jobs), units, in_parallel("looking where it goes", profiles)
+    return parallel.run("drawing the workloads", jobs), units, parallel.run("looking where it goes", profiles)
 
 
 def measure(plan, cores, left_out):
@@ -78,11 +61,11 @@ def measure(plan, cores, left_out):
         check_pictures(pictures)
         for (core, workload, renderer), each in drawn.items():
             rows.append(bench_rows.frame_row(core, plan.workloads[workload], renderer, each, units[workload]))
-        counted = in_parallel("running the kernels",
-                              {core: (bench_run.kernels, plan, core) for core in cores})
+        counted = parallel.run("running the kernels",
+                               {core: (bench_run.kernels, plan, core) for core in cores})
         if plan.growth["core"] in cores:
             scenes = bench_run.growth_scenes(plan, folder)
-            grown = in_parallel("growing W1", {number: (bench_run.grow, plan, entry)
+            grown = parallel.run("growing W1", {number: (bench_run.grow, plan, entry)
                                                for number, entry in enumerate(scenes)})
             growth = list(grown.values())
     for core in cores:

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Scene files into scene images, and scene images explained.
 
-    scene.py build SCENE -o OUT.fxls [--frames N] [--screen WxH]    SCENE is a .toml or an .obj
+    scene.py build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
+        SCENE is a .toml or an .obj; LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
     scene.py info OUT.fxls [--json]"""
 
 import argparse
@@ -12,7 +13,7 @@ import re
 import sys
 import time
 
-from fixel import framing, image, path, toml_scene
+from fixel import framing, image, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 
 QUIET_SECONDS = 2.0
@@ -39,9 +40,10 @@ def parse_screen(text):
     return screen
 
 
-def build(scene, out, frames=None, screen=None):
+def build(scene, out, frames=None, screen=None, layers=None):
     """Compiles a scene file into an image file; answers the SceneImage and
-    what there is to say about it. screen: width and height instead of the scene's."""
+    what there is to say about it. screen: width and height instead of the scene's. layers: those that
+    are to have a tree (tree.layers_of)."""
     suffix = os.path.splitext(scene)[1].lower()
     if suffix not in (".toml", ".obj"):
         raise ToolError(f"{scene}: a scene is a .toml or an .obj file")
@@ -49,6 +51,8 @@ def build(scene, out, frames=None, screen=None):
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
     compiler = framing.compile_obj if suffix == ".obj" else toml_scene.compile_file
     compiled, notes = compiler(scene, frames, Progress(), screen)
+    if layers:
+        notes = notes + [plant(compiled, layers, scene)]
     try:
         blob = image.pack(compiled)
     except ToolError as error:
@@ -56,6 +60,15 @@ def build(scene, out, frames=None, screen=None):
     image.save(out, blob)
     compiled.size = len(blob)
     return compiled, notes
+
+
+def plant(compiled, layers, name):
+    """Gives a scene a tree; answers what there is to say about it."""
+    try:
+        counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, Progress())
+    except ToolError as error:
+        raise ToolError(f"{name}: {error}") from error
+    return f"{name}: tree: {counts.text()}"
 
 
 def summary(scene):
@@ -75,7 +88,8 @@ def summary(scene):
         "vertices": sum(len(model.vertices) for model in scene.models),
         "faces": sum(len(model.faces) for model in scene.models),
         "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
-        "colours": len(used), "frames": scene.frames,
+        "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
+        "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
         "path": "poses" if scene.path_kind == image.POSES else "strides",
         "start": path.describe(scene.start),
     }
@@ -94,6 +108,8 @@ def info(file, as_json):
           f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")
     print(f"  models   {data['models']}: {data['vertices']:,} vertices, {data['faces']:,} faces "
           f"({data['faces_placed']:,} placed), {data['colours']} colours")
+    if data["tree_nodes"]:
+        print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
     print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")
 
 
@@ -105,6 +121,8 @@ def main(argv):
     making.add_argument("-o", "--out", required=True)
     making.add_argument("--frames", type=int)
     making.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
+    making.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, "
+                        "or all, or most")
     telling = commands.add_parser("info", help="say what is in a scene image")
     telling.add_argument("image")
     telling.add_argument("--json", action="store_true")
@@ -113,7 +131,8 @@ def main(argv):
         info(arguments.image, arguments.json)
         return 0
     compiled, notes = build(arguments.scene, arguments.out, arguments.frames,
-                            parse_screen(arguments.screen) if arguments.screen else None)
+                            parse_screen(arguments.screen) if arguments.screen else None,
+                            arguments.tree)
     for note in notes:
         print(note if note.startswith("warning:") else f"note: {note}", file=sys.stderr)
     print(f"{arguments.out}: {compiled.size:,} bytes, {len(compiled.objects)} objects, "

@@ -18,13 +18,13 @@ EQUALITY_CC.$(1) := $(BENCH_CC.$(1)) -Ifirmware/equality -ffreestanding -DFXL_AS
 EQUALITY_PORTABLE_CFLAGS.$(1) := $(call LIB_FAMILY_CFLAGS,portable)
 
 $(EQUALITY_OUT)/$(1)/core.o: firmware/equality/sides.c firmware/equality/equality.mk
-	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -DSIDE=core_)
+	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -DSIDE=core_)
 $(EQUALITY_OUT)/$(1)/portable.o: firmware/equality/sides.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1)) -DSIDE=portable_)
 $(EQUALITY_OUT)/$(1)/portable/%.o: %.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1)) $(foreach name,$(EQUALITY_RENAMED),-Dfxl_$(name)=portable_$(name)))
 $(EQUALITY_OUT)/$(1)/%.o: firmware/equality/%.c firmware/equality/equality.mk
-	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)))
+	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)))
 
 $(EQUALITY_OUT)/$(1).elf: $(EQUALITY_OBJECTS:%=$(EQUALITY_OUT)/$(1)/%) \
         $(patsubst %,$(BENCH_OUT)/$(1)/%.o,start text memory_functions $(BENCH_LIB)) $(call BENCH_PARTS_OF,$(1)) \

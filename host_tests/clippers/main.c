@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* clipper_errors [--samples N] [--seed S]
+/* clipper_errors [--samples N] [--seed S] [--only CLIPPER]
  *
  * Gives every clipper of the family and the twin the same polygons and prints how
  * far their outlines are apart, as JSON. Exit code 0: it ran; 2: it could not. */
@@ -88,9 +88,13 @@ static void print(const clipper_tally *of, const char *end)
            of->crossings, of->made, of->plain_crossings, of->plain_made, end);
 }
 
-static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed)
+static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed, const char **only)
 {
     for (int i = 1; i + 1 < count; i += 2) {
+        if (strcmp(arguments[i], "--only") == 0) {
+            *only = arguments[i + 1];
+            continue;
+        }
         uint64_t *number = strcmp(arguments[i], "--samples") == 0 ? samples
                            : strcmp(arguments[i], "--seed") == 0  ? seed
                                                                   : NULL;
@@ -109,15 +113,18 @@ static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed)
 int main(int count, char **arguments)
 {
     uint64_t samples = 100000, seed = 1;
-    if (!parse(count, arguments, &samples, &seed)) {
-        fprintf(stderr, "error: usage: clipper_errors [--samples N] [--seed S]\n");
+    const char *only = NULL;
+    if (!parse(count, arguments, &samples, &seed, &only)) {
+        fprintf(stderr, "error: usage: clipper_errors [--samples N] [--seed S] [--only CLIPPER]\n");
         return 2;
     }
     stages_random random = stages_random_start(seed, 0);
     for (uint64_t i = 0; i < samples; i++) {
         clipper_case one = random_case(&random);
         for (int k = 0; k < CLIPPERS; k++) {
-            clippers[k].measure(&clippers[k].tally, &one);
+            if (!only || strcmp(only, clippers[k].tally.clipper) == 0) {
+                clippers[k].measure(&clippers[k].tally, &one);
+            }
         }
     }
     printf("{\"seed\": %" PRIu64 ", \"samples\": %" PRIu64 ", \"clippers\": [\n", seed, samples);

@@ -19,7 +19,7 @@ static double carried_error(const clipper_case *of, const fxl_clip_vertex *verte
 {
     double focal = of->lens.focal / 65536.0;
     double x = focal / (of->lens.width / 2.0), y = focal / (of->lens.height / 2.0);
-    double largest = fmax(1, fmax(x, y));
+    double largest = exp2(ceil(log2(fmax(1, fmax(x, y)))));
     const fxl_view_point *at = &vertex->position;
     return case_carried_error(of, vertex, (double)at->x * 0x1p-46 * largest / x,
                               (double)at->y * 0x1p-46 * largest / y,
@@ -64,7 +64,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, bool once, fxl
     fxl_normalised frustum;
     fxl_normalised_from_camera(&of->camera, &of->lens, &frustum);
     load(of, &frustum, &polygon);
-    room.account = once_room.account = (fxl_clip_account){sliver, 0};
+    room.account = once_room.account = (fxl_clip_account){sliver, 0, 0};
     fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_room, &result)
                                : fxl_clip_normalised(&polygon, &frustum, &room, &result);
     if (cut == FXL_CLIP_CUT) {

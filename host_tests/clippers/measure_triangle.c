@@ -91,7 +91,7 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
     for (int i = 0; i < OUTLINE_MAX; i++) {
         all.missed[i] = INFINITY;
     }
-    room.account = (fxl_clip_account){0, 0};
+    room.account = (fxl_clip_account){0, 0, 0};
     room.screen_sliver = 0;
     fxl_clip_result cut = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &room);
     tally->refused += cut == FXL_CLIP_CAPACITY;

@@ -70,7 +70,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, uint32_t scree
         }
     }
     load(of, &polygon);
-    room.account = (fxl_clip_account){0, 0};
+    room.account = (fxl_clip_account){0, 0, 0};
     fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &room, &result);
     tally->crossings += room.account.intersections;
     count_result(tally, of, cut, result, planes);

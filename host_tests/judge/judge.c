@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
+ *     [--clipper NAME] [--hidden NAME]
  *
  * Renders every frame of a board's dump with the double-precision twin, from
  * the pose in the dump, and says how many pixels differ and how far from an
@@ -16,6 +17,8 @@
 
 typedef struct {
     const char *scene, *dump, *json, *twin;
+    unsigned cuts; /* of the board's clipper */
+    bool by_tree;  /* the board's order was the scene's tree's */
     double distance;
 } options;
 
@@ -134,7 +137,7 @@ static void say_all(report *out, const options *wanted, const session *run)
 
 static bool parse_options(int count, char **arguments, options *wanted)
 {
-    *wanted = (options){.distance = 1.0 / 8192};
+    *wanted = (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;
@@ -153,6 +156,16 @@ static bool parse_options(int count, char **arguments, options *wanted)
             wanted->json = value;
         } else if (strcmp(name, "--twin") == 0) {
             wanted->twin = value;
+        } else if (strcmp(name, "--clipper") == 0) {
+            if (!ref_clipper_cuts(value, &wanted->cuts)) {
+                return false;
+            }
+        } else if (strcmp(name, "--hidden") == 0) {
+            /* Who draws what first covers a pixel gives the same picture. */
+            wanted->by_tree = strncmp(value, "tree", 4) == 0;
+            if (!wanted->by_tree && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
+                return false;
+            }
         } else if (strcmp(name, "--distance") == 0) {
             char *end;
             wanted->distance = strtod(value, &end);
@@ -205,8 +218,8 @@ static int judge(const options *wanted, session *run)
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->distance, run->frames,
-                      wanted->twin ? &run->twin : NULL)) {
+        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_tree, wanted->distance,
+                      run->frames, wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }
     if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
@@ -224,7 +237,7 @@ int main(int count, char **arguments)
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
         return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
-                    "[--distance PIXELS]");
+                    "[--distance PIXELS] [--clipper NAME] [--hidden NAME]");
     }
     session run = {0};
     int code = judge(&wanted, &run);

@@ -21,6 +21,8 @@ enum {
 typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
+    unsigned cuts;
+    bool by_tree;
     double distance;
     judge_frame *frames;
     judge_dump *twin;
@@ -169,6 +171,8 @@ static void *run_worker(void *argument)
     uint8_t *pixels = malloc(area);
     bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
     bool sound = pixels && ready;
+    renderer.cuts = work->cuts;
+    renderer.by_tree = work->by_tree;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
         uint32_t number = work->next++;
@@ -187,11 +191,13 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, double distance,
-                  judge_frame *frames, judge_dump *twin)
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_tree,
+                  double distance, judge_frame *frames, judge_dump *twin)
 {
     job work = {.image = image,
                 .dump = dump,
+                .cuts = cuts,
+                .by_tree = by_tree,
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,

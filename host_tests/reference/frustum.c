@@ -20,6 +20,22 @@ static ref_plane view_plane(const ref_camera *camera, double x, double y, double
     return ref_plane_from_point(&through, &normal, inset);
 }
 
+ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *lens, unsigned cuts,
+                                   double pixels)
+{
+    double focal = lens->focal;
+    ref_frustum frustum = ref_frustum_from_camera(camera, lens);
+    for (int plane = REF_PLANE_LEFT; plane <= REF_PLANE_TOP; plane++) {
+        if ((cuts >> plane & 1) == 0) {
+            double across = plane == REF_PLANE_LEFT || plane == REF_PLANE_BOTTOM ? focal : -focal;
+            bool upright = plane == REF_PLANE_BOTTOM || plane == REF_PLANE_TOP;
+            frustum.planes[plane] =
+                view_plane(camera, upright ? 0 : across, upright ? across : 0, pixels, 0, 0);
+        }
+    }
+    return frustum;
+}
+
 ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens)
 {
     double half_width = lens->width / 2.0, half_height = lens->height / 2.0;

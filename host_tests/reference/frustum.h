@@ -22,4 +22,9 @@ typedef struct {
 
 ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens);
 
+/* The same, but for the sides without a bit in cuts: those lie at so many pixels from
+ * the screen's centre, without an inset (SPEC.md 6b, the guard band). */
+ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *lens, unsigned cuts,
+                                   double pixels);
+
 #endif

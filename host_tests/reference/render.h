@@ -3,7 +3,7 @@
 #ifndef REF_RENDER_H
 #define REF_RENDER_H
 
-#include "reference/frustum.h"
+#include "reference/clipper.h"
 #include "reference/list.h"
 #include "reference/order.h"
 #include "reference/sphere.h"
@@ -12,12 +12,15 @@ typedef struct {
     const ref_scene *scene;
     ref_lens lens;
     ref_camera camera;
-    ref_frustum frustum;
+    ref_frustum frustum; /* what cuts */
     ref_view_frustum view_frustum;
     ref_lattice_point eye;
     ref_order_entry *objects, *faces;
+    unsigned cuts; /* of the planes, those that cut: REF_CUT_ALL unless set between frames */
     ref_counters counters;
-    ref_list list; /* the frame's polygons */
+    ref_list list;    /* the frame's polygons */
+    bool by_tree;     /* set before a frame: what hides what is the scene's tree, if it has one */
+    uint32_t unsplit; /* objects of the frame that were not cut to the tree */
 } ref_renderer;
 
 /* False where memory is short. The scene must outlive the renderer. */

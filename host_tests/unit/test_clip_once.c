@@ -29,7 +29,7 @@ static fxl_normalised square(void)
 static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
 {
     fxl_normalised frustum = square();
-    room->account = (fxl_clip_account){0, 0};
+    room->account = (fxl_clip_account){0, 0, 0};
     return fxl_clip_once(polygon, &frustum, room, result);
 }
 
@@ -151,13 +151,13 @@ void test_a_sliver_is_refused_where_asked(void)
     const fxl_clip_polygon *result;
     fxl_normalised frustum = square();
     fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room->account = (fxl_clip_account){0, 0};
+    room->account = (fxl_clip_account){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
     room->account.sliver = V(2);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, room, &result));
     /* A vertex barely inside stands for the crossing before it. */
     polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
-    room->account = (fxl_clip_account){V(2), 0};
+    room->account = (fxl_clip_account){V(2), 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
     TEST_ASSERT_EQUAL(4, result->count);
     TEST_ASSERT_EQUAL(1, room->account.intersections);
@@ -176,7 +176,7 @@ void test_the_capacity_is_never_overrun(void)
             polygon.vertices[k].position =
                 (fxl_view_point){unit_wide(61), unit_wide(61), unit_wide(61)};
         }
-        guarded.room.account = (fxl_clip_account){i % 3 == 0 ? V(1) : 0, 0};
+        guarded.room.account = (fxl_clip_account){i % 3 == 0 ? V(1) : 0, 0, 0};
         fxl_clip_result cut = fxl_clip_once(&polygon, &frustum, &guarded.room, &result);
         refused += cut == FXL_CLIP_CAPACITY;
         TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT || cut == FXL_CLIP_INSIDE, result != NULL);
@@ -210,7 +210,7 @@ void test_it_agrees_with_plane_by_plane(void)
     for (int i = 0; i < UNIT_REPEAT / 5; i++) {
         const fxl_clip_polygon *once, *each;
         fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(50, 61));
-        room->account = other_room.account = (fxl_clip_account){0, 0};
+        room->account = other_room.account = (fxl_clip_account){0, 0, 0};
         fxl_clip_result a = fxl_clip_once(&polygon, &frustum, room, &once);
         fxl_clip_result b = fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
         double one = once ? twice_area(&frustum, once) : 0;

@@ -141,7 +141,7 @@ void test_polygons(void)
     fxl_clip_polygon expected = SHAPE(-16, 12, 10, -20, 12, 10, -20, 28, 10, -16, 28, 10);
     expected.vertices[1].carried[1] = Q16(0.5);
     expected.vertices[2].carried[1] = Q16(2.5);
-    room.account = (fxl_clip_account){0, 0};
+    room.account = (fxl_clip_account){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &room, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
     TEST_ASSERT_EQUAL(2, room.account.intersections);
@@ -152,7 +152,7 @@ void test_one_half_space(void)
 {
     fxl_clip_polygon *const out = &room.polygons[0], *const before = &room.polygons[1];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
-    fxl_clip_account account = {0, 0};
+    fxl_clip_account account = {0, 0, 0};
     fxl_half_space slanted = {{FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4}, V(-1)};
     memset(out, 0x5A, sizeof *out);
     *before = *out;
@@ -185,7 +185,7 @@ void test_the_guard_band_keeps_the_screen_in_range(void)
                              &volume);
         fxl_clip_polygon polygon = clip_random_shape(61);
         polygon.vertices[0].position.z = volume.planes[FXL_PLANE_NEAR].offset * -1;
-        room.account = (fxl_clip_account){0, 0};
+        room.account = (fxl_clip_account){0, 0, 0};
         fxl_screen_point screen;
         beyond += fxl_project_point(&lens, &polygon.vertices[0].position, &screen) != FXL_OK;
         if (fxl_clip_to_volume(&polygon, &volume, &room, &result) == FXL_CLIP_CUT) {
@@ -213,7 +213,7 @@ void test_planes_of_the_world(void)
         static fxl_polygon polygon, other;
         fxl_clip_polygon *const in = &room.polygons[0], *const out = &room.polygons[1];
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
-        fxl_clip_account account = {0, 0};
+        fxl_clip_account account = {0, 0, 0};
         fxl_direction normal = unit_direction();
         fxl_point through = unit_point(Q16(1000));
         fxl_plane plane = fxl_plane_from_point(&through, &normal, 0);

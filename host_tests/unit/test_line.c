@@ -92,6 +92,31 @@ void test_an_end_is_moved_and_what_it_carries(void)
     }
 }
 
+/* Beside a plane and along it, the left one (x = -z): a line parallel to it lies
+ * inside or outside as a whole, one that lies in it is inside, and any other
+ * meets it in one point. */
+void test_a_line_and_a_plane(void)
+{
+    fxl_volume volume = square();
+    for (int k = 0; k < 2; k++) {
+        uint32_t intersections = 0;
+        fxl_clip_line apart = line_of(-11, 0, 10, -21, 0, 20),
+                      within = line_of(-9, 0, 10, -19, 0, 20);
+        fxl_clip_line along = line_of(-10, 0, 10, -20, 0, 20),
+                      across = line_of(-9, 0, 10, -13, 0, 10);
+        const fxl_clip_line within_before = within, along_before = along;
+        TEST_ASSERT_FALSE(both[k](&apart, &volume, &intersections));
+        TEST_ASSERT_TRUE(both[k](&within, &volume, &intersections));
+        TEST_ASSERT_EQUAL_MEMORY(&within_before, &within, sizeof within);
+        TEST_ASSERT_TRUE(both[k](&along, &volume, &intersections));
+        TEST_ASSERT_EQUAL_MEMORY(&along_before, &along, sizeof along);
+        TEST_ASSERT_EQUAL(0, intersections);
+        TEST_ASSERT_TRUE(both[k](&across, &volume, &intersections));
+        TEST_ASSERT_EQUAL(1, intersections);
+        expect_ends(&across, -9, -10, 0, 16);
+    }
+}
+
 /* From behind the eye through the volume and out beyond far. */
 void test_through_near_and_far(void)
 {

@@ -31,7 +31,7 @@ static fxl_normalised square(void)
 static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
 {
     fxl_normalised frustum = square();
-    room->account = (fxl_clip_account){0, 0};
+    room->account = (fxl_clip_account){0, 0, 0};
     return fxl_clip_normalised(polygon, &frustum, room, result);
 }
 
@@ -68,7 +68,7 @@ void test_rows_are_the_definition(void)
         fxl_normalised_from_camera(&camera, &lens, &frustum);
         double x = lens.focal / (lens.width * 32768.0), y = lens.focal / (lens.height * 32768.0);
         double largest = x > y ? x : y;
-        largest = largest > 1 ? largest : 1;
+        largest = largest > 1 ? exp2(ceil(log2(largest))) : 1;
         expect_row(&camera.right, &frustum.x, x / largest);
         expect_row(&camera.up, &frustum.y, y / largest);
         expect_row(&camera.forward, &frustum.z, 1 / largest);
@@ -204,7 +204,7 @@ void test_the_capacity_is_never_overrun(void)
     int refused = 0;
     for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count++) {
         fxl_clip_polygon polygon = clip_saw(count, 50);
-        guarded.room.account = (fxl_clip_account){0, 0};
+        guarded.room.account = (fxl_clip_account){0, 0, 0};
         fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, &guarded.room, &result);
         TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT, result != NULL);
         refused += cut == FXL_CLIP_CAPACITY;
@@ -220,9 +220,9 @@ void test_a_sliver_is_refused_where_asked(void)
     fxl_normalised frustum = square();
     /* Second vertex one unit inside of the right plane, between two outside. */
     fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room->account = (fxl_clip_account){0, 0};
+    room->account = (fxl_clip_account){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
-    room->account = (fxl_clip_account){V(2), 0};
+    room->account = (fxl_clip_account){V(2), 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_normalised(&polygon, &frustum, room, &result));
     room->account.sliver = V(1); /* not less than it minds */
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
@@ -236,7 +236,7 @@ void test_a_barely_inside_vertex_stands_for_the_crossing(void)
     fxl_normalised frustum = square();
     fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
     fxl_clip_polygon expected = SHAPE(9, 5, 10, 0, 0, 10, 9, -5, 10, 10, -4, 10);
-    room->account = (fxl_clip_account){V(2), 0};
+    room->account = (fxl_clip_account){V(2), 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
     TEST_ASSERT_EQUAL(4, result->count);
     TEST_ASSERT_EQUAL(1, room->account.intersections);
@@ -279,7 +279,7 @@ void test_results_lie_within_the_frustum(void)
         const fxl_clip_polygon *result;
         fxl_normalised_from_camera(&camera, &lens, &frustum);
         fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(40, 61));
-        room->account = (fxl_clip_account){0, 0};
+        room->account = (fxl_clip_account){0, 0, 0};
         fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, room, &result);
         TEST_ASSERT_TRUE(cut != FXL_CLIP_CAPACITY);
         if (cut == FXL_CLIP_CUT) {

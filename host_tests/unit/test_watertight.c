@@ -3,19 +3,27 @@
  * screen at any 16.16 position, and through the whole pipeline where the
  * frustum cuts the shared edge. */
 #include <math.h>
+#include <string.h>
 
 #include "picture.h"
 #include "polygon_face.h"
 
 enum {
     WIDTH = 24,
-    HEIGHT = 20
+    HEIGHT = 20,
+    PIECES = 24 /* of a triangle, by the clipper that gives triangles */
 };
+
+/* What a clipper gives for a polygon. */
+typedef struct {
+    int count;
+    fxl_screen_polygon polygons[PIECES];
+} pieces;
 
 /* The outline around both: all edges but those that one walks one way and the
  * other the other. Its winding number says what the two must cover. */
 typedef struct {
-    fxl_screen_point from[2 * FXL_POLYGON_CAPACITY], to[2 * FXL_POLYGON_CAPACITY];
+    fxl_screen_point from[6 * PIECES], to[6 * PIECES];
     int count, shared;
 } outline;
 
@@ -67,18 +75,21 @@ static int outline_winding(const outline *around, int column, int row)
 }
 
 /* The canvas fails by itself where a pixel is drawn twice. */
-static void expect_watertight(const fxl_screen_polygon *first, const fxl_screen_polygon *second)
+static void expect_pieces_watertight(const pieces *first, const pieces *second)
 {
     static picture canvas;
     static outline around;
     around.count = 0;
     around.shared = 0;
-    outline_add(&around, first);
-    outline_add(&around, second);
-    TEST_ASSERT_TRUE_MESSAGE(around.shared >= 1, "the shared edge is not the same for both");
     picture_clear(&canvas, WIDTH, HEIGHT);
-    picture_add(&canvas, first, 'a');
-    picture_add(&canvas, second, 'b');
+    for (int i = 0; i < first->count + second->count; i++) {
+        bool of_first = i < first->count;
+        const fxl_screen_polygon *polygon =
+            of_first ? &first->polygons[i] : &second->polygons[i - first->count];
+        outline_add(&around, polygon);
+        picture_add(&canvas, polygon, of_first ? 'a' : 'b');
+    }
+    TEST_ASSERT_TRUE_MESSAGE(around.shared >= 1, "the shared edge is not the same for both");
     for (int y = 0; y < HEIGHT; y++) {
         for (int x = 0; x < WIDTH; x++) {
             bool inside = outline_winding(&around, x, y) != 0;
@@ -89,8 +100,17 @@ static void expect_watertight(const fxl_screen_polygon *first, const fxl_screen_
     }
 }
 
+static void expect_watertight(const fxl_screen_polygon *first, const fxl_screen_polygon *second)
+{
+    static pieces of[2];
+    of[0].count = of[1].count = 1;
+    of[0].polygons[0] = *first;
+    of[1].polygons[0] = *second;
+    expect_pieces_watertight(&of[0], &of[1]);
+}
+
 /* Twice the signed area, in units of 2^-32; positive clockwise on the screen.
- * Coordinates below 2^23 here: the sum stays below 2^53. */
+ * Coordinates below 2^28: the sum stays below 2^62. */
 static int64_t area_of(const fxl_screen_polygon *polygon)
 {
     int64_t area = 0;
@@ -162,14 +182,23 @@ void test_a_polygon_cut_by_a_chord(void)
 
 /* From world to screen, as the frame loop does it. */
 static bool to_screen(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view *view,
-                      fxl_screen_polygon *screen, bool *cut)
+                      pieces *screen, bool *cut)
 {
     static fxl_clipper_work work;
     static polygon_face face;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = clipper->clip(&face.placed, &face.face, &work, screen);
+    screen->count = 0;
+    fxl_clip_result result =
+        clipper->clip(&face.placed, &face.face, &work, &screen->polygons[screen->count]);
     *cut = result == FXL_CLIP_CUT;
-    return *cut || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN;
+    while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN) {
+        screen->count++;
+        TEST_ASSERT_TRUE(screen->count < PIECES);
+        result = clipper->next != NULL
+                     ? clipper->next(&face.placed, &work, &screen->polygons[screen->count])
+                     : FXL_CLIP_OUTSIDE;
+    }
+    return screen->count > 0;
 }
 
 static void random_view(fxl_view *view)
@@ -223,9 +252,12 @@ static fxl_polygon world_triangle(fxl_vertex a, fxl_vertex b, fxl_vertex c)
 
 /* Below this area in square pixels the rounding to 16.16 could turn a polygon
  * over, and then it is another polygon. */
-static bool has_area(const fxl_screen_polygon *polygon)
+static bool has_area(const pieces *of)
 {
-    int64_t area = area_of(polygon);
+    int64_t area = 0;
+    for (int i = 0; i < of->count; i++) {
+        area += area_of(&of->polygons[i]);
+    }
     return area > (int64_t)1 << 26 || area < -((int64_t)1 << 26);
 }
 
@@ -249,19 +281,25 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
     return leave - enter > 0.01;
 }
 
-static void expect_watertight_through(const fxl_clipper *clipper)
+/* few: how many of the pairs must be cut, both. */
+static void expect_watertight_through(const fxl_clipper *clipper, int few)
 {
     int judged = 0, edges_cut = 0, both_cut = 0;
     static fxl_view view;
+    static fxl_clipper_room room;
+    static pieces screens[2];
     fxl_vertex corners[4];
+    memset(&room, 0, sizeof room);
     while (judged < UNIT_REPEAT) {
         if (judged % 16 == 0) {
+            uint32_t frame = view.frame;
             random_view(&view);
+            view.frame += frame;
+            view.room = &room;
         }
         random_quad(&view.camera, corners);
         fxl_polygon first = world_triangle(corners[0], corners[1], corners[2]);
         fxl_polygon second = world_triangle(corners[2], corners[3], corners[0]);
-        fxl_screen_polygon screens[2];
         bool cuts[2], edge_cut;
         if (!edge_is_seen(&view, &corners[0], &corners[2], &edge_cut) ||
             !to_screen(clipper, &first, &view, &screens[0], &cuts[0]) ||
@@ -269,24 +307,54 @@ static void expect_watertight_through(const fxl_clipper *clipper)
             !has_area(&screens[1])) {
             continue;
         }
-        if ((area_of(&screens[0]) > 0) != (area_of(&screens[1]) > 0)) {
+        if ((area_of(&screens[0].polygons[0]) > 0) != (area_of(&screens[1].polygons[0]) > 0)) {
             continue; /* the quad was folded about its chord */
         }
-        expect_watertight(&screens[0], &screens[1]);
+        expect_pieces_watertight(&screens[0], &screens[1]);
         judged++;
         edges_cut += edge_cut;
         both_cut += cuts[0] && cuts[1];
     }
     TEST_ASSERT_TRUE_MESSAGE(edges_cut > UNIT_REPEAT / 4, "too few shared edges were cut");
-    TEST_ASSERT_TRUE_MESSAGE(both_cut > UNIT_REPEAT / 4, "too few pairs were cut");
+    TEST_ASSERT_TRUE_MESSAGE(both_cut > few, "too few pairs were cut");
 }
 
 void test_through_the_frustum_of_the_view(void)
 {
-    expect_watertight_through(&fxl_clipper_view);
+    expect_watertight_through(&fxl_clipper_view, UNIT_REPEAT / 4);
 }
 
 void test_through_the_frustum_of_the_world(void)
 {
-    expect_watertight_through(&fxl_clipper_world);
+    expect_watertight_through(&fxl_clipper_world, UNIT_REPEAT / 4);
+}
+
+void test_through_the_normalised_frustum(void)
+{
+    expect_watertight_through(&fxl_clipper_normalised, UNIT_REPEAT / 4);
+}
+
+void test_through_all_planes_at_once(void)
+{
+    expect_watertight_through(&fxl_clipper_once, UNIT_REPEAT / 4);
+}
+
+void test_through_half_spaces(void)
+{
+    expect_watertight_through(&fxl_clipper_half_spaces, UNIT_REPEAT / 4);
+}
+
+void test_in_triangles(void)
+{
+    expect_watertight_through(&fxl_clipper_triangles, UNIT_REPEAT / 4);
+}
+
+void test_before_the_scan_cuts_what_near_leaves(void)
+{
+    expect_watertight_through(&fxl_clipper_near, UNIT_REPEAT / 20);
+}
+
+void test_before_the_scan_cuts_what_left_leaves(void)
+{
+    expect_watertight_through(&fxl_clipper_left, UNIT_REPEAT / 4);
 }

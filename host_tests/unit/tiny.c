@@ -59,7 +59,13 @@ tiny_scene *tiny_make(void)
                              TINY_OBJECTS,
                              0,
                              tiny.keys,
-                             6};
+                             6,
+                             NULL,
+                             0,
+                             0,
+                             NULL,
+                             0,
+                             NULL};
     return &tiny;
 }
 

@@ -2,6 +2,7 @@
 #include "fixel/clip.h"
 
 #include "arith.h"
+#include "counted.h"
 #include "fixel/plane.h"
 
 /* inside / (inside - outside), downward: inside >= 0 > outside. The difference
@@ -117,15 +118,21 @@ fxl_clip_result fxl_clip_to_plane(const fxl_polygon *in, const fxl_plane *plane,
     return FXL_CLIP_CUT;
 }
 
-fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
-                                    fxl_clip_work *work, const fxl_polygon **result)
+fxl_clip_result fxl_cut_world_by_planes(const fxl_polygon *in, const fxl_frustum *frustum,
+                                        unsigned planes, fxl_clip_work *work,
+                                        fxl_clip_account *account, const fxl_polygon **result)
 {
     const fxl_polygon *current = in;
     uint32_t spare = in == &work->polygons[0] ? 1 : 0;
     fxl_clip_result all = FXL_CLIP_INSIDE;
-    for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
+    for (uint32_t i = 0; planes >> i != 0; i++) {
+        if ((planes >> i & 1u) == 0) {
+            continue;
+        }
         fxl_polygon *out = &work->polygons[spare];
         fxl_clip_result cut = fxl_clip_to_plane(current, &frustum->planes[i], out, work->distances);
+        fxl_count_cut(account, work->distances, current->count,
+                      cut == FXL_CLIP_CUT ? out->count : 0);
         if (cut == FXL_CLIP_CUT) {
             current = out;
             spare ^= 1u;
@@ -137,4 +144,10 @@ fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *fr
     }
     *result = current;
     return all;
+}
+
+fxl_clip_result fxl_clip_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
+                                    fxl_clip_work *work, const fxl_polygon **result)
+{
+    return fxl_cut_world_by_planes(in, frustum, FXL_PLANES_ALL, work, NULL, result);
 }

@@ -2,6 +2,7 @@
 #include "fixel/clip_view.h"
 
 #include "arith.h"
+#include "counted.h"
 #include "divide_wide.h"
 
 /* The upper 32 bits; by an unsigned shift, which compilers see through. */
@@ -193,9 +194,9 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
     return FXL_CLIP_CUT;
 }
 
-fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                        fxl_planes planes, fxl_clip_view_work *work,
-                                        const fxl_view_polygon **result)
+fxl_clip_result fxl_cut_view_by_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                       fxl_planes planes, fxl_clip_view_work *work,
+                                       fxl_clip_account *account, const fxl_view_polygon **result)
 {
     const fxl_view_polygon *current = in;
     uint32_t spare = in == &work->polygons[0] ? 1 : 0;
@@ -207,6 +208,8 @@ fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_vi
         }
         fxl_view_polygon *out = &work->polygons[spare];
         fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
+        fxl_count_cut(account, work->distances, current->count,
+                      cut == FXL_CLIP_CUT ? out->count : 0);
         if (cut == FXL_CLIP_CUT) {
             current = out;
             spare ^= 1u;
@@ -218,4 +221,11 @@ fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_vi
     }
     *result = current;
     return all;
+}
+
+fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                        fxl_planes planes, fxl_clip_view_work *work,
+                                        const fxl_view_polygon **result)
+{
+    return fxl_cut_view_by_planes(in, frustum, planes, work, NULL, result);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/clipper.h"
 #include "fixel/project.h"
+
+#include "counted.h"
 #include "seen.h"
 
 _Static_assert((FXL_PLANES_ALL & FXL_SEEN_UNPROJECTED) == 0 &&
@@ -46,8 +48,9 @@ fxl_clip_result fxl_clip_seen(const fxl_placed *placed, const fxl_face *face,
     seen->colour = face->colour;
     seen->count = face->count;
     seen->textured = false;
-    fxl_clip_result result = fxl_clip_view_to_planes(
-        seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work, &clipped);
+    fxl_clip_result result =
+        fxl_cut_view_by_planes(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
+                               work, view->room, &clipped);
     if (clipped == NULL) {
         return result;
     }

@@ -4,7 +4,8 @@
 #ifndef FXL_CROSSING_H
 #define FXL_CROSSING_H
 
-#include "fixel/clip_record.h"
+#include "fixel/half_space.h"
+#include "fixel/normalised.h"
 
 /* floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside and a
  * difference below 2^63: as distances of points below 2^61 from one plane have. */
@@ -30,9 +31,10 @@ void fxl_crossing_vertex(const fxl_clip_vertex *inside, const fxl_clip_vertex *o
 fxl_clip_result fxl_cut(const fxl_clip_polygon *in, const fxl_q18_46 *distances,
                         fxl_clip_account *account, fxl_clip_polygon *out);
 
-/* A polygon's distances from one of a clipper's planes. */
+/* A polygon's distances from one of a clipper's planes; counts them where they take
+ * products. */
 typedef void (*fxl_measure)(const void *planes, int plane, const fxl_clip_polygon *polygon,
-                            fxl_q18_46 *distances);
+                            fxl_clip_account *account, fxl_q18_46 *distances);
 
 /* Cuts a polygon by the planes that any of its vertices lies outside of, in order.
  * any, all: the OR and the AND of the vertices' codes, at most 31 planes. *result
@@ -40,6 +42,14 @@ typedef void (*fxl_measure)(const void *planes, int plane, const fxl_clip_polygo
  * nothing is left. */
 fxl_clip_result fxl_cut_by_planes(const fxl_clip_polygon *in, uint32_t any, uint32_t all,
                                   fxl_measure measure, const void *planes, fxl_clip_room *room,
+                                  const fxl_clip_polygon **result);
+
+/* The same for planes of each kind. */
+fxl_clip_result fxl_cut_by_normalised(const fxl_clip_polygon *in, uint32_t any,
+                                      const fxl_normalised *frustum, fxl_clip_room *room,
+                                      const fxl_clip_polygon **result);
+fxl_clip_result fxl_cut_by_volume(const fxl_clip_polygon *in, uint32_t any,
+                                  const fxl_volume *volume, fxl_clip_room *room,
                                   const fxl_clip_polygon **result);
 
 /* A bit for each vertex that counts as inside, by its distance and the sliver rule.

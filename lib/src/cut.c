@@ -127,7 +127,7 @@ fxl_clip_result fxl_cut_by_planes(const fxl_clip_polygon *in, uint32_t any, uint
             continue;
         }
         fxl_clip_polygon *out = &room->polygons[spare];
-        measure(planes, plane, current, room->distances);
+        measure(planes, plane, current, &room->account, room->distances);
         fxl_clip_result cut = fxl_cut(current, room->distances, &room->account, out);
         if (cut == FXL_CLIP_CUT) {
             current = out;

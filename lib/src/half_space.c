@@ -56,24 +56,30 @@ static void set_depths(fxl_volume *volume, fxl_q18_46 near, fxl_q18_46 far)
     volume->planes[FXL_PLANE_FAR] = (fxl_half_space){{0, 0, -FXL_Q2_30_ONE}, far};
 }
 
-void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
+void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint32_t screen,
+                           fxl_volume *volume)
 {
     FXL_ASSERT((screen >> FXL_PLANE_NEAR & 1u) != 0 && (screen >> FXL_PLANE_FAR & 1u) != 0);
-    fxl_view_frustum sides;
-    fxl_view_frustum_from_lens(lens, &sides);
-    set_depths(volume, sides.near, sides.far);
+    set_depths(volume, sides->near, sides->far);
     for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
         bool upright = plane == FXL_PLANE_BOTTOM || plane == FXL_PLANE_TOP;
         int32_t sign = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM ? 1 : -1;
         fxl_half_space *to = &volume->planes[plane];
         if ((screen >> plane & 1u) == 0) {
-            *to = side_plane(upright, sign * lens->focal, FXL_GUARD_PIXELS * FXL_Q16_16_ONE);
+            *to = side_plane(upright, sign * focal, FXL_GUARD_PIXELS * FXL_Q16_16_ONE);
         } else if (upright) {
-            *to = (fxl_half_space){{0, sign * sides.y_side, sides.y_depth}, -sides.inset};
+            *to = (fxl_half_space){{0, sign * sides->y_side, sides->y_depth}, -sides->inset};
         } else {
-            *to = (fxl_half_space){{sign * sides.x_side, 0, sides.x_depth}, -sides.inset};
+            *to = (fxl_half_space){{sign * sides->x_side, 0, sides->x_depth}, -sides->inset};
         }
     }
+}
+
+void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
+{
+    fxl_view_frustum sides;
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_volume_from_sides(&sides, lens->focal, screen, volume);
 }
 
 fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 bottom,
@@ -135,6 +141,7 @@ fxl_clip_result fxl_clip_to_half_space(const fxl_clip_polygon *in, const fxl_hal
                                        fxl_clip_account *account, fxl_clip_polygon *out,
                                        fxl_q18_46 *distances)
 {
+    account->distances += in->count;
     for (uint32_t i = 0; i < in->count; i++) {
         distances[i] = fxl_half_space_distance(plane, &in->vertices[i].position);
     }
@@ -142,13 +149,21 @@ fxl_clip_result fxl_clip_to_half_space(const fxl_clip_polygon *in, const fxl_hal
 }
 
 static void measure(const void *planes, int plane, const fxl_clip_polygon *polygon,
-                    fxl_q18_46 *distances)
+                    fxl_clip_account *account, fxl_q18_46 *distances)
 {
     const fxl_volume *volume = planes;
+    account->distances += polygon->count;
     for (uint32_t i = 0; i < polygon->count; i++) {
         distances[i] =
             fxl_half_space_distance(&volume->planes[plane], &polygon->vertices[i].position);
     }
+}
+
+fxl_clip_result fxl_cut_by_volume(const fxl_clip_polygon *in, uint32_t any,
+                                  const fxl_volume *volume, fxl_clip_room *room,
+                                  const fxl_clip_polygon **result)
+{
+    return fxl_cut_by_planes(in, any, 0, measure, volume, room, result);
 }
 
 fxl_clip_result fxl_clip_to_volume(const fxl_clip_polygon *in, const fxl_volume *volume,
@@ -160,5 +175,6 @@ fxl_clip_result fxl_clip_to_volume(const fxl_clip_polygon *in, const fxl_volume 
         any |= code;
         all &= code;
     }
+    room->account.distances += FXL_PLANE_COUNT * (uint32_t)in->count;
     return fxl_cut_by_planes(in, any, all, measure, volume, room, result);
 }

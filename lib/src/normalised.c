@@ -20,7 +20,7 @@ static uint64_t scaled_quotient(uint64_t part, uint64_t whole, int *down)
 }
 
 /* part / whole as mantissa 2^-(31 + shift), mantissa from 2^30 to 2^31:
- * 0 < part <= whole < 2^54. Exactly 1 where the two are equal; else within 2^-30
+ * 0 < part <= whole < 2^55. Exactly 1 where the two are equal; else within 2^-30
  * of itself. */
 typedef struct {
     uint32_t mantissa;
@@ -88,11 +88,13 @@ void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
     uint64_t x = (uint64_t)lens->focal * (uint64_t)frustum->half_height;
     uint64_t y = (uint64_t)lens->focal * (uint64_t)frustum->half_width;
     uint64_t z = (uint64_t)frustum->half_width * (uint64_t)frustum->half_height;
-    uint64_t largest = x > y ? x : y;
-    largest = z > largest ? z : largest;
-    factor along_x = factor_of(x, largest);
-    factor along_y = factor_of(y, largest);
-    factor along_z = factor_of(z, largest);
+    uint64_t largest = x > y ? x : y, one = z;
+    factor along_z = {(uint32_t)1 << 31, 0};
+    for (; one < largest; one <<= 1) { /* below 2^55 in the end */
+        along_z.shift += 1;
+    }
+    factor along_x = factor_of(x, one);
+    factor along_y = factor_of(y, one);
     frustum->eye = camera->position;
     frustum->x = row_of(&camera->right, &along_x);
     frustum->y = row_of(&camera->up, &along_y);
@@ -109,17 +111,22 @@ static fxl_q18_46 coordinate(const fxl_normalised_row *row, int32_t dx, int32_t 
     return row->shift > 0 ? fxl_round_shift(sum, row->shift) : sum;
 }
 
+void fxl_normalised_from_eye(const fxl_normalised *frustum, const fxl_point *from_eye,
+                             fxl_view_point *seen)
+{
+    seen->x = coordinate(&frustum->x, from_eye->x, from_eye->y, from_eye->z);
+    seen->y = coordinate(&frustum->y, from_eye->x, from_eye->y, from_eye->z);
+    seen->z = coordinate(&frustum->z, from_eye->x, from_eye->y, from_eye->z);
+}
+
+/* Both within FXL_COORDINATE_MAX, so each difference is below 2^30. */
 void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
                           fxl_view_point *seen)
 {
     FXL_ASSERT(fxl_point_in_range(point));
-    /* Both within FXL_COORDINATE_MAX, so each difference is below 2^30. */
-    int32_t dx = point->x - frustum->eye.x;
-    int32_t dy = point->y - frustum->eye.y;
-    int32_t dz = point->z - frustum->eye.z;
-    seen->x = coordinate(&frustum->x, dx, dy, dz);
-    seen->y = coordinate(&frustum->y, dx, dy, dz);
-    seen->z = coordinate(&frustum->z, dx, dy, dz);
+    fxl_point from_eye = {point->x - frustum->eye.x, point->y - frustum->eye.y,
+                          point->z - frustum->eye.z};
+    fxl_normalised_from_eye(frustum, &from_eye, seen);
 }
 
 /* Sums are below 2^62, and an inset below 2^49. */
@@ -156,12 +163,20 @@ fxl_q18_46 fxl_normalised_distance(const fxl_normalised *frustum, int plane,
 }
 
 static void measure(const void *planes, int plane, const fxl_clip_polygon *polygon,
-                    fxl_q18_46 *distances)
+                    fxl_clip_account *account, fxl_q18_46 *distances)
 {
     const fxl_normalised *frustum = planes;
+    (void)account; /* sums alone */
     for (uint32_t i = 0; i < polygon->count; i++) {
         distances[i] = fxl_normalised_distance(frustum, plane, &polygon->vertices[i].position);
     }
+}
+
+fxl_clip_result fxl_cut_by_normalised(const fxl_clip_polygon *in, uint32_t any,
+                                      const fxl_normalised *frustum, fxl_clip_room *room,
+                                      const fxl_clip_polygon **result)
+{
+    return fxl_cut_by_planes(in, any, 0, measure, frustum, room, result);
 }
 
 fxl_clip_result fxl_clip_normalised(const fxl_clip_polygon *in, const fxl_normalised *frustum,

@@ -6,7 +6,7 @@
 #include "walk.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 472 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 464 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
@@ -93,6 +93,9 @@ fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hid
     }
     if (room_size < walk || room_size - walk < paint) {
         return refuse(renderer, FXL_E_CAPACITY);
+    }
+    if (walk > 0) {
+        memset(room, 0, walk);
     }
     renderer->hidden = hidden;
     renderer->walk_room = room;

@@ -6,6 +6,8 @@
 
 #include "arith.h"
 #include "face_key.h"
+#include "tree_check.h"
+#include "unit_vector.h"
 
 static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
 {
@@ -189,20 +191,6 @@ static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-/* Components up to 2^30 + 2^2 keep every square below 2^61 and the sum below
- * 2^63. */
-static bool is_unit(const fxl_direction *normal)
-{
-    const int64_t limit = (int64_t)FXL_Q2_30_ONE + 4;
-    if (!fxl_within(normal->x, limit) || !fxl_within(normal->y, limit) ||
-        !fxl_within(normal->z, limit)) {
-        return false;
-    }
-    int64_t square = (int64_t)normal->x * normal->x + (int64_t)normal->y * normal->y +
-                     (int64_t)normal->z * normal->z;
-    return fxl_within(square - (int64_t)FXL_Q2_30_ONE * FXL_Q2_30_ONE, FXL_NORMAL_SQUARE_MAX_ERROR);
-}
-
 /* The differences of two model vertices are below 2^31, so the sum is below
  * sqrt(3) * 2^61 for a unit normal. */
 static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
@@ -227,7 +215,7 @@ static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
         const fxl_model *model = &scene->models[i];
         for (uint32_t j = 0; j < model->face_count; j++) {
             uint32_t number = model->first_face + j;
-            if (!is_unit(&scene->faces[number].normal)) {
+            if (!fxl_is_unit(&scene->faces[number].normal)) {
                 return fail(fault, "face", number, FXL_E_NORMAL);
             }
             if (!is_flat(scene, model, &scene->faces[number])) {
@@ -278,6 +266,31 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
 }
 
 /* One entry for each object, and for each face of the largest sorted model. */
+static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (scene->beam_count == 0) {
+        return FXL_OK;
+    }
+    if (scene->beams == NULL || scene->lit == NULL) {
+        return fail(fault, "beam table", 0, FXL_E_ARGUMENT);
+    }
+    if (scene->beam_count > FXL_BEAMS_MAX) {
+        return fail(fault, "beam table", 0, FXL_E_COUNT);
+    }
+    for (uint32_t i = 0; i < scene->beam_count; i++) {
+        fxl_status status = fxl_beam_check(&scene->beams[i]);
+        if (status != FXL_OK) {
+            return fail(fault, "beam", i, status);
+        }
+    }
+    for (uint32_t i = 0; i < scene->face_count; i++) {
+        if (!fxl_beams_fit(scene->beams, scene->beam_count, scene->faces[i].count)) {
+            return fail(fault, "face", i, FXL_E_CAPACITY);
+        }
+    }
+    return FXL_OK;
+}
+
 static uint32_t order_needed(const fxl_scene *scene)
 {
     uint32_t faces = 0;
@@ -294,7 +307,8 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
 {
     static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
         check_counts,   check_faces, check_models,  check_objects, check_placed_vertices,
-        check_vertices, check_radii, check_normals, check_keys,
+        check_vertices, check_radii, check_normals, check_keys,    fxl_tree_check,
+        check_beams,
     };
     if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->objects == NULL) {

@@ -23,6 +23,7 @@ static const char *const texts[FXL_STATUS_COUNT] = {
     [FXL_E_RESERVED] = "a reserved field or a kind holds an unknown value",
     [FXL_E_RADIUS] = "a vertex lies farther from its model's origin than the model's radius",
     [FXL_E_KEY] = "a face's key is not what its vertices and its normal say",
+    [FXL_E_TREE] = "the nodes of a tree do not hang together, or lie too deep",
 };
 
 const char *fxl_status_text(fxl_status status)

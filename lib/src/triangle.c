@@ -59,6 +59,7 @@ uint32_t fxl_triangle_cut(const fxl_clip_triangle *in, const fxl_half_space *pla
     fxl_q18_46 distances[3];
     fxl_clip_vertex low, high;
     uint32_t made = 0;
+    account->distances += 3;
     for (int i = 0; i < 3; i++) {
         distances[i] = fxl_half_space_distance(plane, &in->corners[i].position);
     }

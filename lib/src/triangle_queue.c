@@ -9,7 +9,8 @@
 /* A border at most doubles what waits, so four of them end at 16. */
 static void cut_flats(fxl_triangle_room *room, int border, uint16_t extent)
 {
-    fxl_clip_account account = {room->screen_sliver, room->account.intersections};
+    fxl_clip_account account = room->account;
+    account.sliver = room->screen_sliver;
     for (uint32_t left = room->flat_count; left > 0; left--) {
         fxl_screen_triangle cut[2];
         uint32_t made = fxl_triangle_cut_screen(&room->flats[room->flat_first & MASK], border,
@@ -33,6 +34,7 @@ fxl_clip_result fxl_triangle_begin(const fxl_clip_triangle *in, uint32_t carried
         any |= code;
         all &= code;
     }
+    room->account.distances += 3 * FXL_PLANE_COUNT;
     room->planes = any;
     room->carried = (uint8_t)carried;
     room->flat_first = room->flat_count = room->solid_count = 0;

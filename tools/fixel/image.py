@@ -9,10 +9,14 @@ import tempfile
 import zlib
 
 from fixel.errors import ToolError
+from fixel import image_beam
+from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
+                              check_tree, fail)
 
 MAGIC = b"FXLS"
-VERSION = 2
+VERSION, VERSION_MORE = 2, 3
 HEADER_SIZE = 160
+LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size   # of a scene with beams
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
@@ -23,15 +27,14 @@ NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
 GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
 FACE_VERTICES_MAX = 24
 PLANARITY_MAX = 4
-NORMAL_SQUARE_MAX_ERROR = 1 << 32
 
-CONVEX, SORTED = 0, 1
+CONVEX = 0
 POSES, STRIDES = 0, 1
 
 KEYS = {"forward": 1, "back": 2, "left": 4, "right": 8,
         "pitch_up": 16, "pitch_down": 32, "roll_left": 64, "roll_right": 128}
 
-_HEAD = struct.Struct("<4sHHII HHI 3i BBH 3i3I 3iI 14I I 2I 12s")
+_HEAD = struct.Struct("<4sHHII HHI 3i BBH 3i3I 3iI 14I I 2I 2I I")
 _PALETTE = struct.Struct("<3B")
 _VERTEX = struct.Struct("<3i")
 _CORNER = struct.Struct("<H")
@@ -82,16 +85,16 @@ class SceneImage:
     path: list                          # (x, y, z, yaw, pitch, roll) or (keys, frames)
     start: tuple = (0, 0, 0, 0, 0, 0)
     gait: tuple = (0, 0, 0, 0)          # acceleration, friction, top speed, turn
+    tree: Tree = None
+    beams: list = field(default_factory=list)
+    lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
+    moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     size: int = field(default=0, compare=False)
     crc: int = field(default=0, compare=False)
 
     @property
     def frames(self):
         return len(self.path) if self.path_kind == POSES else sum(n for _, n in self.path)
-
-
-def fail(status, text):
-    raise ToolError(f"{status}: {text}")
 
 
 def _aligned(blob):
@@ -137,22 +140,32 @@ def pack(image):
     tables = [[_PALETTE.pack(*entry) for entry in image.palette], *model_tables,
               [_OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
               [path_entry.pack(*entry) for entry in image.path]]
+    header_size = LIT_HEADER_SIZE if image.beams else HEADER_SIZE
     body, where = b"", []
     for table in tables:
-        where += [HEADER_SIZE + len(body), len(table)]
+        where += [header_size + len(body), len(table)]
         body += _aligned(b"".join(table))
-    where_keys = [HEADER_SIZE + len(body) if keys else 0, len(keys)]
+    where_keys = [header_size + len(body) if keys else 0, len(keys)]
     body += b"".join(keys)
+    nodes = image.tree.nodes if image.tree else []
+    where_nodes = [header_size + len(body) if nodes else 0, len(nodes)]
+    body += b"".join(node.pack() for node in nodes)
+    if image.beams:
+        where_beams = header_size + len(body)
+        body += b"".join(beam.pack() for beam in image.beams)
+        body = image_beam.LIT_HEADER.pack(where_beams, len(image.beams), header_size + len(body),
+                                          0) + body + bytes(image.lit)
     size = HEADER_SIZE + len(body)
     if size > IMAGE_MAX:
         fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
              "use fewer or smaller models or a shorter path")
 
     def head(crc):
-        return _HEAD.pack(MAGIC, VERSION, HEADER_SIZE, size, crc, image.width, image.height,
+        return _HEAD.pack(MAGIC, VERSION_MORE if nodes or image.beams else VERSION, header_size,
+                          size, crc, image.width, image.height,
                           image.fov, image.near, image.far, image.inset, image.background,
                           image.path_kind, 0, *image.start, *image.gait, *where, image.frames,
-                          *where_keys, bytes(12))
+                          *where_keys, *where_nodes, image.tree.object if nodes else 0)
 
     blob = head(zlib.crc32(head(0)[16:] + body)) + body
     unpack(blob)
@@ -167,15 +180,16 @@ def _head(blob):
     magic, version, header_size, size, crc = fields[:5]
     if magic != MAGIC:
         fail("magic", "this is not a scene image (it does not begin with FXLS)")
-    if version != VERSION:
-        fail("version", f"a scene image of version {version}; this tool knows version {VERSION}")
-    if header_size != HEADER_SIZE:
+    if version not in (VERSION, VERSION_MORE):
+        fail("version", f"a scene image of version {version}; this tool knows versions {VERSION} "
+             f"and {VERSION_MORE}")
+    if header_size != HEADER_SIZE and (version, header_size) != (VERSION_MORE, LIT_HEADER_SIZE):
         fail("size", f"header size {header_size} is not {HEADER_SIZE}")
-    if size % 4 or not HEADER_SIZE <= size <= IMAGE_MAX or size > len(blob):
+    if size % 4 or not header_size <= size <= IMAGE_MAX or size > len(blob):
         fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
     if zlib.crc32(blob[16:size]) != crc:
         fail("crc", "the checksum does not match: the image is damaged")
-    if fields[13] or any(fields[-1]) or fields[12] not in (POSES, STRIDES):
+    if fields[13] or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
         fail("reserved", "a reserved field of the header is not zero, or the path kind is unknown")
     return fields
 
@@ -220,23 +234,32 @@ def check_plane(normal, points, what):
 
 
 def _tables(blob, fields):
-    """The tables as lists of tuples, after their offsets and counts; the keys last, if any."""
+    """The tables as lists of tuples, after their offsets and counts; keys and nodes last, empty
+    where there are none; beams and lit colours where the header has them."""
     limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 3, 1_000_000),
               ("corners", _CORNER, 3, 4_000_000), ("faces", _FACE, 1, 1_000_000),
               ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
               ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000)]
     size, tables, places = fields[3], [], [fields[i:i + 2] for i in range(24, 38, 2)]
-    if fields[40]:
-        limits.append(("keys", _KEY, 1, 1_000_000))
-        places.append(fields[39:41])
-    elif fields[39]:
-        fail("offset", "the header says where keys are, but that there are none")
+    limits += [("keys", _KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX)]
+    places += [fields[39:41], fields[41:43]]
+    if fields[2] == LIT_HEADER_SIZE:
+        *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
+        if reserved:
+            fail("reserved", "a reserved field of the header is not zero")
+        limits += [("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1)]
+        places += [beams, (lit, 1)]
     for (offset, count), (name, entry, low, high) in zip(places, limits):
+        if name in ("keys", "nodes") and not count:
+            if offset:
+                fail("offset", f"the header says where {name} are, but that there are none")
+            tables.append([])
+            continue
         if not low <= count <= high:
             fail("count", f"{count} {name} are outside {low}..{high}")
         if offset % 4:
             fail("alignment", f"the table of {name} begins at {offset}, not a multiple of four")
-        if offset < HEADER_SIZE or offset + count * entry.size > size:
+        if offset < fields[2] or offset + count * entry.size > size:
             fail("offset", f"the table of {name} reaches outside the image")
         tables.append(list(entry.iter_unpack(blob[offset:offset + count * entry.size])))
     return tables
@@ -342,7 +365,8 @@ def unpack(blob):
     start, gait = fields[14:20], fields[20:24]
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
-    palette, vertices, corners, faces, models, objects, path, *keys = _tables(blob, fields)
+    palette, vertices, corners, faces, models, objects, path, keys, nodes, *light = \
+        _tables(blob, fields)
     _check_faces(faces, corners)
     models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
@@ -352,10 +376,19 @@ def unpack(blob):
         for j, face in enumerate(model.faces):
             check_plane(face.normal, [model.vertices[c] for c in face.corners],
                         f"face {j} of model {i}")
-    _check_keys(models, extras, keys[0] if keys else [])
+    _check_keys(models, extras, keys)
+    tree = None
+    if nodes:
+        tree = Tree([Node.unpack(node) for node in nodes], fields[43])
+        check_tree(tree, models, objects)
+    elif fields[43]:
+        fail("count", "the header says whose the tree is, but there is none")
+    beams = [image_beam.unpack(beam, i) for i, beam in enumerate(light[0])] if light else []
+    lit = bytes(light[1][0]) if light else bytes(range(256))
+    image_beam.check(beams, models)
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, fields[3], fields[4])
+                      kind, path, start, gait, tree, beams, lit, size=fields[3], crc=fields[4])
 
 
 def load(path):

@@ -25,7 +25,7 @@ UNITS = {"2^-30": "$2^{-30}$"}
 TICK_GAP = 1 / 12       # of a plot's width, between two labels
 
 
-def _svg(figure, name):
+def as_svg(figure, name):
     """A figure as an SVG element; name keeps its ids apart from those of other plots."""
     block = io.StringIO()
     with matplotlib.rc_context({"svg.hashsalt": name}):
@@ -90,7 +90,7 @@ def histogram(stage, entries, name):
         if unit == "1/65536 pixel":
             _mark_pixel(axes, 16, "1 pixel")
         _legend(axes)
-        return _svg(figure, name)
+        return as_svg(figure, name)
 
 
 def _power_ticks(axes, shares, lowest, whole):
@@ -146,7 +146,7 @@ def sweep(entries, name):
         axes.annotate("1 pixel", (1, PIXEL), xycoords=("axes fraction", "data"), xytext=(0, 2),
                       textcoords="offset points", ha="right", fontsize=8, color=SOFT)
         _legend(axes)
-        return _svg(figure, name)
+        return as_svg(figure, name)
 
 
 def _value_ticks(values):
@@ -182,7 +182,7 @@ def per_frame(frames, name):
         axes.yaxis.get_major_locator().set_params(integer=True)
         axes.grid(axis="x", visible=False)
         _scene_ticks(axes, frames)
-        return _svg(figure, name)
+        return as_svg(figure, name)
 
 
 def _scene_ticks(axes, frames):

@@ -14,7 +14,8 @@ from fixel.toml_table import Table
 
 KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
-        "shade", "colour_index", "colour_step", "colour_next", "layer", "kind"}
+        "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
+        "moves"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
 
@@ -28,6 +29,7 @@ class Placement:
     kind: int
     centre: tuple
     layer: int
+    moves: bool
     where: str
 
 
@@ -226,7 +228,7 @@ class Objects:
             centre = self._centre(position, made, anchor, place)
             moved = made.middle if anchor != "origin" else (0, 0, 0)
             result.append(Placement((made, moved), self._colours(table, made, i), kind, centre,
-                                    layer, place))
+                                    layer, table.switch("moves", False), place))
         return result
 
     @staticmethod

@@ -31,6 +31,7 @@ typedef struct {
      * may then part by as much. */
     fxl_q18_46 sliver;
     uint32_t intersections; /* crossings worked out since the caller set it to 0 */
+    uint32_t distances;     /* distances worked out by products since then, codes' included */
 } fxl_clip_account;
 
 /* What a clipper needs beside its input. The caller owns it; of its contents

@@ -35,6 +35,7 @@ typedef struct {
 
 extern const fxl_clipper fxl_clipper_view;  /* fxl_clip_by_view: used unless told otherwise */
 extern const fxl_clipper fxl_clipper_world; /* fxl_clip_by_world */
+/* Both work without room; given an fxl_clip_account, they count in it. */
 
 /* Transform, then clip on exact sums: the precise way. Outline on the screen within 1.25/65536
  * pixel of the exact one, but for what SPEC.md, chapter 6a, excepts. */
@@ -46,5 +47,14 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
  * focal / (65536 near) pixels on the screen. */
 fxl_clip_result fxl_clip_by_world(const fxl_placed *placed, const fxl_face *face,
                                   fxl_clipper_work *work, fxl_screen_polygon *screen);
+
+/* The family's clippers (SPEC.md, chapter 6b), each with room of its own (clipper_room.h). */
+extern const fxl_clipper fxl_clipper_normalised; /* planes at x = +-z: codes without a product */
+extern const fxl_clipper fxl_clipper_once;       /* all planes in one pass */
+extern const fxl_clipper
+    fxl_clipper_half_spaces;                    /* six homogeneous half-spaces, whatever they be */
+extern const fxl_clipper fxl_clipper_triangles; /* triangles; borders in two dimensions */
+extern const fxl_clipper fxl_clipper_near;      /* near and far alone: the scan does the rest */
+extern const fxl_clipper fxl_clipper_left;      /* the same, and the left side */
 
 #endif

@@ -31,6 +31,10 @@ typedef struct {
  * their bits. */
 void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *volume);
 
+/* The same, for who has the lens's frustum already. */
+void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint32_t screen,
+                           fxl_volume *volume);
+
 /* A frustum that need not be upright before the eye: its window, on the plane
  * z = near, reaches from left to right and from bottom to top, where they may lie
  * both on one side. Exact. FXL_E_RANGE, volume untouched: near below FXL_NEAR_MIN or

@@ -45,4 +45,21 @@ extern const fxl_painter fxl_painter_over;
  * near, one over another: what a renderer uses unless told otherwise. */
 extern const fxl_hidden fxl_hidden_sorted;
 
+/* The same, but every pixel of a polygon's bounding box is tested (scan_box.h): the same
+ * pixels, without edges. */
+extern const fxl_painter fxl_painter_box;
+extern const fxl_hidden fxl_hidden_box;
+
+/* Front to back into a span buffer (span_buffer.h): each pixel is drawn once, by the first
+ * that covers it, so the picture is that of the order turned round. Room:
+ * FXL_SPAN_BUFFER_ROOM_LEAST of the screen at least. A band whose intervals are more than
+ * the pool holds is drawn again in halves and so on, each time counted in split_bands: the
+ * picture never depends on the pool. The least pool is enough for any one row. */
+extern const fxl_painter fxl_painter_spans;
+extern const fxl_hidden fxl_hidden_spans;
+
+/* The same by the pixels of each polygon's bounding box (scan_box.h). */
+extern const fxl_painter fxl_painter_spans_box;
+extern const fxl_hidden fxl_hidden_spans_box;
+
 #endif

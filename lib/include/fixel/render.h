@@ -29,8 +29,8 @@ _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "
 
 typedef struct fxl_light fxl_light;
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
- * 80 for each vertex of FXL_POLYGON_CAPACITY: 3032 where that is 32, 1432 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 464 bytes and
+ * 80 for each vertex of FXL_POLYGON_CAPACITY: 3024 where that is 32, 1424 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only, but for light. */
 struct fxl_renderer {
@@ -46,11 +46,11 @@ struct fxl_renderer {
     fxl_list list;
     fxl_place rest; /* where the list was full */
     fxl_counters counters;
+    void *walk_room; /* what the caller gave for hidden, in two parts */
     fxl_view view;
     fxl_vertex_cache cache;
+    void *paint_room;      /* the other */
     fxl_seen_vertex spare; /* all of the cache where the caller gave none */
-    void *walk_room;       /* what the caller gave for hidden, in two parts */
-    void *paint_room;
     uint32_t paint_room_size;
     fxl_screen_polygon screen;
     union { /* a polygon is scanned when its clipping is over */

@@ -5,6 +5,7 @@
 #ifndef FXL_SCENE_H
 #define FXL_SCENE_H
 
+#include "fixel/beam.h"
 #include "fixel/lens.h"
 #include "fixel/viewer.h"
 
@@ -21,6 +22,14 @@
 #define FXL_SCENE_FACE_VERTICES_MAX 24u
 #define FXL_MODEL_VERTICES_MAX      65535u
 #define FXL_MODEL_FACES_MAX         65535u
+#define FXL_TREE_NODES_MAX          65535u
+#define FXL_TREE_DEPTH_MAX          1023u /* of a node below the root */
+
+/* How far the vertices of a node's faces may lie from its plane. */
+#define FXL_TREE_PLANARITY_MAX ((fxl_q16_16)8)
+
+/* No node. */
+#define FXL_TREE_NONE 0xFFFFu
 
 /* A face: count corners from corners[first_corner] on, each the number of a
  * vertex of the model, clockwise as seen from the front. The normal points to
@@ -68,6 +77,18 @@ typedef struct {
     uint8_t reserved; /* 0 */
 } fxl_object;
 
+/* A node of a tree over the faces of one object (SPEC.md, chapter 7a): a plane,
+ * relative to the object's centre, the faces on it, and what is in front of it
+ * and behind. Nodes are listed as one comes upon them: root, front, back. */
+typedef struct {
+    fxl_direction normal;
+    uint32_t distance_low;           /* 18.46, two's complement: a point is in front where */
+    uint32_t distance_high;          /* normal . point > distance */
+    uint16_t front, back, parent;    /* numbers of nodes, or FXL_TREE_NONE */
+    uint16_t first_face, face_count; /* within the model, the first behind the node's before */
+    uint16_t reserved;               /* 0 */
+} fxl_tree_node;
+
 /* What a player holds down for a number of frames. */
 typedef struct {
     uint16_t keys;   /* FXL_KEY_... */
@@ -86,6 +107,12 @@ typedef struct {
     uint32_t order_needed;    /* entries that fxl_renderer_init asks for */
     const fxl_face_key *keys; /* one for each face of each sorted model in turn; or null */
     uint32_t key_count;
+    const fxl_tree_node *nodes; /* of a tree over the faces of one object; or null */
+    uint32_t node_count;
+    uint32_t tree_object;  /* whose: its model is sorted, and no other object's; 0 without a tree */
+    const fxl_beam *beams; /* of light, for fxl_renderer_set_light; or null */
+    uint32_t beam_count;
+    const uint8_t *lit; /* for each colour, the one that it has in a beam; or null */
 } fxl_scene;
 
 /* Everything that a scene image holds beside the scene. */
@@ -113,7 +140,7 @@ typedef struct {
  * planarity, that no vertex lies outside its model's radius, and that every
  * vertex of every object lies within FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is
  * written only on FXL_OK; *fault (may be null) only on an error. FXL_E_ARGUMENT, _COUNT, _INDEX,
- * _RANGE, _RADIUS, _NORMAL, _PLANARITY, _KEY,
+ * _RANGE, _RADIUS, _NORMAL, _PLANARITY, _KEY, _TREE,
  * _RESERVED; _CAPACITY for a face of more than
  * FXL_FACE_VERTICES_MAX vertices, which a build with a larger FXL_POLYGON_CAPACITY would draw. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);

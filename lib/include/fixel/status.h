@@ -24,6 +24,7 @@ typedef enum {
     FXL_E_RESERVED,   /* a reserved field or an enumeration holds an unknown value */
     FXL_E_RADIUS,     /* a vertex farther from its model's origin than the model's radius */
     FXL_E_KEY,        /* a face's key that is not what its vertices and its normal say */
+    FXL_E_TREE,       /* nodes of a tree that do not hang together, or lie too deep */
     FXL_STATUS_COUNT
 } fxl_status;
 

@@ -1,0 +1,6 @@
+/* SPDX-License-Identifier: MIT */
+/* Compiled once for each combination: bench/clippers.mk says which. */
+#include "combination.h"
+
+const combination combination_chosen = {&COMBINATION_CLIPPER, &COMBINATION_HIDDEN,
+                                        COMBINATION_ROOM};

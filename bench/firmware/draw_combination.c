@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/* Fixel with any clipper and anything that hides what, the frame in one band. */
+#include "combination.h"
+#include "contract/system.h"
+#include "text.h"
+
+#define ORDER_ENTRIES 4096u
+#define CACHE_ENTRIES 256u
+#define ROOM_BYTES    131072u /* each, at most */
+
+static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_seen_vertex cache[CACHE_ENTRIES];
+static uint64_t clipper_room[ROOM_BYTES / 8u], hidden_room[ROOM_BYTES / 8u];
+static fxl_renderer renderer;
+static uint32_t order_used, hidden_used;
+
+/* Bytes for what hides what: what was chosen, or what it wants at the least. */
+static uint32_t room_for_hidden(const fxl_scene_image *image)
+{
+    const fxl_hidden *hidden = combination_chosen.hidden;
+    uint32_t walk = 0, paint = 0;
+    if (hidden->walk_room != NULL) {
+        walk = (hidden->walk_room(&image->scene) + 7u) & ~7u;
+    }
+    if (hidden->painter != NULL && hidden->painter->room != NULL) {
+        paint = hidden->painter->room(&image->lens);
+        paint = paint < combination_chosen.room ? combination_chosen.room : paint;
+    }
+    return walk + paint;
+}
+
+int draw_open(const fxl_scene_image *image)
+{
+    const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0, cache, CACHE_ENTRIES};
+
+    order_used = image->scene.order_needed;
+    hidden_used = room_for_hidden(image);
+    if (order_used > ORDER_ENTRIES || hidden_used > ROOM_BYTES ||
+        combination_chosen.clipper->room > ROOM_BYTES) {
+        text_with_number("bench: order entries needed", "", ": ", order_used);
+        text_with_number("bench: room needed", "", ": ", hidden_used);
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
+                   fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
+                                            combination_chosen.clipper->room) == FXL_OK &&
+                   fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room,
+                                           hidden_used) == FXL_OK
+               ? SYSTEM_EXIT_DONE
+               : SYSTEM_EXIT_RENDER;
+}
+
+bool draw_frame(const fxl_pose *pose, const fxl_band *band)
+{
+    return fxl_frame_begin(&renderer, pose) == FXL_OK && fxl_frame_draw(&renderer, band) == FXL_OK;
+}
+
+uint32_t draw_memory(void)
+{
+    return (uint32_t)(sizeof renderer + sizeof cache + order_used * sizeof order[0]) +
+           combination_chosen.clipper->room + hidden_used;
+}
+
+const fxl_counters *draw_counters(void)
+{
+    return &renderer.counters;
+}
+
+fxl_renderer *draw_renderer(void)
+{
+    return &renderer;
+}

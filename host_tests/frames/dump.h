@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Frame dumps (SPEC.md 9), written on the host. */
+#ifndef FRAMES_DUMP_H
+#define FRAMES_DUMP_H
+
+#include <stdio.h>
+
+#include "fixel.h"
+
+typedef struct {
+    FILE *file;
+    uint32_t crc, frames;
+    bool failed;
+} dump;
+
+void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames);
+void dump_frame(dump *to, const fxl_pose *pose, const uint8_t *pixels, size_t area,
+                const fxl_counters *counters, uint32_t clamped);
+
+/* False where something could not be written. */
+bool dump_end(dump *to);
+
+#endif

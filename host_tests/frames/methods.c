@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "frames/methods.h"
+
+#include <string.h>
+
+static const named_clipper clippers[] = {
+    {"view", &fxl_clipper_view, NULL},
+    {"world", &fxl_clipper_world, NULL},
+    {"normalised", &fxl_clipper_normalised, NULL},
+    {"once", &fxl_clipper_once, NULL},
+    {"half-spaces", &fxl_clipper_half_spaces, NULL},
+    {"triangles", &fxl_clipper_triangles, NULL},
+    {"near", &fxl_clipper_near, NULL},
+    {"near-box", &fxl_clipper_near, &fxl_painter_box},
+    {"left", &fxl_clipper_left, NULL},
+};
+
+static const named_hidden methods[] = {
+    {"sorted", &fxl_hidden_sorted},
+    {"tree", &fxl_hidden_tree},
+};
+
+const named_clipper *find_clipper(const char *name)
+{
+    for (size_t i = 0; i < sizeof clippers / sizeof *clippers; i++) {
+        if (strcmp(clippers[i].name, name) == 0) {
+            return &clippers[i];
+        }
+    }
+    return NULL;
+}
+
+const named_hidden *find_hidden(const char *name)
+{
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        if (strcmp(methods[i].name, name) == 0) {
+            return &methods[i];
+        }
+    }
+    return NULL;
+}

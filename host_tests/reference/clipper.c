@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/clipper.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define DEPTHS (1u << REF_PLANE_NEAR | 1u << REF_PLANE_FAR)
+
+static const struct {
+    const char *name;
+    unsigned planes;
+} clippers[] = {
+    {"view", REF_CUT_ALL},
+    {"world", REF_CUT_ALL},
+    {"normalised", REF_CUT_ALL},
+    {"once", REF_CUT_ALL},
+    {"half-spaces", REF_CUT_ALL},
+    /* By the borders of the screen, which is what the scan does. */
+    {"triangles", DEPTHS},
+    {"near", DEPTHS},
+    {"near-box", DEPTHS},
+    {"left", DEPTHS | 1u << REF_PLANE_LEFT},
+};
+
+bool ref_clipper_cuts(const char *name, unsigned *planes)
+{
+    for (size_t i = 0; i < sizeof clippers / sizeof *clippers; i++) {
+        if (strcmp(name, clippers[i].name) == 0) {
+            *planes = clippers[i].planes;
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: MIT */
+/* Splitting in the world: the parts add up, and whoever asks for a crossing, from
+ * whichever side and in whichever direction, gets the same bits. */
+#include <math.h>
+
+#include "unit.h"
+
+/* In front is x >= 0. */
+static const fxl_plane wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
+
+static fxl_piece front, back;
+
+/* A piece in the plane z = 0 from whole numbers x, y. */
+static fxl_piece flat(const int *numbers, uint32_t count)
+{
+    fxl_piece piece = {.count = count};
+    for (uint32_t i = 0; i < count; i++) {
+        piece.points[i] = (fxl_point){numbers[2 * i] * 65536, numbers[2 * i + 1] * 65536, 0};
+    }
+    return piece;
+}
+#define NUMBERS(...) \
+    ((const int[]){__VA_ARGS__}), (uint32_t)(sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2)
+
+static bool same_point(const fxl_point *a, const fxl_point *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* The same outline, whichever point comes first. */
+static void expect_outline(const int *numbers, uint32_t count, const fxl_piece *actual)
+{
+    fxl_piece expected = flat(numbers, count);
+    uint32_t first = 0;
+    TEST_ASSERT_EQUAL(expected.count, actual->count);
+    while (first + 1 < count && !same_point(&actual->points[first], &expected.points[0])) {
+        first++;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        TEST_ASSERT_TRUE(same_point(&expected.points[i], &actual->points[(first + i) % count]));
+    }
+}
+
+static void expect_whole(fxl_split_result result, const int *numbers, uint32_t count)
+{
+    fxl_piece piece = flat(numbers, count), untouched;
+    memset(&front, 0x5A, sizeof front);
+    memset(&back, 0x5A, sizeof back);
+    memset(&untouched, 0x5A, sizeof untouched);
+    TEST_ASSERT_EQUAL(result, fxl_split_piece(&piece, &wall, &front, &back));
+    TEST_ASSERT_EQUAL_MEMORY(&untouched, &front, sizeof front);
+    TEST_ASSERT_EQUAL_MEMORY(&untouched, &back, sizeof back);
+}
+
+static void split(const int *numbers, uint32_t count)
+{
+    fxl_piece piece = flat(numbers, count);
+    TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&piece, &wall, &front, &back));
+}
+
+void test_what_lies_on_one_side_is_left_alone(void)
+{
+    expect_whole(FXL_SPLIT_FRONT, NUMBERS(1, 0, 3, 0, 3, 2));
+    expect_whole(FXL_SPLIT_BACK, NUMBERS(-1, 0, -3, 0, -3, 2));
+}
+
+void test_what_touches_belongs_to_its_own_side(void)
+{
+    expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 3, 0, 3, 2));
+    expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 0, 5, 3, 2));
+    expect_whole(FXL_SPLIT_BACK, NUMBERS(0, 0, -3, 0, -3, 2));
+    expect_whole(FXL_SPLIT_BACK, NUMBERS(0, 0, 0, 5, -3, 2));
+}
+
+void test_what_lies_in_the_plane_is_in_front(void)
+{
+    expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 0, 5, 0, 2));
+}
+
+void test_a_square_is_halved(void)
+{
+    split(NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
+    expect_outline(NUMBERS(0, 0, 4, 0, 4, 4, 0, 4), &front);
+    expect_outline(NUMBERS(-4, 0, 0, 0, 0, 4, -4, 4), &back);
+}
+
+void test_a_corner_is_cut_off(void)
+{
+    split(NUMBERS(-2, 2, 2, 4, 2, 0));
+    expect_outline(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), &front);
+    expect_outline(NUMBERS(-2, 2, 0, 3, 0, 1), &back);
+}
+
+/* Through vertices: each belongs to both parts, once. */
+void test_a_vertex_on_the_plane_belongs_to_both(void)
+{
+    split(NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
+    expect_outline(NUMBERS(0, 4, 4, 0, 0, -4), &front);
+    expect_outline(NUMBERS(0, 4, 0, -4, -4, 0), &back);
+    split(NUMBERS(0, 4, 4, 4, -4, -4));
+    expect_outline(NUMBERS(0, 4, 4, 4, 0, 0), &front);
+    expect_outline(NUMBERS(0, 4, 0, 0, -4, -4), &back);
+}
+
+void test_an_edge_alone_is_split(void)
+{
+    split(NUMBERS(-4, 0, 8, 12));
+    TEST_ASSERT_EQUAL(2 + 1, front.count); /* there and back: the crossing twice */
+    TEST_ASSERT_EQUAL(2 + 1, back.count);
+}
+
+/* Any edge and any plane that parts its ends, some of them passing close to one. */
+static bool parted_edge(fxl_plane *plane, fxl_point *ahead, fxl_point *behind)
+{
+    fxl_q16_16 limit = unit_random() % 2 ? FXL_COORDINATE_MAX : Q16(4);
+    fxl_point on = unit_point(limit);
+    fxl_direction normal = unit_direction();
+    *plane = fxl_plane_from_point(&on, &normal, 0);
+    *ahead = unit_point(limit);
+    *behind = unit_point(limit);
+    if (unit_random() % 4 == 0) {
+        *plane = fxl_plane_from_point(behind, &normal, 0);
+        plane->distance += unit_between(1, 1000);
+    }
+    if (fxl_plane_distance(plane, ahead) < fxl_plane_distance(plane, behind)) {
+        fxl_point other = *ahead;
+        *ahead = *behind;
+        *behind = other;
+    }
+    return fxl_plane_distance(plane, ahead) > 0 && fxl_plane_distance(plane, behind) < 0;
+}
+
+static double unit_of(int64_t distance)
+{
+    return (double)distance * 0x1p-30;
+}
+
+void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
+{
+    int asked = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_plane plane;
+        fxl_point a, b;
+        if (!parted_edge(&plane, &a, &b)) {
+            continue;
+        }
+        int64_t da = fxl_plane_distance(&plane, &a), db = fxl_plane_distance(&plane, &b);
+        fxl_point at = fxl_split_edge(&a, &b, da, db);
+        double t = (double)da / ((double)da - (double)db);
+        TEST_ASSERT_NEAR(at.x, a.x + t * ((double)b.x - a.x), 0.5 + 0x1p-20);
+        TEST_ASSERT_NEAR(at.y, a.y + t * ((double)b.y - a.y), 0.5 + 0x1p-20);
+        TEST_ASSERT_NEAR(at.z, a.z + t * ((double)b.z - a.z), 0.5 + 0x1p-20);
+        TEST_ASSERT_NEAR(unit_of(fxl_plane_distance(&plane, &at)), 0, 0.87);
+        asked++;
+    }
+    TEST_ASSERT_TRUE(asked > UNIT_REPEAT / 8);
+}
+
+/* Halves go away from the end in front, where the fraction ends (1/2) and where it does not
+ * (1/3 of 1.5 units, 1/10 of 5). */
+void test_halves_go_away_from_the_front(void)
+{
+    const struct {
+        int front, behind, extent, want;
+    } cases[] = {{1, -1, 3, 2}, {1, -1, -3, -2}, {2, -4, 3, 1}, {1, -9, 5, 1}, {1, -9, -25, -3}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fxl_point a = {cases[i].front, 0, 0}, b = {cases[i].behind, cases[i].extent, 0};
+        fxl_point at =
+            fxl_split_edge(&a, &b, fxl_plane_distance(&wall, &a), fxl_plane_distance(&wall, &b));
+        TEST_ASSERT_EQUAL_INT32(0, at.x);
+        TEST_ASSERT_EQUAL_INT32(cases[i].want, at.y);
+    }
+}
+
+/* Triangles on both sides of an edge, each walked its own way, and the same planes
+ * turned about: one point, in all four parts and in all four of the other way. */
+void test_neighbours_get_the_same_bits(void)
+{
+    int asked = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_plane plane;
+        fxl_point a, b;
+        if (!parted_edge(&plane, &a, &b)) {
+            continue;
+        }
+        fxl_point c = unit_point(FXL_COORDINATE_MAX);
+        const fxl_piece one = {3, {a, b, c}}, other = {3, {b, a, c}};
+        int64_t da = fxl_plane_distance(&plane, &a), db = fxl_plane_distance(&plane, &b);
+        fxl_point want = fxl_split_edge(&a, &b, da, db);
+        const fxl_piece *const pieces[] = {&one, &other};
+        for (int k = 0; k < 2; k++) {
+            TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(pieces[k], &plane, &front, &back));
+            int in_front = 0, behind = 0;
+            for (uint32_t n = 0; n < front.count; n++) {
+                in_front += same_point(&front.points[n], &want);
+            }
+            for (uint32_t n = 0; n < back.count; n++) {
+                behind += same_point(&back.points[n], &want);
+            }
+            TEST_ASSERT_TRUE(in_front >= 1 && behind >= 1);
+        }
+        asked++;
+    }
+    TEST_ASSERT_TRUE(asked > UNIT_REPEAT / 8);
+}
+
+/* Twice the area of a piece in the plane z = 0, in units of 2^-32, exact for the
+ * pieces below. */
+static int64_t area(const fxl_piece *piece)
+{
+    int64_t sum = 0;
+    for (uint32_t i = 0; i < piece->count; i++) {
+        const fxl_point *a = &piece->points[i], *b = &piece->points[(i + 1) % piece->count];
+        sum += (int64_t)a->x * b->y - (int64_t)a->y * b->x;
+    }
+    return sum;
+}
+
+/* Both parts together are the piece with its two crossings put in: so they have its
+ * area but for what rounding moves its outline, and none of it twice. */
+void test_areas_add_up(void)
+{
+    const double pi = 3.14159265358979323846;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_piece piece = {.count = 3 + unit_random() % (FXL_POLYGON_CAPACITY - 4)};
+        double radius = unit_between(1 << 8, Q16(8000)), turn = unit_random();
+        for (uint32_t n = 0; n < piece.count; n++) {
+            double angle = turn + 2 * pi * n / piece.count;
+            piece.points[n] = (fxl_point){(int32_t)floor(radius * cos(angle)),
+                                          (int32_t)floor(radius * sin(angle)), 0};
+        }
+        fxl_plane plane = wall;
+        plane.distance = (int64_t)unit_between((int32_t)-radius, (int32_t)radius) * (1 << 30) +
+                         unit_between(-(1 << 29), 1 << 29);
+        fxl_split_result result = fxl_split_piece(&piece, &plane, &front, &back);
+        if (result != FXL_SPLIT_BOTH) {
+            continue;
+        }
+        TEST_ASSERT_TRUE(front.count >= 3 && back.count >= 3);
+        TEST_ASSERT_TRUE(front.count + back.count <= piece.count + 4);
+        double side = 2 * radius * sin(pi / piece.count) + 2;
+        TEST_ASSERT_NEAR(area(&front) + area(&back), area(&piece), 2 * 0.75 * side + 2);
+    }
+}
+
+/* Teeth through the wall: each part keeps half of the points and every crossing. */
+void test_more_than_the_capacity_is_refused(void)
+{
+    static struct {
+        fxl_piece part;
+        uint8_t guard[64];
+    } rooms[2];
+    memset(rooms, 0x5A, sizeof rooms);
+    for (uint32_t count = 4; count <= FXL_POLYGON_CAPACITY; count += 2) {
+        fxl_piece piece = {.count = count};
+        for (uint32_t i = 0; i < count; i++) {
+            piece.points[i] = (fxl_point){i % 2 ? Q16(-9) : Q16(9), (int32_t)i * 65536, 0};
+        }
+        uint32_t left = count / 2 + count;
+        fxl_split_result result = fxl_split_piece(&piece, &wall, &rooms[0].part, &rooms[1].part);
+        if (left > FXL_POLYGON_CAPACITY) {
+            TEST_ASSERT_EQUAL(FXL_SPLIT_CAPACITY, result);
+        } else {
+            TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, result);
+            TEST_ASSERT_EQUAL(left, rooms[0].part.count);
+            TEST_ASSERT_EQUAL(left, rooms[1].part.count);
+        }
+        for (size_t i = 0; i < sizeof rooms[0].guard; i++) {
+            TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[0].guard[i]);
+            TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[1].guard[i]);
+        }
+    }
+}

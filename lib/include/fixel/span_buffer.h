@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* The span buffer (C5): of each row of a band what is covered, so that front to
+ * back each pixel is drawn once, by the first that covers it. */
+#ifndef FXL_SPAN_BUFFER_H
+#define FXL_SPAN_BUFFER_H
+
+#include "fixel/record.h"
+
+/* Covered pixels x0 <= x < x1 of a row, and what comes next to the right. */
+typedef struct {
+    uint16_t x0, x1, next;
+} fxl_covered;
+
+/* Behind the last of a row. */
+#define FXL_COVERED_END 0xFFFFu
+
+/* Rows of covered intervals from one pool. The intervals of a row come from left
+ * to right, and no two touch. The caller owns it; all members are for
+ * span_buffer.c, and for who looks. */
+typedef struct {
+    uint16_t *rows;    /* the first interval of each row, or FXL_COVERED_END */
+    fxl_covered *pool; /* the first `used` of `capacity` were in use */
+    uint16_t capacity, used;
+    uint16_t unused; /* of those used, what is free again: a chain */
+    uint16_t first_row, row_count, width;
+    uint16_t open_rows; /* that are not covered whole */
+} fxl_span_buffer;
+
+/* Intervals that are always enough for one row of so many pixels. */
+#define FXL_SPAN_BUFFER_ROW(width) (((uint32_t)(width) + 1u) / 2u)
+
+/* Bytes of memory for bands of so many rows and a pool of so many intervals. */
+#define FXL_SPAN_BUFFER_ROOM(rows, intervals) \
+    ((uint32_t)(sizeof(fxl_span_buffer) + ((uint32_t)(rows) + 1u) / 2u * 4u + \
+                (uint32_t)(intervals) * sizeof(fxl_covered)))
+
+/* The least room for a screen: a pool that is enough for any one row. */
+#define FXL_SPAN_BUFFER_ROOM_LEAST(width, height) \
+    FXL_SPAN_BUFFER_ROOM(height, FXL_SPAN_BUFFER_ROW(width))
+
+/* Makes a span buffer of memory aligned to a pointer, for bands of a screen of this
+ * height; of a pool beyond 65535 intervals the rest lies idle. Requires size >=
+ * FXL_SPAN_BUFFER_ROOM(height, 1). Answers memory, in which nothing is covered in no row. */
+fxl_span_buffer *fxl_span_buffer_make(void *memory, uint32_t size, uint16_t height);
+
+/* Empties it: nothing of the rows of a band is covered. Requires band->rows <= the height. */
+void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band);
+
+/* Draws what is not covered of a span into the band, and covers it. False where the pool is
+ * full: then nothing is drawn. A row that holds FXL_SPAN_BUFFER_ROW(width) intervals
+ * cannot want another. Requires a span within the band that the buffer was begun with.
+ * Exact. Source: chapter 67, the sorted span list, kept as what is covered. */
+bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_span *span, uint8_t colour,
+                          const fxl_band *band);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+#include "see_normalised.h"
+
+static fxl_once_room *room_of(const fxl_placed *placed)
+{
+    return placed->view->room;
+}
+
+static fxl_seen_vertex *see(const fxl_placed *placed, uint32_t number)
+{
+    return fxl_see_normalised(placed, number, &room_of(placed)->frustum);
+}
+
+static fxl_status project(const fxl_placed *placed, const fxl_view_point *point,
+                          fxl_screen_point *screen)
+{
+    return fxl_normalised_project(&room_of(placed)->frustum, point, screen);
+}
+
+static fxl_clip_polygon *input(const fxl_placed *placed)
+{
+    return &room_of(placed)->in;
+}
+
+/* Planes that the object is inside of show in no vertex's code, so they need not be
+ * left out. */
+static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in, unsigned any,
+                           const fxl_clip_polygon **result)
+{
+    fxl_once_room *room = room_of(placed);
+    (void)any;
+    return fxl_clip_once(in, &room->frustum, &room->clip, result);
+}
+
+static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
+{
+    static const fxl_way way = {see, project, input, cut, FXL_PLANES_ALL};
+    fxl_once_room *room = room_of(placed);
+    (void)work;
+    fxl_normalised_set_up(placed->view, &room->frame, &room->frustum);
+    return fxl_family_take(placed, face, screen, &way);
+}
+
+const fxl_clipper fxl_clipper_once = {clip, NULL, sizeof(fxl_once_room)};

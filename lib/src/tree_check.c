@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+#include "tree_check.h"
+
+#include "tree_node.h"
+#include "unit_vector.h"
+
+static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
+{
+    if (fault != NULL) {
+        fault->what = what;
+        fault->index = index;
+    }
+    return status;
+}
+
+/* The object: its model is sorted, so that who knows no tree can draw it, and no
+ * other object's, so that nothing else is to be clipped to the tree with it. What is
+ * clipped to it, the other objects of its layer, is convex. */
+static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (scene->tree_object >= scene->object_count) {
+        return fail(fault, "tree", 0, FXL_E_INDEX);
+    }
+    const fxl_object *owner = &scene->objects[scene->tree_object];
+    uint32_t model = owner->model;
+    if (scene->models[model].kind != FXL_MODEL_SORTED) {
+        return fail(fault, "tree", 0, FXL_E_RESERVED);
+    }
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const fxl_object *object = &scene->objects[i];
+        bool shares = object->model == model;
+        bool moves = object->layer == owner->layer;
+        if (object != owner &&
+            (shares || (moves && scene->models[object->model].kind != FXL_MODEL_CONVEX))) {
+            return fail(fault, "object", i, FXL_E_TREE);
+        }
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_plane(const fxl_tree_node *node)
+{
+    if (node->reserved != 0) {
+        return FXL_E_RESERVED;
+    }
+    if (!fxl_is_unit(&node->normal)) {
+        return FXL_E_NORMAL;
+    }
+    return fxl_within(fxl_tree_distance(node), (int64_t)1 << 61) ? FXL_OK : FXL_E_RANGE;
+}
+
+/* A vertex is below 2^30 in each coordinate, so its height is below 2^61, and the
+ * difference below 2^62. */
+static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
+                    const fxl_tree_node *node)
+{
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_point *vertex = &vertices[scene->corners[face->first_corner + i]];
+        int64_t height = fxl_dot(&node->normal, vertex->x, vertex->y, vertex->z);
+        if (!fxl_within(height - fxl_tree_distance(node),
+                        (int64_t)FXL_TREE_PLANARITY_MAX * FXL_Q2_30_ONE)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Planes and faces; nodes take the model's faces in turn. */
+static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    const fxl_model *model = &scene->models[scene->objects[scene->tree_object].model];
+    uint32_t first = 0;
+    for (uint32_t i = 0; i < scene->node_count; i++) {
+        const fxl_tree_node *node = &scene->nodes[i];
+        fxl_status status = check_plane(node);
+        if (status != FXL_OK) {
+            return fail(fault, "tree node", i, status);
+        }
+        if (node->first_face != first || node->face_count > model->face_count - first) {
+            return fail(fault, "tree node", i, FXL_E_INDEX);
+        }
+        for (uint32_t j = 0; j < node->face_count; j++) {
+            uint32_t number = model->first_face + first + j;
+            if (!lies_on(scene, model, &scene->faces[number], node)) {
+                return fail(fault, "face", number, FXL_E_PLANARITY);
+            }
+        }
+        first += node->face_count;
+    }
+    return first == model->face_count ? FXL_OK : fail(fault, "node table", 0, FXL_E_COUNT);
+}
+
+/* Goes through the tree as its nodes are listed, without a stack. Each step down
+ * is to the next number, so it ends; each step up is to the node from which the
+ * step down was. What was not come upon is not in the tree. */
+static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    const fxl_tree_node *nodes = scene->nodes;
+    uint32_t at = 0, next = 1, depth = 0;
+    bool front_done = false;
+    if (nodes[0].parent != FXL_TREE_NONE) {
+        return fail(fault, "tree node", 0, FXL_E_TREE);
+    }
+    for (;;) {
+        uint32_t below = front_done ? nodes[at].back : nodes[at].front;
+        if (below != FXL_TREE_NONE) {
+            if (below != next || next >= scene->node_count || nodes[below].parent != at ||
+                depth == FXL_TREE_DEPTH_MAX) {
+                return fail(fault, "tree node", at, FXL_E_TREE);
+            }
+            at = below;
+            next += 1;
+            depth += 1;
+            front_done = false;
+        } else if (!front_done) {
+            front_done = true;
+        } else {
+            /* Up, past those of which this is the back. */
+            uint32_t from;
+            do {
+                from = at;
+                at = nodes[at].parent;
+                depth -= 1;
+            } while (at != FXL_TREE_NONE && nodes[at].front != from);
+            if (at == FXL_TREE_NONE) {
+                break;
+            }
+        }
+    }
+    return next == scene->node_count ? FXL_OK : fail(fault, "tree node", next, FXL_E_TREE);
+}
+
+fxl_status fxl_tree_check(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (scene->nodes == NULL) {
+        return scene->node_count == 0 && scene->tree_object == 0
+                   ? FXL_OK
+                   : fail(fault, "node table", 0, FXL_E_COUNT);
+    }
+    if (scene->node_count == 0 || scene->node_count > FXL_TREE_NODES_MAX) {
+        return fail(fault, "node table", 0, FXL_E_COUNT);
+    }
+    fxl_status status = check_owner(scene, fault);
+    if (status == FXL_OK) {
+        status = check_nodes(scene, fault);
+    }
+    return status == FXL_OK ? check_links(scene, fault) : status;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* Whether a normal has unit length, for those who check scenes. Internal. */
+#ifndef FXL_UNIT_VECTOR_H
+#define FXL_UNIT_VECTOR_H
+
+#include "arith.h"
+
+/* Components up to 2^30 + 2^2 keep every square below 2^61 and the sum below
+ * 2^63. */
+static inline bool fxl_is_unit(const fxl_direction *normal)
+{
+    const int64_t limit = (int64_t)FXL_Q2_30_ONE + 4;
+    if (!fxl_within(normal->x, limit) || !fxl_within(normal->y, limit) ||
+        !fxl_within(normal->z, limit)) {
+        return false;
+    }
+    int64_t square = (int64_t)normal->x * normal->x + (int64_t)normal->y * normal->y +
+                     (int64_t)normal->z * normal->z;
+    return fxl_within(square - (int64_t)FXL_Q2_30_ONE * FXL_Q2_30_ONE, FXL_NORMAL_SQUARE_MAX_ERROR);
+}
+
+#endif

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""The comparison of clippers: for a terminal, as a page that needs nothing else, and as Markdown for docs/clipping.md."""
+
+import pathlib
+
+import jinja2
+
+from fixel import bench_page, clippers_plots, report_page
+from fixel.bench_plan import NAMES
+from fixel.report_frames import Shown
+from fixel.table import coloured, table
+
+TEMPLATES = pathlib.Path(__file__).resolve().parents[1] / "templates"
+DIFFERENCES = 8         # pictures of them in the page, at most
+MILLION = 1_000_000
+
+
+def _first(rows, **wanted):
+    for row in rows:
+        if all(row[key] == value for key, value in wanted.items()):
+            return row
+    return None
+
+
+def _kinds(rows):
+    """[(clipper, hidden)] in the order of the rows."""
+    return list(dict.fromkeys((row["clipper"], row["hidden"]) for row in rows))
+
+
+def _values(rows, key):
+    return list(dict.fromkeys(row[key] for row in rows))
+
+
+def cost_cells(rows, core):
+    """[[clipper, hidden, median of each scene.., most of all, flash, RAM, stack]] of a core."""
+    cells, scenes = [], _values(rows, "scene")
+    for clipper, hidden in _kinds(rows):
+        found = [_first(rows, clipper=clipper, hidden=hidden, scene=scene, board=core) for scene in scenes]
+        there = [row for row in found if row]
+        if there:
+            cells.append([clipper, hidden, *[row and row["instructions"]["median"] for row in found],
+                          max(row["instructions"]["max"] for row in there), there[0]["text_bytes"],
+                          max(row["ram_bytes"] for row in there), max(row["stack_bytes"] for row in there)])
+    return cells
+
+
+def exact_cells(rows):
+    """[[clipper, hidden, largest error, nearly parallel too, pixels that differ, of a million, farthest from an edge,
+    unexplained, farthest on the screen, most vertices]] over all scenes, of one core."""
+    cells, core = [], rows[0]["board"] if rows else None
+    for clipper, hidden in _kinds(rows):
+        found = [row for row in rows if (row["clipper"], row["hidden"], row["board"]) == (clipper, hidden, core)]
+        differing = sum(row["pixels_differing"] for row in found)
+        distances = [row["max_edge_distance_px"] for row in found if row["max_edge_distance_px"] is not None]
+        cells.append([clipper, hidden, max(row["max_error_units"] for row in found),
+                      max(row["max_error_units_at_all"] for row in found), differing,
+                      MILLION * differing / sum(row["pixels"] for row in found),
+                      max(distances) * clippers_plots.PIXEL if distances else None,
+                      sum(row["pixels_unexplained"] for row in found), max(row["screen_px"] for row in found),
+                      max(row["vertices"] for row in found)])
+    return cells
+
+
+EXACT_HEADER = ["clipper", "hidden", "error", "at all", "differ", "of a million", "from an edge", "unexplained",
+                "farthest px", "vertices"]
+
+
+def operation_cells(result):
+    """[[clipper, intersections, distances, multiplications, divisions of a polygon that the frustum cuts]], over all scenes."""
+    cells, rows = [], result["operations"]["rows"]
+    for clipper in _values(rows, "clipper"):
+        found = [row for row in rows if row["clipper"] == clipper and row["crossing"]]
+        crossing = sum(row["crossing"] for row in found)
+        cells.append([clipper, *[round(sum(row[key] * row["crossing"] for row in found) / crossing, 2) if crossing
+                                 else None for key in ("intersections", "distances", "multiplications", "divisions")]])
+    return cells
+
+
+def terminal(plan, result):
+    """What make clippers prints."""
+    rows, parts = result["rows"], []
+    for core in _values(rows, "board"):
+        header = ["clipper", "hidden", *[f"{scene}, median" for scene in _values(rows, "scene")], "most", "flash", "RAM",
+                  "stack"]
+        parts.append(f"{NAMES[core]}, instructions a frame\n" + table(cost_cells(rows, core), header))
+    if rows:
+        parts.append("error in 1/65536 pixel\n" + table(exact_cells(rows), EXACT_HEADER))
+    if result["operations"]["rows"]:
+        parts.append(f"a polygon that the frustum cuts, {NAMES[result['operations']['core']]}\n" +
+                     table(operation_cells(result), ["clipper", "intersections", "distances", "multiplications", "divisions"]))
+    return "\n\n".join(parts)
+
+
+# --- the page ------------------------------------------------------------------------
+
+def _shown(hosts, key, frame):
+    host = hosts[key]
+    return Shown(key[2], frame, host.verdict["frames"][frame]["pixels_differing"], host.drawn.palette,
+                 host.drawn.frames[frame].pixels, host.twin.frames[frame].pixels)
+
+
+def scene_pictures(plan, result, hosts):
+    """A picture of each scene: its middle frame, by the first combination."""
+    pictures = []
+    for scene, frames in result["frames"].items():
+        key = next((key for key in hosts if key[2] == scene), None)
+        if key:
+            shown = _shown(hosts, key, frames // 2)
+            block = report_page.frame_block(shown)["panels"][0][0]
+            pictures.append({"scene": scene, "what": plan.scenes[scene]["what"], "frames": frames, "png": block["png"]})
+    return pictures
+
+
+def difference_blocks(hosts):
+    """The frames that differ most from double, each of another clipper and scene."""
+    worst = {}
+    for key, host in hosts.items():
+        number = max(range(len(host.verdict["frames"])),
+                     key=lambda each, of=host: of.verdict["frames"][each]["pixels_differing"])
+        shown = _shown(hosts, key, number)
+        pair = (key[0], key[2])
+        if shown.differing and (pair not in worst or worst[pair][1].differing < shown.differing):
+            worst[pair] = (key, shown)
+    most = sorted(worst.values(), key=lambda each: -each[1].differing)[:DIFFERENCES]
+    return [{"key": key, **report_page.frame_block(shown)} for key, shown in most]
+
+
+def plots(plan, result):
+    """[(title, SVG)] of the page."""
+    rows = result["rows"]
+    cores, hidden = _values(rows, "board"), _values(rows, "hidden")
+    made = [(f"What each clipper costs, {NAMES[core]}, {hidden[0]}", clippers_plots.costs(plan, rows, core, hidden[0]))
+            for core in cores]
+    if len(hidden) > 1:
+        made += [(f"What each hidden-surface method costs, {NAMES[core]}, {rows[0]['clipper']}",
+                  clippers_plots.methods(plan, rows, core, rows[0]["clipper"])) for core in cores]
+    made.append(("The largest error of an outline", clippers_plots.errors(plan, rows, hidden[0])))
+    made.append(("Code: the renderer with this clipper and no other", clippers_plots.sizes(plan, rows, cores, hidden[0])))
+    return made
+
+
+def render(plan, result, hosts):
+    """The page as text; hosts: what the host drew, by clipper, method, scene."""
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True,
+                                     undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.filters["figure"] = report_page.figure
+    rows = result["rows"]
+    return environment.get_template("clippers.html").render(
+        result=result, plan=plan, names=NAMES, scenes=_values(rows, "scene"), cores=_values(rows, "board"),
+        costs={core: cost_cells(rows, core) for core in _values(rows, "board")}, exact=exact_cells(rows),
+        operations=operation_cells(result), pictures=scene_pictures(plan, result, hosts),
+        differences=difference_blocks(hosts), plots=plots(plan, result))

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""The tree of a scene image: its nodes, and what the loader asks of them (SPEC.md, chapter 8)."""
+
+from dataclasses import dataclass
+import struct
+
+from fixel.errors import ToolError
+
+PLANARITY_MAX, DEPTH_MAX, NODES_MAX = 8, 1023, 65535
+NORMAL_SQUARE_MAX_ERROR = 1 << 32
+SORTED = 1
+NONE = 0xFFFF                   # no node
+NODE = struct.Struct("<3iq6H")
+
+
+def fail(status, text):
+    raise ToolError(f"{status}: {text}")
+
+
+@dataclass
+class Node:
+    """Of a tree: a plane relative to the object's centre, what is on it, in front and behind."""
+    normal: tuple       # 2.30
+    distance: int       # 18.46
+    front: int          # numbers of nodes, or NONE
+    back: int
+    parent: int
+    first_face: int     # within the model
+    face_count: int
+
+    def pack(self):
+        return NODE.pack(*self.normal, self.distance, self.front, self.back, self.parent,
+                         self.first_face, self.face_count, 0)
+
+    @staticmethod
+    def unpack(fields):
+        if fields[-1]:
+            fail("reserved", "a reserved field of a node is not zero")
+        return Node(tuple(fields[:3]), *fields[3:9])
+
+
+@dataclass
+class Tree:
+    nodes: list         # root, front, back
+    object: int         # whose faces it is over
+
+
+def _check_owner(tree, models, objects):
+    if tree.object >= len(objects):
+        fail("index", f"the tree is of object {tree.object} of {len(objects)}")
+    number = objects[tree.object].model
+    if models[number].kind != SORTED:
+        fail("reserved", f"the tree's object {tree.object} has a model that is not sorted")
+    for i, item in enumerate(objects):
+        if item.model == number and i != tree.object:
+            fail("tree", f"object {i} has the model of the tree's object {tree.object}")
+        if item.layer == objects[tree.object].layer and models[item.model].kind == SORTED and \
+                i != tree.object:
+            fail("tree", f"object {i}, on the layer of the tree, is not convex")
+    return models[number]
+
+
+def _check_links(nodes):
+    """The order of listing, which leaves no node out and reaches none twice."""
+    numbers, pending = 0, [(0, NONE, 0)]
+    while pending:
+        number, parent, depth = pending.pop()
+        if number == NONE and parent != NONE:
+            continue
+        if number != numbers or number >= len(nodes) or nodes[number].parent != parent or \
+                depth > DEPTH_MAX:
+            fail("tree", f"node {number} does not hang where the nodes say, or too deep")
+        numbers += 1
+        pending += [(nodes[number].back, number, depth + 1),
+                    (nodes[number].front, number, depth + 1)]
+    if numbers != len(nodes):
+        fail("tree", f"node {numbers} hangs nowhere")
+
+
+def check_tree(tree, models, objects):
+    """What the loader asks of a tree, with the loader's integers."""
+    model, first = _check_owner(tree, models, objects), 0
+    for i, node in enumerate(tree.nodes):
+        if abs(sum(c * c for c in node.normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
+            fail("normal", f"the normal of node {i} is not of unit length")
+        if abs(node.distance) > 1 << 61:
+            fail("range", f"the distance of node {i} is beyond 32768 units")
+        if node.first_face != first or first + node.face_count > len(model.faces):
+            fail("index", f"node {i}: its faces do not follow those before, or are not all there")
+        for face in model.faces[first:first + node.face_count]:
+            for corner in face.corners:
+                height = sum(n * c for n, c in zip(node.normal, model.vertices[corner]))
+                if abs(height - node.distance) > PLANARITY_MAX << 30:
+                    fail("planarity", f"a face of node {i} lies off its plane")
+        first += node.face_count
+    if first != len(model.faces):
+        fail("count", f"the nodes have {first} of the {len(model.faces)} faces")
+    _check_links(tree.nodes)

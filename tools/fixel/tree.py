@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: MIT
+"""A tree over the faces of a layer (SPEC.md, chapter 7a): objects merged into one model, their
+faces cut by splitting planes, and what the cuts made of edges given to all who have them.
+
+Everything is decided in integers on rounded vertices, as in fixel.mesh. A face is a ring of
+vertices and of lines: a line is an edge of the scene or of a cut, with the ends that it had at
+first. A new vertex is where a line, from its first ends, meets a plane; it is rounded once and
+belongs to the line, so whoever has the line finds the same vertices on it."""
+
+from dataclasses import dataclass, field
+
+from fixel import tree_choice
+from fixel.errors import ToolError
+from fixel.image import (CONVEX, FACE_VERTICES_MAX, PLANARITY_MAX, SORTED, Face, Model, Object,
+                         check_coordinates)
+from fixel.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
+from fixel.image_tree import PLANARITY_MAX as NEAR
+from fixel.mesh import dot, minus, newell, unit_normal
+
+# A vertex closer to a plane than this lies on it: in units of 2^-46. It exceeds what a face may
+# be off its plane (4) and a rounded vertex off its line (0.87).
+ON = (NEAR - 1) << 30
+
+
+@dataclass
+class Part:
+    """A face of the scene, or what the cuts left of it."""
+    normal: tuple
+    colour: int
+    source: int         # the scene's face
+    group: int          # the scene's object
+    ring: list          # vertices; line i goes from vertex i to the next
+    lines: list
+
+
+@dataclass
+class Counts:
+    """What building did, for people."""
+    faces_in: int = 0
+    faces_out: int = 0
+    splits: int = 0
+    nodes: int = 0
+    depth: int = 0
+    vertices_in: int = 0
+    vertices_out: int = 0
+    shared: int = 0     # vertices given to faces across an edge
+    halved: int = 0     # faces cut in two because they had too many
+
+    def text(self):
+        return (f"{self.faces_in:,} faces in, {self.faces_out:,} out: {self.splits:,} splits, "
+                f"{self.halved:,} more for their vertices; {self.nodes:,} nodes, "
+                f"{self.depth} deep; {self.vertices_in:,} vertices in, {self.vertices_out:,} out, "
+                f"{self.shared:,} put into edges")
+
+
+def round_div(a, b):
+    """a / b to nearest, halves upward, b > 0."""
+    return (2 * a + b) // (2 * b)
+
+
+class Lines:
+    """Lines, the vertices on them, and vertices by their place."""
+
+    def __init__(self):
+        self.points, self.numbers = [], {}
+        self.ends, self.by_ends, self.cuts, self.on = [], {}, {}, []
+
+    def vertex(self, point):
+        number = self.numbers.setdefault(point, len(self.points))
+        if number == len(self.points):
+            self.points.append(point)
+        return number
+
+    def edge(self, a, b):
+        """The line of an edge of the scene, whichever way it goes."""
+        key = (min(a, b), max(a, b))
+        if key not in self.by_ends:
+            self.by_ends[key] = self.line(*key)
+        return self.by_ends[key]
+
+    def line(self, a, b):
+        self.ends.append((a, b))
+        self.on.append({a, b})
+        return len(self.ends) - 1
+
+    def crossing(self, line, number, plane):
+        """The vertex where a line meets the plane of node `number`: once for both."""
+        key = (line, number)
+        if key not in self.cuts:
+            a, b = (self.points[end] for end in self.ends[line])
+            above, below = height(plane, a), height(plane, b)
+            if above < below:
+                a, b, above, below = b, a, below, above
+            point = tuple(p + round_div((q - p) * above, above - below) for p, q in zip(a, b))
+            self.cuts[key] = self.vertex(point)
+            self.on[line].add(self.cuts[key])
+        return self.cuts[key]
+
+    def between(self, line, a, b):
+        """The line's vertices from a to b, both left out, in the order of the way."""
+        if len(self.on[line]) == 2:
+            return []
+        first, last = (self.points[end] for end in self.ends[line])
+        way = minus(last, first)
+        order = sorted(self.on[line], key=lambda v: (dot(minus(self.points[v], first), way), v))
+        i, j = order.index(a), order.index(b)
+        return order[i + 1:j] if i < j else order[j + 1:i][::-1]
+
+
+def height(plane, point):
+    """How far in front of a plane (normal, distance) a point lies: exact."""
+    return dot(plane[0], point) - plane[1]
+
+
+def side(value):
+    return (value > ON) - (value < -ON)
+
+
+def _turn(sides, heights, here, there):
+    """Where a ring goes from one side of a plane to the other: (i, None) between vertices i and
+    i + 1, or (i, i) at vertex i, which lies on the plane."""
+    count = len(sides)
+    for i in range(count):
+        if sides[i] != here:
+            continue
+        j = i + 1
+        while sides[j % count] == 0:
+            j += 1
+        if sides[j % count] == there:
+            if j == i + 1:
+                return i, None
+            best = min(range(i + 1, j), key=lambda k: (abs(heights[k % count]), k)) % count
+            return best, best
+    raise AssertionError("no turn")
+
+
+def cut(lines, part, number, plane):
+    """Both parts of a face that lies on both sides of a node's plane."""
+    heights = [height(plane, lines.points[v]) for v in part.ring]
+    sides = [side(h) for h in heights]
+    count, marks = len(sides), []
+    for here, there in ((1, -1), (-1, 1)):
+        i, at = _turn(sides, heights, here, there)
+        marks.append((i, part.ring[at]) if at is not None
+                     else (i, lines.crossing(part.lines[i], number, plane)))
+    (leave, out), (enter, back) = marks
+    across = lines.line(out, back)
+    halves = []
+    for (start, begin), (stop, end) in ((marks[1], marks[0]), (marks[0], marks[1])):
+        ring, own, i = [begin], [part.lines[start]], start
+        while True:
+            i = (i + 1) % count
+            ring.append(part.ring[i])
+            own.append(part.lines[i])
+            if i == stop:
+                break
+        if ring[-1] == end:
+            own[-1] = across
+        else:
+            ring.append(end)
+            own.append(across)
+        halves.append(_whole(Part(part.normal, part.colour, part.source, part.group, ring, own)))
+    return halves
+
+
+def _whole(part):
+    """The part without vertices that repeat the one before: a crossing may be rounded onto an end."""
+    keep = [i for i, v in enumerate(part.ring) if v != part.ring[(i + 1) % len(part.ring)]]
+    part.ring = [part.ring[i] for i in keep]
+    part.lines = [part.lines[i] for i in keep]
+    return part
+
+
+class Builder:
+    """The tree of a list of parts, depth first, without recursion."""
+
+    def __init__(self, lines, parts, progress):
+        self.lines, self.progress = lines, progress
+        self.nodes, self.held = [], []
+        self.counts = Counts(faces_in=len(parts), vertices_in=len(lines.points))
+        self.pending = [(parts, NONE, 0, 0)]
+        self.total = len(parts)
+
+    def build(self):
+        while self.pending:
+            parts, parent, which, depth = self.pending.pop()
+            self._node(parts, parent, which, depth)
+        self.counts.nodes = len(self.nodes)
+        return self.nodes, self.held
+
+    def _node(self, parts, parent, which, depth):
+        number = len(self.nodes)
+        if number == NODES_MAX or depth > DEPTH_MAX:
+            raise ToolError(f"the tree needs more than {NODES_MAX:,} nodes, or nodes more than "
+                            f"{DEPTH_MAX:,} deep: give its layer fewer faces")
+        if self.progress:
+            done = sum(len(held) for held in self.held)
+            self.progress(f"tree: {done} of about {self.total} faces, {number} nodes, "
+                          f"{self.counts.splits} splits")
+        plane = tree_choice.choose(self.lines.points, parts)
+        self.nodes.append(Node(*plane, NONE, NONE, parent, 0, 0))
+        if parent != NONE:
+            setattr(self.nodes[parent], "front" if which > 0 else "back", number)
+        self.counts.depth = max(self.counts.depth, depth)
+        on, front, back = self._divide(parts, number, plane)
+        self.held.append(on)
+        if back:
+            self.pending.append((back, number, -1, depth + 1))
+        if front:
+            self.pending.append((front, number, 1, depth + 1))
+
+    def _divide(self, parts, number, plane):
+        on, front, back = [], [], []
+        for part in parts:
+            sides = {side(height(plane, self.lines.points[v])) for v in part.ring}
+            if sides == {0}:
+                on.append(part)
+            elif -1 not in sides:
+                front.append(part)
+            elif 1 not in sides:
+                back.append(part)
+            else:
+                for half, others in zip(cut(self.lines, part, number, plane), (front, back)):
+                    if len(half.ring) >= 3:
+                        others.append(half)
+                self.counts.splits += 1
+                self.total += 1
+        return on, front, back
+
+
+def share(lines, part):
+    """Puts the vertices of its lines into a part, and answers how many."""
+    ring, own, before = [], [], len(part.ring)
+    for i, vertex in enumerate(part.ring):
+        line = part.lines[i]
+        inner = lines.between(line, vertex, part.ring[(i + 1) % before])
+        ring += [vertex, *inner]
+        own += [line] * (1 + len(inner))
+    part.ring, part.lines = ring, own
+    return len(ring) - before
+
+
+def halve(lines, part):
+    """Parts of at most FACE_VERTICES_MAX vertices, by diagonals between their vertices."""
+    count = len(part.ring)
+    if count <= FACE_VERTICES_MAX:
+        return [part]
+    points = [lines.points[v] for v in part.ring]
+    best = None
+    for i in range(count):
+        for j in range(i + 2, min(count, i + count - 1)):
+            areas = [dot(newell(points[i:j + 1]), part.normal),
+                     dot(newell(points[j:] + points[:i + 1]), part.normal)]
+            if min(areas) > 0 and (best is None or (min(areas), -i, -j) > best[0]):
+                best = (min(areas), -i, -j), i, j
+    if best is None:
+        raise ToolError("a face of the tree with too many vertices cannot be cut in two")
+    _, i, j = best
+    line = lines.line(part.ring[i], part.ring[j])
+    pieces = []
+    for ring, own in ((part.ring[i:j + 1], part.lines[i:j] + [line]),
+                      (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
+        pieces += halve(lines, Part(part.normal, part.colour, part.source, part.group, ring, own))
+    return pieces
+
+
+def flat_face(lines, part):
+    """The part as a face that the loader takes: its first vertex, and if need be its normal, is
+    chosen so that the others lie near its plane."""
+    points = [lines.points[v] for v in part.ring]
+    area = newell(points)
+    for normal in (part.normal, unit_normal(area) if area != (0, 0, 0) else part.normal):
+        along = [dot(normal, point) for point in points]
+        middle = (max(along) + min(along)) // 2
+        first = min(range(len(points)), key=lambda i: (abs(along[i] - middle), i))
+        if all(abs(value - along[first]) <= PLANARITY_MAX << 30 for value in along):
+            return Face(normal, tuple(part.ring[first:] + part.ring[:first]), part.colour)
+    raise ToolError(f"a face of object {part.group} is too far from flat to be cut for a tree: "
+                    "triangulate it in the model")
+
+
+def parts_of(scene, members, origin, lines):
+    """The faces of the objects as parts; vertices relative to origin."""
+    parts = []
+    for group in members:
+        item = scene.objects[group]
+        model = scene.models[item.model]
+        numbers = [lines.vertex(tuple(v + c - o for v, c, o in zip(vertex, item.centre, origin)))
+                   for vertex in model.vertices]
+        for face in model.faces:
+            ring = [numbers[corner] for corner in face.corners]
+            own = [lines.edge(a, b) for a, b in zip(ring, ring[1:] + ring[:1])]
+            parts.append(Part(face.normal, face.colour, len(parts), group, ring, own))
+    return parts
+
+
+def _middle(scene, members):
+    low, high = [1 << 40] * 3, [-(1 << 40)] * 3
+    for group in members:
+        item = scene.objects[group]
+        for vertex in scene.models[item.model].vertices:
+            for axis in range(3):
+                value = vertex[axis] + item.centre[axis]
+                low[axis], high[axis] = min(low[axis], value), max(high[axis], value)
+    return tuple((a + b) // 2 for a, b in zip(low, high))
+
+
+def grow(parts, lines, progress=None):
+    """Nodes, faces, for each face the number of the part that it came from, and counts."""
+    builder = Builder(lines, parts, progress)
+    nodes, held = builder.build()
+    faces, sources, counts = [], [], builder.counts
+    for part in (part for group in held for part in group):
+        counts.shared += share(lines, part)
+    for node, group in zip(nodes, held):
+        node.first_face = len(faces)
+        pieces = [piece for part in group for piece in halve(lines, part)]
+        counts.halved += len(pieces) - len(group)
+        faces += [flat_face(lines, piece) for piece in pieces]
+        sources += [piece.source for piece in pieces]
+        node.face_count = len(faces) - node.first_face
+    counts.faces_out = len(faces)
+    return nodes, faces, sources, counts
+
+
+def layers_of(text, scene):
+    """The layers that "all", "5" or "2,4,5" names; "most": the one with the most faces."""
+    faces = {}
+    for item in scene.objects:
+        faces[item.layer] = faces.get(item.layer, 0) + len(scene.models[item.model].faces)
+    if text == "all":
+        return set(faces)
+    if text == "most":
+        return {max(faces, key=lambda layer: (faces[layer], layer))}
+    wanted = {int(part) for part in text.split(",") if part.isascii() and part.isdigit()}
+    if not wanted or len(wanted) != len(text.split(",")) or not wanted <= set(faces):
+        raise ToolError(f"the layers of the tree are '{text}'; they must be like 5, 2,4,5, all or "
+                        f"most, and of {', '.join(map(str, sorted(faces)))}")
+    return wanted
+
+
+def _members(scene, layers, moving):
+    """The objects that the tree is made of, in the order of layers: of faces in one plane the last
+    is drawn last."""
+    members = sorted((item.layer, i) for i, item in enumerate(scene.objects)
+                     if item.layer in layers and i not in moving)
+    if not members:
+        raise ToolError("nothing on the layers of the tree stands still")
+    for i in moving:
+        item = scene.objects[i]
+        if item.layer in layers and item.layer != max(layers):
+            raise ToolError(f"object {i} moves on a layer of the tree that is not its last")
+        if item.layer in layers and scene.models[item.model].kind != CONVEX:
+            raise ToolError(f"object {i} moves on the tree's layer, and is not convex")
+    return [i for _, i in members]
+
+
+def plant(scene, layers, moving=(), progress=None):
+    """Merges the objects of some layers, but for those that may move, into one with a tree, on the
+    last of them; answers the counts. The others stay as they are; the new object is the last."""
+    members = _members(scene, layers, moving)
+    origin, lines = _middle(scene, members), Lines()
+    nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress)
+    used = {}
+    for face in faces:
+        face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)
+    vertices = [lines.points[number] for number in used]
+    counts.vertices_out = len(vertices)
+    if len(vertices) > 65535 or len(faces) > 65535:
+        raise ToolError(f"the tree's model has {len(vertices):,} vertices and {len(faces):,} faces; "
+                        "a model has at most 65,535 of each, so give its layers fewer")
+    for vertex in vertices:
+        check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
+    _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
+    scene.tree = Tree(nodes, len(scene.objects) - 1)
+    return counts
+
+
+def _put(scene, members, model, item):
+    """Takes the members out of a scene, and the models that no object has any more; puts the new
+    model and its object at the end."""
+    taken = set(members)
+    scene.objects = [o for i, o in enumerate(scene.objects) if i not in taken]
+    kept = sorted({o.model for o in scene.objects})
+    new = {old: number for number, old in enumerate(kept)}
+    scene.models = [scene.models[old] for old in kept] + [model]
+    scene.objects = [Object(o.centre, new[o.model], o.layer) for o in scene.objects]
+    item.model = len(kept)
+    scene.objects.append(item)
+
+
+def check_sides(vertices, faces, nodes):
+    """How far, in units of 2^-46, a vertex of a face lies on the wrong side of a plane that it is
+    under: at most image_tree.PLANARITY_MAX << 30 in a sound tree."""
+    worst = 0
+    for node in nodes:
+        planes, at = [], node
+        while at.parent != NONE:
+            above = nodes[at.parent]
+            planes.append((1 if above.front != NONE and nodes[above.front] is at else -1, above))
+            at = above
+        for face in faces[node.first_face:node.first_face + node.face_count]:
+            for corner in face.corners:
+                for sign, above in planes:
+                    out = -sign * height((above.normal, above.distance), vertices[corner])
+                    worst = max(worst, out)
+    return worst
