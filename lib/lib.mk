@@ -11,11 +11,9 @@ LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:corte
 LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
-# What stands in for a core's kernels, and for stages, where -Os asks for few bytes.
-LIB_SMALL := small
 # A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
-# it is small+FAMILY.
-LIB_FAMILY = $(if $(filter -Os,$(1)),$(LIB_SMALL)+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes.
+LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
@@ -26,6 +24,9 @@ LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(foreach family,$(filter-out portable,
     $(family) $(LIB_BASES.$(family))) portable) lib/src
 LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
     $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
+# With -Os: what the compiler moves out of loops, or unrolls, it pays for in bytes.
+LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-ipa-cp \
+    --param=max-completely-peeled-insns=4
 # The kernels' own loops must not become calls of memset. No code touches a register for
 # floating point: nothing here has floats, and what a compiler keeps there costs more than
 # the stack. So a Cortex-M4 gets the very code of a Cortex-M3, as which it is scheduled.
@@ -33,7 +34,8 @@ LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%
 # scheduled for, so that it gets the Cortex-M3's too. These come after what says the core.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
     $(if $(filter armv7em,$(subst +, ,$(1))),-mtune=cortex-m3 -mgeneral-regs-only) \
-    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only)
+    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only) \
+    $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 

@@ -9,6 +9,7 @@
 #include "fixel/record.h"
 #include "leading_zeros.h"
 #include "multiply.h"
+#include "multiply_high.h"
 
 /* One assertion for our own bugs: a test build lets it abort, a proof takes it
  * as a goal, a shipped build leaves it out. */
@@ -77,17 +78,6 @@ static inline unsigned fxl_bit_length(uint64_t value)
         return 64u - fxl_leading_zeros(high);
     }
     return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
-}
-
-/* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
- * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */
-static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b)
-{
-    uint32_t a_high = (uint32_t)(a >> 32), a_low = (uint32_t)a;
-    uint32_t b_high = (uint32_t)(b >> 32), b_low = (uint32_t)b;
-    uint64_t middle = fxl_multiply_u32(a_high, b_low) + (fxl_multiply_u32(a_low, b_low) >> 32);
-    uint64_t other = fxl_multiply_u32(a_low, b_high) + (uint32_t)middle;
-    return fxl_multiply_u32(a_high, b_high) + (middle >> 32) + (other >> 32);
 }
 
 static inline uint64_t fxl_magnitude(int64_t value)

@@ -34,13 +34,16 @@ typedef struct {
 } fxl_crossing_edge;
 
 /* An outline that goes up and down more than once, or leaves the band at a
- * side: the edges that cross a row, by x. */
+ * side: the edges that cross a row, by x. Where there is no other way (lib/kernels/small)
+ * the points are kept, and edges are what crosses the row. */
 typedef struct {
-    fxl_crossing_edge edges[FXL_POLYGON_CAPACITY]; /* by first row */
-    uint8_t crossings[FXL_POLYGON_CAPACITY];       /* edges that cross the row, by x */
+    const fxl_screen_point *points;
+    int16_t row, width;
+    int16_t end_row;                               /* where points are kept */
     uint8_t edge_count, next_edge;                 /* edges; the first not yet reached */
     uint8_t crossing_count, next_crossing;         /* crossings; the first not yet used */
-    int16_t row, width;
+    uint8_t crossings[FXL_POLYGON_CAPACITY];       /* edges that cross the row, by x */
+    fxl_crossing_edge edges[FXL_POLYGON_CAPACITY]; /* by first row */
 } fxl_crossings;
 
 /* A polygon being scanned. The caller owns it; all members belong to scan. */

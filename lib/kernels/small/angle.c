@@ -18,12 +18,11 @@ static const uint64_t factors[] = {BY(132), BY(90), BY(56), BY(30), BY(12), BY(2
 #define COSINE_COUNT 6u
 #define COUNT        11u
 
-/* The sine in units of 2^-bits of 0..1/4 turn, which is up to an eighth the sine's
- * series, and then the cosine's of what is left. */
-static int64_t rounded_sine(fxl_angle angle, unsigned bits)
+/* The sine of any angle, with 62 bits after the point, but for its sign: up to an eighth of
+ * a turn by the sine's series, then by the cosine's of what is left to a quarter. */
+static uint64_t sine_q62(fxl_angle angle)
 {
-    bool negative = angle > 2 * FXL_ANGLE_QUARTER;
-    uint32_t folded = negative ? 0u - angle : angle;
+    uint32_t folded = angle > 2 * FXL_ANGLE_QUARTER ? 0u - angle : angle;
     uint32_t at = COSINE_COUNT, end = COUNT;
     if (folded > FXL_ANGLE_QUARTER) {
         folded = 2 * FXL_ANGLE_QUARTER - folded;
@@ -34,21 +33,20 @@ static int64_t rounded_sine(fxl_angle angle, unsigned bits)
         at = 0;
         end = COSINE_COUNT;
     }
-    uint64_t x = fxl_multiply_high((uint64_t)folded << 34, TWO_PI_Q61) << 1;
-    uint64_t square = fxl_multiply_high(x, x), rest = 0;
+    const uint64_t x = fxl_multiply_high((uint64_t)folded << 34, TWO_PI_Q61) << 1;
+    const uint64_t square = fxl_multiply_high(x, x);
+    uint64_t rest = 0;
     for (; at < end; at++) {
         rest = fxl_multiply_high(square - fxl_multiply_high(square, rest), factors[at]);
     }
-    /* In 62 bits. */
-    uint64_t result =
-        cosine ? ((uint64_t)1 << 62) - (rest >> 2) : (x - fxl_multiply_high(x, rest)) >> 2;
-    int64_t magnitude = fxl_round_shift((int64_t)result, 62 - bits);
-    return negative ? -magnitude : magnitude;
+    /* 1 itself has one bit more than 64 after the point. */
+    return cosine ? ((uint64_t)1 << 62) - (rest >> 2) : (x - fxl_multiply_high(x, rest)) >> 2;
 }
 
 int64_t fxl_sin_q31(fxl_angle angle)
 {
-    return rounded_sine(angle, 31);
+    int64_t sine = fxl_round_shift((int64_t)sine_q62(angle), 31);
+    return angle > 2 * FXL_ANGLE_QUARTER ? -sine : sine;
 }
 
 int64_t fxl_cos_q31(fxl_angle angle)
@@ -58,7 +56,8 @@ int64_t fxl_cos_q31(fxl_angle angle)
 
 fxl_q2_30 fxl_sin(fxl_angle angle)
 {
-    return (fxl_q2_30)rounded_sine(angle, 30);
+    int64_t sine = fxl_round_shift((int64_t)sine_q62(angle), 32);
+    return (fxl_q2_30)(angle > 2 * FXL_ANGLE_QUARTER ? -sine : sine);
 }
 
 fxl_q2_30 fxl_cos(fxl_angle angle)

@@ -7,6 +7,7 @@
 
 #define FXL_SCAN_HAS_CHAINS 0
 
-const fxl_trapezoid *fxl_scan_next_of_crossings(fxl_scan *scan);
+/* The rows from an outline's highest to its lowest vertex. */
+void fxl_outline_rows(const fxl_screen_point *points, uint32_t count, int16_t *first, int16_t *end);
 
 #endif

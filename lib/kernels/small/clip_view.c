@@ -4,6 +4,8 @@
 #include "fixel/clip_view.h"
 
 #include "arith.h"
+#include "clip_flat.h"
+#include "counted.h"
 
 static int32_t upper(int64_t value)
 {
@@ -49,22 +51,46 @@ static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fra
     return (fxl_q16_16)(from + (twice < 0 ? -((1 - twice) >> 1) : (twice + 1) >> 1));
 }
 
-/* What an edge crosses a plane with, from its inside to its outside end. */
+/* What polygons may have beside their points, and who wants to know; none of it
+ * is linked where nobody names it. */
+typedef struct {
+    void (*set_texel)(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
+                      uint64_t fraction, fxl_view_vertex *vertex);
+    void (*count)(fxl_clip_account *account, const fxl_q18_46 *distances, uint32_t measured,
+                  uint32_t left);
+    fxl_clip_account *account;
+} extras;
+
+static void set_texel(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
+                      uint64_t fraction, fxl_view_vertex *vertex)
+{
+    vertex->u = interpolate_texel(inside->u, outside->u, fraction);
+    vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+}
+
+/* from + (to - from) fraction / 2^64, rounded towards from. */
+static void interpolate(const fxl_q18_46 *from, const fxl_q18_46 *to, const uint64_t *fraction,
+                        fxl_q18_46 *between)
+{
+    *between = *from + part_of(*to - *from, *fraction);
+}
+
+/* Where an edge crosses a plane, always from its inside to its outside end. */
 static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                         uint64_t fraction, bool textured, fxl_view_vertex *vertex)
+                         uint64_t fraction, const extras *with, fxl_view_vertex *vertex)
 {
     const fxl_view_point *from = &inside->position, *to = &outside->position;
-    vertex->position.x = from->x + part_of(to->x - from->x, fraction);
-    vertex->position.y = from->y + part_of(to->y - from->y, fraction);
-    vertex->position.z = from->z + part_of(to->z - from->z, fraction);
-    if (textured) {
-        vertex->u = interpolate_texel(inside->u, outside->u, fraction);
-        vertex->v = interpolate_texel(inside->v, outside->v, fraction);
+    interpolate(&from->x, &to->x, &fraction, &vertex->position.x);
+    interpolate(&from->y, &to->y, &fraction, &vertex->position.y);
+    interpolate(&from->z, &to->z, &fraction, &vertex->position.z);
+    if (with != NULL) {
+        with->set_texel(inside, outside, fraction, vertex);
     }
 }
 
-fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                       int plane, fxl_view_polygon *out, fxl_q18_46 *distances)
+static fxl_clip_result clip_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                     int plane, const extras *with, fxl_view_polygon *out,
+                                     fxl_q18_46 *distances)
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
     uint32_t inside_count = 0, count = 0;
@@ -97,7 +123,7 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
             set_crossing(&in->vertices[inside], &in->vertices[outside],
                          fxl_fraction((uint64_t)distances[inside],
                                       (uint64_t)(distances[inside] - distances[outside])),
-                         in->textured, &out->vertices[count++]);
+                         with, &out->vertices[count++]);
         }
     }
     if (count < 3) {
@@ -109,29 +135,74 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
     return FXL_CLIP_CUT;
 }
 
-fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                        fxl_planes planes, fxl_clip_view_work *work,
-                                        const fxl_view_polygon **result)
+static fxl_clip_result clip_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                      fxl_planes planes, const extras *with,
+                                      fxl_clip_view_work *work, const fxl_view_polygon **result)
 {
-    const fxl_view_polygon *current = in;
-    uint32_t spare = in == &work->polygons[0] ? 1 : 0;
+    fxl_view_polygon *out = &work->polygons[in == &work->polygons[0]];
     fxl_clip_result all = FXL_CLIP_INSIDE;
-    unsigned left = planes;
-    for (int plane = 0; left != 0; plane++, left >>= 1) {
-        if ((left & 1) == 0) {
+    *result = in;
+    for (int plane = 0; planes >> plane != 0; plane++) {
+        if ((planes >> plane & 1) == 0) {
             continue;
         }
-        fxl_view_polygon *out = &work->polygons[spare];
-        fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
+        fxl_clip_result cut = clip_to_plane(*result, frustum, plane, with, out, work->distances);
+        if (with != NULL) {
+            with->count(with->account, work->distances, (*result)->count,
+                        cut == FXL_CLIP_CUT ? out->count : 0);
+        }
         if (cut == FXL_CLIP_CUT) {
-            current = out;
-            spare ^= 1u;
+            *result = out;
+            out = &work->polygons[out == &work->polygons[0]];
             all = FXL_CLIP_CUT;
         } else if (cut != FXL_CLIP_INSIDE) {
             *result = NULL;
             return cut;
         }
     }
-    *result = current;
     return all;
+}
+
+static void set_none(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
+                     uint64_t fraction, fxl_view_vertex *vertex)
+{
+    (void)inside;
+    (void)outside;
+    (void)fraction;
+    (void)vertex;
+}
+
+static extras extras_of(const fxl_view_polygon *in, fxl_clip_account *account)
+{
+    extras with = {in->textured ? set_texel : set_none, fxl_count_cut, account};
+    return with;
+}
+
+fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                       int plane, fxl_view_polygon *out, fxl_q18_46 *distances)
+{
+    const extras with = extras_of(in, NULL);
+    return clip_to_plane(in, frustum, plane, &with, out, distances);
+}
+
+fxl_clip_result fxl_cut_view_by_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                       fxl_planes planes, fxl_clip_view_work *work,
+                                       fxl_clip_account *account, const fxl_view_polygon **result)
+{
+    const extras with = extras_of(in, account);
+    return clip_to_planes(in, frustum, planes, &with, work, result);
+}
+
+fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                        fxl_planes planes, fxl_clip_view_work *work,
+                                        const fxl_view_polygon **result)
+{
+    return fxl_cut_view_by_planes(in, frustum, planes, work, NULL, result);
+}
+
+fxl_clip_result fxl_clip_view_flat(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
+                                   fxl_planes planes, fxl_clip_view_work *work,
+                                   const fxl_view_polygon **result)
+{
+    return clip_to_planes(in, frustum, planes, NULL, work, result);
 }

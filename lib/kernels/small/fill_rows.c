@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "arith.h"
 #include "edge.h"
 
 /* Rows are the C library's to fill: a program has memset anyway. */
@@ -12,13 +11,16 @@ void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, ui
     FXL_ASSERT(trapezoid->first_row >= band->first_row &&
                trapezoid->first_row < trapezoid->end_row &&
                trapezoid->end_row <= band->first_row + band->rows);
-    uint8_t *row = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * band->stride;
-    fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
-    for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
-        int32_t from = a.x < b.x ? a.x : b.x;
-        memset(row + from, colour, (size_t)(a.x + b.x - 2 * from));
-        fxl_edge_advance(&a, 1);
-        fxl_edge_advance(&b, 1);
-        row += band->stride;
+    for (int32_t row = trapezoid->first_row; row < trapezoid->end_row; row++) {
+        const uint32_t rows = (uint32_t)(row - trapezoid->first_row);
+        int32_t x[2];
+        for (uint32_t side = 0; side < 2; side++) {
+            const fxl_edge *edge = &trapezoid->edges[side];
+            uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);
+            x[side] = edge->x + edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
+        }
+        int32_t x0 = x[0] < x[1] ? x[0] : x[1];
+        memset(band->pixels + (row - band->first_row) * band->stride + x0, colour,
+               (size_t)(x[0] + x[1] - 2 * x0));
     }
 }

@@ -27,7 +27,7 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
-static void find_rows(const fxl_screen_point *points, uint32_t count, int16_t *first, int16_t *end)
+void fxl_outline_rows(const fxl_screen_point *points, uint32_t count, int16_t *first, int16_t *end)
 {
     int32_t top = INT16_MAX, bottom = INT16_MIN;
     for (; count != 0; count--, points++) {
@@ -45,7 +45,7 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
     scan->by_chains = false;
     scan->end_row = INT16_MIN;
-    find_rows(points, count, &scan->outline_first, &scan->outline_end);
+    fxl_outline_rows(points, count, &scan->outline_first, &scan->outline_end);
     fxl_crossings_begin(&scan->crossings, points, count, band);
 }
 
@@ -59,7 +59,7 @@ fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *ban
         fxl_scan_outline(polygon->points, polygon->count, band, scan);
     } else {
         scan->by_chains = false;
-        scan->crossings.edge_count = 0;
+        scan->crossings.end_row = INT16_MIN;
         scan->crossings.crossing_count = 0;
         scan->crossings.next_crossing = 0;
     }
@@ -74,24 +74,9 @@ static uint16_t row_held(int32_t row, uint16_t height)
 fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
 {
     int16_t first, end;
-    find_rows(polygon->points, polygon->count, &first, &end);
+    fxl_outline_rows(polygon->points, polygon->count, &first, &end);
     fxl_rows rows = {row_held(first, height), row_held(end, height)};
     return rows;
-}
-
-/* A span as a trapezoid of one row. */
-const fxl_trapezoid *fxl_scan_next_of_crossings(fxl_scan *scan)
-{
-    fxl_span span;
-    fxl_trapezoid *trapezoid = &scan->trapezoid;
-    if (!fxl_crossings_next(&scan->crossings, &span)) {
-        return NULL;
-    }
-    trapezoid->first_row = span.y;
-    trapezoid->end_row = (int16_t)(span.y + 1);
-    trapezoid->edges[0] = (fxl_edge){span.x0, 0, 0, 0};
-    trapezoid->edges[1] = (fxl_edge){span.x1, 0, 0, 0};
-    return trapezoid;
 }
 
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span)

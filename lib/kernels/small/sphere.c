@@ -8,10 +8,16 @@
 
 #define SLACK 9
 
+/* By an unsigned shift, which compilers see through. */
+static int32_t upper(int64_t value)
+{
+    return (int32_t)((uint64_t)value >> 32);
+}
+
 /* The upper word of a product. */
 static int32_t scaled(fxl_q2_30 part, int32_t size)
 {
-    return (int32_t)(fxl_multiply_s31(part, size) >> 32);
+    return upper(fxl_multiply_s31(part, size));
 }
 
 /* Of the distances from the planes low and low + 1. */
@@ -32,13 +38,13 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
     const int32_t reach = (radius >> 4) + SLACK;
     fxl_view_point seen;
     fxl_rotate(camera, &from_eye, &seen);
-    const int32_t z = (int32_t)(seen.z >> 32), inset = (int32_t)(frustum->inset >> 34);
+    const int32_t z = upper(seen.z), inset = (int32_t)(frustum->inset >> 34);
     uint32_t planes = pair((z >> 2) - (int32_t)(frustum->near >> 34),
                            (int32_t)(frustum->far >> 34) - (z >> 2), reach, FXL_PLANE_NEAR);
-    int32_t apart = scaled(frustum->x_side, (int32_t)(seen.x >> 32));
+    int32_t apart = scaled(frustum->x_side, upper(seen.x));
     int32_t ahead = scaled(frustum->x_depth, z) - inset;
     planes |= pair(ahead + apart, ahead - apart, reach, FXL_PLANE_LEFT);
-    apart = scaled(frustum->y_side, (int32_t)(seen.y >> 32));
+    apart = scaled(frustum->y_side, upper(seen.y));
     ahead = scaled(frustum->y_depth, z) - inset;
     planes |= pair(ahead + apart, ahead - apart, reach, FXL_PLANE_BOTTOM);
     return planes >= FXL_SPHERE_OUTSIDE ? FXL_SPHERE_OUTSIDE : planes;

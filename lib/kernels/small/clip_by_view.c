@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* Every face is assembled, cut by the planes that a vertex is outside of, mostly
+ * none, and projected. What is worked out is not accounted for. */
+#include "clip_flat.h"
+#include "fixel/clipper.h"
+#include "fixel/project.h"
+
+fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    const uint16_t *corners = placed->corners + face->first_corner;
+    const fxl_view *view = placed->view;
+    fxl_view_polygon *seen = &work->by_view.polygons[0];
+    const fxl_view_polygon *clipped;
+    unsigned of_any = 0, of_all = FXL_PLANES_ALL;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_seen_vertex *vertex = fxl_see(placed, corners[i]);
+        of_any |= vertex->state;
+        of_all &= vertex->state;
+        seen->vertices[i].position = vertex->position;
+    }
+    if (of_all != 0) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    seen->colour = face->colour;
+    seen->count = face->count;
+    seen->textured = false;
+    fxl_clip_result result = fxl_clip_view_flat(
+        seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), &work->by_view, &clipped);
+    if (clipped == NULL) {
+        return result;
+    }
+    screen->colour = clipped->colour;
+    screen->count = clipped->count;
+    for (uint32_t i = 0; i < clipped->count; i++) {
+        if (fxl_project_seen(&view->projection, &clipped->vertices[i].position,
+                             &screen->points[i]) != FXL_OK) {
+            return FXL_CLIP_RANGE;
+        }
+    }
+    return result;
+}
