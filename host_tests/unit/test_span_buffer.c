@@ -137,6 +137,25 @@ void test_the_stated_pool_is_enough_for_a_row(void)
     }
 }
 
+/* A row of an odd number of pixels holds one more. */
+void test_an_odd_width(void)
+{
+    enum {
+        ODD = 7
+    };
+    const fxl_band band = {&pixels[0][0], ODD, WIDTH, 0, 1};
+    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_ROOM_LEAST(ODD, 1), 1);
+    counted_span_buffer_begin(buffer, &band);
+    for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
+        const fxl_span span = {0, x, (int16_t)(x + 1)};
+        TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &span, 'a', &band));
+    }
+    const fxl_span all = {0, 0, ODD};
+    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &all, 'b', &band));
+    TEST_ASSERT_EQUAL_STRING_LEN("abababa", &pixels[0][0], ODD);
+    TEST_ASSERT_EQUAL(0, buffer->open_rows);
+}
+
 void test_a_new_band_finds_nothing_covered(void)
 {
     start(INTERVALS);
