@@ -7,7 +7,7 @@ EQUALITY_OUT := $(BUILD)/equality
 # What is compiled once more, with the portable kernels, and what it gives to the
 # linker: fxl_X becomes portable_X.
 EQUALITY_PORTABLE := $(wildcard lib/kernels/portable/*.c) lib/src/divide_wide.c
-EQUALITY_RENAMED := scan_next_trapezoid clip_by_view front_faces look_at project_seen fill_trapezoid divide_u64 fraction
+EQUALITY_RENAMED := scan_next_trapezoid clip_by_view front_faces look_at project_inside fill_trapezoid divide_u64 fraction
 EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcard firmware/equality/*.c)))) \
     core.o portable.o $(EQUALITY_PORTABLE:%.c=portable/%.o)
 EQUALITY_CORES := $(BENCH_CORES_HERE)
