@@ -34,8 +34,10 @@ static fxl_clip_result checked_by_view(const fxl_placed *placed, const fxl_face 
         fxl_clip_view_to_planes(&seen, &placed->view->view_frustum, needed, &checked, &clipped);
     judge_view_clip(expected, clipped, placed->view);
     fxl_clip_result cut = fxl_clip_by_view(placed, face, work, screen);
-    /* A face outside of one plane may have been cut away by one before it. */
-    DEMAND(cut == expected || (cut == FXL_CLIP_OUTSIDE && clipped == NULL));
+    /* A face outside of one plane may have been cut away by one before it; one between the
+     * centres of pixels is inside. */
+    DEMAND(cut == expected || (cut == FXL_CLIP_OUTSIDE && clipped == NULL) ||
+           (cut == FXL_CLIP_BETWEEN && expected == FXL_CLIP_INSIDE));
     judge_screen(cut, screen);
     if (clipped != NULL) {
         fxl_screen_polygon same;
