@@ -2,6 +2,7 @@
 #include "chain_walks.h"
 #include "edges.h"
 #include "equality.h"
+#include "faces.h"
 #include "fill.h"
 #include "look_at.h"
 #include "divisions.h"
@@ -22,6 +23,8 @@ const equality_test equality_tests[] = {
     {"edge-divide", test_edge_divide},
     {"look-at", test_look_at},
     {"project", test_project},
+    {"front-faces", test_front_faces},
+    {"clip-by-view", test_clip_by_view},
     {"chains", test_chains},
     {"fill", test_fill},
     {NULL, NULL},

@@ -103,7 +103,8 @@ static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
 }
 
 /* The dividends are dx, for a step, and fxl_slope_set's, for the first row;
- * that is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. */
+ * that is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. Of an edge that
+ * crosses one row alone nothing but that row's first pixel is asked. */
 static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
                                    int32_t row, int32_t rows, fxl_edge *edge)
 {
@@ -113,8 +114,18 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     int32_t above = row - fxl_first_centre_from(top->y);
     FXL_ASSERT(height > 0 && height <= FXL_EDGE_HEIGHT_MAX && above >= 0 && rows > 0);
     FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
+    if (above + rows == 1) {
+        int32_t left;
+        edge->x =
+            (start >> 16) + 1 +
+            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &left);
+        edge->fraction = 0;
+        edge->step = 0;
+        edge->step_fraction = 0;
+        return 1;
+    }
     fxl_edge_divider divider = fxl_edge_divider_of((uint32_t)height);
-    if ((uint32_t)(above + rows) >> fxl_edge_divider_shift(&divider) != 0) {
+    if ((uint32_t)(above + rows - 1) >> fxl_edge_divider_shift(&divider) != 0) {
         return fxl_edge_set_far(top, bottom, row, rows, edge);
     }
     int32_t x;

@@ -3,27 +3,20 @@
 
 #include "arith.h"
 #include "face_key.h"
+#include "front_faces.h"
 
-/* Below 2^62 for |value| < 2^31. */
-static inline uint64_t square(int32_t value)
-{
-    return (uint64_t)fxl_multiply_s32(value, value);
-}
+#ifdef __arm__
+_Static_assert(sizeof(fxl_face) == 20 && offsetof(fxl_face, normal) == 0 &&
+                   sizeof(fxl_face_key) == 20 && offsetof(fxl_face_key, box_x) == 8 &&
+                   sizeof(fxl_order_entry) == 12 && offsetof(fxl_order_entry, index) == 8,
+               "front_faces.S");
+#endif
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));
-    return square(point->x - eye->x) + square(point->y - eye->y) + square(point->z - eye->z);
-}
-
-/* The key of a face whose box and whose eye are relative to the same point: of
- * box - 2 eye. The difference of two points of the world is below 2^30, so each
- * coordinate is below 2^31; what wraps on the way cancels. */
-static inline uint64_t box_distance(int32_t x, int32_t y, int32_t z, const fxl_point *eye)
-{
-    return square((int32_t)((uint32_t)x - 2 * (uint32_t)eye->x)) +
-           square((int32_t)((uint32_t)y - 2 * (uint32_t)eye->y)) +
-           square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
+    return fxl_square(point->x - eye->x) + fxl_square(point->y - eye->y) +
+           fxl_square(point->z - eye->z);
 }
 
 /* The eye as a model sees it. Both within FXL_COORDINATE_MAX: below 2^30. */
@@ -39,7 +32,7 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
     fxl_point relative = relative_to(eye, &object->centre);
     fxl_point box = fxl_face_box(&scene->vertices[scene->models[object->model].first_vertex],
                                  &scene->corners[face->first_corner], face->count);
-    return box_distance(box.x, box.y, box.z, &relative);
+    return fxl_box_distance(box.x, box.y, box.z, &relative);
 }
 
 /* Whether a is drawn before b. */
@@ -286,19 +279,7 @@ uint32_t fxl_order_objects(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
-/* Puts down a face; answers where the next one goes. */
-static inline fxl_order_entry *put(fxl_order_entry *entry, uint64_t distance, uint32_t index)
-{
-    entry->distance_low = (uint32_t)distance;
-    entry->distance_high = (uint32_t)(distance >> 32);
-    entry->index = (uint16_t)index;
-    return entry + 1;
-}
-
-/* The faces of a model that are turned to an eye which the model sees at `from`:
- * where normal . from > normal . first vertex. Both sums are below 2^61, and their
- * difference is what fxl_face_is_front takes the sign of. Answers behind the last
- * entry. */
+/* fxl_front_faces of a scene that has no keys: by what they are made of. */
 static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
                                    const fxl_point *from, fxl_order_entry *entry)
 {
@@ -309,24 +290,8 @@ static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *mode
         if (fxl_dot(&faces[i].normal, from->x, from->y, from->z) >
             fxl_face_height(vertices, corners, &faces[i])) {
             fxl_point box = fxl_face_box(vertices, corners, faces[i].count);
-            entry = put(entry, box_distance(box.x, box.y, box.z, from), i);
-        }
-    }
-    return entry;
-}
-
-/* The same by the scene's keys, which the loader has found to be the same numbers. */
-static fxl_order_entry *find_front_by_keys(const fxl_scene *scene, const fxl_model *model,
-                                           const fxl_point *from, fxl_order_entry *entry)
-{
-    const fxl_point eye = *from;
-    const fxl_face *face = &scene->faces[model->first_face];
-    const fxl_face_key *first = &scene->keys[model->first_key];
-    const fxl_face_key *end = first + model->face_count;
-    for (const fxl_face_key *key = first; key < end; key++, face++) {
-        if (fxl_dot(&face->normal, eye.x, eye.y, eye.z) > fxl_face_key_height(key)) {
-            uint64_t distance = box_distance(key->box_x, key->box_y, key->box_z, &eye);
-            entry = put(entry, distance, (uint32_t)(key - first));
+            *entry++ =
+                fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, from), (uint16_t)i, 0);
         }
     }
     return entry;
@@ -337,9 +302,11 @@ uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_object *object, const
 {
     const fxl_model *model = &scene->models[object->model];
     const fxl_point from = relative_to(eye, &object->centre);
-    const fxl_order_entry *end = scene->keys != NULL
-                                     ? find_front_by_keys(scene, model, &from, entries)
-                                     : find_front(scene, model, &from, entries);
+    const fxl_order_entry *end =
+        scene->keys != NULL
+            ? fxl_front_faces(&scene->faces[model->first_face], &scene->keys[model->first_key],
+                              &from, entries, model->face_count)
+            : find_front(scene, model, &from, entries);
     uint32_t count = (uint32_t)(end - entries);
     fxl_order_sort_faces(entries, count);
     return count;

@@ -69,9 +69,10 @@ static bool take_face(const fxl_walk *on, const fxl_placed *placed, const fxl_fa
 /* scan -> fill, for a scan that was begun. */
 static void paint(fxl_scan *scan, uint8_t colour, const fxl_band *band)
 {
-    const fxl_trapezoid *trapezoid;
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+    const fxl_trapezoid *trapezoid = fxl_scan_next_trapezoid(scan);
+    while (trapezoid != NULL) {
         fxl_fill_trapezoid(band, trapezoid, colour);
+        trapezoid = fxl_scan_is_over(scan) ? NULL : fxl_scan_next_trapezoid(scan);
     }
 }
 

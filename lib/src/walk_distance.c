@@ -49,9 +49,10 @@ static bool walk_sorted(const fxl_walk *on, const fxl_placed *placed, const fxl_
     const fxl_face *faces = &scene->faces[model->first_face];
     const uint32_t first = on->place->faces, front = renderer->front;
     const bool reverse = renderer->hidden->front_to_back;
+    const fxl_order_entry *at = &order[reverse ? front - 1 - first : first];
     uint32_t number = first;
-    while (number < front &&
-           take(on, placed, &faces[order[reverse ? front - 1 - number : number].face])) {
+    while (number < front && take(on, placed, &faces[at->face])) {
+        at += reverse ? -1 : 1;
         number++;
     }
     on->place->faces = (uint16_t)number;

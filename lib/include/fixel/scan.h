@@ -93,6 +93,12 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
  * all with the same bits. */
 const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan);
 
+/* Whether there is no trapezoid after the last one: one that says so saves a call. */
+static inline bool fxl_scan_is_over(const fxl_scan *scan)
+{
+    return scan->trapezoid.end_row == scan->end_row;
+}
+
 /* The same pixels a span at a time, for what decides by span: spans of a row
  * neither overlap nor touch out of order. False when there are no more; span
  * is then untouched. A scan is read by trapezoids or by spans, not by both. */

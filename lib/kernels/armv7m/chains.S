@@ -97,13 +97,14 @@ fxl_scan_next_trapezoid:
     add     r9, r9, r6, lsl #3
     ldrd    r6, r7, [r9]
     sub     r10, r12, r7
-    adds    r10, r10, #1            /* height */
+    adds    r10, r10, #1            /* height; no carry */
     sub     r11, r11, r6            /* dx */
     sub     r7, lr, r7              /* from the top to the centre: rows, and t */
     clz     r1, r10
-    sub     r12, r5, lr, asr #16
-    add     r12, r12, r7, lsr #16
-    lsrs    r12, r12, r1            /* more rows than the edge is good for */
+    sbc     r12, r5, lr, asr #16
+    adds    r12, r12, r7, lsr #16   /* rows above it and from it on, less 1 */
+    beq     .Lone_row
+    lsrs    r12, r12, r1            /* more than the edge is good for */
     bne     .Lfar
     uxth    r12, r7
     lsrs    r7, r7, #16
@@ -159,6 +160,29 @@ fxl_scan_next_trapezoid:
     lsrs    r6, r8, #8
     beq     .Lside_done
     b       .Ladvance
+
+    /* The edge crosses this row alone: its first pixel, and no steps. */
+.Lone_row:
+    smull   r4, r8, r11, r7
+    sub     r6, r6, #32768          /* start */
+    uxth    r12, r6
+    umlal   r4, r8, r12, r10
+    subs    r4, r4, #1
+    sbc     r8, r8, #0
+    lsrs    r4, r4, #16
+    orr     r4, r4, r8, lsl #16     /* the dividend */
+    sdiv    r8, r4, r10
+    mls     r4, r8, r10, r4
+    add     r8, r8, r4, asr #31     /* downward */
+    movs    r1, #1
+    add     r4, r1, r6, asr #16
+    add     r4, r4, r8
+    movs    r1, #0
+    sub     r7, r3, r0
+    add     r6, r0, r7, lsl #2
+    strd    r4, r1, [r6, #EDGES]
+    strd    r1, r1, [r6, #EDGES + 8]
+    b       .Lside_done
 
     /* By its exact remainder: r8 bottom, r9 top, r5 end row. */
 .Lfar:

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernels that go through faces. */
+#include "faces.h"
+
+#include "equality.h"
+#include "sides.h"
+
+#include <string.h>
+
+#define VERTICES 8u
+#define ENTRIES  4u /* at most: some vertices displace each other */
+#define FACES    5u
+
+static int32_t within(int32_t limit)
+{
+    return (int32_t)(any_32() % (2u * (uint32_t)limit + 1u)) - limit;
+}
+
+/* --- which face the eye ------------------------------------------------------ */
+
+/* As a scene may have it: a coordinate below 2^30, a normal's below 2^30 + 1. */
+static int32_t coordinate(void)
+{
+    static const int32_t ends[] = {0, 1, -1, (1 << 30) - 1, 1 - (1 << 30), 65536, -65536};
+    uint32_t choice = any_32() >> 7 & 31u;
+    return choice < 7 ? ends[choice] : (int32_t)any_32() >> (2 + (any_32() >> 9 & 15u));
+}
+
+static int64_t dot(const fxl_direction *normal, const fxl_point *eye)
+{
+    return (int64_t)normal->x * eye->x + (int64_t)normal->y * eye->y + (int64_t)normal->z * eye->z;
+}
+
+/* A unit vector's coordinates, near enough for the sum's bound: one of them alone, or three of
+ * half of one. */
+static fxl_direction any_normal(void)
+{
+    fxl_direction normal = {0, 0, 0};
+    switch (any_32() >> 13 & 3u) {
+    case 0:
+        normal.x = any_32() & 64u ? 1 << 30 : -(1 << 30);
+        break;
+    case 1:
+        normal.z = within(1 << 30);
+        break;
+    default:
+        normal = (fxl_direction){within(1 << 29), within(1 << 29), within(1 << 29)};
+    }
+    return normal;
+}
+
+static void any_faces(fxl_face *faces, fxl_face_key *keys, const fxl_point *eye)
+{
+    for (uint32_t i = 0; i < FACES; i++) {
+        faces[i].normal = any_normal();
+        int64_t height = dot(&faces[i].normal, eye) + within(2);
+        if (any_32() & 128u) {
+            height = (int64_t)any_64() >> (3 + (any_32() >> 5 & 31u));
+        }
+        keys[i].height_low = (uint32_t)height;
+        keys[i].height_high = (uint32_t)((uint64_t)height >> 32);
+        keys[i].box_x = 2 * coordinate();
+        keys[i].box_y = 2 * coordinate();
+        keys[i].box_z = 2 * coordinate();
+        /* Of a box and an eye less than 2^30 apart. */
+        keys[i].box_x = eye->x + keys[i].box_x / 2;
+        keys[i].box_y = eye->y + keys[i].box_y / 2;
+        keys[i].box_z = eye->z + keys[i].box_z / 2;
+    }
+}
+
+static bool same_entries(const fxl_order_entry *a, const fxl_order_entry *b, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (fxl_order_distance(&a[i]) != fxl_order_distance(&b[i]) || a[i].index != b[i].index) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void test_front_faces(uint32_t rounds)
+{
+    static fxl_face faces[FACES];
+    static fxl_face_key keys[FACES];
+    fxl_order_entry core[FACES], portable[FACES];
+    for (uint32_t i = 0; i < rounds; i++) {
+        const fxl_point eye = {coordinate(), coordinate(), coordinate()};
+        const uint32_t count = 1u + (any_32() >> 11) % FACES;
+        any_faces(faces, keys, &eye);
+        uint32_t by_core = (uint32_t)(fxl_front_faces(faces, keys, &eye, core, count) - core);
+        uint32_t by_portable =
+            (uint32_t)(portable_front_faces(faces, keys, &eye, portable, count) - portable);
+        equality_case(by_core == by_portable && same_entries(core, portable, by_core));
+    }
+}
+
+/* --- to the screen ------------------------------------------------------------ */
+
+static fxl_view view;
+static fxl_point vertices[VERTICES];
+static uint16_t corners[FXL_FACE_VERTICES_MAX];
+
+typedef struct {
+    fxl_seen_vertex entries[ENTRIES];
+    fxl_placed placed;
+    fxl_clipper_work work;
+    fxl_screen_polygon screen;
+} side;
+
+static side by_core, by_portable;
+
+static void any_view(void)
+{
+    fxl_pose pose = {{0, 0, 0}, any_32(), any_32(), any_32()};
+    fxl_lens lens;
+    fxl_angle fov = FXL_FOV_MIN + any_32() % (FXL_FOV_MAX - FXL_FOV_MIN + 1u);
+    fxl_lens_from_fov((uint16_t)(1u + any_32() % 1024u), (uint16_t)(1u + any_32() % 1024u), fov,
+                      FXL_NEAR_MIN << (any_32() >> 9 & 7u), FXL_FAR_MAX, FXL_INSET_DEFAULT, &lens);
+    fxl_view_set_lens(&view, &lens);
+    fxl_view_set_pose(&view, &pose);
+}
+
+/* Along an axis, 2^30 / scale of it. */
+static int32_t along(fxl_q2_30 axis, int32_t length)
+{
+    return (int32_t)((int64_t)axis * length >> 30);
+}
+
+/* Relative to the eye: mostly before it, some of it together, so that a face may lie between
+ * the centres of pixels. */
+static void any_vertices(void)
+{
+    const fxl_camera *camera = &view.camera;
+    int32_t depth = 1 + (int32_t)(any_32() >> (4u + (any_32() >> 9) % 24u));
+    int32_t x = within(depth), y = within(depth);
+    int32_t spread = 1 + depth / (1 << (any_32() >> 11) % 14u);
+    for (uint32_t i = 0; i < VERTICES; i++) {
+        int32_t right = x + within(spread), up = y + within(spread),
+                forward = depth + within(spread);
+        vertices[i].x = along(camera->right.x, right) + along(camera->up.x, up) +
+                        along(camera->forward.x, forward);
+        vertices[i].y = along(camera->right.y, right) + along(camera->up.y, up) +
+                        along(camera->forward.y, forward);
+        vertices[i].z = along(camera->right.z, right) + along(camera->up.z, up) +
+                        along(camera->forward.z, forward);
+    }
+}
+
+static void place(side *to, uint32_t mask, uint32_t tag, fxl_planes planes)
+{
+    memset(to, 0x5A, sizeof *to);
+    memset(to->entries, 0, sizeof to->entries);
+    to->placed = (fxl_placed){.view = &view,
+                              .entries = to->entries,
+                              .mask = mask,
+                              .tag = tag,
+                              .vertices = vertices,
+                              .corners = corners,
+                              .planes = planes};
+}
+
+/* The planes that a vertex lies outside of. */
+static fxl_planes crossed(void)
+{
+    fxl_planes planes = 0;
+    place(&by_core, 0, 0, FXL_PLANES_ALL);
+    for (uint32_t i = 0; i < VERTICES; i++) {
+        fxl_look_at(&by_core.placed, i, by_core.entries);
+        planes = (fxl_planes)(planes | (by_core.entries[0].state & FXL_PLANES_ALL));
+    }
+    return planes;
+}
+
+/* A face twice, or two that share vertices, so that some are found in the cache. */
+static void compare(const fxl_face *face)
+{
+    fxl_clip_result core = fxl_clip_by_view(&by_core.placed, face, &by_core.work, &by_core.screen);
+    fxl_clip_result portable =
+        portable_clip_by_view(&by_portable.placed, face, &by_portable.work, &by_portable.screen);
+    bool drawn = core == FXL_CLIP_INSIDE || core == FXL_CLIP_CUT || core == FXL_CLIP_BETWEEN;
+    equality_case(
+        core == portable &&
+        memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0 &&
+        (!drawn || (by_core.screen.colour == by_portable.screen.colour &&
+                    by_core.screen.count == by_portable.screen.count &&
+                    memcmp(by_core.screen.points, by_portable.screen.points,
+                           by_core.screen.count * sizeof by_core.screen.points[0]) == 0)));
+}
+
+void test_clip_by_view(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds / 32u + 8u; i++) {
+        any_view();
+        for (uint32_t j = 0; j < 16; j++) {
+            const uint32_t mask = ENTRIES / (1u + (any_32() >> 9 & 3u)) >> 1,
+                           tag = any_32() << 16 | 1u << 31;
+            any_vertices();
+            const fxl_planes planes = (fxl_planes)(crossed() | (any_32() >> 5 & FXL_PLANES_ALL));
+            place(&by_core, mask, tag, planes);
+            place(&by_portable, mask, tag, planes);
+            for (uint32_t k = 0; k < 2; k++) {
+                fxl_face face = {.first_corner = any_32() >> 9 & 3u,
+                                 .count = (uint8_t)(3u + (any_32() >> 9) % 6u),
+                                 .colour = (uint8_t)any_32()};
+                for (uint32_t c = 0; c < FXL_FACE_VERTICES_MAX; c++) {
+                    corners[c] = (uint16_t)(any_32() >> 11 & (VERTICES - 1u));
+                }
+                compare(&face);
+            }
+        }
+    }
+}

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_front_faces for Armv7-M and Armv8-M Mainline; the sums and their bounds stand in
+ * lib/src/front_faces.h. */
+
+    .syntax unified
+    .thumb
+
+/* sizeof fxl_face and fxl_face_key: order.c holds them against the structures. The key is
+ * height, low and high, and box x, y, z. */
+#define FACE    20
+#define KEY     20
+#define COUNT   36          /* on the stack */
+
+face    .req r0
+key     .req r1             /* the next one's */
+entry   .req r3
+left    .req lr             /* faces still to be looked at, this one included */
+
+    .section .text.fxl_front_faces, "ax", %progbits
+    .global fxl_front_faces
+    .type fxl_front_faces, %function
+    .thumb_func
+
+/* r0: faces, r1: keys, r2: from, r3: entry; on the stack: count */
+fxl_front_faces:
+    push    {r4-r11, lr}
+    ldm     r2, {r4-r6}
+    ldr     left, [sp, #COUNT]
+.Lface:
+    ldm     face, {r7-r9}
+    ldrd    r10, r11, [key], #KEY
+    smull   r7, r12, r7, r4
+    smlal   r7, r12, r8, r5
+    smlal   r7, r12, r9, r6
+    adds    face, face, #FACE
+    cmp     r10, r7
+    sbcs    r11, r11, r12
+    bge     .Lnext                          /* turned away */
+    ldr     r7, [key, #8 - KEY]
+    ldrd    r8, r9, [key, #12 - KEY]
+    sub     r7, r7, r4, lsl #1
+    sub     r8, r8, r5, lsl #1
+    sub     r9, r9, r6, lsl #1
+    ldr     r12, [sp, #COUNT]
+    smull   r10, r11, r7, r7
+    smlal   r10, r11, r8, r8
+    smlal   r10, r11, r9, r9
+    sub     r12, r12, left                  /* its number, and 0 beside it */
+    stm     entry!, {r10-r12}
+.Lnext:
+    subs    left, left, #1
+    bne     .Lface
+    mov     r0, entry
+    pop     {r4-r11, pc}
+
+    .size fxl_front_faces, . - fxl_front_faces
