@@ -19,7 +19,7 @@ import threading
 import time
 
 from fixel import ending as endings
-from fixel import emulator, firmware, qemu
+from fixel import emulator, firmware, output, qemu
 from fixel.errors import ToolError, run_main
 
 TIMEOUT = 3600.0    # seconds for a kernel
@@ -129,6 +129,7 @@ def main(argv):
     parser.add_argument("elf", nargs="+", help="a core's program")
     parser.add_argument("--thousands", type=int, default=10000, help="random inputs for each kernel, in thousands")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="kernels at a time")
+    parser.add_argument("--keep", metavar="FILE", help="write what was compared, for docs/performance.md")
     parser.add_argument("--journal", help="what was compared (equality.json beside the first program)")
     options = parser.parse_args(argv)
     if not 1 <= options.thousands <= THOUSANDS_MAX:
@@ -139,6 +140,9 @@ def main(argv):
     journal = Journal(options.journal or pathlib.Path(options.elf[0]).parent / "equality.json")
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         rows = list(pool.map(lambda job: work(job, options.thousands, journal), jobs))
+    if options.keep:
+        kept = [{key: row[key] for key in ("core", "kernel", "inputs", "differ")} for row in rows]
+        output.write_json(options.keep, {"rows": kept})
     inputs, wrong = (sum(row[key] for row in rows) for key in ("inputs", "differ"))
     print(f"{inputs:,} inputs of {len(rows)} kernels in {len(options.elf)} programs, {wrong:,} differ")
     return 1 if wrong else 0
