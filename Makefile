@@ -141,7 +141,7 @@ pictures: $(WALK) $(BUILD)/host/live ## the README's pictures anew, from make ru
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
-lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
+lib: ## the library and its headers for your own firmware [CORE=cortex-m3 SIZE=1]
 
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
@@ -198,8 +198,9 @@ profile: $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(
 	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
 	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
 
-equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000]
-	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)')
+equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
+	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)') $(if $(JOBS),--jobs '$(JOBS)') \
+	    $(if $(KEEP),--keep '$(KEEP)')
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

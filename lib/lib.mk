@@ -11,9 +11,11 @@ LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:corte
 LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
+LIB_HAS_MVE = $(and $(filter -mfloat-abi=hard -mfloat-abi=softfp,$(1)),$(filter -mcpu=cortex-m55 -mcpu=cortex-m85,$(1)))
 # A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
-# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes.
-LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes. With an ABI
+# that has vectors in registers, which the program then turns on, it is mve+FAMILY where there are any.
+LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(if $(call LIB_HAS_MVE,$(1)),mve+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
