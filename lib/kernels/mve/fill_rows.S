@@ -4,4 +4,9 @@
  * ones go by multiple stores, which take half the instructions. The caller has
  * turned the vectors on, as for any code of a hard-float ABI. */
 #define FXL_ROWS_BY_VECTORS 1
+
+/* The compiler is told of a core without (lib/lib.mk). */
+    .arch   armv8.1-m.main
+    .arch_extension mve
+
 #include "../armv7m/fill_rows.S"
