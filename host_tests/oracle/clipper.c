@@ -16,6 +16,19 @@ int oracle_clipper_choose(const char *name)
     return found != NULL;
 }
 
+double oracle_clipper_bound(const fxl_lens *lens)
+{
+    if (chosen == &fxl_clipper_world) { /* two units of the world where near is */
+        return 1.25 + 2.0 * lens->focal / lens->near;
+    }
+    return chosen == &fxl_clipper_normalised || oracle_clipper_wants_triangles() ? 2 : 1.25;
+}
+
+int oracle_clipper_wants_triangles(void)
+{
+    return chosen == &fxl_clipper_once || chosen == &fxl_clipper_triangles;
+}
+
 fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
                                     fxl_screen_polygon *screens, int room_for, int *count)
 {

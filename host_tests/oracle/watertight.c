@@ -23,9 +23,6 @@ enum {
     WITH_PIXELS
 };
 
-/* How far an edge without neighbour may be off, in 1/65536 pixel. */
-#define OUTLINE_BOUND 1.25
-
 enum {
     SIDE_MAX = 256,
     VERTICES_MAX = 12,
@@ -37,6 +34,7 @@ enum {
 
 typedef struct {
     int count;
+    double bound; /* how far an edge without neighbour may be off, in 1/65536 pixel */
     fxl_polygon polygons[FXL_FACE_VERTICES_MAX];
     /* Of the edge from each vertex: whether another piece shares it. */
     uint8_t shared[FXL_FACE_VERTICES_MAX][FXL_FACE_VERTICES_MAX];
@@ -155,7 +153,7 @@ static int near_rim(const partition *pieces, int x, int y)
             int inner = origin >= 0 && pieces->shared[piece][origin];
             if (!inner &&
                 oracle_from_segment(&centre, &outline->spots[i],
-                                    &outline->spots[(i + 1) % outline->count]) <= OUTLINE_BOUND) {
+                                    &outline->spots[(i + 1) % outline->count]) <= pieces->bound) {
                 return 1;
             }
         }
@@ -220,7 +218,11 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     if (polygon.count < 4 || how < 0 || how > polygon.count - 2) {
         return ORACLE_UNUSABLE;
     }
+    if (how >= CHORD && oracle_clipper_wants_triangles()) {
+        return ORACLE_SKIPPED;
+    }
     split(&polygon, (int)how, &pieces);
+    pieces.bound = oracle_clipper_bound(&setup.view.lens);
     const fxl_lens *lens = &setup.view.lens;
     for (int y = 0; y < lens->height; y++) {
         memset(drawn[y], 0, lens->width);
