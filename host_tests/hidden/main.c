@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* hidden SCENE.fxls [--frames N] [--seed S]
+/* hidden SCENE.fxls [--frames N] [--seed S] [--tree 1]
  *
- * Draws frames of a scene's path, N of them evenly spread, painted far to near and then by
- * the span buffer: in whole frames and bands of any height, with lists and pools of any size,
- * by both scans. Prints how many pixels differ, and how often pixels were written, as JSON.
- * Exit code 0: it ran; 2: it could not. */
+ * Draws frames of a scene's path, N of them evenly spread, painted far to near, in the order by
+ * distance or by the scene's tree, and then by the span buffer: in whole frames and bands of any
+ * height, with lists and pools of any size, by both scans. Prints how many pixels differ, and how
+ * often pixels were written, as JSON. Exit code 0: it ran; 2: it could not. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -19,7 +19,8 @@ enum {
     OTHERS = 24,                 /* ways beside the painter's, for each frame */
     PLENTY = 1u << 20,           /* words of a list that holds any frame here */
     INTERVALS = FXL_COVERED_END, /* of the largest pool */
-    CACHE = 256
+    CACHE = 256,
+    PIECES = 1 << 20 /* bytes, for what moves about in a tree */
 };
 
 typedef struct {
@@ -45,8 +46,10 @@ typedef struct {
     fxl_order_entry *order;
     fxl_seen_vertex *cache;
     uint32_t *list;
-    void *room;
+    void *room, *pieces;
+    uint32_t walk_room; /* bytes: what comes before the painter's room */
     uint64_t seed;
+    bool tree;
 } session;
 
 static int fail(const char *what, const char *why)
@@ -74,8 +77,15 @@ static bool draw(const session *with, const way *by, const fxl_pose *pose, uint8
                                by->words,   with->cache,         CACHE};
     if (fxl_renderer_init(&renderer, scene, &with->image->lens, &memory) != FXL_OK ||
         fxl_renderer_set_clipper(&renderer, by->clipper, NULL, 0) != FXL_OK ||
-        fxl_renderer_set_hidden(&renderer, by->hidden, with->room, by->room_size) != FXL_OK ||
-        fxl_frame_begin(&renderer, pose) != FXL_OK) {
+        fxl_renderer_set_hidden(&renderer, by->hidden, with->room, by->room_size) != FXL_OK) {
+        return false;
+    }
+    if (with->tree) {
+        fxl_tree_room *room = with->room;
+        room->pieces = with->pieces;
+        room->pieces_size = PIECES;
+    }
+    if (fxl_frame_begin(&renderer, pose) != FXL_OK) {
         return false;
     }
     for (uint32_t row = 0; row < with->height; row += by->rows) {
@@ -93,13 +103,16 @@ static bool draw(const session *with, const way *by, const fxl_pose *pose, uint8
 
 static way any_way(session *with, const fxl_clipper *clipper, uint32_t number, tally *to)
 {
-    const uint32_t least = FXL_SPAN_BUFFER_ROOM_LEAST(with->width, with->height);
-    const uint32_t most = FXL_SPAN_BUFFER_ROOM(with->height, INTERVALS);
-    way by = {&fxl_hidden_spans, clipper, 0, most, with->height};
+    static fxl_hidden hidden;
+    const uint32_t least = with->walk_room + FXL_SPAN_BUFFER_ROOM_LEAST(with->width, with->height);
+    const uint32_t most = with->walk_room + FXL_SPAN_BUFFER_ROOM(with->height, INTERVALS);
+    way by = {.hidden = &hidden, .clipper = clipper};
+    hidden = with->tree ? fxl_hidden_tree_spans : fxl_hidden_spans;
     if (number == 0) { /* each pixel counted as it is written */
-        by.hidden = counted_begin(with->writes, with->width, with->width * with->height);
+        hidden.painter =
+            counted_begin(with->writes, with->frames[1], with->width * with->height)->painter;
     } else if (number == 1) {
-        by.hidden = &fxl_hidden_spans_box;
+        hidden.painter = &fxl_painter_spans_box;
     }
     uint32_t list = any(with, 3), pool = number == 0 ? 2 : any(with, 3), bands = any(with, 4);
     by.words = list == 0 ? 0 : list == 1 ? any(with, 4000) : PLENTY;
@@ -131,7 +144,10 @@ static void count_writes(const session *with, const fxl_counters *counters, tall
 static bool take_frame(session *with, const fxl_pose *pose, tally *to)
 {
     const fxl_clipper *clipper = to->frames % 4 == 3 ? &fxl_clipper_world : &fxl_clipper_view;
-    const way painted = {&fxl_hidden_sorted, clipper, 0, 0, with->height};
+    const way painted = {.hidden = with->tree ? &fxl_hidden_tree : &fxl_hidden_sorted,
+                         .clipper = clipper,
+                         .room_size = with->walk_room,
+                         .rows = with->height};
     const uint32_t pixels = with->width * with->height;
     fxl_counters expected, found;
     if (!draw(with, &painted, pose, BACKGROUND, with->frames[0], &expected)) {
@@ -216,10 +232,12 @@ static bool need(void *memory)
     return memory != NULL;
 }
 
-static bool open_session(session *with, const fxl_scene_image *image, uint64_t seed)
+static bool open_session(session *with, const fxl_scene_image *image, uint64_t seed, bool tree)
 {
     with->image = image;
     with->seed = seed;
+    with->tree = tree;
+    with->walk_room = tree ? (fxl_hidden_tree.walk_room(&image->scene) + 7u) & ~7u : 0;
     with->width = image->lens.width;
     with->height = image->lens.height;
     const size_t pixels = (size_t)with->width * with->height;
@@ -228,10 +246,12 @@ static bool open_session(session *with, const fxl_scene_image *image, uint64_t s
            need(with->order = calloc(image->scene.order_needed, sizeof *with->order)) &&
            need(with->cache = calloc(CACHE, sizeof *with->cache)) &&
            need(with->list = malloc(PLENTY * sizeof *with->list)) &&
-           need(with->room = malloc(FXL_SPAN_BUFFER_ROOM(with->height, INTERVALS)));
+           need(with->pieces = malloc(PIECES)) &&
+           need(with->room =
+                    malloc(with->walk_room + FXL_SPAN_BUFFER_ROOM(with->height, INTERVALS)));
 }
 
-static int run(const char *path, uint32_t frames, uint64_t seed)
+static int run(const char *path, uint32_t frames, uint64_t seed, bool tree)
 {
     size_t size = 0;
     void *bytes = read_file(path, &size);
@@ -243,8 +263,11 @@ static int run(const char *path, uint32_t frames, uint64_t seed)
     if (status != FXL_OK) {
         return fail(path, fxl_status_text(status));
     }
+    if (tree && image.scene.nodes == NULL) {
+        return fail(path, "it has no tree");
+    }
     session with;
-    if (!open_session(&with, &image, seed)) {
+    if (!open_session(&with, &image, seed, tree)) {
         return fail(path, "there is not enough memory");
     }
     tally found = {0};
@@ -277,11 +300,12 @@ static bool parse_number(const char *text, uint32_t *number)
 int main(int count, char **arguments)
 {
     const char *scene = NULL;
-    uint32_t frames = 20, seed = 1;
+    uint32_t frames = 20, seed = 1, tree = 0;
     bool sound = true;
     for (int i = 1; i < count && sound; i++) {
         uint32_t *number = strcmp(arguments[i], "--frames") == 0 ? &frames
                            : strcmp(arguments[i], "--seed") == 0 ? &seed
+                           : strcmp(arguments[i], "--tree") == 0 ? &tree
                                                                  : NULL;
         if (number != NULL) {
             sound = ++i < count && parse_number(arguments[i], number);
@@ -291,7 +315,7 @@ int main(int count, char **arguments)
         }
     }
     if (!sound || scene == NULL) {
-        return fail("usage", "hidden SCENE.fxls [--frames N] [--seed S]");
+        return fail("usage", "hidden SCENE.fxls [--frames N] [--seed S] [--tree 1]");
     }
-    return run(scene, frames, seed);
+    return run(scene, frames, seed, tree != 0);
 }

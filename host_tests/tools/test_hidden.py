@@ -11,23 +11,29 @@ from conftest import run_cli
 
 FRAMES = 30
 SCENES = ("tiny", "cube", "plaza", "w1", "w3")
+WITH_TREE = ("plaza", "w1", "knot")
 
 
-@pytest.fixture(scope="module", name="found", params=SCENES)
+@pytest.fixture(scope="module", name="found",
+                params=[(name, False) for name in SCENES] + [(name, True) for name in WITH_TREE])
 def fixture_found(request, build, tmp_path_factory):
-    image = tmp_path_factory.mktemp("hidden") / f"{request.param}.fxls"
-    made = run_cli("scene", "build", pathlib.Path("scenes") / f"{request.param}.toml", "-o", image)
+    """A scene's name and what was counted, by distance or by a tree over all of it."""
+    scene, tree = request.param
+    image = tmp_path_factory.mktemp("hidden") / f"{scene}.fxls"
+    made = run_cli("scene", "build", pathlib.Path("scenes") / f"{scene}.toml", "-o", image,
+                   *(["--tree", "all"] if tree else []))
     assert made.returncode == 0, made.stderr
-    done = subprocess.run([build / "host" / "hidden", image, "--frames", str(FRAMES), "--seed", "7"],
+    done = subprocess.run([build / "host" / "hidden", image, "--frames", str(FRAMES), "--seed", "7",
+                           "--tree", str(int(tree))],
                           text=True, capture_output=True, timeout=300, check=False)
     assert done.returncode == 0, done.stderr
-    return request.param, json.loads(done.stdout)
+    return scene, json.loads(done.stdout)
 
 
 def test_the_span_buffer_draws_the_painters_picture(found):
     """Whole and in bands, with any list and any pool, by both scans."""
     scene, tally = found
-    assert tally["frames"] == (1 if scene == "w3" else min(FRAMES, 16 if scene == "tiny" else FRAMES))
+    assert tally["frames"] == {"w3": 1, "tiny": 16, "knot": 24}.get(scene, FRAMES)
     assert tally["covered"] > 0 and tally["draws"] == 24 * tally["frames"]
     assert min(tally[name] for name in ("in_bands", "with_small_list", "with_least_pool", "by_box")) > 0
     assert tally["differing"] == 0
