@@ -39,7 +39,7 @@ endif
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
 NEEDS_run    := run view flash boot size screen bench profile equality
-NEEDS_report := report all clippers
+NEEDS_report := report wire all clippers
 NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
@@ -79,7 +79,7 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench clippers bench-diff \
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers bench-diff \
     bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
@@ -123,6 +123,10 @@ report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
+
+wire: $(BUILD)/host/wire ## a scene's path as wireframes, drawn here and compared with double [SCENE= SCREEN= FRAMES= OUT=]
+	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) \
+	    --out '$(if $(filter file,$(origin OUT)),$(BUILD)/wire,$(OUT))'
 
 PICTURE ?= $(BUILD)/screen/$(BOARD).png
 

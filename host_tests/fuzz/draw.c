@@ -171,6 +171,29 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     free_renderer(renderer);
 }
 
+/* The same frame front to back by a span buffer of any size, in bands and with any list. */
+static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
+                               const fxl_band *whole, bool by_world, fuzz_input *in)
+{
+    const fxl_lens *lens = &first->view.lens;
+    fxl_counters counters = first->counters;
+    uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_LIST_WORDS(8));
+    uint32_t size = FXL_SPAN_BUFFER_ROOM_LEAST(lens->width, lens->height);
+    fxl_renderer *renderer = make_renderer(first->scene, lens, by_world, words, fuzz_below(in, 40));
+    const fxl_hidden *hidden = fuzz_below(in, 4) ? &fxl_hidden_spans : &fxl_hidden_spans_box;
+    void *room = malloc(size += fuzz_below(in, 12u * lens->height));
+    DEMAND(room != NULL);
+    DEMAND(fxl_renderer_set_hidden(renderer, hidden, room, size) == FXL_OK);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    draw_in_bands(renderer, whole, in);
+    DEMAND(renderer->counters.spilled <= counters.spilled);
+    counters.spilled = renderer->counters.spilled;
+    counters.split_bands = renderer->counters.split_bands;
+    DEMAND(memcmp(&counters, &renderer->counters, sizeof counters) == 0);
+    free(room);
+    free_renderer(renderer);
+}
+
 /* The same frame with radii so large that no object is left out, and without keys.
  * What was drawn was drawn all the same. */
 static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
@@ -216,7 +239,11 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->by_world, in);
     draw_all_objects(renderer, pose, &whole, choice->by_world);
+<<<<<<< HEAD
     draw_by_tree(scene, lens, pose, in);
+=======
+    draw_front_to_back(renderer, pose, &whole, choice->by_world, in);
+>>>>>>> view
     free(whole.pixels);
     free_renderer(renderer);
 }

@@ -13,8 +13,9 @@ typedef struct {
 
 /* Draws the rows in one band without a list and in several with a list of any
  * size, with bytes between width and stride, and once more with no object left
- * out by its sphere and without keys, and demands: equal pixels, nothing written outside, every
- * face accounted for, outlines within the screen. Cuts, stride and the list's size come from in. */
+ * out by its sphere and without keys, and front to back by a span buffer, and demands: equal
+ * pixels, nothing written outside, every face accounted for, outlines within the screen. Cuts,
+ * stride and the list's size come from in. */
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in);
 
