@@ -239,11 +239,8 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->by_world, in);
     draw_all_objects(renderer, pose, &whole, choice->by_world);
-<<<<<<< HEAD
     draw_by_tree(scene, lens, pose, in);
-=======
     draw_front_to_back(renderer, pose, &whole, choice->by_world, in);
->>>>>>> view
     free(whole.pixels);
     free_renderer(renderer);
 }
