@@ -5,9 +5,13 @@
 
 #include "input.h"
 
+enum {
+    DRAW_CLIPPERS = 8
+};
+
 /* Which clipper, and which rows of the screen are looked at. */
 typedef struct {
-    bool by_world;
+    uint32_t clipper; /* 0 .. DRAW_CLIPPERS - 1 */
     uint16_t first_row, rows;
 } draw_choice;
 
