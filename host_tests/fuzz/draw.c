@@ -141,6 +141,13 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
     const fxl_clipper *clipper = by_world ? &checked_world : &checked_view;
     DEMAND(fxl_renderer_set_clipper(renderer, clipper, NULL, 0) == FXL_OK);
+    if (scene->beam_count > 0) {
+        const uint32_t size = fxl_light_room(scene->beams, scene->beam_count);
+        void *room = malloc(size);
+        DEMAND(room != NULL);
+        DEMAND(fxl_renderer_set_light(renderer, scene->beams, scene->beam_count, scene->lit, room,
+                                      size) == FXL_OK);
+    }
     return renderer;
 }
 
@@ -151,6 +158,7 @@ static void free_renderer(fxl_renderer *renderer)
         free(renderer->cache.entries);
     }
     free(renderer->order);
+    free((void *)(uintptr_t)renderer->light); /* it lies at the beginning of its room */
     free(renderer);
 }
 
@@ -238,7 +246,9 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_gaps_intact(&whole);
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->by_world, in);
-    draw_all_objects(renderer, pose, &whole, choice->by_world);
+    if (scene->beam_count == 0) { /* larger spheres reach into beams, and split outlines anew */
+        draw_all_objects(renderer, pose, &whole, choice->by_world);
+    }
     draw_front_to_back(renderer, pose, &whole, choice->by_world, in);
     free(whole.pixels);
     free_renderer(renderer);
