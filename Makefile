@@ -44,7 +44,7 @@ NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
-NEEDS_tools  := compare bench-diff bench-baseline
+NEEDS_tools  := compare bench-diff bench-baseline clippers-accept
 NEEDS_gdb    := gdb
 NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
 SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
@@ -79,8 +79,8 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers bench-diff \
-    bench-baseline profile equality fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench \
+    clippers clippers-accept bench-diff bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -141,7 +141,7 @@ pictures: $(WALK) $(BUILD)/host/live ## the README's pictures anew, from make ru
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
-lib: ## the library and its headers for your own firmware [CORE=cortex-m3]
+lib: ## the library and its headers for your own firmware [CORE=cortex-m3 SIZE=1]
 
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
@@ -182,6 +182,9 @@ clippers: $(CLIPPERS_BUILT) $(HOST_WALK) ## every clipper times every hidden-sur
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
 	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
 
+clippers-accept: ## the last make clippers into docs/clipping.md and bench/clippers.json
+	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --accept
+
 bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')
 
@@ -195,8 +198,9 @@ profile: $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(
 	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
 	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
 
-equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000]
-	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)')
+equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
+	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)') $(if $(JOBS),--jobs '$(JOBS)') \
+	    $(if $(KEEP),--keep '$(KEEP)')
 
 fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'

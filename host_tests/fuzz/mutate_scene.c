@@ -12,7 +12,7 @@ enum {
     AT_SIZE = 8,
     AT_CRC = 12,
     AT_TABLES = 80,
-    TABLES = 9, /* the last two, of keys and of beams, stand behind the others */
+    TABLES = 10, /* the last three, of keys, nodes and beams, stand behind the frame count */
     AT_KEYS = 140,
     AT_BEAMS = 160 /* in the larger header alone: else what comes there is no table */
 };
@@ -54,9 +54,10 @@ static size_t mend(uint8_t *data, size_t size, unsigned seed)
 static void mutate_table(uint8_t *data, size_t size, unsigned seed)
 {
     unsigned number = seed % TABLES;
-    const uint8_t *table = data + AT_TABLES + 8 * number;
-    if (number >= TABLES - 2) {
-        table = data + (number == TABLES - 1 ? AT_BEAMS : AT_KEYS);
+    const uint8_t *table =
+        data + (number >= 7 ? AT_KEYS + 8 * (number - 7) : AT_TABLES + 8 * number);
+    if (number == TABLES - 1) {
+        table = data + AT_BEAMS;
     }
     if (size < AT_BEAMS + 8) {
         return;
@@ -65,7 +66,7 @@ static void mutate_table(uint8_t *data, size_t size, unsigned seed)
     if (offset >= size || count == 0) {
         return;
     }
-    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 176};
+    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 32, 176};
     size_t at = offset + (seed / TABLES % count) * entry_sizes[seed % TABLES];
     size_t room = at < size ? size - at : 0;
     size_t piece = entry_sizes[seed % TABLES] < room ? entry_sizes[seed % TABLES] : room;

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """From what was drawn, judged and counted to the rows of clippers.json, and what is wrong with them."""
 
+import json
+
 from fixel import clippers_run
 
 CLAIM_BEYOND = 1e-4     # of outlines may be beyond the claim: SPEC.md 6b says why
@@ -55,3 +57,12 @@ def complaints(plan, result):
         if each["refused"]:
             found.append(f"{name}: {each['refused']:,} faces were refused")
     return found
+
+
+def as_lines(result):
+    """clippers.json with a line for each row, without the frames' CRCs."""
+    def lines(rows):
+        kept = ({key: value for key, value in row.items() if key != "crcs"} for row in rows)
+        return "[\n" + ",\n".join(json.dumps(row) for row in kept) + "]"
+    return "{" + ",\n".join(f"{json.dumps(key)}: {lines(value) if key == 'rows' else json.dumps(value)}"
+                            for key, value in result.items()) + "}\n"

@@ -41,7 +41,8 @@ def on_host(plan, combination, scene, file, folder):
     explained = plan.explained(combination.clipper, scene["image"])
     programs.run_program([plan.build / "host" / "judge", file, drawn, "--json", report, "--twin", twin,
                           "--distance", repr(explained),
-                          "--clipper", combination.clipper])
+                          "--clipper", combination.clipper,
+                          "--hidden", "tree" if plan.hidden[combination.hidden]["tree"] else "sorted"])
     frames = dump.read_dump(drawn)
     try:
         found = json.loads(said)
