@@ -11,9 +11,11 @@ LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:corte
 LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
+LIB_HAS_MVE = $(and $(filter -mfloat-abi=hard -mfloat-abi=softfp,$(1)),$(filter -mcpu=cortex-m55 -mcpu=cortex-m85,$(1)))
 # A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
-# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes.
-LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes. With an ABI
+# that has vectors in registers, which the program then turns on, it is mve+FAMILY where there are any.
+LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(if $(call LIB_HAS_MVE,$(1)),mve+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
@@ -27,11 +29,14 @@ LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%
 # With -Os: what the compiler moves out of loops, or unrolls, it pays for in bytes.
 LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-ipa-cp \
     --param=max-completely-peeled-insns=4
-# The kernels' own loops must not become calls of memset. Code of the compiler's is
-# arranged as for a Cortex-M3, whose pipeline a Cortex-M4 shares: as it is for the
-# others it takes 1 % more instructions.
+# The kernels' own loops must not become calls of memset. No code touches a register for
+# floating point: nothing here has floats, and what a compiler keeps there costs more than
+# the stack. So a Cortex-M4 gets the very code of a Cortex-M3, as which it is scheduled.
+# A Cortex-M55's is of more instructions in the larger part of the stages, whatever it is
+# scheduled for, so that it gets the Cortex-M3's too. These come after what says the core.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
-    $(if $(filter armv7em armv81m,$(subst +, ,$(1))),-mtune=cortex-m3) \
+    $(if $(filter armv7em,$(subst +, ,$(1))),-mtune=cortex-m3 -mgeneral-regs-only) \
+    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only) \
     $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
@@ -79,7 +84,7 @@ define LIB_RULE
 $(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
 	@mkdir -p $$(@D)
 	@printf '  %-4s %s\n' CC $$@
-	@$$(LIB_CC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) \
+	@$$(LIB_CC) $$(LIB_CFLAGS) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) \
 	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS)),$(eval $(call LIB_RULE,$(pattern))))

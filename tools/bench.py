@@ -39,9 +39,18 @@ def check_pictures(pictures):
                             f"library: {row['differing']:,} of {row['pixels']:,} pixels", exit_code=1)
 
 
+def check_small(drawn, small):
+    """Refuses figures of the small kernels where they set another pixel."""
+    for (core, workload), each in small.items():
+        differing = int((each.pixels != drawn[core, workload, "fixel"].pixels).sum())
+        if differing:
+            raise ToolError(f"the small kernels on {core} draw {workload} otherwise: {differing:,} pixels",
+                            exit_code=1)
+
+
 def draw_all(plan, cores, folder):
-    """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and {(core, workload): (Profile,
-    frames)} of those whose stages the plan asks for."""
+    """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and, of those that the plan asks
+    for, {(core, workload): (Profile, frames)} by stage and {(core, workload): Drawn} by the small kernels."""
     images, units = {}, {}
     for name, workload in plan.workloads.items():
         images[name], scene = bench_plan.compile_scene(workload, folder)
@@ -49,14 +58,18 @@ def draw_all(plan, cores, folder):
     jobs = {key: (bench_run.draw, plan, key[0], key[2], images[key[1]]) for key in plan.runs(cores)}
     profiles = {(core, name): (bench_run.profile, plan, core, "fixel", images[name])
                 for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
-    return parallel.run("drawing the workloads", jobs), units, parallel.run("looking where it goes", profiles)
+    small = {(core, name): (bench_run.draw, plan, core, "fixel-small", images[name])
+             for core in plan.small["cores"] if core in cores for name in plan.small["workloads"]}
+    return (parallel.run("drawing the workloads", jobs), units, parallel.run("looking where it goes", profiles),
+            parallel.run("drawing with the small kernels", small))
 
 
 def measure(plan, cores, left_out):
     """bench.json."""
     rows, limits, growth = [], [], []
     with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
-        drawn, units, profiles = draw_all(plan, cores, folder)
+        drawn, units, profiles, small = draw_all(plan, cores, folder)
+        check_small(drawn, small)
         pictures = bench_rows.pictures(drawn)
         check_pictures(pictures)
         for (core, workload, renderer), each in drawn.items():
@@ -78,7 +91,7 @@ def measure(plan, cores, left_out):
     result = {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
               "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
               "rows": rows, "limits": limits, "sizes": sizes, "stages": bench_rows.stages(profiles),
-              "cycles_estimate": bench_rows.estimates(profiles), "growth": growth, "pictures": pictures}
+              "small": bench_rows.small(drawn, small), "cycles_estimate": bench_rows.estimates(profiles), "growth": growth, "pictures": pictures}
     return {**result, "goals": bench_goals.measure(result)}
 
 

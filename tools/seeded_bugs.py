@@ -32,7 +32,7 @@ BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
 COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests")
 TEST_TIMEOUT = 120      # seconds; a bug that never ends is caught too
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
-EQUALITY = ("equality/m0", "equality/m3")
+EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small")
 EQUALITY_THOUSANDS = 20
 FIELDS = {"name": str, "kind": str, "file": str, "find": str, "replace": str, "why": str,
           "tests": list}

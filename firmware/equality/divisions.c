@@ -25,6 +25,7 @@ void test_divide(uint32_t rounds)
     }
     for (uint32_t i = 0; i < rounds; i++) {
         uint32_t denominator = any_32() >> (any_32() & 31u);
+        denominator |= denominator == 0;
         /* Every other one beside a multiple. */
         uint32_t numerator = any_32() >> (any_32() & 31u);
         compare(any_32() & 64u ? numerator : denominator * (numerator & 0xFFFFu) - (numerator & 1u),
@@ -82,7 +83,9 @@ void test_divide_wide(uint32_t rounds)
         }
     }
     for (uint32_t i = 0; i < rounds; i++) {
-        compare_wide(any_32() >> (any_32() & 31u), any_32() >> (any_32() & 31u), any_32());
+        uint32_t denominator = any_32() >> (any_32() & 31u);
+        denominator |= denominator == 0;
+        compare_wide(any_32() >> (any_32() & 31u), denominator, any_32());
     }
 }
 

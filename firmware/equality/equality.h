@@ -18,6 +18,9 @@ extern const equality_test equality_tests[];
 /* One input: whether both sides gave the same. */
 void equality_case(bool same);
 
+/* How many there were in this test. */
+uint32_t equality_cases(void);
+
 /* Random bits; the same in every run. */
 uint32_t any_32(void);
 uint64_t any_64(void);

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The argument frames=N asks for N thousand random inputs a kernel. Prints for
- * each kernel
- *   equality: NAME CASES DIFFERENCES
+/* The argument frames=N asks for N mod 2^20 thousand random inputs a kernel, of kernel N / 2^20
+ * alone, counted from 1, or of all where that is 0. N = 0: their names and nothing else, as
+ *   equality: kernel NAME
+ * Prints for each kernel
+ *   equality: NAME CASES
+ *   equality: differences DIFFERENCES
  * and ends with SYSTEM_EXIT_TEST where there was a difference. */
 #include "contract/system.h"
 #include "equality.h"
@@ -10,7 +13,8 @@
 
 #include <stddef.h>
 
-#define ROUNDS 1000u
+#define ROUNDS       1000u
+#define KERNEL_SHIFT 20u
 
 static uint32_t cases, differences;
 
@@ -28,17 +32,36 @@ void equality_case(bool same)
     differences += !same;
 }
 
+uint32_t equality_cases(void)
+{
+    return cases;
+}
+
+static void run(const equality_test *test, uint32_t rounds)
+{
+    cases = 0;
+    differences = 0;
+    test->run(rounds);
+    text_with_number("equality: ", test->name, " ", cases);
+    text_with_number("equality: ", "differences", " ", differences);
+}
+
 int main(int argc, char **argv)
 {
     bool failed = false;
     bench_start(argc, argv);
-    for (const equality_test *each = equality_tests; each->name != NULL; each++) {
-        cases = 0;
-        differences = 0;
-        each->run(system_frames() * ROUNDS);
-        text_with_number("equality: ", each->name, " ", cases);
-        text_with_number("equality: ", "differences", " ", differences);
-        failed |= differences != 0;
+    const uint32_t asked = system_frames(), only = asked >> KERNEL_SHIFT;
+    const uint32_t thousands = asked & ((1u << KERNEL_SHIFT) - 1u);
+    uint32_t number = 1;
+    for (const equality_test *each = equality_tests; each->name != NULL; each++, number++) {
+        if (asked == 0) {
+            system_text("equality: kernel ");
+            system_text(each->name);
+            system_text("\n");
+        } else if (only == 0 || only == number) {
+            run(each, thousands * ROUNDS);
+            failed |= differences != 0;
+        }
     }
     system_text("equality: done\n");
     system_exit(failed ? SYSTEM_EXIT_TEST : SYSTEM_EXIT_DONE);

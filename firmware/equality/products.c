@@ -66,6 +66,26 @@ void test_wide_products(uint32_t rounds)
     }
 }
 
+static void compare_high(uint64_t a, uint64_t b)
+{
+    equality_case(core_multiply_high(a, b) == portable_multiply_high(a, b));
+}
+
+void test_high_products(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < BOUNDARY_32_COUNT; i++) {
+        for (uint32_t j = 0; j < BOUNDARY_32_COUNT; j++) {
+            uint64_t a = (uint64_t)boundary_32(i) << 32, b = (uint64_t)boundary_32(j) << 32;
+            compare_high(a | boundary_32(j), b | boundary_32(i));
+            compare_high(a | UINT32_MAX, b | UINT32_MAX);
+            compare_high(0u - a, 0u - b - 1u);
+        }
+    }
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare_high(any_length(), any_64());
+    }
+}
+
 void test_leading_zeros(uint32_t rounds)
 {
     for (uint32_t i = 1; i < BOUNDARY_32_COUNT; i++) {
@@ -73,9 +93,8 @@ void test_leading_zeros(uint32_t rounds)
         equality_case(core_leading_zeros(value) == portable_leading_zeros(value));
     }
     for (uint32_t i = 0; i < rounds; i++) {
-        uint32_t value = any_32() >> (any_32() & 31u) | (any_32() & 1u);
-        if (value != 0) {
-            equality_case(core_leading_zeros(value) == portable_leading_zeros(value));
-        }
+        uint32_t value = any_32() >> (any_32() & 31u);
+        value |= value == 0;
+        equality_case(core_leading_zeros(value) == portable_leading_zeros(value));
     }
 }

@@ -7,6 +7,7 @@
 void test_products(uint32_t rounds);
 void test_short_products(uint32_t rounds);
 void test_wide_products(uint32_t rounds);
+void test_high_products(uint32_t rounds);
 void test_leading_zeros(uint32_t rounds);
 
 #endif

@@ -6,6 +6,7 @@
 #include "edge_divide.h"
 #include "leading_zeros.h"
 #include "multiply.h"
+#include "multiply_high.h"
 
 #define JOIN(side, name)   side##name
 #define EXPAND(side, name) JOIN(side, name)
@@ -24,6 +25,11 @@ int64_t NAME(multiply_s32)(int32_t a, int32_t b)
 int64_t NAME(multiply_s64)(int64_t a, int64_t b)
 {
     return fxl_multiply_s64(a, b);
+}
+
+uint64_t NAME(multiply_high)(uint64_t a, uint64_t b)
+{
+    return fxl_multiply_high(a, b);
 }
 
 unsigned NAME(leading_zeros)(uint32_t value)

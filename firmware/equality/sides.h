@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Both sides under names of their own: core_ as this core's build has them,
- * portable_ as lib/kernels/portable has them. sides.c is compiled once for each;
- * what is not inline is renamed by equality.mk. */
+ * portable_ as lib/kernels/portable and lib/src have them. sides.c is compiled once for
+ * each; what is not inline is renamed by equality.mk. */
 #ifndef SIDES_H
 #define SIDES_H
 
@@ -17,6 +17,7 @@
     uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
     uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
+    uint64_t side##multiply_high(uint64_t a, uint64_t b); \
     uint32_t side##edge_height_max(void); \
     int32_t side##edge_dividend_max(void); \
     unsigned side##edge_divide(uint32_t height, int32_t dividend, int32_t *whole, \
@@ -36,7 +37,26 @@ fxl_clip_result portable_clip_by_view(const fxl_placed *placed, const fxl_face *
 fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_key *keys,
                                       const fxl_point *from, fxl_order_entry *entry,
                                       uint32_t count);
-fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,
-                                 fxl_screen_point *screen);
+fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
+                                   fxl_screen_point *screen);
+
+void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
+
+/* Of stages, which small alone has otherwise. */
+int64_t portable_sin_q31(fxl_angle angle);
+int64_t portable_cos_q31(fxl_angle angle);
+fxl_q2_30 portable_sin(fxl_angle angle);
+fxl_q2_30 portable_cos(fxl_angle angle);
+fxl_status portable_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
+uint32_t portable_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
+                                const fxl_point *centre, fxl_q16_16 radius);
+fxl_clip_result portable_clip_view_to_planes(const fxl_view_polygon *in,
+                                             const fxl_view_frustum *frustum, fxl_planes planes,
+                                             fxl_clip_view_work *work,
+                                             const fxl_view_polygon **result);
+void portable_order_sort_faces(fxl_order_entry *entries, uint32_t count);
+void portable_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                           fxl_scan *scan);
+bool portable_scan_next(fxl_scan *scan, fxl_span *span);
 
 #endif

@@ -58,6 +58,30 @@ static int is_flat(const fxl_polygon *polygon)
     return flat;
 }
 
+/* Strictly: a spike, as the world's borders make them, is none. */
+static bool is_convex(const fxl_polygon *polygon)
+{
+    double normal[3], turns = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_point *a = &polygon->vertices[i].position;
+        const fxl_point *b = &polygon->vertices[(i + 1) % polygon->count].position;
+        const fxl_point *c = &polygon->vertices[(i + 2) % polygon->count].position;
+        double in[3] = {(double)b->x - a->x, (double)b->y - a->y, (double)b->z - a->z};
+        double out[3] = {(double)c->x - b->x, (double)c->y - b->y, (double)c->z - b->z};
+        double turn[3] = {in[1] * out[2] - in[2] * out[1], in[2] * out[0] - in[0] * out[2],
+                          in[0] * out[1] - in[1] * out[0]};
+        if (i == 0) {
+            memcpy(normal, turn, sizeof normal);
+        }
+        if (turn[0] * normal[0] + turn[1] * normal[1] + turn[2] * normal[2] <= 0) {
+            return false;
+        }
+        double along = in[0] * out[0] + in[1] * out[1] + in[2] * out[2];
+        turns += atan2(hypot(turn[0], hypot(turn[1], turn[2])), along);
+    }
+    return turns < 7; /* once round */
+}
+
 static clipper_case random_case(stages_random *random)
 {
     clipper_case made;
@@ -71,6 +95,7 @@ static clipper_case random_case(stages_random *random)
     do {
         made.polygon = stages_random_polygon(random, &made.camera);
     } while (!is_flat(&made.polygon) || made.polygon.count > FXL_FACE_VERTICES_MAX);
+    made.convex = is_convex(&made.polygon);
     return made;
 }
 

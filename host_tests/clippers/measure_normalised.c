@@ -104,7 +104,9 @@ void measure_normalised(clipper_tally *tally, const clipper_case *of)
 
 void measure_once(clipper_tally *tally, const clipper_case *of)
 {
-    measure(tally, of, true, 0);
+    if (of->convex) { /* it goes by edges, and promises nothing of others */
+        measure(tally, of, true, 0);
+    }
 }
 
 void measure_once_triangle(clipper_tally *tally, const clipper_case *of)

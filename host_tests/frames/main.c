@@ -144,12 +144,19 @@ static const char *open_session(const options *wanted, session *run)
     if (status == FXL_OK) {
         run->hidden = *wanted->hidden->hidden;
         if (wanted->clipper->painter) {
-            run->hidden.painter = wanted->clipper->painter;
+            run->hidden.painter = run->hidden.painter == &fxl_painter_spans
+                                      ? &fxl_painter_spans_box
+                                      : wanted->clipper->painter;
         }
         const uint32_t room =
             (run->hidden.walk_room ? run->hidden.walk_room(scene) + 8 : 0) +
             (run->hidden.painter->room ? run->hidden.painter->room(lens) * 16 : 0);
         status = fxl_renderer_set_hidden(&run->renderer, &run->hidden, need(room), room);
+    }
+    if (status == FXL_OK && scene->beam_count > 0) {
+        const uint32_t room = fxl_light_room(scene->beams, scene->beam_count);
+        status = fxl_renderer_set_light(&run->renderer, scene->beams, scene->beam_count, scene->lit,
+                                        need(room), room);
     }
     if (status == FXL_OK && run->renderer.hidden->walk_room == fxl_hidden_tree.walk_room &&
         scene->nodes != NULL) {

@@ -5,9 +5,13 @@
 
 #include "input.h"
 
+enum {
+    DRAW_CLIPPERS = 8
+};
+
 /* Which clipper, and which rows of the screen are looked at. */
 typedef struct {
-    bool by_world;
+    uint32_t clipper; /* 0 .. DRAW_CLIPPERS - 1 */
     uint16_t first_row, rows;
 } draw_choice;
 
@@ -21,5 +25,9 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 
 /* Faces that a frame looks at. */
 uint64_t draw_faces_placed(const fxl_scene *scene);
+
+/* The first rows of a frame by the scene's tree, if it has one: whole, in bands, near to far. */
+void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                  fuzz_input *in);
 
 #endif

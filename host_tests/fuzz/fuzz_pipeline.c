@@ -32,7 +32,7 @@ static void fuzz_scenes(fuzz_input *in)
         fxl_lens lens = fuzz_lens(in, PIXELS);
         for (uint32_t i = 0; i < POSES && (i == 0 || in->left > 0); i++) {
             fxl_pose pose = fuzz_pose(in);
-            draw_choice choice = {fuzz_below(in, 2) == 1, 0, lens.height};
+            draw_choice choice = {fuzz_below(in, DRAW_CLIPPERS), 0, lens.height};
             draw_scene(&made->scene, &lens, &pose, &choice, in);
         }
     }

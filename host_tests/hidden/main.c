@@ -110,7 +110,7 @@ static way any_way(session *with, const fxl_clipper *clipper, uint32_t number, t
     hidden = with->tree ? fxl_hidden_tree_spans : fxl_hidden_spans;
     if (number == 0) { /* each pixel counted as it is written */
         hidden.painter =
-            counted_begin(with->writes, with->width, with->width * with->height)->painter;
+            counted_begin(with->writes, with->frames[1], with->width * with->height)->painter;
     } else if (number == 1) {
         hidden.painter = &fxl_painter_spans_box;
     }

@@ -55,7 +55,8 @@ static bool cover_polygon(sides *of, const fxl_screen_polygon *polygon, stages_t
     }
     while (fxl_scan_next(&scan, &span)) {
         const ref_span same = {span.y, span.x0, span.x1};
-        bool taken = fxl_span_buffer_draw(of->buffer, &span, polygon->colour, &of->band);
+        const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
+        bool taken = fxl_span_buffer_draw(of->buffer, &row, polygon->colour, &of->band);
         if (taken !=
             ref_cover_span(&of->cover, &same, polygon->colour, &of->twin, of->buffer->capacity)) {
             tally->mismatched++;

@@ -110,8 +110,8 @@ void test_each_pixel_is_written_once(void)
         const way sorted = {&fxl_hidden_sorted, 0, 0};
         fxl_pose pose = random_pose();
         (void)draw(&sorted, &pose, frames[0], HEIGHT);
-        const way spans = {counted_begin(writes, WIDTH, sizeof writes), round % 2 ? LIST_WORDS : 0,
-                           INTERVALS};
+        const way spans = {counted_begin(writes, frames[1], sizeof writes),
+                           round % 2 ? LIST_WORDS : 0, INTERVALS};
         fxl_counters counters = draw(&spans, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         TEST_ASSERT_EQUAL_UINT32(0, counters.split_bands);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);

@@ -21,14 +21,20 @@ static void start(uint32_t intervals)
     TEST_ASSERT_EQUAL_PTR(room, buffer);
     TEST_ASSERT_EQUAL(intervals, buffer->capacity);
     counted_span_buffer_begin(buffer, &whole);
-    (void)counted_begin(&writes[0][0], WIDTH, sizeof writes);
+    (void)counted_begin(&writes[0][0], &pixels[0][0], sizeof writes);
     memset(pixels, NOTHING, sizeof pixels);
+}
+
+static bool draw_span(int y, int x0, int x1, char colour, const fxl_band *band)
+{
+    const fxl_span span = {(int16_t)y, (int16_t)x0, (int16_t)x1};
+    const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
+    return counted_span_buffer_draw(buffer, &row, (uint8_t)colour, band);
 }
 
 static bool draw(int y, int x0, int x1, char colour)
 {
-    const fxl_span span = {(int16_t)y, (int16_t)x0, (int16_t)x1};
-    return counted_span_buffer_draw(buffer, &span, (uint8_t)colour, &whole);
+    return draw_span(y, x0, x1, colour, &whole);
 }
 
 /* A row as text, and its intervals: "0-3 7-9". */
@@ -147,11 +153,9 @@ void test_an_odd_width(void)
     buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_ROOM_LEAST(ODD, 1), 1);
     counted_span_buffer_begin(buffer, &band);
     for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
-        const fxl_span span = {0, x, (int16_t)(x + 1)};
-        TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &span, 'a', &band));
+        TEST_ASSERT_TRUE(draw_span(0, x, x + 1, 'a', &band));
     }
-    const fxl_span all = {0, 0, ODD};
-    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &all, 'b', &band));
+    TEST_ASSERT_TRUE(draw_span(0, 0, ODD, 'b', &band));
     TEST_ASSERT_EQUAL_STRING_LEN("abababa", &pixels[0][0], ODD);
     TEST_ASSERT_EQUAL(0, buffer->open_rows);
 }
@@ -163,9 +167,29 @@ void test_a_new_band_finds_nothing_covered(void)
     const fxl_band lower = {&pixels[2][0], WIDTH, WIDTH, 2, 2};
     counted_span_buffer_begin(buffer, &lower);
     TEST_ASSERT_EQUAL(2, buffer->open_rows);
-    const fxl_span span = {3, 4, 12};
-    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &span, 'b', &lower));
+    TEST_ASSERT_TRUE(draw_span(3, 4, 12, 'b', &lower));
     TEST_ASSERT_EQUAL_STRING_LEN("..aabbbbbbbb............", &pixels[3][0], WIDTH);
+}
+
+/* Edges that cross, an empty row, and rows after which the pool is full. */
+void test_a_trapezoid(void)
+{
+    const fxl_trapezoid crossed = {0, 4, {{4, 0, 2, 0}, {10, 0x80000000u, -2, 0x80000000u}}};
+    start(INTERVALS);
+    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &crossed, 'a', &whole));
+    expect_row(0, "....aaaaaa..............", "4-10");
+    expect_row(1, "......aaa...............", "6-9");
+    expect_row(2, ".......a................", "7-8");
+    expect_row(3, "......aaaa..............", "6-10");
+    start(2);
+    TEST_ASSERT_FALSE(counted_span_buffer_draw(buffer, &crossed, 'a', &whole));
+    expect_row(1, "......aaa...............", "6-9");
+    expect_row(2, "........................", "");
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, writes[3], WIDTH);
+    start(1);
+    const fxl_trapezoid empty = {0, 4, {{7, 0, 0, 0}, {7, 0, 0, 0}}};
+    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &empty, 'a', &whole));
+    expect_row(3, "........................", "");
 }
 
 /* Spans anywhere, in a pool of any size, against a mark for each pixel. */

@@ -55,5 +55,6 @@
 #include "fixel/triangle.h"
 #include "fixel/view.h"
 #include "fixel/viewer.h"
+#include "fixel/wire.h"
 
 #endif

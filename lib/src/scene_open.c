@@ -112,7 +112,11 @@ static fxl_status check_envelope(const header *head, size_t size)
         return FXL_E_RESERVED;
     }
     bool tree = (head->nodes.offset | head->nodes.count | head->tree_object) != 0;
-    return tree && head->version == VERSION ? FXL_E_RESERVED : FXL_OK;
+    if (tree && head->version == VERSION) {
+        return FXL_E_RESERVED;
+    }
+    /* One scene, one way to say it: the larger version where there is more. */
+    return head->version == VERSION || tree || lit_of(head) != NULL ? FXL_OK : FXL_E_VERSION;
 }
 
 /* Lens, start and gait; a step without keys checks the last two by the very

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The bench's tables: for a terminal, and as Markdown for docs/performance.md."""
 
+import json
+import pathlib
 import re
 
 from fixel import cycles, places
@@ -9,6 +11,7 @@ from fixel.errors import ToolError
 from fixel.table import coloured, table
 
 SMALL = 0.005   # of a frame: a function with less is among the others
+EQUALITY = pathlib.Path(__file__).resolve().parents[2] / "bench" / "equality.json"
 MARK = "<!-- bench: {} -->"
 
 
@@ -181,6 +184,17 @@ def files_markdown(_, result):
     return markdown_table(["bytes, -Os", *[NAMES[core] for core in sizes]], rows)
 
 
+def small_markdown(plan, result):
+    """What a frame takes with the small kernels, by what it takes without."""
+    rows = {(row["core"], row["workload"]): row for row in result.get("small", [])}
+    if not rows:
+        return "Not measured."
+    cores = list(dict.fromkeys(core for core, _ in rows))
+    cells = [[workload, *[f"{rows[core, workload]['frame']:,} ({rows[core, workload]['by_fixel']:.2f})" for core in cores]]
+             for workload in plan.small["workloads"] if (cores[0], workload) in rows]
+    return _markdown_table(["-Os, a frame (by -O2)", *[NAMES[core] for core in cores]], cells)
+
+
 def stages_markdown(_, result):
     """Where the instructions of a mean frame go."""
     pipeline = places.Stages()
@@ -266,6 +280,26 @@ def pictures_markdown(plan, result):
     return markdown_table(header, rows)
 
 
+def equality_markdown(_, __):
+    """What bench/equality.json says of each kernel on each core: inputs that gave the same bits."""
+    try:
+        rows = json.loads(EQUALITY.read_text(encoding="utf-8"))["rows"]
+    except OSError:
+        return "Not run."
+    found = {(row["core"], row["kernel"]): row for row in rows}
+    cores = list(dict.fromkeys(row["core"] for row in rows))
+    kernels = sorted({row["kernel"] for row in rows})
+    cells = [[kernel, *[_equality_cell(found.get((core, kernel))) for core in cores]] for kernel in kernels]
+    whole = f"{sum(row['inputs'] for row in rows):,} inputs, {sum(row['differ'] for row in rows):,} differ."
+    return f"{_markdown_table(['inputs', *cores], cells)}\n\n{whole}"
+
+
+def _equality_cell(row):
+    if row is None:
+        return ""
+    return f"{row['inputs']:,}" + (f", **{row['differ']:,} differ**" if row["differ"] else "")
+
+
 def tools_markdown(_, result):
     """Which tools gave these figures."""
     left = f" Left out, since no board stands for them: {', '.join(result['left_out'])}." \
@@ -274,7 +308,8 @@ def tools_markdown(_, result):
 
 
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
-            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "files": files_markdown, "growth": growth_markdown,
+            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "files": files_markdown, "small": small_markdown,
+            "equality": equality_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 
 

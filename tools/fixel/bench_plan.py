@@ -24,7 +24,7 @@ class Plan:
         self.workloads = {each["name"]: each for each in data["workloads"]}
         self.renderers = {each["name"]: each for each in data["renderers"]}
         self.kernels = {each["name"]: each for each in data["kernels"]}
-        self.growth, self.stages = data["growth"], data["stages"]
+        self.growth, self.stages, self.small = data["growth"], data["stages"], data["small"]
 
     @property
     def counter(self):

@@ -71,6 +71,16 @@ def pictures(drawn):
     return rows
 
 
+def small(drawn, small_drawn):
+    """[{workload, core, frame, by_fixel}] of the small kernels: a mean frame, and that by the library's."""
+    rows = []
+    for (core, workload), each in small_drawn.items():
+        ours, theirs = sum(each.instructions), sum(drawn[core, workload, "fixel"].instructions)
+        rows.append({"workload": workload, "core": core, "frame": round(ours / len(each.instructions)),
+                     "by_fixel": _ratio(ours, theirs)})
+    return rows
+
+
 def stages(profiles):
     """[{core, workload, frames, stage, instructions, functions{name: instructions}}] in the order of the
     pipeline, instructions of all frames together."""

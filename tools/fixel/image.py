@@ -191,6 +191,8 @@ def _head(blob):
         fail("crc", "the checksum does not match: the image is damaged")
     if fields[13] or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
         fail("reserved", "a reserved field of the header is not zero, or the path kind is unknown")
+    if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
+        fail("version", f"version {VERSION_MORE} of a scene image without a tree or beams")
     return fields
 
 

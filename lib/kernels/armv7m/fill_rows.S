@@ -56,11 +56,23 @@ fxl_fill_trapezoid:
 .Lslanted:
     add     left_step, left_step, lr
     add     right_step, right_step, lr
+#ifdef FXL_ROWS_BY_VECTORS
+    vdup.8  q0, colour
+#endif
 
 .Lrow:
     sub     bytes, right, left
     cmp     bytes, #64
     bhs     .Llong
+#ifdef FXL_ROWS_BY_VECTORS
+    /* 16 bytes at a time, the last as many as are left; lr is free. */
+    mov     pixel, left
+    wlstp.8 lr, bytes, .Lnext
+.Lvector:
+    vstrb.8 q0, [pixel], #16
+    letp    lr, .Lvector
+    b       .Lnext
+#else
     cmp     bytes, #8
     blo     .Lshort
 
@@ -88,6 +100,7 @@ fxl_fill_trapezoid:
 
 .Lbody:
     sub     bytes, right, pixel
+#endif
 .Lrest:
     tbb     [pc, bytes]
 .Lends:
@@ -133,6 +146,7 @@ fxl_fill_trapezoid:
     words_and_tail 2
     words_and_tail 3
 
+#ifndef FXL_ROWS_BY_VECTORS
     /* Fewer than 8 bytes, or none. */
 .Lshort:
     tbb     [pc, bytes]
@@ -155,6 +169,7 @@ fxl_fill_trapezoid:
     strb    colour, [left, #1]
 .Lshort1:
     strb    colour, [left]
+#endif
 
 .Lnext:
     adds    left_fraction, left_fraction, left_step_fraction

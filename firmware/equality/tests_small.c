@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+#include "divisions.h"
+#include "equality.h"
+#include "fill.h"
+#include "look_at.h"
+#include "products.h"
+#include "project.h"
+#include "small_stages.h"
+
+#include <stddef.h>
+
+const equality_test equality_tests[] = {
+    {"multiply-high", test_high_products},
+    {"divide-wide", test_divide_wide},
+    {"fraction", test_fraction},
+    {"sine", test_sines},
+    {"camera", test_camera},
+    {"sphere", test_sphere},
+    {"look-at", test_look_at},
+    {"clip", test_clip},
+    {"project", test_project},
+    {"order", test_order},
+    {"outlines", test_outlines},
+    {"fill", test_fill},
+    {NULL, NULL},
+};
