@@ -10,7 +10,7 @@ import pytest
 
 import clippers as clippers_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel import clippers_plan, clippers_rows
+from fixel import clippers_page, clippers_plan, clippers_rows
 from fixel.errors import ToolError
 
 ROW = {"clipper", "hidden", "scene", "board", "instructions", "text_bytes", "ram_bytes", "max_error_units",
@@ -70,13 +70,15 @@ def test_any_order_gives_the_same_picture(sample):
 
 
 def test_operations_are_counted(sample):
-    rows = sample[1]["operations"]["rows"]
-    assert {(row["clipper"], row["scene"]) for row in rows} == {(clipper, scene) for clipper in ("view", "triangles")
-                                                                for scene in ("w1", "adversarial")}
+    """Each polygon that is cut has a division for each intersection, and one for each vertex that is projected."""
+    rows = sample[1]["operations"]
+    assert {(row["clipper"], row["scene"], row["board"]) for row in rows} == {
+        (clipper, scene, "m3") for clipper in ("view", "triangles") for scene in ("w1", "adversarial")}
     for row in rows:
-        assert row["crossing"] > 10 and 1 < row["intersections"] < 40
-        assert row["multiplications"] > row["intersections"]
-        assert row["divisions"] >= 0.99 * row["intersections"]      # one each, and none without
+        assert row["crossing"] > 10 and row["polygons"] > 10
+        assert row["intersections"] > row["crossing"]
+        assert row["divisions"] > row["intersections"] + 2 * row["polygons"]
+        assert row["instructions"] > row["multiplications"] > row["divisions"]
 
 
 def test_tables_are_printed(sample):
@@ -148,6 +150,40 @@ def test_wrong_usage_is_said(build, tmp_path, words, said):
     done = run_cli("clippers", "--build", build, "--out", tmp_path / "out", *words)
     assert_one_sentence(done, said)
     assert not (tmp_path / "out").exists()
+
+
+# --- docs/clipping.md ----------------------------------------------------------------
+
+@pytest.fixture(scope="module", name="kept")
+def fixture_kept():
+    return json.loads((CHECKOUT / "bench" / "clippers.json").read_text(encoding="utf-8"))
+
+
+def test_the_document_is_that_of_the_run_that_was_kept(plan, kept):
+    text = (CHECKOUT / "docs" / "clipping.md").read_text(encoding="utf-8")
+    assert clippers_page.replace_tables(text, plan, kept) == text
+
+
+def test_the_run_that_was_kept_is_whole_and_sound(plan, kept):
+    keys = {(row["clipper"], row["hidden"], row["scene"], row["board"]) for row in kept["rows"]}
+    assert keys == {(each.clipper, each.hidden, scene, core) for each in plan.combinations()
+                    for scene in plan.scenes for core in plan.cores}
+    assert kept["complaints"] == [] == clippers_rows.complaints(plan, kept)
+
+
+def test_a_run_with_gaps_or_complaints_is_not_kept(sample, plan, tmp_path):
+    with pytest.raises(ToolError, match="are missing"):
+        clippers_tool.accept(plan, sample[0])
+    (tmp_path / "clippers.json").write_text(json.dumps({**sample[1], "complaints": ["something"]}), encoding="utf-8")
+    with pytest.raises(ToolError, match="something"):
+        clippers_tool.accept(plan, tmp_path)
+
+
+def test_lines_are_the_same_data(sample):
+    lines = clippers_rows.as_lines(sample[1])
+    rows = [{key: value for key, value in row.items() if key != "crcs"} for row in sample[1]["rows"]]
+    assert json.loads(lines) == {**sample[1], "rows": rows}
+    assert len(lines.splitlines()) > len(rows)
 
 
 # --- what is wrong is said ----------------------------------------------------------

@@ -8,7 +8,7 @@ import jinja2
 from fixel import bench_page, clippers_plots, report_page
 from fixel.bench_plan import NAMES
 from fixel.report_frames import Shown
-from fixel.table import coloured, table
+from fixel.table import table
 
 TEMPLATES = pathlib.Path(__file__).resolve().parents[1] / "templates"
 DIFFERENCES = 8         # pictures of them in the page, at most
