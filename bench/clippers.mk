@@ -98,7 +98,7 @@ CLIPPERS_BUILT := $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreac
     $(foreach clipper,$(CLIPPERS_CLIPPERS),$(BENCH_OUT)/$(core)/clippers/operations/$(call CLIPPERS_PART,$(clipper),1).elf))
 # What the tests run.
 CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
-CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(if $(filter m3,$(CLIPPERS_CORES)),\
+CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(COMPARISON_OUT)/world-sorted $(if $(filter m3,$(CLIPPERS_CORES)),\
     $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf) \
     $(addprefix $(BENCH_OUT)/m3/clippers/operations/,view.elf triangles.elf))
 

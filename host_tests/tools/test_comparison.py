@@ -4,11 +4,13 @@
 import copy
 import json
 import re
+import subprocess
 import types
 
 import pytest
 
 import clippers as clippers_tool
+import scene as scene_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel import clippers_page, clippers_plan, clippers_rows
 from fixel.errors import ToolError
@@ -106,6 +108,23 @@ def test_the_page_in_a_browser(sample, chromium):
         assert picture.evaluate("image => image.naturalWidth") > 0
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
     assert said == []
+
+
+def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
+    """W1 cut in 16.16: a hundred times what exact sums give."""
+    scene = tmp_path / "w1.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes" / "w1.toml"), scene)
+
+    def measured(clipper, sides):
+        done = subprocess.run([build / "host" / "comparison" / f"{clipper}-sorted", sides, scene, tmp_path / "out.fxld", "20"],
+                              capture_output=True, text=True, timeout=60, check=False)
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+    world, view, askew = measured("world", "lens"), measured("view", "lens"), measured("view", "guard")
+    assert world["faces"] == view["faces"] and world["crossing"] == view["crossing"] > 100
+    assert world["max_error_units"] > 20 > 1 > view["max_error_units"]
+    assert world["missed"] == view["missed"] == 0 and view["beyond"] == 0 < world["beyond"]
+    assert askew["max_error_units"] > 65536     # what the sides cut is said to be there still
 
 
 # --- the plan -----------------------------------------------------------------------
