@@ -31,9 +31,11 @@ LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-in
     --param=max-completely-peeled-insns=4
 # The kernels' own loops must not become calls of memset. Code of the compiler's is
 # arranged as for a Cortex-M3, whose pipeline a Cortex-M4 shares: as it is for the
-# others it takes 1 % more instructions.
+# others it takes 1 % more instructions. For ARMv8.1-M it is a Cortex-M4's code, which
+# takes 2 % less of them than what the compiler makes of the newer ones.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
     $(if $(filter armv7em armv81m,$(subst +, ,$(1))),-mtune=cortex-m3) \
+    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m4) \
     $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
@@ -81,7 +83,7 @@ define LIB_RULE
 $(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
 	@mkdir -p $$(@D)
 	@printf '  %-4s %s\n' CC $$@
-	@$$(LIB_CC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) \
+	@$$(LIB_CC) $$(LIB_CFLAGS) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) \
 	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS)),$(eval $(call LIB_RULE,$(pattern))))
