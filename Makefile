@@ -39,12 +39,12 @@ endif
 # that set-up is over before the first compiler starts, also under -j. Where
 # nothing is missing it takes a few hundredths of a second.
 NEEDS_run    := run view flash boot size screen bench profile equality
-NEEDS_report := report all clippers
+NEEDS_report := report wire all clippers
 NEEDS_test   := test boards seeded-bugs pictures
 NEEDS_lib    := lib
 NEEDS_format := format
 NEEDS_fuzz   := fuzz
-NEEDS_tools  := compare bench-diff bench-baseline
+NEEDS_tools  := compare bench-diff bench-baseline clippers-accept
 NEEDS_gdb    := gdb
 NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
 SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
@@ -79,8 +79,8 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures lib test boards bench clippers bench-diff \
-    bench-baseline profile equality fuzz seeded-bugs size format clean
+.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench \
+    clippers clippers-accept bench-diff bench-baseline profile equality fuzz seeded-bugs size format clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -124,6 +124,10 @@ report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
+wire: $(BUILD)/host/wire ## a scene's path as wireframes, drawn here and compared with double [SCENE= SCREEN= FRAMES= OUT=]
+	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) \
+	    --out '$(if $(filter file,$(origin OUT)),$(BUILD)/wire,$(OUT))'
+
 PICTURE ?= $(BUILD)/screen/$(BOARD).png
 
 screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
@@ -156,7 +160,7 @@ TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
     $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
-    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(EQUALITY_PROGRAMS) \
+    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
 # For tools: a board, its unit tests; a board, the unit tests that it has no room for.
 UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
@@ -177,6 +181,9 @@ bench: $(BENCH_BUILT) ## executed instructions of the workloads and kernels on f
 clippers: $(CLIPPERS_BUILT) $(HOST_WALK) ## every clipper times every hidden-surface method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
 	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
+
+clippers-accept: ## the last make clippers into docs/clipping.md and bench/clippers.json
+	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --accept
 
 bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')

@@ -7,7 +7,8 @@
 
 CLIPPERS_PLAN := bench/clippers.toml
 CLIPPERS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
-# name:record of each clipper, name:record:room of each method.
+# name:record of each clipper, name:record:room of each method: a program for each pair, even for
+# those that the plan does not compare.
 CLIPPERS_READ = $(shell awk -v kind='[[$(1)]]' '/^\[/ {here = $$0 == kind} \
     here && $$1 == "name" {name = $$3} here && $$1 == "record" {record = $$3} \
     here && $$1 == "$(2)" {print name ":" record ($$1 == "record" ? "" : ":" $$3)}' $(CLIPPERS_PLAN) | tr -d '"')
@@ -21,9 +22,12 @@ CLIPPERS_COMBINATIONS := $(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden
 CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
     -DCOMBINATION_HIDDEN=$(call CLIPPERS_PART,$(2),2) -DCOMBINATION_ROOM=$(call CLIPPERS_PART,$(2),3)u
 
+# What a method wants beside its room.
+CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(1),1)),prepare_tree,prepare_plain)
+
 CLIPPERS_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text memory_functions draw_combination \
     $(BENCH_FRAMES))
-CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_hidden \
+CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_hidden \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
 CLIPPERS_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,fxl_frame_draw $(CLIPPERS_ROOTS:%=-Wl,-u,%)
@@ -33,7 +37,7 @@ define CLIPPERS_PROGRAM_RULES
 $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o: bench/firmware/combination.c $(CLIPPERS_PLAN) bench/clippers.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding $(call CLIPPERS_DEFINES,$(2),$(3)))
 $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).elf: $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o \
-        $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
+        $(BENCH_OUT)/$(1)/$(call CLIPPERS_PREPARE,$(3)).o $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 $(BENCH_OUT)/$(1)/clippers/size/$(call CLIPPERS_NAME,$(2),$(3)).elf: \
         $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(BENCH_LIB) memory_functions)
@@ -68,7 +72,7 @@ $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o: bench/firmware/combi
 	@mkdir -p $$(@D)
 	$$(COMPARISON_CC) $(call CLIPPERS_DEFINES,$(1),$(2)) -c $$< -o $$@
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o \
-        $(COMPARISON_OBJECTS) $(call BOARD_PARTS_OF,host) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+        $(COMPARISON_OUT)/$(call CLIPPERS_PREPARE,$(2)).o $(COMPARISON_OBJECTS) $(call BOARD_PARTS_OF,host) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 
 endef
@@ -79,5 +83,9 @@ CLIPPERS_HOST := $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
 CLIPPERS_BUILT := $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf))
+# What the tests run.
+CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
+CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(if $(filter m3,$(CLIPPERS_CORES)),\
+    $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf))
 
 -include $(wildcard $(COMPARISON_OUT)/*.d)

@@ -29,13 +29,14 @@ LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%
 # With -Os: what the compiler moves out of loops, or unrolls, it pays for in bytes.
 LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-ipa-cp \
     --param=max-completely-peeled-insns=4
-# The kernels' own loops must not become calls of memset. Code of the compiler's is
-# arranged as for a Cortex-M3, whose pipeline a Cortex-M4 shares: as it is for the
-# others it takes 1 % more instructions. For ARMv8.1-M it is a Cortex-M4's code, which
-# takes 2 % less of them than what the compiler makes of the newer ones.
+# The kernels' own loops must not become calls of memset. No code touches a register for
+# floating point: nothing here has floats, and what a compiler keeps there costs more than
+# the stack. So a Cortex-M4 gets the very code of a Cortex-M3, as which it is scheduled.
+# A Cortex-M55's is of more instructions in the larger part of the stages, whatever it is
+# scheduled for, so that it gets the Cortex-M3's too. These come after what says the core.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
-    $(if $(filter armv7em armv81m,$(subst +, ,$(1))),-mtune=cortex-m3) \
-    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m4) \
+    $(if $(filter armv7em,$(subst +, ,$(1))),-mtune=cortex-m3 -mgeneral-regs-only) \
+    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only) \
     $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP

@@ -11,47 +11,68 @@ import sys
 import tempfile
 
 from fixel import clippers_page, clippers_plan, clippers_rows, clippers_run, output, parallel, qemu
-from fixel.errors import run_main
+from fixel.errors import ToolError, run_main
+from fixel.programs import read_json
 from fixel.table import coloured
 
 PATTERNS = ["clippers.html", "clippers.json"]
 FRAMES_MAX = 100_000
+KEPT, DOCUMENT = pathlib.Path("bench/clippers.json"), pathlib.Path("docs/clipping.md")
 
 
 def compile_scenes(plan, folder, frames):
-    """{name: its entry with "file" and "image"} of the scenes that are there."""
-    scenes = {}
+    """{(name, whether in a tree): the scene's entry with "file" and "image"} of the scenes that are there."""
+    jobs = {}
     for name, entry in plan.scenes.items():
-        compiled = clippers_plan.compile_scene(plan, entry, folder, frames)
-        if compiled is None:
-            print(f"left out, since it is not here: {entry['scene']}", file=sys.stderr)
+        if clippers_plan.is_here(entry):
+            for tree in sorted({method["tree"] for method in plan.hidden.values()}):
+                jobs[name, tree] = (clippers_plan.compile_scene, plan, entry, folder, tree, frames)
         else:
-            scenes[name] = {**entry, "file": compiled[0], "image": compiled[1]}
-    return scenes
+            print(f"left out, since it is not here: {entry['scene']}", file=sys.stderr)
+    return {key: {**plan.scenes[key[0]], "file": made[0], "image": made[1]}
+            for key, made in parallel.run("compiling scenes", jobs).items()}
 
 
 def measure(plan, cores, folder, frames):
     """(clippers.json, what the host drew)."""
     scenes = compile_scenes(plan, folder, frames)
-    combinations = plan.combinations()
+    tasks = [(each, scene) for each in plan.combinations() for (_, tree), scene in scenes.items()
+             if tree == plan.hidden[each.hidden]["tree"]]
     hosts = parallel.run("drawing on the host, and judging", {
         (each.clipper, each.hidden, scene["name"]): (clippers_run.on_host, plan, each, scene, scene["file"], folder)
-        for each in combinations for scene in scenes.values()})
+        for each, scene in tasks})
     drawn = parallel.run("drawing on emulated cores", {
-        (core, each, name): (clippers_run.on_core, plan, core, each, scene["file"])
-        for core in cores for each in combinations for name, scene in scenes.items()})
-    counting = plan.operations
-    counted = {}
-    if counting["core"] in cores and counting["hidden"] in plan.hidden:
+        (core, each, scene["name"]): (clippers_run.on_core, plan, core, each, scene["file"])
+        for core in cores for each, scene in tasks})
+    counting, counted = plan.operations, {}
+    if counting["core"] in cores:
         counted = parallel.run("counting multiplications and divisions", {
-            (each.clipper, name): (clippers_run.operations, plan, counting["core"], each, scene["file"])
-            for each in combinations if each.hidden == counting["hidden"] for name, scene in scenes.items()})
-    sizes = {(core, each): clippers_run.size(plan, core, each) for core in cores for each in combinations}
-    rows = [clippers_rows.row(plan, core, each, scenes[name], hosts[each.clipper, each.hidden, name], one,
+            (each.clipper, scene["name"]): (clippers_run.operations, plan, counting["core"], each, scene["file"])
+            for each, scene in tasks if each.hidden == counting["hidden"] and scene["name"] in counting["scenes"]})
+    sizes = {(core, each): clippers_run.size(plan, core, each) for core, each, _ in drawn}
+    images = {(each, scene["name"]): scene for each, scene in tasks}
+    rows = [clippers_rows.row(plan, core, each, images[each, name], hosts[each.clipper, each.hidden, name], one,
                               sizes[core, each]) for (core, each, name), one in drawn.items()]
-    result = {"frames": {name: scene["image"].frames for name, scene in scenes.items()}, "rows": rows,
+    result = {"frames": {name: scene["image"].frames for (name, _), scene in scenes.items()}, "rows": rows,
               "operations": {**counting, "rows": clippers_rows.operation_rows(counted, hosts, counting["hidden"])}}
-    return {**result, "complaints": clippers_rows.complaints(result)}, hosts
+    return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
+
+
+def accept(plan, out):
+    """Makes the run that is there the one that docs/clipping.md tells of."""
+    result = read_json(pathlib.Path(out) / "clippers.json")
+    if result["complaints"]:
+        raise ToolError(f"{out}: not all is as it should be: {result['complaints'][0]}")
+    missing = {(each.clipper, each.hidden, scene, core) for each in plan.combinations() for scene in plan.scenes
+               for core in plan.cores} - {tuple(row[key] for key in ("clipper", "hidden", "scene", "board"))
+                                          for row in result["rows"]}
+    if missing:
+        raise ToolError(f"{out}: of all combinations {len(missing)} are missing, {' '.join(min(missing))} for one: "
+                        f"run make clippers without ONLY=, where all models are")
+    text = clippers_page.replace_tables(DOCUMENT.read_text(encoding="utf-8"), plan, result)
+    output.write_file(KEPT, clippers_rows.as_lines(result))
+    output.write_file(DOCUMENT, text)
+    print(f"{KEPT}, {DOCUMENT}: renewed", file=sys.stderr)
 
 
 def read_options(argv):
@@ -62,6 +83,8 @@ def read_options(argv):
     parser.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
     parser.add_argument("--out", default="build/clippers", help="folder for the results")
     parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--accept", action="store_true",
+                        help="only put the run that is there into docs/clipping.md and bench/clippers.json")
     options = parser.parse_args(argv)
     if options.frames is not None and not 1 <= options.frames <= FRAMES_MAX:
         parser.error(f"--frames {options.frames} is outside 1..{FRAMES_MAX}")
@@ -71,6 +94,9 @@ def read_options(argv):
 def main(argv):
     options = read_options(argv)
     plan = clippers_plan.Plan(options.build, options.only)
+    if options.accept:
+        accept(plan, options.out)
+        return 0
     qemu.find_qemu()
     cores = [core for core in plan.cores if core in options.cores]
     with output.replaced_folder(options.out, PATTERNS) as folder, \

@@ -13,6 +13,11 @@ typedef struct {
 
 extern const combination combination_chosen;
 
+/* What some method wants beside its room, before the first frame; and after each frame the
+ * bytes of it that were in use at most so far. */
+void combination_prepare(fxl_renderer *renderer);
+uint32_t combination_memory(const fxl_renderer *renderer);
+
 /* After draw_open: what draws. */
 fxl_renderer *draw_renderer(void);
 

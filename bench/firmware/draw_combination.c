@@ -2,17 +2,19 @@
 /* Fixel with any clipper and anything that hides what, the frame in one band. */
 #include "combination.h"
 #include "contract/system.h"
+#include "fixel/light.h"
 #include "text.h"
 
-#define ORDER_ENTRIES 4096u
+#define ORDER_ENTRIES 16384u
 #define CACHE_ENTRIES 256u
 #define ROOM_BYTES    131072u /* each, at most */
 
 static fxl_order_entry order[ORDER_ENTRIES];
 static fxl_seen_vertex cache[CACHE_ENTRIES];
 static uint64_t clipper_room[ROOM_BYTES / 8u], hidden_room[ROOM_BYTES / 8u];
+static uint64_t light_room[ROOM_BYTES / 8u];
 static fxl_renderer renderer;
-static uint32_t order_used, hidden_used;
+static uint32_t order_used, hidden_used, pieces_used, light_used;
 
 /* Bytes for what hides what: what was chosen, or what it wants at the least. */
 static uint32_t room_for_hidden(const fxl_scene_image *image)
@@ -41,13 +43,23 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: room needed", "", ": ", hidden_used);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
-                   fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
-                                            combination_chosen.clipper->room) == FXL_OK &&
-                   fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room,
-                                           hidden_used) == FXL_OK
-               ? SYSTEM_EXIT_DONE
-               : SYSTEM_EXIT_RENDER;
+    if (fxl_renderer_init_bare(&renderer, &image->scene, &image->lens, &memory) != FXL_OK ||
+        fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
+                                 combination_chosen.clipper->room) != FXL_OK ||
+        fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room, hidden_used) !=
+            FXL_OK) {
+        return SYSTEM_EXIT_RENDER;
+    }
+    light_used = image->scene.beam_count > 0
+                     ? fxl_light_room(image->scene.beams, image->scene.beam_count)
+                     : 0;
+    if (light_used > 0 &&
+        fxl_renderer_set_light(&renderer, image->scene.beams, image->scene.beam_count,
+                               image->scene.lit, light_room, light_used) != FXL_OK) {
+        return SYSTEM_EXIT_RENDER;
+    }
+    combination_prepare(&renderer);
+    return SYSTEM_EXIT_DONE;
 }
 
 bool draw_frame(const fxl_pose *pose, const fxl_band *band)
@@ -58,11 +70,13 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 uint32_t draw_memory(void)
 {
     return (uint32_t)(sizeof renderer + sizeof cache + order_used * sizeof order[0]) +
-           combination_chosen.clipper->room + hidden_used;
+           combination_chosen.clipper->room + hidden_used + pieces_used + light_used;
 }
 
+/* Asked for after each frame. */
 const fxl_counters *draw_counters(void)
 {
+    pieces_used = combination_memory(&renderer);
     return &renderer.counters;
 }
 

@@ -119,7 +119,7 @@ static void project(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_project_seen(&in->view.projection, &in->seen[i], &results.screen[i]);
+        fxl_project_inside(&in->view.projection, &in->seen[i], &results.screen[i]);
     }
 }
 

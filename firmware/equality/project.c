@@ -17,14 +17,25 @@ static bool same(fxl_screen_point a, fxl_screen_point b)
     return a.x == b.x && a.y == b.y;
 }
 
+static bool is_within(int64_t side, int64_t limit)
+{
+    return side >= -limit && side <= limit;
+}
+
 static void compare(const fxl_projection *projection, const fxl_view_point *view)
 {
     fxl_screen_point core = untouched, portable = untouched, any = untouched;
-    fxl_status by_core = fxl_project_seen(projection, view, &core);
-    fxl_status by_portable = portable_project_seen(projection, view, &portable);
     fxl_status by_any = fxl_project_any(projection, view, &any);
-    equality_case(by_core == by_portable && by_core == by_any && same(core, portable) &&
-                  same(core, any));
+    fxl_status by_seen = fxl_project_seen(projection, view, &core);
+    bool equal = by_seen == by_any && same(core, any);
+    if (view->z > 0 && is_within(view->x, 2 * view->z) && is_within(view->y, 2 * view->z)) {
+        core = untouched;
+        fxl_status by_core = fxl_project_inside(projection, view, &core);
+        fxl_status by_portable = portable_project_inside(projection, view, &portable);
+        equal = equal && by_core == by_any && by_portable == by_any && same(core, any) &&
+                same(portable, any);
+    }
+    equality_case(equal);
 }
 
 static int64_t held(int64_t side)

@@ -37,8 +37,8 @@ fxl_clip_result portable_clip_by_view(const fxl_placed *placed, const fxl_face *
 fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_key *keys,
                                       const fxl_point *from, fxl_order_entry *entry,
                                       uint32_t count);
-fxl_status portable_project_seen(const fxl_projection *projection, const fxl_view_point *view,
-                                 fxl_screen_point *screen);
+fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
+                                   fxl_screen_point *screen);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 

@@ -16,7 +16,7 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 static uint8_t band_pixels[WALK_BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
-static uint32_t list[WALK_LIST_BYTES / 4];
+static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* what light wants is taken from it */
 #else
 static uint32_t *const list = NULL;         /* every band walks the scene */
 #endif
@@ -120,14 +120,26 @@ static int open_scene(fxl_scene_image *image)
 
 static int open_renderer(const fxl_scene_image *image)
 {
-    const fxl_memory memory = {order, WALK_ORDER_ENTRIES, list, WALK_LIST_BYTES / 4,
-                               cache, WALK_CACHE_ENTRIES};
-    const fxl_status status = fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory);
+    const fxl_scene *scene = &image->scene;
+    const uint32_t room = fxl_light_room(scene->beams, scene->beam_count);
+    if (room > WALK_LIST_BYTES / 4 * 4) {
+        print_with_number("walk: the scene's light needs ", room, " bytes");
+        print_with_number(", this board's list has ", WALK_LIST_BYTES, "\n");
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    const fxl_memory memory = {
+        order, WALK_ORDER_ENTRIES, room > 0 ? list + room / 4 : list, (WALK_LIST_BYTES - room) / 4,
+        cache, WALK_CACHE_ENTRIES};
+    fxl_status status = fxl_renderer_init(&renderer, scene, &image->lens, &memory);
 
     if (status == FXL_E_CAPACITY) {
         print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
         print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
         return SYSTEM_EXIT_CAPACITY;
+    }
+    if (status == FXL_OK && scene->beam_count > 0) {
+        status = fxl_renderer_set_light(&renderer, scene->beams, scene->beam_count, scene->lit,
+                                        list, room);
     }
     if (status != FXL_OK) {
         return fail_status("renderer", status, SYSTEM_EXIT_RENDER);

@@ -67,7 +67,7 @@ static bool nearly_parallel(const ref_volume_polygon *polygon, const ref_half_sp
             in |= distance >= 0;
             out |= distance < 0;
         }
-        if (in && out && sine_between(polygon, &planes[i]) < 0x1p-10) {
+        if (in && out && sine_between(polygon, &planes[i]) < 0x1p-7) {
             return true;
         }
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* clipper_errors [--samples N] [--seed S]
+/* clipper_errors [--samples N] [--seed S] [--only CLIPPER]
  *
  * Gives every clipper of the family and the twin the same polygons and prints how
  * far their outlines are apart, as JSON. Exit code 0: it ran; 2: it could not. */
@@ -58,6 +58,30 @@ static int is_flat(const fxl_polygon *polygon)
     return flat;
 }
 
+/* Strictly: a spike, as the world's borders make them, is none. */
+static bool is_convex(const fxl_polygon *polygon)
+{
+    double normal[3], turns = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_point *a = &polygon->vertices[i].position;
+        const fxl_point *b = &polygon->vertices[(i + 1) % polygon->count].position;
+        const fxl_point *c = &polygon->vertices[(i + 2) % polygon->count].position;
+        double in[3] = {(double)b->x - a->x, (double)b->y - a->y, (double)b->z - a->z};
+        double out[3] = {(double)c->x - b->x, (double)c->y - b->y, (double)c->z - b->z};
+        double turn[3] = {in[1] * out[2] - in[2] * out[1], in[2] * out[0] - in[0] * out[2],
+                          in[0] * out[1] - in[1] * out[0]};
+        if (i == 0) {
+            memcpy(normal, turn, sizeof normal);
+        }
+        if (turn[0] * normal[0] + turn[1] * normal[1] + turn[2] * normal[2] <= 0) {
+            return false;
+        }
+        double along = in[0] * out[0] + in[1] * out[1] + in[2] * out[2];
+        turns += atan2(hypot(turn[0], hypot(turn[1], turn[2])), along);
+    }
+    return turns < 7; /* once round */
+}
+
 static clipper_case random_case(stages_random *random)
 {
     clipper_case made;
@@ -71,6 +95,7 @@ static clipper_case random_case(stages_random *random)
     do {
         made.polygon = stages_random_polygon(random, &made.camera);
     } while (!is_flat(&made.polygon) || made.polygon.count > FXL_FACE_VERTICES_MAX);
+    made.convex = is_convex(&made.polygon);
     return made;
 }
 
@@ -88,9 +113,13 @@ static void print(const clipper_tally *of, const char *end)
            of->crossings, of->made, of->plain_crossings, of->plain_made, end);
 }
 
-static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed)
+static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed, const char **only)
 {
     for (int i = 1; i + 1 < count; i += 2) {
+        if (strcmp(arguments[i], "--only") == 0) {
+            *only = arguments[i + 1];
+            continue;
+        }
         uint64_t *number = strcmp(arguments[i], "--samples") == 0 ? samples
                            : strcmp(arguments[i], "--seed") == 0  ? seed
                                                                   : NULL;
@@ -109,15 +138,18 @@ static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed)
 int main(int count, char **arguments)
 {
     uint64_t samples = 100000, seed = 1;
-    if (!parse(count, arguments, &samples, &seed)) {
-        fprintf(stderr, "error: usage: clipper_errors [--samples N] [--seed S]\n");
+    const char *only = NULL;
+    if (!parse(count, arguments, &samples, &seed, &only)) {
+        fprintf(stderr, "error: usage: clipper_errors [--samples N] [--seed S] [--only CLIPPER]\n");
         return 2;
     }
     stages_random random = stages_random_start(seed, 0);
     for (uint64_t i = 0; i < samples; i++) {
         clipper_case one = random_case(&random);
         for (int k = 0; k < CLIPPERS; k++) {
-            clippers[k].measure(&clippers[k].tally, &one);
+            if (!only || strcmp(only, clippers[k].tally.clipper) == 0) {
+                clippers[k].measure(&clippers[k].tally, &one);
+            }
         }
     }
     printf("{\"seed\": %" PRIu64 ", \"samples\": %" PRIu64 ", \"clippers\": [\n", seed, samples);

@@ -12,6 +12,7 @@ typedef struct {
     fxl_camera camera;
     fxl_lens lens;
     fxl_polygon polygon;
+    bool convex; /* each vertex turns the outline the same way */
 } clipper_case;
 
 typedef struct {

@@ -19,7 +19,7 @@ static double carried_error(const clipper_case *of, const fxl_clip_vertex *verte
 {
     double focal = of->lens.focal / 65536.0;
     double x = focal / (of->lens.width / 2.0), y = focal / (of->lens.height / 2.0);
-    double largest = fmax(1, fmax(x, y));
+    double largest = exp2(ceil(log2(fmax(1, fmax(x, y)))));
     const fxl_view_point *at = &vertex->position;
     return case_carried_error(of, vertex, (double)at->x * 0x1p-46 * largest / x,
                               (double)at->y * 0x1p-46 * largest / y,
@@ -104,7 +104,9 @@ void measure_normalised(clipper_tally *tally, const clipper_case *of)
 
 void measure_once(clipper_tally *tally, const clipper_case *of)
 {
-    measure(tally, of, true, 0);
+    if (of->convex) { /* it goes by edges, and promises nothing of others */
+        measure(tally, of, true, 0);
+    }
 }
 
 void measure_once_triangle(clipper_tally *tally, const clipper_case *of)

@@ -21,6 +21,18 @@ static const char *const names[] = {"lens", "border", "left", "guard"};
 
 static uint8_t pixels[DRAW_PIXELS_MAX];
 
+/* Without a list every face comes to a band, and there is one band. */
+static bool draw_watched(const fxl_pose *pose, const fxl_band *band)
+{
+    fxl_renderer *renderer = draw_renderer();
+    spy_watch(renderer, false);
+    if (fxl_frame_begin(renderer, pose) != FXL_OK) {
+        return false;
+    }
+    spy_watch(renderer, true);
+    return fxl_frame_draw(renderer, band) == FXL_OK;
+}
+
 static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number)
 {
     const fxl_band band = {pixels, image->lens.width, image->lens.width, 0, image->lens.height};
@@ -32,7 +44,7 @@ static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t num
     if (!journal_begin(number, &path->viewer.pose)) {
         return SYSTEM_EXIT_JOURNAL;
     }
-    if (!draw_frame(&path->viewer.pose, &band)) {
+    if (!draw_watched(&path->viewer.pose, &band)) {
         return SYSTEM_EXIT_RENDER;
     }
     return display_flush(0, 0, band.width, band.rows, pixels) && journal_end(draw_counters(), 0, 0)
@@ -64,13 +76,14 @@ static void print(const spy_findings *of)
     printf(
         "{\"faces\": %" PRIu64 ", \"inside\": %" PRIu64 ", \"cut\": %" PRIu64
         ", \"outside\": %" PRIu64 ", \"degenerate\": %" PRIu64 ", \"refused\": %" PRIu64
-        ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64 ",\n \"missed\": %" PRIu64
+        ", \"between\": %" PRIu64 ", \"crossing\": %" PRIu64 ", \"pieces\": %" PRIu64
+        ",\n \"missed\": %" PRIu64
         ", \"max_error_units\": %.6g, \"max_error_units_at_all\": %.6g, \"beyond\": %" PRIu64
         ", \"vertices\": %d, \"screen_px\": %.6g, \"view_units\": %.8g, \"intersections\": %" PRIu64
-        "}\n",
-        of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->crossing,
-        of->pieces, of->missed, of->error, of->error_at_all, of->beyond, of->vertices, of->screen,
-        of->view, of->intersections);
+        ", \"distances\": %" PRIu64 "}\n",
+        of->faces, of->inside, of->cut, of->outside, of->degenerate, of->refused, of->between,
+        of->crossing, of->pieces, of->missed, of->error, of->error_at_all, of->beyond, of->vertices,
+        of->screen, of->view, of->intersections, of->distances);
 }
 
 static int run(spy_sides sides)

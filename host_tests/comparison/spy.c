@@ -6,9 +6,7 @@
 
 #include "clippers/measure.h"
 
-/* A polygon of less is not missed: 1/65536 square pixel. */
-#define AREA_MIN 0x1p-16
-#define CLAIMED  1.25
+#define CLAIMED 1.25
 
 enum {
     PIECES_MAX = 128,
@@ -79,13 +77,10 @@ static double distance_of_pieces(const outline *expected)
     return worst;
 }
 
-static double area_of_pieces(void)
+/* Rounding to 1/65536 pixel may leave nothing of what is thinner than 2 of them. */
+static bool is_something(const outline *of)
 {
-    double area = 0;
-    for (int k = 0; k < current.count; k++) {
-        area += fabs(outline_area(&current.pieces[k]));
-    }
-    return area;
+    return fabs(outline_area(of)) > outline_length(of) / 65536;
 }
 
 /* All that came of the face is there. */
@@ -100,9 +95,17 @@ static void close_face(void)
     bool parallel;
     planes_of(&current.face.lens, planes);
     bool seen = case_expected(&current.face, planes, &expected, &parallel);
-    if (!seen || current.count == 0) {
-        double area = seen ? fabs(outline_area(&expected)) : area_of_pieces();
-        found.missed += area > AREA_MIN;
+    if (current.count == 0) { /* beside the screen there is nothing to miss */
+        ref_lens lens = bridge_lens(&current.face.lens);
+        ref_volume_from_lens(&lens, planes);
+        seen = case_expected(&current.face, planes, &expected, &parallel);
+        found.missed += seen && is_something(&expected);
+        return;
+    }
+    if (!seen) {
+        for (int k = 0; k < current.count; k++) {
+            found.missed += is_something(&current.pieces[k]);
+        }
         return;
     }
     double distance = current.count == 1 ? outline_distance(&current.pieces[0], &expected)
@@ -167,6 +170,10 @@ static fxl_clip_result ask(const fxl_placed *placed, const fxl_face *face, fxl_c
     case FXL_CLIP_DEGENERATE:
         found.degenerate++;
         break;
+    case FXL_CLIP_BETWEEN:
+        found.between++;
+        current.open = false;
+        break;
     default:
         found.refused++;
         current.open = false;
@@ -195,11 +202,17 @@ bool spy_begin(fxl_renderer *renderer, spy_sides sides)
     return fxl_renderer_set_clipper(renderer, &spy, room, sizeof room) == FXL_OK;
 }
 
+void spy_watch(fxl_renderer *renderer, bool watching)
+{
+    renderer->clipper = watching ? &spy : asked;
+}
+
 const spy_findings *spy_end(void)
 {
     fxl_clip_account account;
     memcpy(&account, room, sizeof account);
     close_face();
     found.intersections = account.intersections;
+    found.distances = account.distances;
     return &found;
 }

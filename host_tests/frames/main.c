@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] [--frames N] [--rows N]
- *     [--list WORDS] [--cache ENTRIES] [--sliver UNITS]
+ *     [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES]
  *
  * Draws a scene's path by a clipper and a hidden-surface method into a frame dump, in
  * bands of so many rows (0: whole frames), and prints what was counted as JSON. The sliver
@@ -18,7 +18,7 @@ typedef struct {
     const char *scene, *out;
     const named_clipper *clipper;
     const named_hidden *hidden;
-    uint32_t frames, rows, list, cache, sliver;
+    uint32_t frames, rows, list, cache, sliver, pieces;
 } options;
 
 typedef struct {
@@ -50,7 +50,8 @@ static bool parse(int count, char **arguments, options *wanted)
     *wanted = (options){.clipper = find_clipper("view"),
                         .hidden = find_hidden("sorted"),
                         .list = 1u << 20,
-                        .cache = 256};
+                        .cache = 256,
+                        .pieces = 1u << 20};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         if (strncmp(name, "--", 2) != 0) {
@@ -74,6 +75,7 @@ static bool parse(int count, char **arguments, options *wanted)
                                : strcmp(name, "--list") == 0   ? &wanted->list
                                : strcmp(name, "--cache") == 0  ? &wanted->cache
                                : strcmp(name, "--sliver") == 0 ? &wanted->sliver
+                               : strcmp(name, "--pieces") == 0 ? &wanted->pieces
                                                                : NULL;
             if (!number || !parse_number(value, number)) {
                 return false;
@@ -142,12 +144,25 @@ static const char *open_session(const options *wanted, session *run)
     if (status == FXL_OK) {
         run->hidden = *wanted->hidden->hidden;
         if (wanted->clipper->painter) {
-            run->hidden.painter = wanted->clipper->painter;
+            run->hidden.painter = run->hidden.painter == &fxl_painter_spans
+                                      ? &fxl_painter_spans_box
+                                      : wanted->clipper->painter;
         }
         const uint32_t room =
             (run->hidden.walk_room ? run->hidden.walk_room(scene) + 8 : 0) +
             (run->hidden.painter->room ? run->hidden.painter->room(lens) * 16 : 0);
         status = fxl_renderer_set_hidden(&run->renderer, &run->hidden, need(room), room);
+    }
+    if (status == FXL_OK && scene->beam_count > 0) {
+        const uint32_t room = fxl_light_room(scene->beams, scene->beam_count);
+        status = fxl_renderer_set_light(&run->renderer, scene->beams, scene->beam_count, scene->lit,
+                                        need(room), room);
+    }
+    if (status == FXL_OK && run->renderer.hidden->walk_room == fxl_hidden_tree.walk_room &&
+        scene->nodes != NULL) {
+        fxl_tree_room *tree = run->renderer.walk_room;
+        tree->pieces = need(wanted->pieces);
+        tree->pieces_size = wanted->pieces;
     }
     run->room.account.sliver = (fxl_q18_46)wanted->sliver << 30;
     return status == FXL_OK ? NULL : fxl_status_text(status);
@@ -199,7 +214,7 @@ int main(int count, char **arguments)
     if (!parse(count, arguments, &wanted)) {
         return fail("usage", "frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] "
                              "[--frames N] [--rows N] [--list WORDS] [--cache ENTRIES] "
-                             "[--sliver UNITS]");
+                             "[--sliver UNITS] [--pieces BYTES]");
     }
     const char *wrong = open_session(&wanted, &run);
     if (wrong) {

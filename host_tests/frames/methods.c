@@ -17,6 +17,9 @@ static const named_clipper clippers[] = {
 
 static const named_hidden methods[] = {
     {"sorted", &fxl_hidden_sorted},
+    {"spans", &fxl_hidden_spans},
+    {"tree", &fxl_hidden_tree},
+    {"tree-spans", &fxl_hidden_tree_spans},
 };
 
 const named_clipper *find_clipper(const char *name)

@@ -34,8 +34,10 @@ static fxl_clip_result checked_by_view(const fxl_placed *placed, const fxl_face 
         fxl_clip_view_to_planes(&seen, &placed->view->view_frustum, needed, &checked, &clipped);
     judge_view_clip(expected, clipped, placed->view);
     fxl_clip_result cut = fxl_clip_by_view(placed, face, work, screen);
-    /* A face outside of one plane may have been cut away by one before it. */
-    DEMAND(cut == expected || (cut == FXL_CLIP_OUTSIDE && clipped == NULL));
+    /* A face outside of one plane may have been cut away by one before it; one between the
+     * centres of pixels is inside. */
+    DEMAND(cut == expected || (cut == FXL_CLIP_OUTSIDE && clipped == NULL) ||
+           (cut == FXL_CLIP_BETWEEN && expected == FXL_CLIP_INSIDE));
     judge_screen(cut, screen);
     if (clipped != NULL) {
         fxl_screen_polygon same;
@@ -54,8 +56,46 @@ static fxl_clip_result checked_by_world(const fxl_placed *placed, const fxl_face
     return cut;
 }
 
-static const fxl_clipper checked_view = {.clip = checked_by_view};
-static const fxl_clipper checked_world = {.clip = checked_by_world};
+/* Any other: its outlines are such as the scan takes. */
+static const fxl_clipper *of_family;
+
+static fxl_clip_result checked_clip(const fxl_placed *placed, const fxl_face *face,
+                                    fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    fxl_clip_result cut = of_family->clip(placed, face, work, screen);
+    /* The guard band, or all planes, rule it out; but a face that is not convex is not for
+     * the one that goes by edges. */
+    DEMAND(cut != FXL_CLIP_RANGE || of_family == &fxl_clipper_once);
+    judge_screen(cut, screen);
+    return cut;
+}
+
+static fxl_clip_result checked_next(const fxl_placed *placed, fxl_clipper_work *work,
+                                    fxl_screen_polygon *screen)
+{
+    fxl_clip_result cut = of_family->next(placed, work, screen);
+    DEMAND(cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_OUTSIDE);
+    judge_screen(cut, screen);
+    return cut;
+}
+
+/* One at a time. */
+static const fxl_clipper *checked(uint32_t number)
+{
+    static const fxl_clipper checked_view = {.clip = checked_by_view};
+    static const fxl_clipper checked_world = {.clip = checked_by_world};
+    static const fxl_clipper *const family[DRAW_CLIPPERS - 2] = {
+        &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
+        &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
+    static fxl_clipper made;
+    if (number < 2) {
+        return number == 1 ? &checked_world : &checked_view;
+    }
+    of_family = family[number - 2];
+    made =
+        (fxl_clipper){checked_clip, of_family->next != NULL ? checked_next : NULL, of_family->room};
+    return &made;
+}
 
 uint64_t draw_faces_placed(const fxl_scene *scene)
 {
@@ -124,7 +164,7 @@ static void draw_in_bands(fxl_renderer *renderer, const fxl_band *whole, fuzz_in
 
 /* A renderer whose memory ends where it should, so that the sanitizer sees what
  * is written beside it. */
-static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens, bool by_world,
+static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens, uint32_t clipper,
                                    uint32_t list_words, uint32_t cache_entries)
 {
     fxl_renderer *renderer = malloc(sizeof *renderer);
@@ -139,13 +179,16 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     DEMAND(memory.cache != NULL || cache_entries == 0);
     memset(renderer, GAP, sizeof *renderer);
     DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
-    const fxl_clipper *clipper = by_world ? &checked_world : &checked_view;
-    DEMAND(fxl_renderer_set_clipper(renderer, clipper, NULL, 0) == FXL_OK);
+    const fxl_clipper *which = checked(clipper);
+    void *room = which->room > 0 ? malloc(which->room) : NULL;
+    DEMAND(room != NULL || which->room == 0);
+    DEMAND(fxl_renderer_set_clipper(renderer, which, room, which->room) == FXL_OK);
     return renderer;
 }
 
 static void free_renderer(fxl_renderer *renderer)
 {
+    free(renderer->view.room);
     free(renderer->list.words);
     if (renderer->cache.entries != &renderer->spare) {
         free(renderer->cache.entries);
@@ -156,12 +199,12 @@ static void free_renderer(fxl_renderer *renderer)
 
 /* The same frame again, in bands and with a list and a cache of any size. */
 static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
-                       bool by_world, fuzz_input *in)
+                       uint32_t clipper, fuzz_input *in)
 {
     fxl_counters counters = first->counters;
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_LIST_WORDS(8));
     fxl_renderer *renderer =
-        make_renderer(first->scene, &first->view.lens, by_world, words, fuzz_below(in, 40));
+        make_renderer(first->scene, &first->view.lens, clipper, words, fuzz_below(in, 40));
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->counters.spilled <= counters.spilled);
@@ -171,10 +214,33 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     free_renderer(renderer);
 }
 
+/* The same frame front to back by a span buffer of any size, in bands and with any list. */
+static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
+                               const fxl_band *whole, uint32_t clipper, fuzz_input *in)
+{
+    const fxl_lens *lens = &first->view.lens;
+    fxl_counters counters = first->counters;
+    uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_LIST_WORDS(8));
+    uint32_t size = FXL_SPAN_BUFFER_ROOM_LEAST(lens->width, lens->height);
+    fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
+    const fxl_hidden *hidden = fuzz_below(in, 4) ? &fxl_hidden_spans : &fxl_hidden_spans_box;
+    void *room = malloc(size += fuzz_below(in, 12u * lens->height));
+    DEMAND(room != NULL);
+    DEMAND(fxl_renderer_set_hidden(renderer, hidden, room, size) == FXL_OK);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    draw_in_bands(renderer, whole, in);
+    DEMAND(renderer->counters.spilled <= counters.spilled);
+    counters.spilled = renderer->counters.spilled;
+    counters.split_bands = renderer->counters.split_bands;
+    DEMAND(memcmp(&counters, &renderer->counters, sizeof counters) == 0);
+    free(room);
+    free_renderer(renderer);
+}
+
 /* The same frame with radii so large that no object is left out, and without keys.
  * What was drawn was drawn all the same. */
 static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
-                             bool by_world)
+                             uint32_t clipper)
 {
     fxl_scene scene = *first->scene;
     fxl_model *models = malloc(scene.model_count * sizeof *models);
@@ -186,7 +252,7 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
     }
     scene.models = models;
     scene.keys = NULL;
-    fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, by_world, 0, 1);
+    fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, clipper, 0, 1);
     fxl_band band = make_band(&first->view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -205,7 +271,7 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in)
 {
-    fxl_renderer *renderer = make_renderer(scene, lens, choice->by_world, 0, 1);
+    fxl_renderer *renderer = make_renderer(scene, lens, choice->clipper, 0, 1);
     fxl_band whole = make_band(lens, fuzz_below(in, 4), choice->first_row, choice->rows);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_E_ORDER);
     DEMAND(renderer->counters.refused_calls == 1);
@@ -214,8 +280,10 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_OK);
     demand_gaps_intact(&whole);
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
-    draw_again(renderer, pose, &whole, choice->by_world, in);
-    draw_all_objects(renderer, pose, &whole, choice->by_world);
+    draw_again(renderer, pose, &whole, choice->clipper, in);
+    draw_all_objects(renderer, pose, &whole, choice->clipper);
+    draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
+    draw_by_tree(scene, lens, pose, in);
     free(whole.pixels);
     free_renderer(renderer);
 }

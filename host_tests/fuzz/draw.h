@@ -5,20 +5,29 @@
 
 #include "input.h"
 
+enum {
+    DRAW_CLIPPERS = 8
+};
+
 /* Which clipper, and which rows of the screen are looked at. */
 typedef struct {
-    bool by_world;
+    uint32_t clipper; /* 0 .. DRAW_CLIPPERS - 1 */
     uint16_t first_row, rows;
 } draw_choice;
 
 /* Draws the rows in one band without a list and in several with a list of any
  * size, with bytes between width and stride, and once more with no object left
- * out by its sphere and without keys, and demands: equal pixels, nothing written outside, every
- * face accounted for, outlines within the screen. Cuts, stride and the list's size come from in. */
+ * out by its sphere and without keys, and front to back by a span buffer, and demands: equal
+ * pixels, nothing written outside, every face accounted for, outlines within the screen. Cuts,
+ * stride and the list's size come from in. */
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in);
 
 /* Faces that a frame looks at. */
 uint64_t draw_faces_placed(const fxl_scene *scene);
+
+/* The first rows of a frame by the scene's tree, if it has one: whole, in bands, near to far. */
+void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                  fuzz_input *in);
 
 #endif

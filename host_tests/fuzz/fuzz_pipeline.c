@@ -32,7 +32,7 @@ static void fuzz_scenes(fuzz_input *in)
         fxl_lens lens = fuzz_lens(in, PIXELS);
         for (uint32_t i = 0; i < POSES && (i == 0 || in->left > 0); i++) {
             fxl_pose pose = fuzz_pose(in);
-            draw_choice choice = {fuzz_below(in, 2) == 1, 0, lens.height};
+            draw_choice choice = {fuzz_below(in, DRAW_CLIPPERS), 0, lens.height};
             draw_scene(&made->scene, &lens, &pose, &choice, in);
         }
     }
@@ -48,7 +48,14 @@ static void fuzz_placed_limit(fuzz_input *in)
     static const fxl_face face = {{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0};
     static const fxl_object objects[FXL_SCENE_OBJECTS_MAX];
     fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, {0}, 0, 0};
-    fxl_scene scene = {vertices, corners, &face, &model, objects, 0, 3, 1, 1, 0, 0, NULL, 0, NULL, 0, 0};
+    fxl_scene scene = {.vertices = vertices,
+                       .corners = corners,
+                       .faces = &face,
+                       .models = &model,
+                       .objects = objects,
+                       .corner_count = 3,
+                       .face_count = 1,
+                       .model_count = 1};
     scene.object_count = 1 + fuzz_below(in, fuzz_below(in, 2) ? 8 : FXL_SCENE_OBJECTS_MAX);
     model.vertex_count = 3 + fuzz_below(in, FXL_MODEL_VERTICES_MAX - 2);
     scene.vertex_count = model.vertex_count;

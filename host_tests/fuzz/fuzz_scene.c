@@ -32,6 +32,8 @@ static void read_tables(const fxl_scene_image *opened)
     sum += sum_bytes(scene->faces, scene->face_count * sizeof *scene->faces);
     sum += sum_bytes(scene->models, scene->model_count * sizeof *scene->models);
     sum += sum_bytes(scene->objects, scene->object_count * sizeof *scene->objects);
+    sum += sum_bytes(scene->keys, scene->key_count * sizeof *scene->keys);
+    sum += sum_bytes(scene->nodes, scene->node_count * sizeof *scene->nodes);
     DEMAND((opened->poses == NULL) != (opened->strides == NULL));
     if (opened->poses != NULL) {
         sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);
@@ -53,7 +55,7 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
     }
     rows = rows > lens->height ? lens->height : rows;
     uint32_t first = frame % 2 == 0 ? 0 : frame * 7 % (lens->height - rows + 1u);
-    draw_choice choice = {frame % 3 == 2, (uint16_t)first, (uint16_t)rows};
+    draw_choice choice = {frame % DRAW_CLIPPERS, (uint16_t)first, (uint16_t)rows};
     draw_scene(&opened->scene, lens, pose, &choice, in);
 }
 

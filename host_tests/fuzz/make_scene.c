@@ -142,6 +142,87 @@ static void add_object(made_scene *made, fuzz_input *in)
     object->layer = (uint8_t)fuzz_below(in, 3);
 }
 
+/* A node with the plane of a face, or any plane where it has none. */
+static fxl_tree_node any_node(const made_scene *made, const fxl_model *model, uint32_t first_face,
+                              bool has_face, fuzz_input *in)
+{
+    fxl_tree_node node = {.front = FXL_TREE_NONE,
+                          .back = FXL_TREE_NONE,
+                          .parent = FXL_TREE_NONE,
+                          .first_face = (uint16_t)first_face,
+                          .face_count = has_face};
+    if (has_face) {
+        const fxl_face *face = &made->faces[model->first_face + first_face];
+        const fxl_point *v =
+            &made->vertices[model->first_vertex + made->corners[face->first_corner]];
+        uint64_t height = (uint64_t)((int64_t)face->normal.x * v->x) +
+                          (uint64_t)((int64_t)face->normal.y * v->y) +
+                          (uint64_t)((int64_t)face->normal.z * v->z);
+        node.normal = face->normal;
+        node.distance_low = (uint32_t)height;
+        node.distance_high = (uint32_t)(height >> 32);
+    } else {
+        node.normal = any_plane(in).axes.forward;
+        node.distance_high = (uint32_t)((int32_t)fuzz_bits(in, 4) >> (2 + fuzz_below(in, 16)));
+    }
+    return node;
+}
+
+/* Hangs a node behind the one that was made last, or above it: so that nodes are listed as one
+ * comes upon them. */
+static void hang(made_scene *made, uint32_t number, fuzz_input *in)
+{
+    fxl_tree_node *nodes = made->nodes;
+    uint32_t above = number - 1, up = fuzz_below(in, 4);
+    if (fuzz_below(in, 2)) {
+        nodes[above].front = (uint16_t)number;
+        nodes[number].parent = (uint16_t)above;
+        return;
+    }
+    for (uint32_t at = above; up > 0 && at != FXL_TREE_NONE; at = nodes[at].parent, up--) {
+        above = nodes[at].back == FXL_TREE_NONE ? at : above;
+    }
+    nodes[above].back = (uint16_t)number;
+    nodes[number].parent = (uint16_t)above;
+}
+
+/* A tree over the faces of an object; the others have other models, and convex ones on its
+ * layer. Where that cannot be there is no tree. */
+static void add_tree(made_scene *made, fuzz_input *in)
+{
+    fxl_scene *scene = &made->scene;
+    uint32_t owner = fuzz_below(in, scene->object_count);
+    const fxl_model *model = &made->models[made->objects[owner].model];
+    if (model->kind != FXL_MODEL_SORTED) {
+        return;
+    }
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        fxl_object *object = &made->objects[i];
+        if (i != owner && object->model == made->objects[owner].model) {
+            object->model = (uint16_t)((object->model + 1u) % scene->model_count);
+            if (object->model == made->objects[owner].model) {
+                return;
+            }
+        }
+        if (i != owner && made->models[object->model].kind == FXL_MODEL_SORTED &&
+            object->layer == made->objects[owner].layer) {
+            object->layer += 3;
+        }
+    }
+    uint32_t face = 0;
+    while (face < model->face_count && scene->node_count < MADE_NODES) {
+        bool has_face =
+            MADE_NODES - scene->node_count <= model->face_count - face || fuzz_below(in, 4) != 0;
+        made->nodes[scene->node_count] = any_node(made, model, face, has_face, in);
+        if (scene->node_count > 0) {
+            hang(made, scene->node_count, in);
+        }
+        face += has_face;
+        scene->node_count += 1;
+    }
+    scene->tree_object = owner;
+}
+
 /* A count that the tables do not have: lower, or above every limit. */
 static uint32_t spoilt_count(uint32_t count, fuzz_input *in)
 {
@@ -158,8 +239,10 @@ static void spoil(made_scene *made, fuzz_input *in)
     fxl_face *face = &made->faces[fuzz_below(in, scene->face_count)];
     fxl_point *vertex = &made->vertices[fuzz_below(in, scene->vertex_count)];
     uint16_t *corner = &made->corners[fuzz_below(in, scene->corner_count)];
+    fxl_tree_node *node = &made->nodes[fuzz_below(in, MADE_NODES)];
     uint32_t *const counts[] = {&scene->vertex_count, &scene->corner_count, &scene->face_count,
-                                &scene->model_count,  &scene->object_count, &scene->key_count};
+                                &scene->model_count,  &scene->object_count, &scene->key_count,
+                                &scene->node_count,   &scene->tree_object};
     uint32_t *const words[] = {&face->first_corner, &model->first_vertex, &model->vertex_count,
                                &model->first_face,  &model->face_count,   &model->first_key};
     int32_t *const numbers[] = {
@@ -168,8 +251,24 @@ static void spoil(made_scene *made, fuzz_input *in)
     uint8_t *const bytes[] = {&face->count,        &model->kind,        &model->reserved[0],
                               &model->reserved[1], &model->reserved[2], &object->reserved};
     uint16_t *const halves[] = {&face->reserved, &object->model, corner};
-    uint32_t which = fuzz_below(in, 32);
-    if (which < 6) {
+    uint16_t *const links[] = {&node->front,      &node->back,       &node->parent,
+                               &node->first_face, &node->face_count, &node->reserved};
+    int32_t *const planes[] = {&node->normal.x, &node->normal.y, &node->normal.z};
+    uint32_t which = fuzz_below(in, 48);
+    if (which >= 32) {
+        uint32_t of_tree = which - 32;
+        if (of_tree < 2) {
+            *counts[6 + of_tree] = spoilt_count(*counts[6 + of_tree], in);
+        } else if (of_tree < 8) {
+            /* A small number more often than not. */
+            *links[of_tree - 2] =
+                (uint16_t)(fuzz_below(in, 4) ? fuzz_below(in, MADE_NODES) : fuzz_bits(in, 2));
+        } else if (of_tree < 11) {
+            *planes[of_tree - 8] = fuzz_any(in);
+        } else {
+            node->distance_high = (uint32_t)fuzz_any(in);
+        }
+    } else if (which < 6) {
         *counts[which] = spoilt_count(*counts[which], in);
     } else if (which < 12) {
         *words[which - 6] = (uint32_t)fuzz_any(in);
@@ -203,6 +302,8 @@ static void copy_tables(made_scene *made, fxl_scene sizes)
     scene->models = copy(made->models, sizes.model_count * sizeof *made->models);
     scene->objects = copy(made->objects, sizes.object_count * sizeof *made->objects);
     scene->keys = copy(made->keys, sizes.key_count * sizeof *made->keys);
+    scene->nodes =
+        sizes.node_count > 0 ? copy(made->nodes, sizes.node_count * sizeof *made->nodes) : NULL;
 }
 
 made_scene *make_scene(fuzz_input *in)
@@ -217,6 +318,9 @@ made_scene *make_scene(fuzz_input *in)
     }
     for (uint32_t i = 0; i < objects; i++) {
         add_object(made, in);
+    }
+    if (fuzz_below(in, 2)) {
+        add_tree(made, in);
     }
     fxl_scene sizes = made->scene;
     if (spoiling == 7) {
@@ -234,5 +338,6 @@ void free_scene(made_scene *made)
     free((void *)(uintptr_t)made->scene.models);
     free((void *)(uintptr_t)made->scene.objects);
     free((void *)(uintptr_t)made->scene.keys);
+    free((void *)(uintptr_t)made->scene.nodes);
     free(made);
 }

@@ -9,7 +9,8 @@ enum {
     MADE_MODELS = 3,
     MADE_FACES = 24,
     MADE_VERTICES = MADE_FACES * FXL_FACE_VERTICES_MAX,
-    MADE_OBJECTS = 6
+    MADE_OBJECTS = 6,
+    MADE_NODES = MADE_FACES + 8
 };
 
 typedef struct {
@@ -19,6 +20,7 @@ typedef struct {
     fxl_model models[MADE_MODELS];
     fxl_object objects[MADE_OBJECTS];
     fxl_face_key keys[MADE_FACES];
+    fxl_tree_node nodes[MADE_NODES];
     fxl_scene scene; /* its tables are copies of just the size that it states */
 } made_scene;
 

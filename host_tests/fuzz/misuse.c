@@ -87,7 +87,16 @@ static void misuse_scene(void)
     static const fxl_face face;
     static const fxl_model model;
     static const fxl_object object;
-    const fxl_scene whole = {vertices, corners, &face, &model, &object, 3, 3, 1, 1, 1, 0, NULL, 0};
+    const fxl_scene whole = {.vertices = vertices,
+                             .corners = corners,
+                             .faces = &face,
+                             .models = &model,
+                             .objects = &object,
+                             .vertex_count = 3,
+                             .corner_count = 3,
+                             .face_count = 1,
+                             .model_count = 1,
+                             .object_count = 1};
     fxl_scene_fault fault = {NULL, 0};
     for (int missing = 0; missing < 5; missing++) {
         fxl_scene scene = whole;

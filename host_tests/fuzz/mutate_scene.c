@@ -12,7 +12,7 @@ enum {
     AT_SIZE = 8,
     AT_CRC = 12,
     AT_TABLES = 80,
-    TABLES = 8, /* the last, of keys, stands behind the frame count */
+    TABLES = 9, /* the last two, of keys and nodes, stand behind the frame count */
     AT_KEYS = 140
 };
 
@@ -53,12 +53,13 @@ static size_t mend(uint8_t *data, size_t size, unsigned seed)
 static void mutate_table(uint8_t *data, size_t size, unsigned seed)
 {
     unsigned number = seed % TABLES;
-    const uint8_t *table = data + (number == TABLES - 1 ? AT_KEYS : AT_TABLES + 8 * number);
+    const uint8_t *table =
+        data + (number >= 7 ? AT_KEYS + 8 * (number - 7) : AT_TABLES + 8 * number);
     size_t offset = get32(table), count = get32(table + 4);
     if (offset >= size || count == 0) {
         return;
     }
-    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20};
+    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 32};
     size_t at = offset + (seed / TABLES % count) * entry_sizes[seed % TABLES];
     size_t room = at < size ? size - at : 0;
     size_t piece = entry_sizes[seed % TABLES] < room ? entry_sizes[seed % TABLES] : room;

@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
-from fixel import image, toml_scene
+from fixel import image, toml_scene, tree
 from fixel.errors import ToolError, run_main
 
 LARGEST = 8000          # bytes of a scene that is worth mutating
@@ -30,6 +30,9 @@ def scene_seeds(file):
                                          path=[(image.KEYS["forward"], 2), (0xFF, 1)]))
     kinds = [dataclasses.replace(model, kind=image.SORTED) for model in small.models]
     yield image.pack(dataclasses.replace(small, models=kinds, path_kind=image.POSES, path=[start]))
+    planted = dataclasses.replace(small, path_kind=image.POSES, path=[start])
+    tree.plant(planted, tree.layers_of("most", planted), compiled.moving)
+    yield image.pack(planted)
 
 
 def pipeline_seeds(generator):

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
- *     [--clipper NAME]
+ *     [--clipper NAME] [--hidden NAME]
  *
  * Renders every frame of a board's dump with the double-precision twin, from
  * the pose in the dump, and says how many pixels differ and how far from an
@@ -18,6 +18,7 @@
 typedef struct {
     const char *scene, *dump, *json, *twin;
     unsigned cuts; /* of the board's clipper */
+    bool by_tree;  /* the board's order was the scene's tree's */
     double distance;
 } options;
 
@@ -159,6 +160,12 @@ static bool parse_options(int count, char **arguments, options *wanted)
             if (!ref_clipper_cuts(value, &wanted->cuts)) {
                 return false;
             }
+        } else if (strcmp(name, "--hidden") == 0) {
+            /* Who draws what first covers a pixel gives the same picture. */
+            wanted->by_tree = strncmp(value, "tree", 4) == 0;
+            if (!wanted->by_tree && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
+                return false;
+            }
         } else if (strcmp(name, "--distance") == 0) {
             char *end;
             wanted->distance = strtod(value, &end);
@@ -211,8 +218,8 @@ static int judge(const options *wanted, session *run)
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->distance, run->frames,
-                      wanted->twin ? &run->twin : NULL)) {
+        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_tree, wanted->distance,
+                      run->frames, wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }
     if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
@@ -230,7 +237,7 @@ int main(int count, char **arguments)
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
         return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
-                    "[--distance PIXELS] [--clipper NAME]");
+                    "[--distance PIXELS] [--clipper NAME] [--hidden NAME]");
     }
     session run = {0};
     int code = judge(&wanted, &run);

@@ -22,6 +22,7 @@ typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
     unsigned cuts;
+    bool by_tree;
     double distance;
     judge_frame *frames;
     judge_dump *twin;
@@ -171,6 +172,7 @@ static void *run_worker(void *argument)
     bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
     bool sound = pixels && ready;
     renderer.cuts = work->cuts;
+    renderer.by_tree = work->by_tree;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
         uint32_t number = work->next++;
@@ -189,12 +191,13 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts,
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_tree,
                   double distance, judge_frame *frames, judge_dump *twin)
 {
     job work = {.image = image,
                 .dump = dump,
                 .cuts = cuts,
+                .by_tree = by_tree,
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,

@@ -60,7 +60,7 @@ static void open_image(reader *r, const char *path)
     const uint8_t *bytes = r->image.bytes;
     if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
-    if (get_u16(bytes + 4) != 2 || get_u16(bytes + 6) != HEADER)
+    if ((get_u16(bytes + 4) != 2 && get_u16(bytes + 4) != 3) || get_u16(bytes + 6) != HEADER)
         unusable("%s: a scene image of another version", path);
     uint32_t size = get_u32(bytes + 8);
     if (size < HEADER || size > r->image.size)

@@ -6,9 +6,12 @@
 
 #include "reference/clip.h"
 #include "reference/cull.h"
+#include "reference/camera.h"
 #include "reference/fill.h"
+#include "reference/light.h"
 #include "reference/project.h"
 #include "reference/scan.h"
+#include "reference/render_tree.h"
 #include "reference/transform.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
@@ -51,44 +54,102 @@ static bool is_outside(const ref_renderer *renderer, const ref_polygon *polygon)
     return all != 0;
 }
 
-/* A face that faces the eye, from the world to the list. */
-static bool take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+bool ref_take_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t object,
+                      uint32_t face, ref_counters *counters)
 {
-    const ref_object *object = &renderer->scene->objects[object_number];
-    const ref_model *model = &renderer->scene->models[object->model];
-    const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
-    ref_polygon whole, clipped;
-    ref_face_to_polygon(renderer->scene, object, face, &whole);
-    if (renderer->cuts != REF_CUT_ALL && is_outside(renderer, &whole)) {
-        renderer->counters.outside++;
+    ref_polygon clipped;
+    if (renderer->cuts != REF_CUT_ALL && is_outside(renderer, whole)) {
+        counters->outside++;
         return true;
     }
-    switch (ref_clip_to_frustum(&whole, &renderer->frustum, &clipped)) {
+    switch (ref_clip_to_frustum(whole, &renderer->frustum, &clipped)) {
     case REF_CLIP_OUTSIDE:
-        renderer->counters.outside++;
+        counters->outside++;
         return true;
     case REF_CLIP_DEGENERATE:
-        renderer->counters.degenerate++;
+        counters->degenerate++;
         return true;
     case REF_CLIP_CAPACITY:
-        renderer->counters.refused++;
+        counters->refused++;
         return true;
     case REF_CLIP_CUT:
-        renderer->counters.clipped++;
+        counters->clipped++;
         break;
     case REF_CLIP_INSIDE:
         break;
     }
+    counters->drawn++;
+    if (face == REF_NO_FACE) {
+        return true;
+    }
     ref_view_polygon view;
-    ref_drawn drawn = {.object = object_number, .face = face_number};
+    ref_drawn drawn = {.object = object, .face = face};
     ref_transform_polygon(&renderer->camera, &clipped, &view);
     ref_project_polygon(&renderer->lens, &view, &drawn.polygon);
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
-    renderer->counters.drawn++;
     return ref_list_append(&renderer->list, &drawn);
 }
 
-static bool take_object(ref_renderer *renderer, uint32_t number)
+/* One face of which the pieces were counted in one by one. */
+static void count_once(const ref_counters *pieces, ref_counters *counters)
+{
+    if (pieces->refused) {
+        counters->refused++;
+    } else if (pieces->drawn) {
+        counters->drawn++;
+        counters->clipped += pieces->clipped > 0;
+    } else if (pieces->degenerate) {
+        counters->degenerate++;
+    } else {
+        counters->outside++;
+    }
+}
+
+/* A face of an object that a beam may reach: in pieces, lit and dark. */
+static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+{
+    ref_lit_pieces pieces; /* judges run in threads */
+    const ref_scene *scene = renderer->scene;
+    const ref_object *object = &scene->objects[object_number];
+    const ref_face *face = &scene->faces[scene->models[object->model].first_face + face_number];
+    ref_piece whole = {.count = face->count};
+    ref_counters counted = {0};
+    for (int i = 0; i < whole.count; i++) {
+        whole.points[i] = ref_face_corner(scene, object, face, i);
+    }
+    if (!ref_light_split(scene, &whole, face->normal, &pieces)) {
+        pieces.count = 1;
+        pieces.pieces[0] = (ref_lit_piece){whole, false};
+    }
+    for (int i = 0; i < pieces.count; i++) {
+        const ref_lit_piece *piece = &pieces.pieces[i];
+        ref_polygon polygon = {.colour = piece->lit ? scene->lit[face->colour] : face->colour,
+                               .count = piece->shape.count};
+        for (int k = 0; k < polygon.count; k++) {
+            polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
+        }
+        if (!ref_take_polygon(renderer, &polygon, object_number, face_number, &counted)) {
+            return false;
+        }
+    }
+    count_once(&counted, &renderer->counters);
+    return true;
+}
+
+bool ref_take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+{
+    const ref_object *object = &renderer->scene->objects[object_number];
+    const ref_model *model = &renderer->scene->models[object->model];
+    if (ref_light_reaches(renderer->scene, &object->centre, model->radius)) {
+        return take_lit_face(renderer, object_number, face_number);
+    }
+    ref_polygon whole;
+    ref_face_to_polygon(renderer->scene, object,
+                        &renderer->scene->faces[model->first_face + face_number], &whole);
+    return ref_take_polygon(renderer, &whole, object_number, face_number, &renderer->counters);
+}
+
+bool ref_take_object(ref_renderer *renderer, uint32_t number)
 {
     const ref_scene *scene = renderer->scene;
     const ref_object *object = &scene->objects[number];
@@ -107,7 +168,17 @@ static bool take_object(ref_renderer *renderer, uint32_t number)
     renderer->counters.in += model->face_count;
     renderer->counters.backfacing += model->face_count - count;
     for (uint32_t i = 0; i < count; i++) {
-        if (!take_face(renderer, number, renderer->faces[i].index)) {
+        if (!ref_take_face(renderer, number, renderer->faces[i].index)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool take_by_distance(ref_renderer *renderer, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (!ref_take_object(renderer, renderer->objects[i].index)) {
             return false;
         }
     }
@@ -136,10 +207,10 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
     uint32_t count = ref_order_objects(renderer->scene, &renderer->eye, &renderer->camera,
                                        &renderer->view_frustum, renderer->objects);
-    for (uint32_t i = 0; i < count; i++) {
-        if (!take_object(renderer, renderer->objects[i].index)) {
-            return false;
-        }
+    const bool by_tree = renderer->by_tree && renderer->scene->nodes;
+    if (!(by_tree ? ref_take_by_tree(renderer, renderer->objects, count)
+                  : take_by_distance(renderer, count))) {
+        return false;
     }
     count_left_out(renderer);
     return true;

@@ -18,7 +18,9 @@ typedef struct {
     ref_order_entry *objects, *faces;
     unsigned cuts; /* of the planes, those that cut: REF_CUT_ALL unless set between frames */
     ref_counters counters;
-    ref_list list; /* the frame's polygons */
+    ref_list list;    /* the frame's polygons */
+    bool by_tree;     /* set before a frame: what hides what is the scene's tree, if it has one */
+    uint32_t unsplit; /* objects of the frame that were not cut to the tree */
 } ref_renderer;
 
 /* False where memory is short. The scene must outlive the renderer. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -184,6 +185,46 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
+/* True where there is none. Nodes are listed as one comes upon them, so a child's number is
+ * greater than its parent's: no way down ends where it began. */
+static bool read_tree(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
+    if (ref_u16(bytes + 4) == 2) {
+        return ref_u32(bytes + 148) == 0 && ref_u32(bytes + 152) == 0 && ref_u32(bytes + 156) == 0;
+    }
+    scene->tree_object = ref_u32(bytes + 156);
+    if (ref_u32(bytes + 152) == 0) {
+        return ref_u32(bytes + 148) == 0 && scene->tree_object == 0;
+    }
+    const uint8_t *nodes = table_at(bytes, size, 148, 32, 65535, &scene->node_count);
+    scene->nodes = nodes ? calloc(scene->node_count, sizeof *scene->nodes) : NULL;
+    if (!scene->nodes || scene->tree_object >= scene->object_count) {
+        return false;
+    }
+    const ref_model *model = &scene->models[scene->objects[scene->tree_object].model];
+    for (uint32_t i = 0; i < scene->node_count; i++) {
+        const uint8_t *p = nodes + 32 * (size_t)i;
+        ref_node *node = &scene->nodes[i];
+        *node = (ref_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
+                           (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),
+                           ref_u16(p + 20),
+                           ref_u16(p + 22),
+                           ref_u16(p + 24),
+                           ref_u16(p + 26),
+                           ref_u16(p + 28)};
+        const uint32_t below[2] = {node->front, node->back};
+        for (int k = 0; k < 2; k++) {
+            if (below[k] != REF_NODE_NONE && (below[k] <= i || below[k] >= scene->node_count)) {
+                return false;
+            }
+        }
+        if (node->first_face + node->face_count > model->face_count) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     bool strides = bytes[37] == 1;
@@ -223,16 +264,60 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset >= 0 && inset <= 1 && near + 2 * inset < far;
 }
 
+/* A distance of 18.46, low word first, to all of its bits. */
+static long double distance_read(const uint8_t *bytes)
+{
+    return ldexpl((long double)ref_i32(bytes + 4), -14) + ldexpl((long double)ref_u32(bytes), -46);
+}
+
+static void beam_read(const uint8_t *bytes, ref_beam *beam)
+{
+    for (int i = 0; i < 3; i++) {
+        beam->from[i] = ref_i32(bytes + 4 * i);
+    }
+    beam->kind = bytes[12];
+    beam->plane_count = bytes[13];
+    for (int i = 0; i < beam->plane_count && i < 8; i++) {
+        const uint8_t *p = bytes + 16 + 20 * i;
+        beam->planes[i] = (ref_plane){
+            {ldexp(ref_i32(p), -30), ldexp(ref_i32(p + 4), -30), ldexp(ref_i32(p + 8), -30)},
+            distance_read(p + 12)};
+    }
+}
+
+static bool read_beams(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
+    if (ref_u16(bytes + 6) == 160) {
+        return true;
+    }
+    const uint8_t *beams = table_at(bytes, size, 160, 176, 4, &scene->beam_count);
+    uint64_t lit = ref_u32(bytes + 168);
+    if (!beams || lit + 256 > size) {
+        return false;
+    }
+    memcpy(scene->lit, bytes + lit, 256);
+    scene->beams = calloc(scene->beam_count, sizeof *scene->beams);
+    for (uint32_t i = 0; scene->beams && i < scene->beam_count; i++) {
+        beam_read(beams + 176 * (size_t)i, &scene->beams[i]);
+        if (scene->beams[i].plane_count < 1 || scene->beams[i].plane_count > 8 ||
+            scene->beams[i].kind > REF_BEAM_DIRECTION) {
+            return false;
+        }
+    }
+    return scene->beams != NULL;
+}
+
 static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
-    if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 6) != 160) {
+    if ((ref_u16(bytes + 4) != 2 && ref_u16(bytes + 4) != 3) ||
+        (ref_u16(bytes + 6) != 160 && ref_u16(bytes + 6) != 176)) {
         return "it is a scene image of another version";
     }
     uint32_t stated = ref_u32(bytes + 8);
-    if (stated < 160 || stated > size || stated > 16u << 20) {
+    if (stated < ref_u16(bytes + 6) || stated > size || stated > 16u << 20) {
         return "the scene image is shorter than it says";
     }
     if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
@@ -254,6 +339,12 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_geometry(bytes, stated, &image->scene) || !geometry_is_sound(&image->scene)) {
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";
+    }
+    if (!read_tree(bytes, stated, &image->scene)) {
+        return "the scene image's tree is not usable";
+    }
+    if (!read_beams(bytes, stated, &image->scene)) {
+        return "the scene image's beams are not usable";
     }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";
@@ -278,6 +369,8 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.faces);
     free(image->scene.models);
     free(image->scene.objects);
+    free(image->scene.nodes);
+    free(image->scene.beams);
     free(image->poses);
     free(image->strides);
     memset(image, 0, sizeof *image);

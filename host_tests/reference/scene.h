@@ -29,9 +29,31 @@ typedef struct {
     uint8_t layer;
 } ref_object;
 
+#define REF_NODE_NONE 65535u
+
+/* Of a tree (SPEC.md 7a), relative to its object's centre. */
+typedef struct {
+    int32_t normal[3]; /* 2.30 */
+    int64_t distance;  /* 18.46 */
+    uint32_t front, back, parent, first_face, face_count;
+} ref_node;
+
 typedef struct {
     uint16_t keys, frames;
 } ref_stride;
+
+enum {
+    REF_BEAM_POINT = 0,
+    REF_BEAM_DIRECTION = 1
+};
+
+/* A convex part of the world that light falls through. */
+typedef struct {
+    int32_t from[3]; /* a point in 16.16, or the way that light goes in 2.30 */
+    uint8_t kind;
+    int plane_count;
+    ref_plane planes[8];
+} ref_beam;
 
 typedef struct {
     ref_lattice_point *vertices; /* relative to the object's centre */
@@ -40,6 +62,11 @@ typedef struct {
     ref_model *models;
     ref_object *objects;
     uint32_t vertex_count, corner_count, face_count, model_count, object_count;
+    ref_node *nodes; /* null where there is no tree */
+    uint32_t node_count, tree_object;
+    ref_beam *beams; /* null where there are none */
+    uint32_t beam_count;
+    uint8_t lit[256]; /* the colour that each colour has in a beam */
 } ref_scene;
 
 typedef struct {

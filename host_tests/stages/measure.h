@@ -14,6 +14,7 @@ stages_tally stages_transform_tally(const char *input);
 stages_tally stages_project_tally(const char *input);
 stages_tally stages_list_tally(const char *input);
 stages_tally stages_fill_tally(const char *input);
+stages_tally stages_cover_tally(const char *input);
 stages_tally stages_split_tally(const char *input);
 
 /* A sphere on both sides; answers what the library does. */
@@ -60,6 +61,11 @@ void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons
  * and are 0 again afterwards. */
 void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
                          const fxl_band *band);
+
+/* Polygons front to back through a span buffer of so many intervals, for rows of a screen;
+ * it ends where the pool is full. Samples are the polygons. */
+void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygons, uint32_t count,
+                          uint16_t width, fxl_rows rows, uint32_t intervals);
 
 /* Splits a piece of the world on both sides. Samples are the parts. */
 void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const fxl_piece *piece);

@@ -18,7 +18,9 @@ enum {
     FRAMES_MAX = 240, /* of a longer path every so-manieth is taken */
     FILL_SHARE = 20,  /* a filled polygon costs about as much as so many points */
     RANDOM_SCREEN_MAX = 1024 * 1024,
-    LISTED_MAX = 256 /* polygons of a frame that are listed; of more, the last so many */
+    COVERED_MAX = 24, /* polygons through a span buffer, */
+    COVERED_ROWS = 6, /* and rows: the twin looks at every pixel of them for every span */
+    LISTED_MAX = 256  /* polygons of a frame that are listed; of more, the last so many */
 };
 
 typedef struct {
@@ -27,7 +29,7 @@ typedef struct {
 } options;
 
 typedef struct {
-    stages_tally sphere, clip, clip_world, transform, project, list, fill, split;
+    stages_tally sphere, clip, clip_world, transform, project, list, fill, cover, split;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
@@ -42,10 +44,10 @@ static int fail(const char *where, const char *what)
 
 static tallies tallies_for(const char *input)
 {
-    return (tallies){stages_sphere_tally(input),     stages_clip_tally(input),
-                     stages_clip_world_tally(input), stages_transform_tally(input),
-                     stages_project_tally(input),    stages_list_tally(input),
-                     stages_fill_tally(input),       stages_split_tally(input)};
+    return (tallies){
+        stages_sphere_tally(input),    stages_clip_tally(input),    stages_clip_world_tally(input),
+        stages_transform_tally(input), stages_project_tally(input), stages_list_tally(input),
+        stages_fill_tally(input),      stages_cover_tally(input),   stages_split_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -95,8 +97,7 @@ static void take_split(stages_tally *split, const fxl_frustum *frustum, const fx
         piece.points[i] = polygon->vertices[i].position;
     }
     for (int i = 0; i < FXL_PLANE_COUNT; i++) {
-        fxl_plane through =
-            fxl_plane_from_point(&piece.points[0], &frustum->planes[i].normal, 0);
+        fxl_plane through = fxl_plane_from_point(&piece.points[0], &frustum->planes[i].normal, 0);
         stages_measure_split(split, &frustum->planes[i], &piece);
         stages_measure_split(split, &through, &piece);
     }
@@ -125,15 +126,21 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
     stages_measure_fill(&to->fill, &screen, &band);
 }
 
-/* What was listed, in a list that is mostly too small, for a band somewhere. */
-static void take_list(stages_tally *list, stages_random *random, uint16_t height)
+/* What was listed, in a list that is mostly too small, for a band somewhere; and some of it
+ * through a span buffer, for a few rows of the band. */
+static void take_list(tallies *to, stages_random *random, uint16_t width, uint16_t height)
 {
     uint32_t count = listed_count < LISTED_MAX ? listed_count : LISTED_MAX;
     uint32_t words = stages_random_below(random, count * FXL_LIST_WORDS(6) + 1);
     fxl_rows wanted = {(uint16_t)stages_random_below(random, height), height};
     wanted.end =
         (uint16_t)(wanted.first + 1 + stages_random_below(random, (uint32_t)height - wanted.first));
-    stages_measure_list(list, listed, count, height, words, wanted);
+    stages_measure_list(&to->list, listed, count, height, words, wanted);
+    if (wanted.end - wanted.first > COVERED_ROWS) {
+        wanted.end = (uint16_t)(wanted.first + COVERED_ROWS);
+    }
+    stages_measure_cover(&to->cover, listed, count < COVERED_MAX ? count : COVERED_MAX, width,
+                         wanted, 1 + stages_random_below(random, 8 * COVERED_ROWS));
     listed_count = 0;
 }
 
@@ -165,7 +172,7 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
         }
     }
     stages_random random = stages_random_start(listed_count, (uint32_t)pose->position.x);
-    take_list(&to->list, &random, image->lens.height);
+    take_list(to, &random, image->lens.width, image->lens.height);
 }
 
 static void take_path(tallies *to, const fxl_scene_image *image)
@@ -296,7 +303,7 @@ static void take_random_outline(stages_tally *fill, stages_random *random)
     stages_measure_fill(fill, &outline, &band);
 }
 
-static void take_random_list(stages_tally *list, stages_random *random)
+static void take_random_list(tallies *to, stages_random *random)
 {
     uint16_t width = (uint16_t)(1 + stages_random_below(random, FXL_SCREEN_MAX));
     uint16_t height = (uint16_t)(1 + stages_random_below(random, FXL_SCREEN_MAX));
@@ -304,7 +311,7 @@ static void take_random_list(stages_tally *list, stages_random *random)
         listed[listed_count] = stages_random_outline(random, width, height);
         listed[listed_count++].colour = (uint8_t)stages_random_below(random, 256);
     }
-    take_list(list, random, height);
+    take_list(to, random, width, height);
 }
 
 static void take_random(tallies *to, const options *wanted)
@@ -321,7 +328,7 @@ static void take_random(tallies *to, const options *wanted)
         take_random_sphere(&to->sphere, &spheres);
         if (i % FILL_SHARE == 0) {
             take_random_outline(&to->fill, &outlines);
-            take_random_list(&to->list, &lists);
+            take_random_list(to, &lists);
         }
         progress("random sample", i, wanted->samples);
     }
@@ -329,11 +336,12 @@ static void take_random(tallies *to, const options *wanted)
 
 static void print_tallies(const tallies *of, const char *end)
 {
-    const stages_tally *all[] = {&of->sphere,  &of->clip, &of->clip_world, &of->transform,
-                                 &of->project, &of->list, &of->fill, &of->split};
-    for (int i = 0; i < 8; i++) {
+    const stages_tally *all[] = {&of->sphere,    &of->clip,    &of->clip_world,
+                                 &of->transform, &of->project, &of->list,
+                                 &of->fill,      &of->cover,   &of->split};
+    for (int i = 0; i < 9; i++) {
         stages_print(all[i]);
-        puts(i < 7 ? "," : end);
+        puts(i < 8 ? "," : end);
     }
 }
 

@@ -68,7 +68,7 @@ void test_rows_are_the_definition(void)
         fxl_normalised_from_camera(&camera, &lens, &frustum);
         double x = lens.focal / (lens.width * 32768.0), y = lens.focal / (lens.height * 32768.0);
         double largest = x > y ? x : y;
-        largest = largest > 1 ? largest : 1;
+        largest = largest > 1 ? exp2(ceil(log2(largest))) : 1;
         expect_row(&camera.right, &frustum.x, x / largest);
         expect_row(&camera.up, &frustum.y, y / largest);
         expect_row(&camera.forward, &frustum.z, 1 / largest);

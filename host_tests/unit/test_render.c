@@ -232,6 +232,23 @@ void test_drawing_before_a_frame_has_begun_is_refused(void)
     TEST_ASSERT_EQUAL_UINT32(18, renderers[0].counters.in);
 }
 
+void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
+{
+    fxl_renderer *renderer = &renderers[0];
+    start(0);
+    const fxl_pose pose = pose_number(0);
+    const fxl_memory memory = {order[0], 64, list[0], LIST_WORDS, NULL, 0};
+    const fxl_lens lens = renderer->view.lens;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(renderer, renderer->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_hidden(renderer, &fxl_hidden_sorted, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(renderer, &fxl_clipper_view, NULL, 0));
+    TEST_ASSERT_EQUAL_UINT32(2, renderer->counters.refused_calls);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, &pose));
+    TEST_ASSERT_EQUAL_UINT32(18, renderer->counters.in);
+}
+
 void test_a_pose_out_of_range_leaves_the_frame_before(void)
 {
     start(0);

@@ -165,8 +165,8 @@ void test_halves_go_away_from_the_front(void)
     } cases[] = {{1, -1, 3, 2}, {1, -1, -3, -2}, {2, -4, 3, 1}, {1, -9, 5, 1}, {1, -9, -25, -3}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fxl_point a = {cases[i].front, 0, 0}, b = {cases[i].behind, cases[i].extent, 0};
-        fxl_point at = fxl_split_edge(&a, &b, fxl_plane_distance(&wall, &a),
-                                      fxl_plane_distance(&wall, &b));
+        fxl_point at =
+            fxl_split_edge(&a, &b, fxl_plane_distance(&wall, &a), fxl_plane_distance(&wall, &b));
         TEST_ASSERT_EQUAL_INT32(0, at.x);
         TEST_ASSERT_EQUAL_INT32(cases[i].want, at.y);
     }

@@ -62,7 +62,10 @@ tiny_scene *tiny_make(void)
                              6,
                              NULL,
                              0,
-                             0};
+                             0,
+                             NULL,
+                             0,
+                             NULL};
     return &tiny;
 }
 

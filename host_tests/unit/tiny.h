@@ -60,7 +60,7 @@ enum {
     AT_KEYS = 140,
     AT_RESERVED = 148,
     HEADER_SIZE = 160,
-    TINY_WORDS = 512
+    TINY_WORDS = 640
 };
 
 typedef struct {

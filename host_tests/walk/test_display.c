@@ -37,7 +37,7 @@ static char diary[256]; /* a letter a call, of all panels: upper case for the fi
 static uint8_t palette[768];
 static const uint8_t pixels[WIDTH * HEIGHT] = {1, 2, 3};
 static const fxl_pose pose = {{1, 2, 3}, 4, 5, 6};
-static const fxl_counters counters = {1, 0, 0, 0, 0, 1, 0, 0, 0};
+static const fxl_counters counters = {.in = 1, .drawn = 1};
 
 static bool note(double_panel *one, enum call call)
 {

@@ -17,6 +17,7 @@
 #define FIXEL_H
 
 #include "fixel/angle.h"
+#include "fixel/beam.h"
 #include "fixel/camera.h"
 #include "fixel/clip.h"
 #include "fixel/clip_view.h"
@@ -31,6 +32,7 @@
 #include "fixel/half_space.h"
 #include "fixel/hidden.h"
 #include "fixel/lens.h"
+#include "fixel/light.h"
 #include "fixel/line.h"
 #include "fixel/list.h"
 #include "fixel/normalised.h"
@@ -49,8 +51,10 @@
 #include "fixel/split.h"
 #include "fixel/status.h"
 #include "fixel/transform.h"
+#include "fixel/tree.h"
 #include "fixel/triangle.h"
 #include "fixel/view.h"
 #include "fixel/viewer.h"
+#include "fixel/wire.h"
 
 #endif

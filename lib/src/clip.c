@@ -137,6 +137,7 @@ fxl_clip_result fxl_cut_world_by_planes(const fxl_polygon *in, const fxl_frustum
             current = out;
             spare ^= 1u;
             all = FXL_CLIP_CUT;
+            planes = FXL_PLANES_ALL; /* rounding may have put a new vertex outside of any */
         } else if (cut != FXL_CLIP_INSIDE) {
             *result = NULL;
             return cut;

@@ -7,7 +7,8 @@
 #include "fixel/clip_record.h"
 #include "fixel/clip_view.h"
 
-/* fxl_clip_view_to_planes, and fxl_clip_to_planes; account may be null. */
+/* fxl_clip_view_to_planes, and fxl_clip_to_frustum for a polygon of which no vertex lies
+ * outside of other planes than those; account may be null. */
 fxl_clip_result fxl_cut_view_by_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        fxl_planes planes, fxl_clip_view_work *work,
                                        fxl_clip_account *account, const fxl_view_polygon **result);

@@ -3,23 +3,7 @@
 
 #include "arith.h"
 #include "fixel/plane.h"
-
-/* The whole number nearest to sqrt(value), one bit a step; below 2^32 for
- * value < 2^63. What is left at the end is value - root^2, and (root + 1/2)^2
- * is root^2 + root + 1/4. */
-static uint32_t square_root(uint64_t value)
-{
-    uint64_t root = 0;
-    for (uint64_t bit = (uint64_t)1 << 62; bit != 0; bit >>= 2) {
-        if (value >= root + bit) {
-            value -= root + bit;
-            root = (root >> 1) + bit;
-        } else {
-            root >>= 1;
-        }
-    }
-    return (uint32_t)(value > root ? root + 1 : root);
-}
+#include "square_root.h"
 
 /* Scales (a, b), 0 < a, b < 2^30, to unit length. Both are first shifted up
  * until one has 30 bits, so that the root's last unit is below 2^-29 of it. */
@@ -31,7 +15,7 @@ static void normalise(uint32_t a, uint32_t b, fxl_q2_30 *unit_a, fxl_q2_30 *unit
     /* Squares below 2^60, so four times their sum is below 2^63. The root of
      * that is twice the length, with a bit more than the length itself. */
     uint32_t length =
-        square_root(4 * (fxl_multiply_u32(wide_a, wide_a) + fxl_multiply_u32(wide_b, wide_b)));
+        fxl_square_root(4 * (fxl_multiply_u32(wide_a, wide_a) + fxl_multiply_u32(wide_b, wide_b)));
     *unit_a = fxl_divide_round((int64_t)wide_a << 31, length);
     *unit_b = fxl_divide_round((int64_t)wide_b << 31, length);
 }

@@ -18,13 +18,13 @@ static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32
 {
     fxl_span_buffer *buffer = fxl_spans_of(renderer);
     fxl_scan *scan = &renderer->work.scan;
-    fxl_span span;
+    const fxl_trapezoid *trapezoid;
     if (buffer->open_rows == 0) {
         return true;
     }
     fxl_scan_outline(points, count, band, scan);
-    while (fxl_scan_next(scan, &span)) {
-        if (!fxl_span_buffer_draw(buffer, &span, colour, band)) {
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        if (!fxl_span_buffer_draw(buffer, trapezoid, colour, band)) {
             return false;
         }
     }

@@ -13,7 +13,8 @@ static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32
     }
     fxl_scan_box_begin(points, count, band, &scan);
     while (fxl_scan_box_next(&scan, &span)) {
-        if (!fxl_span_buffer_draw(buffer, &span, colour, band)) {
+        const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
+        if (!fxl_span_buffer_draw(buffer, &row, colour, band)) {
             return false;
         }
     }

@@ -20,7 +20,7 @@ static uint64_t scaled_quotient(uint64_t part, uint64_t whole, int *down)
 }
 
 /* part / whole as mantissa 2^-(31 + shift), mantissa from 2^30 to 2^31:
- * 0 < part <= whole < 2^54. Exactly 1 where the two are equal; else within 2^-30
+ * 0 < part <= whole < 2^55. Exactly 1 where the two are equal; else within 2^-30
  * of itself. */
 typedef struct {
     uint32_t mantissa;
@@ -88,11 +88,13 @@ void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
     uint64_t x = (uint64_t)lens->focal * (uint64_t)frustum->half_height;
     uint64_t y = (uint64_t)lens->focal * (uint64_t)frustum->half_width;
     uint64_t z = (uint64_t)frustum->half_width * (uint64_t)frustum->half_height;
-    uint64_t largest = x > y ? x : y;
-    largest = z > largest ? z : largest;
-    factor along_x = factor_of(x, largest);
-    factor along_y = factor_of(y, largest);
-    factor along_z = factor_of(z, largest);
+    uint64_t largest = x > y ? x : y, one = z;
+    factor along_z = {(uint32_t)1 << 31, 0};
+    for (; one < largest; one <<= 1) { /* below 2^55 in the end */
+        along_z.shift += 1;
+    }
+    factor along_x = factor_of(x, one);
+    factor along_y = factor_of(y, one);
     frustum->eye = camera->position;
     frustum->x = row_of(&camera->right, &along_x);
     frustum->y = row_of(&camera->up, &along_y);

@@ -4,15 +4,18 @@
 #include "arith.h"
 #include "project_any.h"
 
-/* Below it the kernels' short way holds: 1024 pixels. */
+/* Below it the kernels' short way holds: 1024 pixels. And no point that is inside the
+ * frustum, or a few units outside, may have a side of more than twice its depth: so half the
+ * screen is to be less than twice the focal length, with something to spare. */
 #define FOCAL_SHORT ((uint32_t)1 << 26)
 
 /* The kernels in assembly know where members lie. */
 _Static_assert(offsetof(fxl_projection, depth_min) == 4 &&
-                   offsetof(fxl_projection, factor_2) == 8 &&
-                   offsetof(fxl_projection, factor_17) == 12 &&
-                   offsetof(fxl_projection, centre_x) == 16 &&
-                   offsetof(fxl_projection, centre_y) == 20 && offsetof(fxl_view_point, z) == 16,
+                   offsetof(fxl_projection, factor_less_1) == 8 &&
+                   offsetof(fxl_projection, factor_2) == 12 &&
+                   offsetof(fxl_projection, factor_17) == 16 &&
+                   offsetof(fxl_projection, centre_x) == 20 &&
+                   offsetof(fxl_projection, centre_y) == 24 && offsetof(fxl_view_point, z) == 16,
                "lib/kernels");
 
 /* Where a view point's depth is brought to: depth = z 2^-shift, rounded, from
@@ -85,13 +88,34 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
 void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection)
 {
     uint32_t focal = (uint32_t)lens->focal; /* below 2^29 */
+    uint32_t half = (lens->width > lens->height ? lens->width : lens->height) * 32768u;
     projection->factor = focal << 2;
-    projection->depth_min =
-        focal < FOCAL_SHORT ? (int32_t)(FXL_PROJECT_DEPTH_MIN >> 32) : INT32_MAX;
+    projection->factor_less_1 = projection->factor - 1;
+    projection->depth_min = focal < FOCAL_SHORT && half < 2 * focal - focal / 64
+                                ? (int32_t)(FXL_PROJECT_DEPTH_MIN >> 32)
+                                : INT32_MAX;
     projection->factor_2 = focal << 4;
     projection->factor_17 = focal << 19;
     projection->centre_x = (int32_t)lens->width * 32768;
     projection->centre_y = (int32_t)lens->height * 32768;
+}
+
+static uint32_t upper_magnitude(int64_t side)
+{
+    int32_t upper = (int32_t)(side >> 32);
+    return (uint32_t)(upper ^ (upper >> 31));
+}
+
+fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_point *view,
+                            fxl_screen_point *screen)
+{
+    int32_t upper = (int32_t)(view->z >> 32);
+    /* With m < 2 z of upper words, |X| <= 2^32 (m + 1) <= 2 Z. */
+    if (upper < projection->depth_min ||
+        (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {
+        return fxl_project_any(projection, view, screen);
+    }
+    return fxl_project_inside(projection, view, screen);
 }
 
 fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,

@@ -6,7 +6,7 @@
 #include "walk.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 472 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 464 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
@@ -18,6 +18,17 @@ static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
                              const fxl_memory *memory)
 {
+    fxl_status status = fxl_renderer_init_bare(renderer, scene, lens, memory);
+    if (status == FXL_OK) {
+        renderer->clipper = &fxl_clipper_view;
+        renderer->hidden = &fxl_hidden_sorted;
+    }
+    return status;
+}
+
+fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
+                                  const fxl_lens *lens, const fxl_memory *memory)
+{
     if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
         memory->order == NULL || (memory->list == NULL && memory->list_capacity > 0) ||
         (memory->cache == NULL && memory->cache_capacity > 0)) {
@@ -28,8 +39,8 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, con
     }
     renderer->scene = scene;
     fxl_view_set_lens(&renderer->view, lens);
-    renderer->clipper = &fxl_clipper_view;
-    renderer->hidden = &fxl_hidden_sorted;
+    renderer->clipper = NULL;
+    renderer->hidden = NULL;
     renderer->light = NULL;
     renderer->walk_room = NULL;
     renderer->paint_room = NULL;
@@ -94,6 +105,9 @@ fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hid
     if (room_size < walk || room_size - walk < paint) {
         return refuse(renderer, FXL_E_CAPACITY);
     }
+    if (walk > 0) {
+        memset(room, 0, walk);
+    }
     renderer->hidden = hidden;
     renderer->walk_room = room;
     renderer->paint_room = paint > 0 ? (uint8_t *)room + walk : NULL;
@@ -106,6 +120,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 {
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
+    }
+    if (renderer->clipper == NULL || renderer->hidden == NULL) {
+        return refuse(renderer, FXL_E_ORDER);
     }
     fxl_status status = fxl_view_set_pose(&renderer->view, pose);
     if (status != FXL_OK) {

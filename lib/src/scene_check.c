@@ -266,6 +266,31 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
 }
 
 /* One entry for each object, and for each face of the largest sorted model. */
+static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (scene->beam_count == 0) {
+        return FXL_OK;
+    }
+    if (scene->beams == NULL || scene->lit == NULL) {
+        return fail(fault, "beam table", 0, FXL_E_ARGUMENT);
+    }
+    if (scene->beam_count > FXL_BEAMS_MAX) {
+        return fail(fault, "beam table", 0, FXL_E_COUNT);
+    }
+    for (uint32_t i = 0; i < scene->beam_count; i++) {
+        fxl_status status = fxl_beam_check(&scene->beams[i]);
+        if (status != FXL_OK) {
+            return fail(fault, "beam", i, status);
+        }
+    }
+    for (uint32_t i = 0; i < scene->face_count; i++) {
+        if (!fxl_beams_fit(scene->beams, scene->beam_count, scene->faces[i].count)) {
+            return fail(fault, "face", i, FXL_E_CAPACITY);
+        }
+    }
+    return FXL_OK;
+}
+
 static uint32_t order_needed(const fxl_scene *scene)
 {
     uint32_t faces = 0;
@@ -283,6 +308,7 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
     static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
         check_counts,   check_faces, check_models,  check_objects, check_placed_vertices,
         check_vertices, check_radii, check_normals, check_keys,    fxl_tree_check,
+        check_beams,
     };
     if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->objects == NULL) {

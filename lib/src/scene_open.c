@@ -29,6 +29,13 @@ typedef struct {
     uint32_t tree_object;
 } header;
 
+/* What follows it where a scene has beams. */
+typedef struct {
+    table beams;
+    uint32_t lit; /* offset of 256 bytes */
+    uint32_t reserved;
+} lit_header;
+
 _Static_assert(sizeof(header) == 160, "SPEC.md, chapter 8");
 _Static_assert(offsetof(header, start) == 40, "SPEC.md, chapter 8");
 _Static_assert(offsetof(header, palette) == 80, "SPEC.md, chapter 8");
@@ -40,13 +47,15 @@ _Static_assert(sizeof(fxl_object) == 16, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_face_key) == 20, "SPEC.md, chapter 8");
 _Static_assert(offsetof(header, nodes) == 148, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_tree_node) == 32, "SPEC.md, chapter 8");
+_Static_assert(sizeof(lit_header) == 16, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_beam) == 176, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_stride) == 4, "SPEC.md, chapter 8");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
 #define MAGIC           0x534C5846u /* "FXLS" */
 #define VERSION         2u
-#define VERSION_TREE    3u
+#define VERSION_MORE    3u /* may have a tree, and beams */
 #define PALETTE_ENTRIES 256u
 
 enum {
@@ -63,6 +72,19 @@ static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
     return status;
 }
 
+/* Null where the scene has no beams. */
+static const lit_header *lit_of(const header *head)
+{
+    return head->header_size > sizeof *head ? (const lit_header *)(const void *)(head + 1) : NULL;
+}
+
+/* The larger header says nothing but with beams. */
+static bool header_size_is_known(const header *head)
+{
+    return head->header_size == sizeof *head ||
+           (head->version != VERSION && head->header_size == sizeof *head + sizeof(lit_header));
+}
+
 static fxl_status check_envelope(const header *head, size_t size)
 {
     if (size < sizeof *head) {
@@ -71,10 +93,10 @@ static fxl_status check_envelope(const header *head, size_t size)
     if (head->magic != MAGIC) {
         return FXL_E_MAGIC;
     }
-    if (head->version != VERSION && head->version != VERSION_TREE) {
+    if (head->version != VERSION && head->version != VERSION_MORE) {
         return FXL_E_VERSION;
     }
-    if (head->header_size != sizeof *head || head->image_size < sizeof *head ||
+    if (!header_size_is_known(head) || head->image_size < head->header_size ||
         head->image_size > FXL_SCENE_IMAGE_MAX || head->image_size % 4 != 0 ||
         head->image_size > size) {
         return FXL_E_SIZE;
@@ -86,8 +108,15 @@ static fxl_status check_envelope(const header *head, size_t size)
     if (head->reserved != 0 || head->path_kind > PATH_STRIDES) {
         return FXL_E_RESERVED;
     }
+    if (lit_of(head) != NULL && lit_of(head)->reserved != 0) {
+        return FXL_E_RESERVED;
+    }
     bool tree = (head->nodes.offset | head->nodes.count | head->tree_object) != 0;
-    return tree && head->version == VERSION ? FXL_E_RESERVED : FXL_OK;
+    if (tree && head->version == VERSION) {
+        return FXL_E_RESERVED;
+    }
+    /* One scene, one way to say it: the larger version where there is more. */
+    return head->version == VERSION || tree || lit_of(head) != NULL ? FXL_OK : FXL_E_VERSION;
 }
 
 /* Lens, start and gait; a step without keys checks the last two by the very
@@ -128,7 +157,7 @@ static fxl_status check_table(const header *head, const table *entry, uint32_t e
         return fail(fault, what, 0, FXL_E_ALIGNMENT);
     }
     uint64_t bytes = (uint64_t)entry->count * entry_size;
-    if (entry->offset < sizeof *head || entry->offset > head->image_size ||
+    if (entry->offset < head->header_size || entry->offset > head->image_size ||
         bytes > head->image_size - entry->offset) {
         return fail(fault, what, 0, FXL_E_OFFSET);
     }
@@ -171,7 +200,15 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
             return status;
         }
     }
-    return FXL_OK;
+    if (lit_of(head) == NULL) {
+        return FXL_OK;
+    }
+    const table lit = {lit_of(head)->lit, PALETTE_ENTRIES};
+    fxl_status status = check_table(head, &lit_of(head)->beams, sizeof(fxl_beam), FXL_BEAMS_MAX,
+                                    "beam table", fault);
+    return status == FXL_OK
+               ? check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault)
+               : status;
 }
 
 static const void *at(const header *head, uint32_t offset)
@@ -192,6 +229,11 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
     opened->scene.nodes = head->nodes.count > 0 ? at(head, head->nodes.offset) : NULL;
     opened->scene.node_count = head->nodes.count;
     opened->scene.tree_object = head->tree_object;
+    if (lit_of(head) != NULL) {
+        opened->scene.beams = at(head, lit_of(head)->beams.offset);
+        opened->scene.beam_count = lit_of(head)->beams.count;
+        opened->scene.lit = at(head, lit_of(head)->lit);
+    }
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.corner_count = head->corners.count;
     opened->scene.face_count = head->faces.count;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "arith.h"
-#include "fixel/fill.h"
+#include "fill_row.h"
 
 _Static_assert(sizeof(fxl_covered) == 6, "SPEC.md, chapter 4c");
 _Static_assert(FXL_SCREEN_MAX < FXL_COVERED_END, "a pixel fits, and every row can be counted");
@@ -34,16 +34,10 @@ void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band)
     buffer->open_rows = band->rows;
 }
 
-static void fill(const fxl_band *band, int16_t y, uint16_t x0, uint16_t x1, uint8_t colour)
-{
-    const fxl_span gap = {y, (int16_t)x0, (int16_t)x1};
-    fxl_fill_span(band, &gap, colour);
-}
-
 /* A new interval at *link, before what is there. False where the pool is full. */
-static bool insert(fxl_span_buffer *buffer, uint16_t *link, uint16_t x0, uint16_t x1)
+static inline bool insert(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, uint32_t x1)
 {
-    uint16_t number = buffer->unused;
+    uint32_t number = buffer->unused;
     if (number != FXL_COVERED_END) {
         buffer->unused = buffer->pool[number].next;
     } else if (buffer->used < buffer->capacity) {
@@ -51,25 +45,25 @@ static bool insert(fxl_span_buffer *buffer, uint16_t *link, uint16_t x0, uint16_
     } else {
         return false;
     }
-    buffer->pool[number] = (fxl_covered){x0, x1, *link};
-    *link = number;
+    buffer->pool[number] = (fxl_covered){(uint16_t)x0, (uint16_t)x1, *link};
+    *link = (uint16_t)number;
     return true;
 }
 
 /* Draws from the interval's end to x1 where nothing is, and takes into the interval all that
  * it then touches. */
-static void extend(fxl_span_buffer *buffer, fxl_covered *at, uint16_t x1, int16_t y, uint8_t colour,
-                   const fxl_band *band)
+static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1, uint8_t *pixels,
+                          uint32_t four)
 {
     while (at->x1 < x1) {
         const uint16_t number = at->next;
         fxl_covered *next = &buffer->pool[number];
         if (number == FXL_COVERED_END || next->x0 > x1) {
-            fill(band, y, at->x1, x1, colour);
-            at->x1 = x1;
+            fxl_fill_row(pixels + at->x1, pixels + x1, four);
+            at->x1 = (uint16_t)x1;
             return;
         }
-        fill(band, y, at->x1, next->x0, colour); /* they did not touch: it is not empty */
+        fxl_fill_row(pixels + at->x1, pixels + next->x0, four);
         at->x1 = next->x1;
         at->next = next->next;
         next->next = buffer->unused;
@@ -77,32 +71,59 @@ static void extend(fxl_span_buffer *buffer, fxl_covered *at, uint16_t x1, int16_
     }
 }
 
-bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_span *span, uint8_t colour,
-                          const fxl_band *band)
+/* Pixels x0 <= x < x1 of a row whose first interval is *link and whose first pixel is *pixels;
+ * x0 < x1. */
+static inline bool cover(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, uint32_t x1,
+                         uint8_t *pixels, uint32_t four)
 {
-    FXL_ASSERT(span->y >= buffer->first_row && span->y < buffer->first_row + buffer->row_count);
-    FXL_ASSERT(span->x0 >= 0 && span->x0 < span->x1 && span->x1 <= buffer->width);
-    const uint16_t x0 = (uint16_t)span->x0, x1 = (uint16_t)span->x1;
-    uint16_t *link = &buffer->rows[span->y - buffer->first_row];
-    while (*link != FXL_COVERED_END && buffer->pool[*link].x1 < x0) {
-        link = &buffer->pool[*link].next;
+    fxl_covered *at = NULL; /* the first that does not end before the span */
+    while (*link != FXL_COVERED_END) {
+        at = &buffer->pool[*link];
+        if (at->x1 >= x0) {
+            break;
+        }
+        link = &at->next;
     }
-    fxl_covered *at = &buffer->pool[*link]; /* the first that does not end before the span */
     if (*link == FXL_COVERED_END || at->x0 > x1) {
         if (!insert(buffer, link, x0, x1)) {
             return false;
         }
         at = &buffer->pool[*link];
-        fill(band, span->y, x0, x1, colour);
+        fxl_fill_row(pixels + x0, pixels + x1, four);
     } else if (x0 >= at->x0 && x1 <= at->x1) {
         return true;
     } else {
         if (x0 < at->x0) {
-            fill(band, span->y, x0, at->x0, colour);
-            at->x0 = x0;
+            fxl_fill_row(pixels + x0, pixels + at->x0, four);
+            at->x0 = (uint16_t)x0;
         }
-        extend(buffer, at, x1, span->y, colour, band);
+        extend(buffer, at, x1, pixels, four);
     }
     buffer->open_rows = (uint16_t)(buffer->open_rows - (at->x0 == 0 && at->x1 == buffer->width));
+    return true;
+}
+
+bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trapezoid, uint8_t colour,
+                          const fxl_band *band)
+{
+    FXL_ASSERT(trapezoid->first_row >= buffer->first_row &&
+               trapezoid->first_row < trapezoid->end_row &&
+               trapezoid->end_row <= buffer->first_row + buffer->row_count);
+    const uint32_t four = colour * 0x01010101u, first = (uint32_t)trapezoid->first_row;
+    uint8_t *pixels = band->pixels + (size_t)(first - band->first_row) * band->stride;
+    uint16_t *row = &buffer->rows[first - buffer->first_row];
+    fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+    for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
+        const uint32_t x0 = (uint32_t)(a.x < b.x ? a.x : b.x);
+        const uint32_t x1 = (uint32_t)(a.x < b.x ? b.x : a.x);
+        FXL_ASSERT(x0 <= x1 && x1 <= buffer->width);
+        if (x0 != x1 && !cover(buffer, row, x0, x1, pixels, four)) {
+            return false;
+        }
+        fxl_edge_step(&a);
+        fxl_edge_step(&b);
+        pixels += band->stride;
+        row += 1;
+    }
     return true;
 }

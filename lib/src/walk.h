@@ -28,6 +28,10 @@ static inline bool fxl_walk_face(const fxl_walk *on, const fxl_placed *placed, c
     return on->take(on, placed, face);
 }
 
+/* The same for an object: with light on it, the light's. */
+fxl_face_taker fxl_walk_taker_of(const fxl_walk *on, const fxl_object *object,
+                                 const fxl_model *model);
+
 /* What is left of an object, from on->place->faces on: all of its faces, counted, by number
  * or by distance, in the order of the method. False where it was stopped. */
 bool fxl_walk_object(const fxl_walk *on, const fxl_order_entry *entry);

@@ -34,7 +34,7 @@ def _number(value, digits=None):
     return f"{value:,.{digits}f}"
 
 
-def _markdown_table(header, rows, left=(0,)):
+def markdown_table(header, rows, left=(0,)):
     """The columns of `left` left, of numbers right."""
     ruler = ["---" if place in left else "---:" for place in range(len(header))]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in [header, ruler, *rows])
@@ -82,7 +82,7 @@ def goals_markdown(_, result):
     """Each goal beside its figure; what is not met is accounted for."""
     rows = [[goal["goal"], _goal_number(goal["most"]), f"**{_goal_number(goal['figure'])}**", MET[goal["met"]][0].lower(),
              goal["note"] or "", goal["beside"] or ""] for goal in result["goals"]]
-    text = _markdown_table(["goal", "at most", "measured", "", "", "others"], rows, left=(0, 3, 4, 5))
+    text = markdown_table(["goal", "at most", "measured", "", "", "others"], rows, left=(0, 3, 4, 5))
     accounts = [f"- {goal['goal']}: {goal['account']}" for goal in result["goals"]
                 if goal["met"] is False and goal["account"]]
     return "\n\n".join([text, "\n".join(accounts)]).rstrip()
@@ -122,7 +122,7 @@ def frames_markdown(plan, result):
             found = [_one(result, workload=workload, renderer=renderer, core=core) for core in result["cores"]]
             if any(found):
                 rows.append([f"{workload}, {renderer}", *[_frame_cell(row) for row in found]])
-    return _markdown_table(header, rows)
+    return markdown_table(header, rows)
 
 
 def _frame_cell(row):
@@ -145,7 +145,7 @@ def ratios_markdown(plan, result):
             cells.append(f"{_number(ours['per_unit'])}, {_number(ours['ratio_to_listing_double'], 2)}, "
                          f"{_number(ours['instructions'] / single['instructions'], 2)}")
         rows.append([workload, entry["unit"], *cells])
-    return _markdown_table(header, rows)
+    return markdown_table(header, rows)
 
 
 def kernels_markdown(plan, result):
@@ -153,7 +153,7 @@ def kernels_markdown(plan, result):
     header = ["kernel", "what", "a", *[NAMES[core] for core in result["cores"]]]
     rows = [[name, plan.kernels[name]["what"], unit, *map(_number, figures)]
             for name, unit, *figures in _kernel_cells(plan, result)]
-    return _markdown_table(header, rows)
+    return markdown_table(header, rows)
 
 
 def sizes_markdown(plan, result):
@@ -170,7 +170,7 @@ def sizes_markdown(plan, result):
                  for core in result["cores"]]
         rows.append([f"{renderer}: stack", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
         rows.append([f"{renderer}: RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
-    return _markdown_table(header, rows)
+    return markdown_table(header, rows)
 
 
 def files_markdown(_, result):
@@ -181,7 +181,7 @@ def files_markdown(_, result):
                    key=lambda name: (-max(files.get(name, 0) for files in sizes.values()), name))
     rows = [[name, *[_number(files.get(name, 0)) for files in sizes.values()]] for name in names]
     rows.append(["all", *[_number(sum(files.values())) for files in sizes.values()]])
-    return _markdown_table(["bytes, -Os", *[NAMES[core] for core in sizes]], rows)
+    return markdown_table(["bytes, -Os", *[NAMES[core] for core in sizes]], rows)
 
 
 def small_markdown(plan, result):
@@ -207,7 +207,7 @@ def stages_markdown(_, result):
     rows = [[name, pipeline.what.get(name, ""),
              *[_share(shares.get((*column, name), 0), whole[column]) for column in columns]] for name in names]
     rows.append(["a frame", "", *[f"{round(whole[column]):,}" for column in columns]])
-    return _markdown_table(["stage", "what", *[f"{workload}, {NAMES[core]}" for core, workload in columns]], rows,
+    return markdown_table(["stage", "what", *[f"{workload}, {NAMES[core]}" for core, workload in columns]], rows,
                            left=(0, 1))
 
 
@@ -224,7 +224,7 @@ def functions_markdown(plan, result):
         rows += [[row["stage"] if not place else "", name, *_parts(number, whole, row["frames"])]
                  for place, (name, number) in enumerate(parts)]
     rows.append(["a frame", "", *_parts(whole, whole, stages[0]["frames"] if stages else 1)])
-    return _markdown_table(["stage", f"function, {workload}, {NAMES[core]}", "instructions a frame", "share"], rows,
+    return markdown_table(["stage", f"function, {workload}, {NAMES[core]}", "instructions a frame", "share"], rows,
                            left=(0, 1))
 
 
@@ -240,13 +240,13 @@ def estimates_markdown(_, result):
     """An ESTIMATE of cycles of a mean frame."""
     rows = [[f"{row['workload']}, code for {NAMES[row['core']]}", row["title"], f"{row['least']:,} to {row['most']:,}"]
             for row in result["cycles_estimate"]]
-    return _markdown_table(["a frame", "on", "ESTIMATE of cycles"], rows, left=(0, 1))
+    return markdown_table(["a frame", "on", "ESTIMATE of cycles"], rows, left=(0, 1))
 
 
 def costs_markdown(_, __):
     """What an instruction costs in the ESTIMATE."""
     titles, kinds = cycles.costs()
-    return _markdown_table(["instruction", *titles],
+    return markdown_table(["instruction", *titles],
                            [[kind, *map(_cost, costs)] for kind, costs in kinds.items()])
 
 
@@ -263,7 +263,7 @@ def growth_markdown(_, result):
     if not result["growth"]:
         return "Not measured: no board stands for the core."
     header = ["", "times", "objects", "pixels", "instructions a frame", "times the first"]
-    return _markdown_table(header, [[row[0], *map(_number, row[1:])] for row in _growth_cells(result)])
+    return markdown_table(header, [[row[0], *map(_number, row[1:])] for row in _growth_cells(result)])
 
 
 def pictures_markdown(plan, result):
@@ -277,7 +277,7 @@ def pictures_markdown(plan, result):
             if found:
                 rows.append([f"{workload}, {renderer}",
                              *[_number(1e6 * row["differing"] / row["pixels"], 1) for row in found]])
-    return _markdown_table(header, rows)
+    return markdown_table(header, rows)
 
 
 def equality_markdown(_, __):

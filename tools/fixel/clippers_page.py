@@ -66,13 +66,13 @@ EXACT_HEADER = ["clipper", "hidden", "error", "at all", "differ", "of a million"
 
 
 def operation_cells(result):
-    """[[clipper, intersections, multiplications, divisions of a polygon that the frustum cuts]], over all scenes."""
+    """[[clipper, intersections, distances, multiplications, divisions of a polygon that the frustum cuts]], over all scenes."""
     cells, rows = [], result["operations"]["rows"]
     for clipper in _values(rows, "clipper"):
         found = [row for row in rows if row["clipper"] == clipper and row["crossing"]]
         crossing = sum(row["crossing"] for row in found)
         cells.append([clipper, *[round(sum(row[key] * row["crossing"] for row in found) / crossing, 2) if crossing
-                                 else None for key in ("intersections", "multiplications", "divisions")]])
+                                 else None for key in ("intersections", "distances", "multiplications", "divisions")]])
     return cells
 
 
@@ -87,7 +87,7 @@ def terminal(plan, result):
         parts.append("error in 1/65536 pixel\n" + table(exact_cells(rows), EXACT_HEADER))
     if result["operations"]["rows"]:
         parts.append(f"a polygon that the frustum cuts, {NAMES[result['operations']['core']]}\n" +
-                     table(operation_cells(result), ["clipper", "intersections", "multiplications", "divisions"]))
+                     table(operation_cells(result), ["clipper", "intersections", "distances", "multiplications", "divisions"]))
     return "\n\n".join(parts)
 
 
@@ -150,3 +150,104 @@ def render(plan, result, hosts):
         costs={core: cost_cells(rows, core) for core in _values(rows, "board")}, exact=exact_cells(rows),
         operations=operation_cells(result), pictures=scene_pictures(plan, result, hosts),
         differences=difference_blocks(hosts), plots=plots(plan, result))
+
+
+# --- docs/clipping.md ----------------------------------------------------------------
+
+def _cells(values):
+    return [value if isinstance(value, str) else report_page.figure(value) for value in values]
+
+
+def _markdown(header, rows, left=2):
+    return bench_page.markdown_table(header, [_cells(row) for row in rows], left=range(left))
+
+
+def clippers_markdown(plan, _):
+    """The clippers, and what they do."""
+    return _markdown(["clipper", "", "systems"], [[f"**{name}**", each["what"], each["systems"]]
+                                                  for name, each in plan.clippers.items()], 3)
+
+
+def hidden_markdown(plan, _):
+    """What hides what."""
+    return _markdown(["method", "", "systems"], [[f"**{name}**", each["what"], each["systems"]]
+                                                 for name, each in plan.hidden.items()], 3)
+
+
+def scenes_markdown(plan, result):
+    """The scenes, and how much of them was drawn."""
+    return _markdown(["scene", "", "frames"], [[f"**{name}**", plan.scenes[name]["what"], frames]
+                                               for name, frames in result["frames"].items()])
+
+
+def _costs_markdown(rows, core):
+    scenes = _values(rows, "scene")
+    header = [f"{NAMES[core]}", "hidden", *scenes, "worst frame"]
+    return _markdown(header, [cells[:2 + len(scenes) + 1] for cells in cost_cells(rows, core)])
+
+
+def costs_markdown(_, result):
+    """Median instructions a frame of each clipper, with the first method and what only some have."""
+    rows = [row for row in result["rows"] if row["hidden"] in ("sorted", "box")]
+    return "\n\n".join(_costs_markdown(rows, core) for core in _values(rows, "board"))
+
+
+def methods_markdown(_, result):
+    """The same of each method, with the first clipper."""
+    rows = [row for row in result["rows"] if row["clipper"] == result["rows"][0]["clipper"]]
+    return "\n\n".join(_costs_markdown(rows, core) for core in _values(rows, "board"))
+
+
+def memory_markdown(_, result):
+    """Bytes of flash, RAM and stack: each clipper with the first method, then each method with the first clipper."""
+    rows, cores = result["rows"], _values(result["rows"], "board")
+    first = rows[0]
+    wanted = [kind for kind in _kinds(rows) if first["hidden"] == kind[1] or first["clipper"] == kind[0]]
+    table_rows = []
+    for clipper, hidden in wanted:
+        cells = [clipper, hidden]
+        for core in cores:
+            found = [row for row in rows if (row["clipper"], row["hidden"], row["board"]) == (clipper, hidden, core)]
+            cells += [found[0]["text_bytes"], max(row["stack_bytes"] for row in found)]
+        table_rows.append([*cells, max(row["ram_bytes"] for row in rows
+                                       if (row["clipper"], row["hidden"]) == (clipper, hidden))])
+    return _markdown(["clipper", "hidden", *[f"{NAMES[core]}: {what}" for core in cores for what in ("flash", "stack")],
+                      "RAM, at most"], table_rows)
+
+
+def exact_markdown(_, result):
+    """How exact each combination is, over all scenes."""
+    header = ["clipper", "hidden", "largest error", "nearly parallel too", "pixels that differ", "of a million",
+              "from an edge at most", "unexplained", "farthest on the screen, pixels", "vertices at most"]
+    return _markdown(header, exact_cells(result["rows"]))
+
+
+def operations_markdown(_, result):
+    """What cutting takes."""
+    return _markdown(["clipper", "intersections", "distances", "multiplications", "divisions"],
+                     operation_cells(result), 1)
+
+
+def all_markdown(_, result):
+    """Every combination: median instructions a frame in every scene."""
+    return "\n\n".join(_costs_markdown(result["rows"], core) for core in _values(result["rows"], "board"))
+
+
+def summary_markdown(_, result):
+    """How much was drawn and compared."""
+    rows = result["rows"]
+    return (f"{len(_kinds(rows))} combinations in {len(result['frames'])} scenes on {len(_values(rows, 'board'))} cores: "
+            f"{sum(row['frames'] for row in rows):,} frames, {sum(row['pixels'] for row in rows):,} pixels. Different "
+            f"from double: {sum(row['pixels_differing'] for row in rows):,}; unexplained: "
+            f"{sum(row['pixels_unexplained'] for row in rows):,}. Frames of an emulated core unlike the host's: "
+            f"{sum(not row['equal_to_host'] for row in rows)}.")
+
+
+SECTIONS = {"summary": summary_markdown, "clippers": clippers_markdown, "hidden": hidden_markdown,
+            "scenes": scenes_markdown, "costs": costs_markdown, "methods": methods_markdown,
+            "operations": operations_markdown, "memory": memory_markdown, "exact": exact_markdown, "all": all_markdown}
+
+
+def replace_tables(text, plan, result):
+    """docs/clipping.md with its tables made anew."""
+    return bench_page.replace_tables(text, plan, result, SECTIONS)

@@ -72,7 +72,8 @@ class Plan:
 
     def combinations(self):
         """All of them, one clipper after the other."""
-        return [Combination(clipper, hidden) for clipper in self.clippers for hidden in self.hidden]
+        return [Combination(clipper, name) for clipper in self.clippers for name, hidden in self.hidden.items()
+                if clipper in hidden.get("only", self.clippers)]
 
     def explained(self, clipper, scene):
         """The distance from an edge, in pixels, that explains a differing pixel of a SceneImage."""
@@ -91,24 +92,28 @@ def spread(count, wanted):
     return [number * count // wanted for number in range(wanted)]
 
 
-def compile_scene(plan, entry, folder, frames=None):
-    """(file, SceneImage) of a scene with so many poses of its walk, spread over it; None where
-    its source is not there, which only a model of others may be."""
-    source = pathlib.Path(entry["scene"])
-    if entry.get("others") and not source.exists():
-        return None
-    whole = pathlib.Path(folder) / f"{entry['name']}-whole.fxls"
-    scene, _ = scene_tool.build(str(source), whole)
+def is_here(entry):
+    """Whether a scene's source is there; only a model of others may be absent."""
+    return not entry.get("others") or pathlib.Path(entry["scene"]).exists()
+
+
+def compile_scene(plan, entry, folder, tree, frames=None):
+    """(file, SceneImage) of a scene with so many poses of its walk, spread over it. tree: all that stands
+    still is in a tree."""
+    name = f"{entry['name']}-tree" if tree else entry["name"]
+    whole = pathlib.Path(folder) / f"{name}-whole.fxls"
+    scene, _ = scene_tool.build(entry["scene"], whole, layers="all" if tree else None)
     poses = scene.path
     if scene.path_kind != image.POSES:
-        walked = pathlib.Path(folder) / f"{entry['name']}-whole.fxld"
+        walked = pathlib.Path(folder) / f"{name}-whole.fxld"
         emulator.run("host", whole, plan.build / "boards" / "host" / "walk", walked)
         poses = [(*frame.position, *frame.angles) for frame in dump.read_dump(walked).frames]
+    wanted = frames or entry["frames"]
     if len(poses) == 1:
-        poses = turned(scene, poses[0], entry["frames"] if frames is None else frames)
-    chosen = [poses[number] for number in spread(len(poses), entry["frames"] if frames is None else frames)]
+        poses = turned(scene, poses[0], wanted)
+    chosen = [poses[number] for number in spread(len(poses), wanted)]
     scene = dataclasses.replace(scene, path_kind=image.POSES, path=chosen)
-    file = pathlib.Path(folder) / f"{entry['name']}.fxls"
+    file = pathlib.Path(folder) / f"{name}.fxls"
     bench_plan.save_scene(scene, file)
     return file, scene
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """From what was drawn, judged and counted to the rows of clippers.json, and what is wrong with them."""
 
+import json
+
 from fixel import clippers_run
 
 CLAIM_BEYOND = 1e-4     # of outlines may be beyond the claim: SPEC.md 6b says why
@@ -20,23 +22,24 @@ def row(plan, core, combination, scene, host, drawn, text_bytes):
             "equal_to_host": clippers_run.frame_sums(drawn.pixels) == host.sums,
             "crcs": [f"{value:08x}" for value in host.sums],
             **{key: found[key] for key in ("faces", "crossing", "missed", "refused", "beyond", "vertices",
-                                           "screen_px", "view_units", "intersections")},
+                                           "screen_px", "view_units", "intersections", "distances")},
             "split_bands": sum(frame.counters.get("split_bands", 0) for frame in host.drawn.frames)}
 
 
 def operation_rows(counted, hosts, hidden):
-    """[{clipper, scene, intersections, multiplications, divisions}] of a polygon that the frustum cuts."""
+    """[{clipper, scene, intersections, distances, multiplications, divisions}] of a polygon that the frustum cuts."""
     rows = []
     for (clipper, scene), taken in counted.items():
         found = hosts[clipper, hidden, scene].found
         crossing = found["crossing"]
         rows.append({"clipper": clipper, "scene": scene, "crossing": crossing, "cut": found["cut"],
                      **{key: round(value / crossing, 2) if crossing else None for key, value in
-                        (("intersections", found["intersections"]), *taken.items())}})
+                        (("intersections", found["intersections"]), ("distances", found["distances"]),
+                                       *taken.items())}})
     return rows
 
 
-def complaints(result):
+def complaints(plan, result):
     """Everything that is not as it should be, in sentences."""
     found = []
     for each in result["rows"]:
@@ -45,8 +48,21 @@ def complaints(result):
             found.append(f"{name}: {each['pixels_unexplained']:,} pixels differ from double without explanation")
         if not each["equal_to_host"]:
             found.append(f"{name}: the frames of the emulated core are not those of the host")
+        claim = plan.clippers[each["clipper"]].get("claim")
+        if claim and each["max_error_units"] > claim and each["beyond"] > CLAIM_BEYOND * each["faces"]:
+            found.append(f"{name}: {each['beyond']:,} of {each['faces']:,} outlines err by more than {claim}/65536 "
+                         f"pixel, by {each['max_error_units']:.3g} at most")
         if each["missed"]:
             found.append(f"{name}: {each['missed']:,} faces are there or not, otherwise than exact clipping says")
         if each["refused"]:
             found.append(f"{name}: {each['refused']:,} faces were refused")
     return found
+
+
+def as_lines(result):
+    """clippers.json with a line for each row, without the frames' CRCs."""
+    def lines(rows):
+        kept = ({key: value for key, value in row.items() if key != "crcs"} for row in rows)
+        return "[\n" + ",\n".join(json.dumps(row) for row in kept) + "]"
+    return "{" + ",\n".join(f"{json.dumps(key)}: {lines(value) if key == 'rows' else json.dumps(value)}"
+                            for key, value in result.items()) + "}\n"

@@ -40,7 +40,9 @@ def on_host(plan, combination, scene, file, folder):
                                  file, drawn])
     explained = plan.explained(combination.clipper, scene["image"])
     programs.run_program([plan.build / "host" / "judge", file, drawn, "--json", report, "--twin", twin,
-                          "--distance", repr(explained)])
+                          "--distance", repr(explained),
+                          "--clipper", combination.clipper,
+                          "--hidden", "tree" if plan.hidden[combination.hidden]["tree"] else "sorted"])
     frames = dump.read_dump(drawn)
     try:
         found = json.loads(said)

@@ -19,6 +19,7 @@ from fixel.flash_image import ERASED, read_old, replace
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
 SCENE_VERSIONS = (2, 3)
 SCENE_HEADER_SIZE = 160
+SCENE_HEADER_SIZES = (160, 176)    # the larger one of a scene with beams of light
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,7 +51,7 @@ def read_scene(path):
     if len(data) < SCENE_HEADER_SIZE or data[:4] != b"FXLS":
         raise ToolError(f"{path} is not a scene image: make one with tools/scene.py")
     _, version, header_size, size, crc = SCENE_HEAD.unpack_from(data)
-    if version not in SCENE_VERSIONS or header_size != SCENE_HEADER_SIZE:
+    if version not in SCENE_VERSIONS or header_size not in SCENE_HEADER_SIZES:
         raise ToolError(f"{path} is a scene image of version {version} with a header of {header_size} "
                         f"bytes; this tool knows versions 2 and 3 with {SCENE_HEADER_SIZE}: "
                         "make it again with tools/scene.py")

@@ -9,12 +9,14 @@ import tempfile
 import zlib
 
 from fixel.errors import ToolError
+from fixel import image_beam
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
 MAGIC = b"FXLS"
-VERSION, VERSION_TREE = 2, 3
+VERSION, VERSION_MORE = 2, 3
 HEADER_SIZE = 160
+LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size   # of a scene with beams
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
@@ -84,6 +86,8 @@ class SceneImage:
     start: tuple = (0, 0, 0, 0, 0, 0)
     gait: tuple = (0, 0, 0, 0)          # acceleration, friction, top speed, turn
     tree: Tree = None
+    beams: list = field(default_factory=list)
+    lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     size: int = field(default=0, compare=False)
     crc: int = field(default=0, compare=False)
@@ -136,22 +140,29 @@ def pack(image):
     tables = [[_PALETTE.pack(*entry) for entry in image.palette], *model_tables,
               [_OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
               [path_entry.pack(*entry) for entry in image.path]]
+    header_size = LIT_HEADER_SIZE if image.beams else HEADER_SIZE
     body, where = b"", []
     for table in tables:
-        where += [HEADER_SIZE + len(body), len(table)]
+        where += [header_size + len(body), len(table)]
         body += _aligned(b"".join(table))
-    where_keys = [HEADER_SIZE + len(body) if keys else 0, len(keys)]
+    where_keys = [header_size + len(body) if keys else 0, len(keys)]
     body += b"".join(keys)
     nodes = image.tree.nodes if image.tree else []
-    where_nodes = [HEADER_SIZE + len(body) if nodes else 0, len(nodes)]
+    where_nodes = [header_size + len(body) if nodes else 0, len(nodes)]
     body += b"".join(node.pack() for node in nodes)
+    if image.beams:
+        where_beams = header_size + len(body)
+        body += b"".join(beam.pack() for beam in image.beams)
+        body = image_beam.LIT_HEADER.pack(where_beams, len(image.beams), header_size + len(body),
+                                          0) + body + bytes(image.lit)
     size = HEADER_SIZE + len(body)
     if size > IMAGE_MAX:
         fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
              "use fewer or smaller models or a shorter path")
 
     def head(crc):
-        return _HEAD.pack(MAGIC, VERSION_TREE if nodes else VERSION, HEADER_SIZE, size, crc, image.width, image.height,
+        return _HEAD.pack(MAGIC, VERSION_MORE if nodes or image.beams else VERSION, header_size,
+                          size, crc, image.width, image.height,
                           image.fov, image.near, image.far, image.inset, image.background,
                           image.path_kind, 0, *image.start, *image.gait, *where, image.frames,
                           *where_keys, *where_nodes, image.tree.object if nodes else 0)
@@ -169,17 +180,19 @@ def _head(blob):
     magic, version, header_size, size, crc = fields[:5]
     if magic != MAGIC:
         fail("magic", "this is not a scene image (it does not begin with FXLS)")
-    if version not in (VERSION, VERSION_TREE):
+    if version not in (VERSION, VERSION_MORE):
         fail("version", f"a scene image of version {version}; this tool knows versions {VERSION} "
-             f"and {VERSION_TREE}")
-    if header_size != HEADER_SIZE:
+             f"and {VERSION_MORE}")
+    if header_size != HEADER_SIZE and (version, header_size) != (VERSION_MORE, LIT_HEADER_SIZE):
         fail("size", f"header size {header_size} is not {HEADER_SIZE}")
-    if size % 4 or not HEADER_SIZE <= size <= IMAGE_MAX or size > len(blob):
+    if size % 4 or not header_size <= size <= IMAGE_MAX or size > len(blob):
         fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
     if zlib.crc32(blob[16:size]) != crc:
         fail("crc", "the checksum does not match: the image is damaged")
     if fields[13] or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
         fail("reserved", "a reserved field of the header is not zero, or the path kind is unknown")
+    if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
+        fail("version", f"version {VERSION_MORE} of a scene image without a tree or beams")
     return fields
 
 
@@ -224,7 +237,7 @@ def check_plane(normal, points, what):
 
 def _tables(blob, fields):
     """The tables as lists of tuples, after their offsets and counts; keys and nodes last, empty
-    where there are none."""
+    where there are none; beams and lit colours where the header has them."""
     limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 3, 1_000_000),
               ("corners", _CORNER, 3, 4_000_000), ("faces", _FACE, 1, 1_000_000),
               ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
@@ -232,6 +245,12 @@ def _tables(blob, fields):
     size, tables, places = fields[3], [], [fields[i:i + 2] for i in range(24, 38, 2)]
     limits += [("keys", _KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX)]
     places += [fields[39:41], fields[41:43]]
+    if fields[2] == LIT_HEADER_SIZE:
+        *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
+        if reserved:
+            fail("reserved", "a reserved field of the header is not zero")
+        limits += [("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1)]
+        places += [beams, (lit, 1)]
     for (offset, count), (name, entry, low, high) in zip(places, limits):
         if name in ("keys", "nodes") and not count:
             if offset:
@@ -242,7 +261,7 @@ def _tables(blob, fields):
             fail("count", f"{count} {name} are outside {low}..{high}")
         if offset % 4:
             fail("alignment", f"the table of {name} begins at {offset}, not a multiple of four")
-        if offset < HEADER_SIZE or offset + count * entry.size > size:
+        if offset < fields[2] or offset + count * entry.size > size:
             fail("offset", f"the table of {name} reaches outside the image")
         tables.append(list(entry.iter_unpack(blob[offset:offset + count * entry.size])))
     return tables
@@ -348,7 +367,8 @@ def unpack(blob):
     start, gait = fields[14:20], fields[20:24]
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
-    palette, vertices, corners, faces, models, objects, path, keys, nodes = _tables(blob, fields)
+    palette, vertices, corners, faces, models, objects, path, keys, nodes, *light = \
+        _tables(blob, fields)
     _check_faces(faces, corners)
     models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
@@ -365,9 +385,12 @@ def unpack(blob):
         check_tree(tree, models, objects)
     elif fields[43]:
         fail("count", "the header says whose the tree is, but there is none")
+    beams = [image_beam.unpack(beam, i) for i, beam in enumerate(light[0])] if light else []
+    lit = bytes(light[1][0]) if light else bytes(range(256))
+    image_beam.check(beams, models)
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, size=fields[3], crc=fields[4])
+                      kind, path, start, gait, tree, beams, lit, size=fields[3], crc=fields[4])
 
 
 def load(path):

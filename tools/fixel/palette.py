@@ -55,6 +55,11 @@ class Light:
                      for c, s, l in zip(colour, self.sky, self.colour))
 
 
+def lit(colour, strength, tint):
+    """A baked colour in a beam of light: what it sends back of the light comes to it."""
+    return tuple(min(255, round(c * (1 + strength * t / 255))) for c, t in zip(colour, tint))
+
+
 def _median_cut(weights, count):
     """Distinct colours merged into count groups: {colour: group's mean}."""
     groups = [sorted(weights)]

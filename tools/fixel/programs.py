@@ -57,6 +57,14 @@ class HostPrograms:
         run_program([self.host / "raycast", scene, twin, "--json", report, "--every", str(every)])
         return read_json(report)
 
+    def wire(self, scene, dump, frames=None):
+        """A scene's path as wireframes into a dump; what the comparison with double found."""
+        text = run_program([self.host / "wire", scene, dump, *(["--frames", str(frames)] if frames else [])])
+        try:
+            return json.loads(text)
+        except ValueError as error:
+            raise ToolError(f"wire: its output is not the JSON agreed on: {error}") from error
+
     def stage_errors(self, scene, samples, seed):
         """Differences between library and twin at every stage boundary."""
         text = run_program([self.host / "stage_errors", scene, "--samples", str(samples),

@@ -5,7 +5,7 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import image, palette, quantity, toml_table
+from fixel import image, image_beam, palette, quantity, toml_table
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -13,7 +13,7 @@ from fixel.toml_object import Objects
 from fixel.toml_table import Table
 
 FRAMES_MAX = 1_000_000
-TOP_KEYS = {"screen", "view", "background", "light", "objects", "path"}
+TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path"}
 
 
 def _lens(top):
@@ -167,12 +167,58 @@ def _path(top, frames):
     return kind, entries, start, gait
 
 
-def _count_colours(placements):
+def _beams(top):
+    """The beams of a scene, and what becomes of a colour in one: a function, or None."""
+    if "beams" not in top:
+        return [], None
+    rows = top.rows("beams")
+    if len(rows) > image_beam.BEAMS_MAX:
+        raise ToolError(f"{top.at('beams')}: {len(rows)} beams are more than "
+                        f"{image_beam.BEAMS_MAX}")
+    beams = []
+    for i, data in enumerate(rows):
+        beam = Table(data, f"{top.at('beams')}[{i}]", {"window", "position", "direction"})
+        corners = beam.rows("window")
+        if not 3 <= len(corners) < image_beam.PLANES_MAX:
+            raise ToolError(f"{beam.at('window')}: {len(corners)} corners are outside "
+                            f"3..{image_beam.PLANES_MAX - 1}")
+        window = [tuple(quantity.q16(c) for c in quantity.position(corner, beam.at("window")))
+                  for corner in corners]
+        if beam.only_one("position", "direction") == "position":
+            kind = image_beam.POINT
+            source = tuple(quantity.q16(c) for c in beam.position("position"))
+        else:
+            kind = image_beam.DIRECTION
+            way = quantity.vector(beam.need("direction"), beam.at("direction"))
+            whole = math.lcm(*(c.denominator for c in way))
+            if not any(way):
+                raise ToolError(f"{beam.at('direction')}: [0, 0, 0] is no direction")
+            source = image_beam.unit([int(c * whole) for c in way])
+        beams.append(image_beam.through_window(kind, source, window, beam.where))
+    glow = top.table("glow", {"strength", "colour"})
+    strength = float(glow.number("strength", Fraction(3, 2), 0, 16))
+    tint = palette.parse(glow.data.get("colour", "#fff0c8"), glow.at("colour"))
+    return beams, lambda colour: palette.lit(colour, strength, tint)
+
+
+def _count_colours(placements, lit):
     wanted = {}
     for placement in placements:
         for colour in placement.colours:
             wanted[colour] = wanted.get(colour, 0) + 1
+    if lit:
+        for colour in [c for c in wanted if not isinstance(c, int)]:
+            wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
     return wanted
+
+
+def _lit_table(placements, indices, lit):
+    """For each colour of the palette, the one that it has in a beam."""
+    table = list(range(256))
+    for colour in {c for placement in placements for c in placement.colours}:
+        if lit and not isinstance(colour, int):
+            table[indices[colour]] = indices[lit(colour)]
+    return bytes(table)
 
 
 def _models(placements, indices):
@@ -209,18 +255,21 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None):
     notes = _near_warning(lens[0], lens[2], lens[3])
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     kind, entries, start, gait = _path(top, frames)
+    beams, lit = _beams(top)
     objects = Objects(name, folder, _light(top), notes, progress)
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
     try:
-        colours, indices, merged = palette.allocate(background, _count_colours(placements))
+        colours, indices, merged = palette.allocate(background, _count_colours(placements, lit))
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     models, placed = _models(placements, indices)
     scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
+    scene.beams = beams
+    scene.lit = _lit_table(placements, indices, lit)
     scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
     return scene, list(dict.fromkeys(notes))
 

@@ -306,10 +306,10 @@ def _middle(scene, members):
 
 
 def grow(parts, lines, progress=None):
-    """Nodes, faces and counts of the tree of some parts."""
+    """Nodes, faces, for each face the number of the part that it came from, and counts."""
     builder = Builder(lines, parts, progress)
     nodes, held = builder.build()
-    faces, counts = [], builder.counts
+    faces, sources, counts = [], [], builder.counts
     for part in (part for group in held for part in group):
         counts.shared += share(lines, part)
     for node, group in zip(nodes, held):
@@ -317,9 +317,10 @@ def grow(parts, lines, progress=None):
         pieces = [piece for part in group for piece in halve(lines, part)]
         counts.halved += len(pieces) - len(group)
         faces += [flat_face(lines, piece) for piece in pieces]
+        sources += [piece.source for piece in pieces]
         node.face_count = len(faces) - node.first_face
     counts.faces_out = len(faces)
-    return nodes, faces, counts
+    return nodes, faces, sources, counts
 
 
 def layers_of(text, scene):
@@ -359,7 +360,7 @@ def plant(scene, layers, moving=(), progress=None):
     last of them; answers the counts. The others stay as they are; the new object is the last."""
     members = _members(scene, layers, moving)
     origin, lines = _middle(scene, members), Lines()
-    nodes, faces, counts = grow(parts_of(scene, members, origin, lines), lines, progress)
+    nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress)
     used = {}
     for face in faces:
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)

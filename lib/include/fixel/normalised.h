@@ -27,11 +27,12 @@ typedef struct {
 
 /* With X, Y, Z along right, up and forward, as transform has them:
  *   x = s (focal / (width / 2)) X,  y = s (focal / (height / 2)) Y,  z = s Z,
- * s such that the largest of the three factors is 1. The insets of the sides are
+ * s the largest power of two, 1 at most, at which no factor exceeds 1: so depths stay as
+ * exact as they were, and what lies in the near plane does. The insets of the sides are
  * as large as a distance measured along the normal makes them.
  * Requires a camera and a lens made by their functions.
  * Error: an entry of the matrix, taken without its shift, 1.1 units of 2^-30;
- * near and far 2^-30 of themselves and half a unit of 2^-46; an inset 2^-25 of itself,
+ * none in near and far; an inset 2^-25 of itself,
  * on screens at most twice as high as wide and four times as wide as high. */
 void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
                                 fxl_normalised *frustum);

@@ -21,8 +21,9 @@ fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
 
 /* What projecting takes of a lens, set up once. Members are for project alone. */
 typedef struct {
-    uint32_t factor;    /* 4 focal */
-    int32_t depth_min;  /* least upper word of Z that a kernel takes the short way for */
+    uint32_t factor;   /* 4 focal */
+    int32_t depth_min; /* least upper word of Z that a kernel takes the short way for */
+    uint32_t factor_less_1;
     uint32_t factor_2;  /* 2^2 factor, modulo 2^32 */
     uint32_t factor_17; /* 2^17 factor, modulo 2^32 */
     fxl_q16_16 centre_x, centre_y;
@@ -31,10 +32,14 @@ typedef struct {
 /* Requires a lens made by its function. */
 void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
-/* The same as fxl_project_point, for who projects many points: a kernel, one
- * for each family of cores. */
+/* The same as fxl_project_point, for who projects many points. */
 fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_point *view,
                             fxl_screen_point *screen);
+
+/* The same for a point inside the lens's frustum, or outside it by a few units: a kernel,
+ * one for each family of cores. */
+fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,
+                              fxl_screen_point *screen);
 
 /* Every vertex of a polygon; colour and count carried over. On FXL_E_RANGE the
  * screen polygon's count is 0. */

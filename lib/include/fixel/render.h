@@ -29,8 +29,8 @@ _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "
 
 typedef struct fxl_light fxl_light;
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
- * 80 for each vertex of FXL_POLYGON_CAPACITY: 3032 where that is 32, 1432 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 464 bytes and
+ * 80 for each vertex of FXL_POLYGON_CAPACITY: 3024 where that is 32, 1424 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only, but for light. */
 struct fxl_renderer {
@@ -46,11 +46,11 @@ struct fxl_renderer {
     fxl_list list;
     fxl_place rest; /* where the list was full */
     fxl_counters counters;
+    void *walk_room; /* what the caller gave for hidden, in two parts */
     fxl_view view;
     fxl_vertex_cache cache;
+    void *paint_room;      /* the other */
     fxl_seen_vertex spare; /* all of the cache where the caller gave none */
-    void *walk_room;       /* what the caller gave for hidden, in two parts */
-    void *paint_room;
     uint32_t paint_room_size;
     fxl_screen_polygon screen;
     union { /* a polygon is scanned when its clipping is over */
@@ -59,10 +59,11 @@ struct fxl_renderer {
     } work;
 };
 
-/* The symbol of fxl_renderer_init ends in FXL_POLYGON_CAPACITY (format.h). */
+/* The symbols of fxl_renderer_init... end in FXL_POLYGON_CAPACITY (format.h). */
 #define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
 #define FXL_NAME_WITH(name, capacity)     FXL_WITH_CAPACITY(name, capacity)
 #define fxl_renderer_init                 FXL_NAME_WITH(fxl_renderer_init, FXL_POLYGON_CAPACITY)
+#define fxl_renderer_init_bare            FXL_NAME_WITH(fxl_renderer_init_bare, FXL_POLYGON_CAPACITY)
 
 /* Ties a renderer to a scene (checked by fxl_scene_open or fxl_scene_check), a
  * lens, and memory. Zeroes the counters.
@@ -72,6 +73,12 @@ struct fxl_renderer {
  * FXL_E_ARGUMENT, FXL_E_CAPACITY (order): renderer untouched. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
                              const fxl_memory *memory);
+
+/* The same, but with no clipper and nothing that hides what: where others are set than
+ * fxl_renderer_init would, those it would are not linked. fxl_frame_begin answers
+ * FXL_E_ORDER until both are set. */
+fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
+                                  const fxl_lens *lens, const fxl_memory *memory);
 
 /* Sets the clipper, and room of the caller's for it: clipper->room bytes aligned to 8, of
  * which it keeps hold; may be null where that is 0. Then a frame must begin anew.
@@ -91,8 +98,8 @@ fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hid
  * its way to the screen, as far as the list reaches. Zeroes the counters except
  * refused_calls, and counts the polygons that it came to. Then draw the frame
  * whole or in bands.
- * FXL_E_ARGUMENT, FXL_E_RANGE (pose): the frame before stays current; counted
- * in refused_calls. */
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, or nothing that hides what), FXL_E_RANGE (pose):
+ * the frame before stays current; counted in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared

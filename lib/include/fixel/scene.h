@@ -5,6 +5,7 @@
 #ifndef FXL_SCENE_H
 #define FXL_SCENE_H
 
+#include "fixel/beam.h"
 #include "fixel/lens.h"
 #include "fixel/viewer.h"
 
@@ -108,7 +109,10 @@ typedef struct {
     uint32_t key_count;
     const fxl_tree_node *nodes; /* of a tree over the faces of one object; or null */
     uint32_t node_count;
-    uint32_t tree_object; /* whose: its model is sorted, and no other object's; 0 without a tree */
+    uint32_t tree_object;  /* whose: its model is sorted, and no other object's; 0 without a tree */
+    const fxl_beam *beams; /* of light, for fxl_renderer_set_light; or null */
+    uint32_t beam_count;
+    const uint8_t *lit; /* for each colour, the one that it has in a beam; or null */
 } fxl_scene;
 
 /* Everything that a scene image holds beside the scene. */

@@ -46,11 +46,19 @@ fxl_span_buffer *fxl_span_buffer_make(void *memory, uint32_t size, uint16_t heig
 /* Empties it: nothing of the rows of a band is covered. Requires band->rows <= the height. */
 void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band);
 
-/* Draws what is not covered of a span into the band, and covers it. False where the pool is
- * full: then nothing is drawn. A row that holds FXL_SPAN_BUFFER_ROW(width) intervals
- * cannot want another. Requires a span within the band that the buffer was begun with.
- * Exact. Source: chapter 67, the sorted span list, kept as what is covered. */
-bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_span *span, uint8_t colour,
+/* Draws what is not covered of a trapezoid's rows into the band, one after the other, and
+ * covers it. False where the pool is full: then nothing is drawn of that row and of those
+ * below. A row that holds FXL_SPAN_BUFFER_ROW(width) intervals cannot want another.
+ * Requires a trapezoid within the band that the buffer was begun with.
+ * Exact. Source: the span structure of "Realtime 3D Clipping" (C5), kept as what is covered. */
+bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trapezoid, uint8_t colour,
                           const fxl_band *band);
+
+/* A span as a trapezoid of one row. */
+static inline fxl_trapezoid fxl_trapezoid_of_span(const fxl_span *span)
+{
+    return (fxl_trapezoid){
+        span->y, (int16_t)(span->y + 1), {{span->x0, 0, 0, 0}, {span->x1, 0, 0, 0}}};
+}
 
 #endif

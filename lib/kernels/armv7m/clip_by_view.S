@@ -102,7 +102,7 @@ fxl_clip_by_view:
     add     r1, vertex, #POSITION
     adds    r2, vertex, #SCREEN
     adds    r0, r0, #PROJECTION
-    bl      fxl_project_seen
+    bl      fxl_project_inside
     cbnz    r0, .Lrange
     ldr     vertex, [sp, #AT_VERTEX]
     ldrd    r0, r1, [vertex, #SCREEN]

@@ -16,7 +16,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
             if (state != FXL_SEEN_UNPROJECTED) {
                 return fxl_clip_seen(placed, face, work, screen);
             }
-            if (fxl_project_seen(&placed->view->projection, &vertex->position, &vertex->screen) !=
+            if (fxl_project_inside(&placed->view->projection, &vertex->position, &vertex->screen) !=
                 FXL_OK) {
                 return FXL_CLIP_RANGE;
             }

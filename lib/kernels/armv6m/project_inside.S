@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_project_seen for Armv6-M: products of 32 bits, no division, no CLZ. The
+/* fxl_project_inside for Armv6-M: products of 32 bits, no division, no CLZ. The
  * numbers' names, and why nothing overflows, stand in
- * lib/kernels/portable/project_seen.c; the reciprocal of 16 bits is that of
+ * lib/kernels/portable/project_inside.c; the reciprocal of 16 bits is that of
  * divide.h. */
 
     .syntax unified
@@ -10,10 +10,10 @@
 /* fxl_projection, fxl_view_point, fxl_screen_point. */
 #define FACTOR      0
 #define DEPTH_MIN   4
-#define FACTOR_2    8
-#define FACTOR_17   12
-#define CENTRE_X    16
-#define CENTRE_Y    20
+#define FACTOR_2    12
+#define FACTOR_17   16
+#define CENTRE_X    20
+#define CENTRE_Y    24
 #define VIEW_X      0
 #define VIEW_Y      8
 #define VIEW_Z      16
@@ -106,7 +106,7 @@
 3:
     .endm
 
-    .section .text.fxl_project_seen, "ax", %progbits
+    .section .text.fxl_project_inside, "ax", %progbits
 
 /* Before the function, where its first branches reach it. */
 long_way:
@@ -114,27 +114,17 @@ long_way:
     add     sp, sp, #24
     pop     {r4-r7, pc}
 
-    .global fxl_project_seen
-    .type fxl_project_seen, %function
+    .global fxl_project_inside
+    .type fxl_project_inside, %function
     .thumb_func
 
-fxl_project_seen:
+fxl_project_inside:
     push    {r0-r2, r4-r7, lr}
     sub     sp, sp, #12
     ldr     r3, [r1, #VIEW_Z + 4]
     ldr     r4, [r0, #DEPTH_MIN]
     cmp     r3, r4
     blt     long_way
-    ldr     r4, [r1, #VIEW_X + 4]
-    asrs    r5, r4, #31
-    eors    r5, r5, r4
-    ldr     r4, [r1, #VIEW_Y + 4]
-    asrs    r6, r4, #31
-    eors    r6, r6, r4
-    orrs    r5, r5, r6
-    lsls    r6, r3, #1
-    cmp     r5, r6
-    bhs     long_way
 
     movs    r5, #0                          /* n */
     lsrs    r6, r3, #16
@@ -228,7 +218,7 @@ fxl_project_seen:
     pop     {r4-r7, pc}
 
     .pool
-    .size fxl_project_seen, . - fxl_project_seen
+    .size fxl_project_inside, . - fxl_project_inside
 
 /* fxl_reciprocals of divide.h. */
     .section .rodata.reciprocals, "a", %progbits

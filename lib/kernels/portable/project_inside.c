@@ -52,21 +52,14 @@ static int32_t offset_of(const scaling *by, int64_t side)
     return rest >= by->depth ? quotient + 1 : quotient;
 }
 
-static uint32_t upper_magnitude(int64_t side)
-{
-    int32_t upper = (int32_t)(side >> 32);
-    return (uint32_t)(upper ^ (upper >> 31));
-}
-
-fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_point *view,
-                            fxl_screen_point *screen)
+fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,
+                              fxl_screen_point *screen)
 {
     int32_t upper = (int32_t)(view->z >> 32);
-    /* With m < 2 z of upper words, |X| <= 2^32 (m + 1) <= 2 Z. */
-    if (upper < projection->depth_min ||
-        (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {
+    if (upper < projection->depth_min) {
         return fxl_project_any(projection, view, screen);
     }
+    FXL_ASSERT(fxl_within(view->x, 2 * view->z) && fxl_within(view->y, 2 * view->z));
     scaling by;
     by.factor = projection->factor;
     by.zeros = fxl_leading_zeros((uint32_t)upper);

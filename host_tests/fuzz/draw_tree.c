@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "demand.h"
+#include "draw.h"
+
+enum {
+    BACKGROUND = 0x11,
+    ROWS_MAX = 16,
+    PIECES_MAX = 8192
+};
+
+/* A frame drawn by a tree, with blocks that end where they should. */
+typedef struct {
+    fxl_renderer renderer;
+    void *order, *list, *room, *pieces;
+    uint8_t *pixels;
+    uint32_t rows, unsplit;
+} drawing;
+
+static void *block(size_t size)
+{
+    void *made = malloc(size > 0 ? size : 1);
+    DEMAND(made != NULL);
+    memset(made, 0x5A, size);
+    return made;
+}
+
+static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *lens,
+                         const fxl_hidden *hidden, uint32_t pieces)
+{
+    made->order = block(scene->order_needed * sizeof(fxl_order_entry));
+    made->list = block(1);
+    const fxl_memory memory = {made->order, scene->order_needed, made->list, 0, NULL, 0};
+    uint32_t room = (hidden->walk_room(scene) + 7u) & ~7u;
+    room += hidden->painter->room != NULL ? hidden->painter->room(lens) : 0;
+    DEMAND(fxl_renderer_init(&made->renderer, scene, lens, &memory) == FXL_OK);
+    made->room = block(room);
+    made->pieces = block(pieces);
+    DEMAND(room == 0 || fxl_renderer_set_hidden(&made->renderer, hidden, made->room, room - 1) ==
+                            FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_set_hidden(&made->renderer, hidden, made->room, room) == FXL_OK);
+    if (scene->nodes != NULL) {
+        fxl_tree_room *tree = made->room;
+        tree->pieces = made->pieces;
+        tree->pieces_size = pieces;
+    }
+    made->rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
+    made->pixels = block((size_t)made->rows * lens->width);
+}
+
+static void give_list(drawing *made, uint32_t words)
+{
+    free(made->list);
+    made->list = block(4 * (size_t)words);
+    made->renderer.list.words = made->list;
+    made->renderer.list.capacity = words;
+}
+
+static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
+{
+    const uint16_t width = made->renderer.view.lens.width;
+    DEMAND(fxl_frame_begin(&made->renderer, pose) == FXL_OK);
+    for (uint32_t row = 0, rows; row < made->rows; row += rows) {
+        rows = step < made->rows - row ? step : made->rows - row;
+        fxl_band band = {made->pixels + (size_t)row * width, width, width, (uint16_t)row,
+                         (uint16_t)rows};
+        fxl_fill_band(&band, BACKGROUND);
+        DEMAND(fxl_frame_draw(&made->renderer, &band) == FXL_OK);
+    }
+    if (made->renderer.scene->nodes != NULL) {
+        const fxl_tree_room *tree = made->room;
+        DEMAND(tree->used <= tree->pieces_size);
+        made->unsplit = tree->unsplit;
+    }
+}
+
+static void close_drawing(drawing *made)
+{
+    free(made->order);
+    free(made->list);
+    free(made->room);
+    free(made->pieces);
+    free(made->pixels);
+}
+
+/* What does not depend on bands, list or the direction of the walk. */
+static void demand_same(const drawing *a, const drawing *b)
+{
+    const fxl_counters *one = &a->renderer.counters, *other = &b->renderer.counters;
+    DEMAND(memcmp(a->pixels, b->pixels, (size_t)a->rows * a->renderer.view.lens.width) == 0);
+    DEMAND(one->in == other->in && one->backfacing == other->backfacing &&
+           one->outside == other->outside && one->degenerate == other->degenerate &&
+           one->refused == other->refused && one->drawn == other->drawn &&
+           one->clipped == other->clipped && a->unsplit == b->unsplit);
+    DEMAND(one->in ==
+           (uint64_t)one->backfacing + one->outside + one->degenerate + one->refused + one->drawn);
+}
+
+void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                  fuzz_input *in)
+{
+    drawing whole = {0}, bands = {0}, spans = {0};
+    const uint32_t pieces = fuzz_below(in, 2) ? PIECES_MAX : fuzz_below(in, PIECES_MAX);
+    open_drawing(&whole, scene, lens, &fxl_hidden_tree, pieces);
+    draw(&whole, pose, whole.rows);
+    DEMAND(whole.renderer.counters.in == draw_faces_placed(scene));
+    open_drawing(&bands, scene, lens, &fxl_hidden_tree, pieces);
+    give_list(&bands, fuzz_below(in, 200));
+    draw(&bands, pose, 1 + fuzz_below(in, bands.rows));
+    demand_same(&whole, &bands);
+    open_drawing(&spans, scene, lens, &fxl_hidden_tree_spans, pieces);
+    give_list(&spans, fuzz_below(in, 200));
+    draw(&spans, pose, 1 + fuzz_below(in, spans.rows));
+    demand_same(&whole, &spans);
+    close_drawing(&whole);
+    close_drawing(&bands);
+    close_drawing(&spans);
+}

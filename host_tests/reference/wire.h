@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* Wireframes (SPEC.md 4d), in double. */
+#ifndef REF_WIRE_H
+#define REF_WIRE_H
+
+#include "reference/scene.h"
+
+typedef struct {
+    ref_screen_point from, to;
+    uint8_t colour;
+} ref_wire_line;
+
+typedef struct {
+    ref_wire_line *lines;
+    size_t count, room;
+} ref_wire;
+
+/* The lines of a frame, in their order. False where memory is short. Begin with zeroes. */
+bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens,
+                    const ref_pose *pose);
+void ref_wire_close(ref_wire *wire);
+
+/* Draws a line over a band. */
+void ref_wire_draw(const ref_wire_line *line, const ref_band *band);
+
+/* Whether a line that is moved by no more than d pixels, along or across, may cover the pixel
+ * or may leave it. */
+bool ref_wire_is_near(const ref_wire_line *line, int column, int row, double d);
+
+#endif

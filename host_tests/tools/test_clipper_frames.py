@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Every clipper draws every scene as double does, whole and in bands (SPEC.md, chapter 6b)."""
+
+import json
+import pathlib
+import struct
+import subprocess
+
+import pytest
+from conftest import CHECKOUT
+
+import scene as scene_tool
+
+CLIPPERS = ("view", "world", "normalised", "once", "half-spaces", "triangles", "near", "near-box", "left")
+SCENES = {"tiny": None, "cube": None, "plaza": None, "w1": None, "w3": None}
+SPOT = CHECKOUT.parent / "shared" / "models" / "spot.obj"
+HEAD, BEFORE_PIXELS, AFTER_PIXELS = 784, 32, 48     # of a dump, of a frame
+
+
+@pytest.fixture(scope="module", name="folder")
+def fixture_folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("clippers")
+
+
+@pytest.fixture(scope="module", params=[*SCENES, "spot"], name="scene")
+def fixture_scene(request, folder):
+    source, frames = CHECKOUT / "scenes" / f"{request.param}.toml", None
+    if request.param == "spot":
+        if not SPOT.exists():
+            pytest.skip("there is no ../shared/models/spot.obj")
+        source, frames = SPOT, 6
+    image = folder / f"{request.param}.fxls"
+    scene_tool.build(source, image, frames=frames)
+    return image
+
+
+def drawn(build, scene, clipper, out, *options):
+    """What the program counted; the pixels of each frame."""
+    done = subprocess.run([build / "host" / "frames", scene, out, "--clipper", clipper, *options],
+                          text=True, capture_output=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    dump = pathlib.Path(out).read_bytes()
+    width, height = struct.unpack_from("<HH", dump, 6)
+    size = BEFORE_PIXELS + width * height + AFTER_PIXELS
+    starts = range(HEAD + BEFORE_PIXELS, len(dump) - size + BEFORE_PIXELS, size)
+    return json.loads(done.stdout), [dump[start:start + width * height] for start in starts]
+
+
+@pytest.mark.parametrize("clipper", CLIPPERS)
+def test_double_explains_every_pixel(build, scene, clipper, tmp_path):
+    counted, whole = drawn(build, scene, clipper, tmp_path / "whole.fxld")
+    assert counted["drawn"] > 0 and counted["refused"] == 0
+    verdict = tmp_path / "verdict.json"
+    subprocess.run([build / "host" / "judge", scene, tmp_path / "whole.fxld", "--clipper", clipper, "--json",
+                    verdict], timeout=300, check=True, capture_output=True)
+    found = json.loads(verdict.read_text(encoding="utf-8"))
+    assert found["pixels_unexplained"] == 0
+    assert found["pixels_differing"] * 100_000 <= found["pixels"]
+    _, bands = drawn(build, scene, clipper, tmp_path / "bands.fxld", "--rows", "7", "--list", "700", "--cache", "5")
+    assert len(whole) == counted["frames"] and bands == whole
+
+
+def test_the_twin_of_another_clipper_does_not_explain(build, folder, tmp_path):
+    """Where the planes are far inside of the screen, what they leave out shows."""
+    text = (CHECKOUT / "scenes" / "tiny.toml").read_text(encoding="utf-8")
+    source = folder / "inset.toml"
+    source.write_text(text.replace("view = {", 'view = { inset = "1/2", '), encoding="utf-8")
+    image = folder / "inset.fxls"
+    scene_tool.build(source, image)
+    drawn(build, image, "near", tmp_path / "near.fxld")
+    for clipper, explains in (("near", True), ("view", False)):
+        verdict = tmp_path / f"{clipper}.json"
+        subprocess.run([build / "host" / "judge", image, tmp_path / "near.fxld", "--clipper", clipper, "--json",
+                        verdict], timeout=300, check=True, capture_output=True)
+        found = json.loads(verdict.read_text(encoding="utf-8"))
+        assert (found["pixels_unexplained"] == 0) == explains
+
+
+def test_wrong_usage_is_said(build, tmp_path):
+    done = subprocess.run([build / "host" / "frames", "none.fxls", tmp_path / "out", "--clipper", "best"],
+                          text=True, capture_output=True, timeout=30, check=False)
+    assert done.returncode == 2
+    assert "usage" in done.stderr

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+"""Wireframes of whole paths: both line clippers, bands, and the twin (SPEC.md, chapter 4d)."""
+
+import json
+
+from conftest import run_make
+from PIL import Image
+import pytest
+
+
+@pytest.mark.parametrize("scene, least", [("tiny", 500), ("w1", 10_000), ("adversarial", 4_000)])
+def test_wireframes_are_the_twins(scene, least, tmp_path):
+    out = tmp_path / "wire"
+    done = run_make("wire", f"SCENE=scenes/{scene}.toml", f"OUT={out}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((out / "summary.json").read_text())
+    assert summary["lines"] > least
+    assert summary["clipped"] > 100
+    assert summary["pixels_disagreeing"] == 0
+    assert summary["pixels_unexplained"] == 0
+    assert summary["pixels_differing"] <= summary["pixels_drawn"] / 5_000
+    assert summary["intersections_by_codes"] < summary["intersections_by_planes"]
+    assert Image.open(out / "frame_0000.png").getcolors()
+    assert "pass" in done.stdout

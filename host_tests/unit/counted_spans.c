@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+#include "counted_spans.h"
+
+#include <string.h>
+
+#include "../../lib/src/fill_row.h"
+
+static const uint8_t *counted_pixels;
+static uint8_t *counted_writes;
+
+static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
+{
+    for (const uint8_t *at = pixel; at < end; at++) {
+        counted_writes[at - counted_pixels]++;
+    }
+    fxl_fill_row(pixel, end, four);
+}
+
+/* The library's source, its functions by other names and its fill counted. */
+#define fxl_span_buffer_make  counted_span_buffer_make
+#define fxl_span_buffer_begin counted_span_buffer_begin
+#define fxl_span_buffer_draw  counted_span_buffer_draw
+#define fxl_fill_row          count_and_fill
+#include "../../lib/src/span_buffer.c"
+
+static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+                  uint8_t colour, const fxl_band *band)
+{
+    fxl_scan *scan = &renderer->work.scan;
+    const fxl_trapezoid *trapezoid;
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        if (!counted_span_buffer_draw(renderer->paint_room, trapezoid, colour, band)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static fxl_painter painter;
+static fxl_hidden hidden;
+const fxl_hidden *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
+{
+    counted_writes = writes;
+    counted_pixels = pixels;
+    memset(writes, 0, count);
+    painter = fxl_painter_spans;
+    painter.paint = paint;
+    hidden = fxl_hidden_spans;
+    hidden.painter = &painter;
+    return &hidden;
+}

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* The library's span buffer with its pixels counted as they are written. */
+#ifndef COUNTED_SPANS_H
+#define COUNTED_SPANS_H
+
+#include "fixel.h"
+
+/* span_buffer.c, but that each span that it fills is counted. */
+fxl_span_buffer *counted_span_buffer_make(void *memory, uint32_t size, uint16_t height);
+void counted_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band);
+bool counted_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trapezoid,
+                              uint8_t colour, const fxl_band *band);
+
+/* From now on writes[], all 0 at first, says how often each of so many pixels was written.
+ * Answers fxl_hidden_spans with the span buffer counted. */
+const fxl_hidden *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count);
+
+#endif

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "unit.h"
+
+/* A window of a metre by two in the plane x = -4, seen from outside. */
+static const fxl_point window[] = {{Q16(-4), Q16(1), Q16(0)},
+                                   {Q16(-4), Q16(3), Q16(0)},
+                                   {Q16(-4), Q16(3), Q16(1)},
+                                   {Q16(-4), Q16(1), Q16(1)}};
+static const fxl_point lamp = {Q16(-9), Q16(6), Q16(0.5)};
+
+static double length_of(const double *v)
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static bool holds(const fxl_beam *beam, fxl_point point)
+{
+    for (uint32_t i = 0; i < beam->plane_count; i++) {
+        fxl_plane plane = fxl_beam_plane_at(beam, i);
+        if (fxl_plane_distance(&plane, &point) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void test_a_window_has_a_plane_for_each_side_and_its_own(void)
+{
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    TEST_ASSERT_EQUAL(5, beam.plane_count);
+    TEST_ASSERT_EQUAL(FXL_BEAM_POINT, beam.kind);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
+}
+
+void test_what_the_light_reaches_through_the_window_is_inside(void)
+{
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    /* Past the window's middle (-4, 2, 0.5), in as many steps as one likes. */
+    TEST_ASSERT_TRUE(holds(&beam, (fxl_point){Q16(1), Q16(-2), Q16(0.5)}));
+    TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(1), Q16(-2), Q16(2.5)}));
+    TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(1), Q16(2), Q16(0.5)}));
+    /* Before the window, and behind the lamp, where the planes cross over. */
+    TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-6.5), Q16(4), Q16(0.5)}));
+    TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-14), Q16(10), Q16(0.5)}));
+}
+
+void test_a_direction_makes_a_shaft(void)
+{
+    const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&down, window, 4, &beam));
+    TEST_ASSERT_EQUAL(FXL_BEAM_DIRECTION, beam.kind);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
+    TEST_ASSERT_TRUE(holds(&beam, (fxl_point){Q16(-1), Q16(-2), Q16(0.5)}));
+    TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-7), Q16(6), Q16(0.5)}));
+    TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-1), Q16(-2), Q16(1.5)}));
+}
+
+/* The way round of a window does not matter. */
+void test_a_window_may_be_wound_either_way(void)
+{
+    fxl_point turned[4];
+    fxl_beam one, other;
+    for (int i = 0; i < 4; i++) {
+        turned[i] = window[3 - i];
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &one));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, turned, 4, &other));
+    for (int i = 0; i < 1000; i++) {
+        fxl_point point = unit_point(Q16(12));
+        TEST_ASSERT_EQUAL(holds(&one, point), holds(&other, point));
+    }
+}
+
+/* A plane against the same from the exact cross product, in double. */
+void test_normals_are_right_to_two_units(void)
+{
+    int made = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_q16_16 limit = unit_random() % 2 ? FXL_COORDINATE_MAX : Q16(10);
+        fxl_point light = unit_point(limit), corners[3];
+        fxl_beam beam;
+        for (int k = 0; k < 3; k++) {
+            corners[k] = unit_point(limit);
+        }
+        if (fxl_beam_from_point(&light, corners, 3, &beam) != FXL_OK) {
+            continue;
+        }
+        for (uint32_t k = 0; k < 3; k++) {
+            const fxl_point *a = &corners[k], *b = &corners[(k + 1) % 3];
+            double p[3] = {(double)a->x - light.x, (double)a->y - light.y, (double)a->z - light.z};
+            double q[3] = {(double)b->x - a->x, (double)b->y - a->y, (double)b->z - a->z};
+            double n[3] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                           p[0] * q[1] - p[1] * q[0]};
+            double scale = FXL_Q2_30_ONE / length_of(n);
+            fxl_plane plane = fxl_beam_plane_at(&beam, k);
+            double sign = n[0] * plane.normal.x + n[1] * plane.normal.y + n[2] * plane.normal.z;
+            scale = sign < 0 ? -scale : scale;
+            /* The double's own error is far below a unit unless the vectors are nearly
+             * parallel. */
+            if (length_of(n) > 1e-4 * length_of(p) * length_of(q)) {
+                TEST_ASSERT_NEAR(plane.normal.x, n[0] * scale, 2);
+                TEST_ASSERT_NEAR(plane.normal.y, n[1] * scale, 2);
+                TEST_ASSERT_NEAR(plane.normal.z, n[2] * scale, 2);
+                made++;
+            }
+            TEST_ASSERT_EQUAL_INT64(0, fxl_plane_distance(&plane, a));
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
+    }
+    TEST_ASSERT_TRUE(made > UNIT_REPEAT);
+}
+
+static void expect_refused(fxl_status status, const fxl_point *light, const fxl_point *corners,
+                           uint32_t count)
+{
+    fxl_beam beam, before;
+    memset(&beam, 0x5A, sizeof beam);
+    memcpy(&before, &beam, sizeof before);
+    TEST_ASSERT_EQUAL(status, fxl_beam_from_point(light, corners, count, &beam));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &beam, sizeof before);
+}
+
+void test_what_makes_no_beam_is_refused(void)
+{
+    static const fxl_point off = {Q16(8192), 0, 0};
+    static const fxl_point flat_light = {Q16(-4), Q16(9), Q16(9)};
+    static const fxl_point line[] = {{0, 0, 0}, {Q16(1), 0, 0}, {Q16(2), 0, 0}};
+    static const fxl_point star[] = {
+        {0, 0, 0}, {Q16(2), Q16(2), 0}, {Q16(2), 0, 0}, {0, Q16(2), 0}};
+    expect_refused(FXL_E_ARGUMENT, NULL, window, 4);
+    expect_refused(FXL_E_ARGUMENT, &lamp, NULL, 4);
+    expect_refused(FXL_E_COUNT, &lamp, window, 2);
+    expect_refused(FXL_E_COUNT, &lamp, window, FXL_BEAM_PLANES_MAX);
+    expect_refused(FXL_E_RANGE, &off, window, 4);
+    expect_refused(FXL_E_RANGE, &lamp, &off, 3);
+    expect_refused(FXL_E_DEGENERATE, &flat_light, window, 4);
+    expect_refused(FXL_E_DEGENERATE, &lamp, line, 3);
+    expect_refused(FXL_E_DEGENERATE, &lamp, star, 4);
+    expect_refused(FXL_E_DEGENERATE, &window[0], window, 4);
+    const fxl_direction crooked = {Q30(0.6), Q30(-0.7), 0};
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_from_direction(&crooked, window, 4, &beam));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_beam_from_direction(NULL, window, 4, &beam));
+}
+
+void test_a_beam_of_a_table_is_checked(void)
+{
+    fxl_beam good, beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &good));
+    beam = good;
+    beam.kind = 2;
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_beam_check(&beam));
+    beam = good;
+    beam.reserved = 1;
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_beam_check(&beam));
+    beam = good;
+    beam.planes[5].distance_high = 1;
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_beam_check(&beam));
+    beam = good;
+    beam.plane_count = 0;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_beam_check(&beam));
+    beam.plane_count = FXL_BEAM_PLANES_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_beam_check(&beam));
+    beam = good;
+    beam.from[1] = FXL_COORDINATE_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_check(&beam));
+    beam = good;
+    beam.kind = FXL_BEAM_DIRECTION;
+    TEST_ASSERT_EQUAL(FXL_E_NORMAL, fxl_beam_check(&beam));
+    beam = good;
+    beam.planes[2].normal.y += 64;
+    beam.planes[2].normal.x -= 64;
+    TEST_ASSERT_EQUAL(FXL_E_NORMAL, fxl_beam_check(&beam));
+    beam = good;
+    beam.planes[0].distance_high = 0x20000000u;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_check(&beam));
+}
+
+void test_light_falls_on_what_is_turned_to_it(void)
+{
+    const fxl_direction up = {0, FXL_Q2_30_ONE, 0}, under = {0, -FXL_Q2_30_ONE, 0};
+    const fxl_direction travel = {0, -FXL_Q2_30_ONE, 0};
+    fxl_point floor = {0, 0, 0}, level = {0, lamp.y, 0};
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    TEST_ASSERT_TRUE(fxl_beam_shines_on(&beam, &floor, &up));
+    TEST_ASSERT_FALSE(fxl_beam_shines_on(&beam, &floor, &under));
+    TEST_ASSERT_FALSE(fxl_beam_shines_on(&beam, &level, &up)); /* it glances off */
+    level.y -= 1;
+    TEST_ASSERT_TRUE(fxl_beam_shines_on(&beam, &level, &up));
+    const fxl_point roof[] = {{0, 0, 0}, {Q16(1), 0, 0}, {0, 0, Q16(1)}};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&travel, roof, 3, &beam));
+    TEST_ASSERT_TRUE(fxl_beam_shines_on(&beam, &floor, &up));
+    TEST_ASSERT_FALSE(fxl_beam_shines_on(&beam, &floor, &under));
+}
+
+/* A sphere that is ruled out has no point in the beam. */
+void test_a_sphere_that_is_ruled_out_is_outside(void)
+{
+    fxl_beam beam;
+    int out = 0, reached = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_point centre = unit_point(Q16(6));
+        fxl_q16_16 radius = unit_between(0, Q16(3));
+        fxl_direction way = unit_direction();
+        fxl_point at = {centre.x + (int32_t)floor(way.x * 0x1p-30 * radius),
+                        centre.y + (int32_t)floor(way.y * 0x1p-30 * radius),
+                        centre.z + (int32_t)floor(way.z * 0x1p-30 * radius)};
+        bool may = fxl_beam_reaches(&beam, &centre, radius);
+        TEST_ASSERT_TRUE(may || !holds(&beam, at));
+        out += !may;
+        reached += may;
+    }
+    TEST_ASSERT_TRUE(out > UNIT_REPEAT / 10);
+    TEST_ASSERT_TRUE(reached > UNIT_REPEAT / 50);
+}

@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: MIT */
+/* Faces split by beams fit together: along every edge between two pieces, of one face or of
+ * two, both have the same points. */
+#include "../../lib/src/lit_pieces.h"
+#include "unit.h"
+
+enum {
+    CORNERS = 400,
+    PIECES = 100,
+    EDGES = 2 * CORNERS
+};
+
+static fxl_lit_corner corners[CORNERS];
+static fxl_lit_piece table[PIECES];
+static fxl_lit_pieces room = {corners, table, CORNERS, PIECES, 0, 0};
+
+/* Directed edges of which no other goes the other way. */
+static struct {
+    fxl_point from, to;
+} edges[EDGES];
+static uint32_t edge_count;
+
+static bool same(const fxl_point *a, const fxl_point *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+static void add_edge(const fxl_point *from, const fxl_point *to)
+{
+    if (same(from, to)) {
+        return;
+    }
+    for (uint32_t i = 0; i < edge_count; i++) {
+        if (same(&edges[i].from, to) && same(&edges[i].to, from)) {
+            edges[i] = edges[--edge_count];
+            return;
+        }
+    }
+    TEST_ASSERT_TRUE(edge_count < EDGES);
+    edges[edge_count].from = *from;
+    edges[edge_count++].to = *to;
+}
+
+/* Splits a face and adds its pieces' edges; answers how many have an area. */
+static uint32_t add_face(const fxl_beam *beams, uint32_t beam_count, const fxl_point *points,
+                         uint32_t count)
+{
+    const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
+    uint32_t solid = 0;
+    TEST_ASSERT_TRUE(fxl_lit_split(&room, beams, beam_count, &normal, points, count));
+    for (uint32_t i = 0; i < room.piece_count; i++) {
+        fxl_point outline[FXL_POLYGON_CAPACITY];
+        TEST_ASSERT_TRUE(fxl_lit_outline(&room, &room.pieces[i], outline));
+        for (uint32_t k = 0, n = room.pieces[i].count; k < n; k++) {
+            add_edge(&outline[k], &outline[(k + 1) % n]);
+        }
+        solid++;
+    }
+    return solid;
+}
+
+/* How far a point lies from the segment, squared, in units of 1/65536, in double. */
+static double square_from(const fxl_point *p, const fxl_point *a, const fxl_point *b)
+{
+    double d[3] = {(double)b->x - a->x, (double)b->y - a->y, (double)b->z - a->z};
+    double w[3] = {(double)p->x - a->x, (double)p->y - a->y, (double)p->z - a->z};
+    double t =
+        (w[0] * d[0] + w[1] * d[1] + w[2] * d[2]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        sum += (w[i] - t * d[i]) * (w[i] - t * d[i]);
+    }
+    return sum;
+}
+
+/* What is left must run along the outline about everything. */
+static void expect_outline(const fxl_point *outline, uint32_t count)
+{
+    for (uint32_t i = 0; i < edge_count; i++) {
+        bool found = false;
+        for (uint32_t k = 0; k < count; k++) {
+            const fxl_point *a = &outline[k], *b = &outline[(k + 1) % count];
+            found |= square_from(&edges[i].from, a, b) <= 9 && square_from(&edges[i].to, a, b) <= 9;
+        }
+        TEST_ASSERT_TRUE_MESSAGE(found, "an edge inside has no other that goes back along it");
+    }
+}
+
+static fxl_beam shaft(const fxl_point *window, uint32_t count)
+{
+    const fxl_direction down = {0, 0, -FXL_Q2_30_ONE};
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&down, window, count, &beam));
+    return beam;
+}
+
+static fxl_point at(int x, int y)
+{
+    return (fxl_point){x * 65536, y * 65536, 0};
+}
+
+static uint32_t lit_count(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < room.piece_count; i++) {
+        count += room.pieces[i].is_lit;
+    }
+    return count;
+}
+
+void test_a_pool_of_light_in_the_middle(void)
+{
+    const fxl_point window[] = {{Q16(-1), Q16(-1), Q16(3)},
+                                {Q16(1), Q16(-1), Q16(3)},
+                                {Q16(1), Q16(1), Q16(3)},
+                                {Q16(-1), Q16(1), Q16(3)}};
+    const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
+    const fxl_beam beam = shaft(window, 4);
+    edge_count = 0;
+    TEST_ASSERT_EQUAL(5, add_face(&beam, 1, face, 4));
+    TEST_ASSERT_EQUAL(1, lit_count());
+    expect_outline(face, 4);
+}
+
+void test_a_face_that_no_plane_cuts_stays_whole(void)
+{
+    const fxl_point window[] = {
+        {Q16(-9), Q16(-9), Q16(3)}, {Q16(9), Q16(-9), Q16(3)}, {Q16(0), Q16(9), Q16(3)}};
+    const fxl_point inside[] = {at(-1, -1), at(-1, 1), at(1, 1), at(1, -1)};
+    const fxl_point outside[] = {at(-20, 20), at(-20, 24), at(-16, 24), at(-16, 20)};
+    const fxl_beam beam = shaft(window, 3);
+    edge_count = 0;
+    TEST_ASSERT_EQUAL(1, add_face(&beam, 1, inside, 4));
+    TEST_ASSERT_EQUAL(1, lit_count());
+    TEST_ASSERT_EQUAL(1, add_face(&beam, 1, outside, 4));
+    TEST_ASSERT_EQUAL(0, lit_count());
+}
+
+/* The neighbours' common edge lies in a plane of the beam: the one that is behind must get
+ * the points where the other planes cut the other. */
+void test_an_edge_in_a_plane_is_shared(void)
+{
+    const fxl_point window[] = {{Q16(0), Q16(-1), Q16(3)},
+                                {Q16(2), Q16(-1), Q16(3)},
+                                {Q16(2), Q16(1), Q16(3)},
+                                {Q16(0), Q16(1), Q16(3)}};
+    const fxl_point behind[] = {at(-4, -4), at(-4, 4), at(0, 4), at(0, -4)};
+    const fxl_point before[] = {at(0, -4), at(0, 4), at(4, 4), at(4, -4)};
+    const fxl_point around[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
+    for (uint32_t turn = 0; turn < 4; turn++) {
+        fxl_point turned[4];
+        for (uint32_t i = 0; i < 4; i++) {
+            turned[i] = window[(i + turn) % 4];
+        }
+        const fxl_beam beam = shaft(turned, 4);
+        edge_count = 0;
+        add_face(&beam, 1, behind, 4);
+        TEST_ASSERT_EQUAL(0, lit_count());
+        add_face(&beam, 1, before, 4);
+        TEST_ASSERT_EQUAL(1, lit_count());
+        expect_outline(around, 4);
+    }
+}
+
+/* Faces that share an edge, in two planes or one, split by one beam or two. Coordinates are
+ * mostly whole, so that corners and edges often lie in the planes. */
+static void any_faces(uint32_t beam_count, int grid)
+{
+    int split = 0;
+    for (int i = 0; i < UNIT_REPEAT / 8; i++) {
+        fxl_beam beams[2];
+        fxl_point shared[2], ends[2];
+        bool made = true;
+        for (uint32_t b = 0; b < beam_count; b++) {
+            fxl_point window[3], light;
+            for (int k = 0; k < 3; k++) {
+                window[k] =
+                    (fxl_point){unit_between(-4, 4) * grid, unit_between(-4, 4) * grid, 3 * grid};
+            }
+            light = (fxl_point){unit_between(-6, 6) * grid, unit_between(-6, 6) * grid, 8 * grid};
+            made &= fxl_beam_from_point(&light, window, 3, &beams[b]) == FXL_OK;
+        }
+        for (int k = 0; k < 2; k++) {
+            shared[k] = (fxl_point){unit_between(-6, 6) * grid, unit_between(-6, 6) * grid,
+                                    unit_between(-3, 0) * grid};
+            ends[k] = (fxl_point){unit_between(-6, 6) * grid, unit_between(-6, 6) * grid,
+                                  unit_between(-3, 0) * grid};
+        }
+        if (!made || same(&shared[0], &shared[1])) {
+            continue;
+        }
+        const fxl_point one[] = {shared[0], shared[1], ends[0]};
+        const fxl_point other[] = {shared[1], shared[0], ends[1]};
+        const fxl_point around[] = {shared[1], ends[0], shared[0], ends[1]};
+        if (same(&ends[0], &shared[0]) || same(&ends[0], &shared[1]) ||
+            same(&ends[1], &shared[0]) || same(&ends[1], &shared[1])) {
+            continue;
+        }
+        edge_count = 0;
+        uint32_t parts = add_face(beams, beam_count, one, 3);
+        parts += add_face(beams, beam_count, other, 3);
+        expect_outline(around, 4);
+        split += parts > 2;
+    }
+    TEST_ASSERT_TRUE(split > UNIT_REPEAT / 100);
+}
+
+void test_neighbours_fit_on_a_coarse_grid(void)
+{
+    any_faces(1, 65536);
+    any_faces(2, 65536);
+}
+
+void test_neighbours_fit_anywhere(void)
+{
+    any_faces(1, 46341);
+    any_faces(2, 31 * 65536 + 12345);
+}
+
+void test_too_little_room_is_said(void)
+{
+    const fxl_point window[] = {{Q16(-1), Q16(-1), Q16(3)},
+                                {Q16(1), Q16(-1), Q16(3)},
+                                {Q16(1), Q16(1), Q16(3)},
+                                {Q16(-1), Q16(1), Q16(3)}};
+    const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
+    const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
+    const fxl_beam beam = shaft(window, 4);
+    bool done = false;
+    uint32_t needed = fxl_lit_corners_needed(&beam, 1);
+    for (uint32_t size = 0; size <= needed; size++) {
+        fxl_lit_pieces small = {corners, table, size, PIECES, 0, 0};
+        memset(corners, 0x5A, sizeof corners);
+        done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
+        TEST_ASSERT_EQUAL_HEX32(0x5A5A5A5A, (uint32_t)corners[size].at.x);
+    }
+    TEST_ASSERT_TRUE(done);
+    for (uint32_t size = 0; size <= fxl_lit_pieces_needed(&beam, 1); size++) {
+        fxl_lit_pieces small = {corners, table, CORNERS, size, 0, 0};
+        memset(table, 0x5A, sizeof table);
+        done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
+        TEST_ASSERT_EQUAL_HEX16(0x5A5A, table[size].count);
+    }
+    TEST_ASSERT_TRUE(done);
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* Beams in a scene image: a larger header, a table of beams, 256 lit colours. */
+#include "expect_scene.h"
+
+enum {
+    LIT_HEADER = 16,
+    AT_BEAMS = HEADER_SIZE,
+    AT_BEAM_COUNT = HEADER_SIZE + 4,
+    AT_LIT = HEADER_SIZE + 8,
+    AT_LIT_RESERVED = HEADER_SIZE + 12,
+    BEAM = 176
+};
+
+static const fxl_point window[] = {{Q16(-1), Q16(5), Q16(-1)},
+                                   {Q16(1), Q16(5), Q16(-1)},
+                                   {Q16(1), Q16(5), Q16(1)},
+                                   {Q16(-1), Q16(5), Q16(1)}};
+static const fxl_point lamp = {0, Q16(9), 0};
+
+/* Tiny's image with a beam: every table moves, and two more follow. */
+static tiny_image *make(void)
+{
+    static const uint32_t tables[] = {AT_PALETTE, AT_VERTICES, AT_CORNERS, AT_FACES,
+                                      AT_MODELS,  AT_OBJECTS,  AT_PATH,    AT_KEYS};
+    tiny_image *image = tiny_image_make(false);
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    TEST_ASSERT_TRUE(image->size + LIT_HEADER + BEAM + 256 <= sizeof image->words);
+    memmove(tiny_at(image, HEADER_SIZE + LIT_HEADER), tiny_at(image, HEADER_SIZE),
+            image->size - HEADER_SIZE);
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        tiny_put32(tiny_at(image, tables[i]), tiny_get(image, tables[i]) + LIT_HEADER);
+    }
+    image->size += LIT_HEADER;
+    tiny_put16(tiny_at(image, AT_VERSION), 3);
+    tiny_put16(tiny_at(image, AT_HEADER_SIZE), HEADER_SIZE + LIT_HEADER);
+    tiny_put32(tiny_at(image, AT_BEAMS), image->size);
+    tiny_put32(tiny_at(image, AT_BEAM_COUNT), 1);
+    tiny_put32(tiny_at(image, AT_LIT), image->size + BEAM);
+    tiny_put32(tiny_at(image, AT_LIT_RESERVED), 0);
+    memcpy(tiny_at(image, image->size), &beam, sizeof beam);
+    for (uint32_t i = 0; i < 256; i++) {
+        *tiny_at(image, image->size + BEAM + i) = (uint8_t)(255 - i);
+    }
+    image->size += BEAM + 256;
+    tiny_put32(tiny_at(image, AT_SIZE), image->size);
+    tiny_seal(image);
+    return image;
+}
+
+void test_a_beam_is_used_in_place(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_UINT32(1, opened.scene.beam_count);
+    TEST_ASSERT_EQUAL(5, opened.scene.beams[0].plane_count);
+    TEST_ASSERT_EQUAL_INT32(lamp.y, opened.scene.beams[0].from[1]);
+    TEST_ASSERT_EQUAL_HEX8(250, opened.scene.lit[5]);
+    image = tiny_image_make(false);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_UINT32(0, opened.scene.beam_count);
+    TEST_ASSERT_NULL(opened.scene.beams);
+    TEST_ASSERT_NULL(opened.scene.lit);
+}
+
+static void beam_word(fxl_status status, uint32_t offset, uint32_t value)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_at(image, offset), value);
+    expect_opening(status, image);
+}
+
+static void beam_half(fxl_status status, uint32_t offset, uint16_t value)
+{
+    tiny_image *image = make();
+    tiny_put16(tiny_at(image, offset), value);
+    expect_opening(status, image);
+}
+
+void test_the_larger_header(void)
+{
+    beam_half(FXL_E_SIZE, AT_VERSION, 2);
+    beam_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE + 8);
+    beam_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE + 32);
+    beam_word(FXL_E_RESERVED, AT_LIT_RESERVED, 1);
+    beam_word(FXL_E_COUNT, AT_BEAM_COUNT, 0);
+    beam_word(FXL_E_COUNT, AT_BEAM_COUNT, FXL_BEAMS_MAX + 1);
+    beam_word(FXL_E_OFFSET, AT_BEAMS, HEADER_SIZE);
+    beam_word(FXL_E_OFFSET, AT_BEAMS, 0xFFFFFFFCu);
+    beam_word(FXL_E_ALIGNMENT, AT_BEAMS, 2001);
+    beam_word(FXL_E_OFFSET, AT_LIT, 0);
+    beam_word(FXL_E_OFFSET, AT_LIT, 0xFFFFFF00u);
+    beam_word(FXL_E_OFFSET, AT_PALETTE, HEADER_SIZE);
+}
+
+void test_what_a_beam_holds(void)
+{
+    const uint32_t at = tiny_get(make(), AT_BEAMS);
+    beam_word(FXL_E_RANGE, at + 4, (uint32_t)FXL_COORDINATE_MAX + 1);
+    beam_half(FXL_E_RESERVED, at + 14, 1);
+    beam_half(FXL_E_RESERVED, at + 12, 5 << 8 | 2); /* planes, kind */
+    beam_half(FXL_E_NORMAL, at + 12, 5 << 8 | FXL_BEAM_DIRECTION);
+    beam_half(FXL_E_COUNT, at + 12, 0);
+    beam_half(FXL_E_COUNT, at + 12, 9 << 8);
+    beam_half(FXL_E_NORMAL, at + 12, 6 << 8); /* a plane without a normal */
+    beam_half(FXL_E_RESERVED, at + 12, 4 << 8);
+    beam_word(FXL_E_NORMAL, at + 16, 0x12345678u);
+    beam_word(FXL_E_RANGE, at + 32, 0x40000000u);
+}
+
+/* Four corners and five planes fit; a table may say so of more beams than do. */
+void test_faces_must_fit_the_beams(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_scene_fault fault;
+    static const uint8_t lit[256];
+    fxl_beam beams[3];
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beams[i]));
+    }
+    tiny->scene.beams = beams;
+    tiny->scene.lit = lit;
+    tiny->scene.beam_count = 2;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
+    tiny->scene.beam_count = 3;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("face", fault.what);
+    tiny->scene.beam_count = FXL_BEAMS_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
+    tiny->scene.beam_count = 1;
+    tiny->scene.lit = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(&tiny->scene, &fault));
+}

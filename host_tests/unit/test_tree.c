@@ -1,0 +1,463 @@
+/* SPDX-License-Identifier: MIT */
+/* Drawing by a tree: what hides what, with cubes that move through a cube. */
+#include "fixel/hidden.h"
+#include "tree_scene.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    BACKGROUND = 200,
+    WORDS = 40 * FXL_LIST_WORDS(5),
+    ROOM = 512,
+    PIECES = 6144,
+    AIM = 1 << 27 /* eleven degrees */
+};
+
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], times[WIDTH * HEIGHT];
+static uint32_t list[WORDS];
+static uint64_t room[ROOM / 8], pieces[PIECES / 8];
+static fxl_order_entry order[TINY_OBJECTS + 6];
+static fxl_renderer renderer;
+static tree_scene *made;
+
+static fxl_tree_room *tree_room(void)
+{
+    return renderer.walk_room;
+}
+
+static void start_with(uint32_t words, const fxl_hidden *hidden, uint32_t pieces_size)
+{
+    fxl_scene_fault fault = {"", 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_scene *scene = &made->tiny->scene;
+    const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words, NULL, 0};
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_hidden(&renderer, hidden, room, sizeof room));
+    if (hidden->walk_room != NULL && scene->nodes != NULL) {
+        tree_room()->pieces = pieces_size > 0 ? pieces : NULL;
+        tree_room()->pieces_size = pieces_size;
+    }
+}
+
+static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
+{
+    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+}
+
+static void draw(uint8_t *frame, const fxl_pose *pose)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    draw_rows(frame, 0, HEIGHT);
+}
+
+/* The axes of what moves, and of what does not. */
+static fxl_camera tilted, upright;
+
+static fxl_q16_16 along(fxl_q2_30 right, fxl_q2_30 up, fxl_q2_30 forward, const fxl_point *v)
+{
+    return (fxl_q16_16)(((int64_t)right * v->x + (int64_t)up * v->y + (int64_t)forward * v->z +
+                         (1 << 29)) >>
+                        30);
+}
+
+static fxl_direction times_sign(const fxl_direction *of, int32_t sign)
+{
+    return (fxl_direction){of->x * sign, of->y * sign, of->z * sign};
+}
+
+/* Turns the cube that moves. */
+static void tilt(fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
+{
+    const fxl_pose straight = {{0, 0, 0}, 0, 0, 0};
+    const fxl_pose pose = {{0, 0, 0}, yaw, pitch, roll};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&straight, &upright));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
+    const fxl_direction *const axes[3] = {&tilted.right, &tilted.up, &tilted.forward};
+    for (uint32_t i = 0; i < 8; i++) {
+        const fxl_point from = made->tiny->vertices[i];
+        made->tiny->vertices[i] =
+            (fxl_point){along(tilted.right.x, tilted.up.x, tilted.forward.x, &from),
+                        along(tilted.right.y, tilted.up.y, tilted.forward.y, &from),
+                        along(tilted.right.z, tilted.up.z, tilted.forward.z, &from)};
+    }
+    for (uint32_t i = 0; i < 6; i++) {
+        made->tiny->faces[i].normal = times_sign(axes[i / 2], i % 2 ? 1 : -1);
+    }
+}
+
+/* Cubes somewhere about the tree's, mostly within it; the eye mostly outside of all. */
+static fxl_pose shuffle(void)
+{
+    fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    made = tree_make();
+    tilt(unit_random(), unit_random(), unit_random());
+    for (uint32_t i = 0; i < TINY_OBJECTS; i += 2) {
+        fxl_point *centre = &made->tiny->objects[i].centre;
+        centre->x = unit_between(-Q16(2), Q16(2));
+        centre->y = unit_between(-Q16(2), Q16(2));
+        centre->z = unit_between(Q16(8.5), Q16(12));
+    }
+    pose.position.x = unit_between(-Q16(7), Q16(7));
+    pose.position.y = unit_between(-Q16(5), Q16(5));
+    pose.position.z = unit_between(Q16(3), Q16(5));
+    /* Mostly towards the cubes. */
+    pose.yaw = (fxl_angle)(-(int64_t)pose.position.x * 1200 + unit_between(-AIM, AIM));
+    pose.pitch = (fxl_angle)(-(int64_t)pose.position.y * 1200 + unit_between(-AIM, AIM));
+    return pose;
+}
+
+/* --- what a ray sees first -------------------------------------------------- */
+
+typedef struct {
+    double distance; /* of the nearest face that a ray hits */
+    double margin;   /* by how much it was that one and no other, on the screen */
+    uint8_t colour;
+} sight;
+
+/* In units of 1/65536 unit, along an axis of the cube. */
+static double dot(const fxl_direction *along, const double v[3])
+{
+    return (along->x * v[0] + along->y * v[1] + along->z * v[2]) / FXL_Q2_30_ONE;
+}
+
+static double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double size(double a)
+{
+    return a < 0 ? -a : a;
+}
+
+/* A cube's faces; the eye is outside. */
+static void look_at_cube(const fxl_point *eye, const double way[3], const fxl_object *object,
+                         uint8_t colour, sight *seen)
+{
+    const fxl_camera *cube = colour == 1 ? &tilted : &upright;
+    const fxl_direction *const axes[3] = {&cube->right, &cube->up, &cube->forward};
+    const double from[3] = {(eye->x - object->centre.x) / 65536.0,
+                            (eye->y - object->centre.y) / 65536.0,
+                            (eye->z - object->centre.z) / 65536.0};
+    for (int face = 0; face < 6; face++) {
+        const fxl_direction *along = axes[face / 2];
+        const double out = face % 2 ? 1 : -1;
+        const double height = out - dot(along, from);
+        if (out * height >= 0 || size(dot(along, way)) < 1e-9 || height / dot(along, way) <= 0) {
+            continue; /* turned away, or behind the eye */
+        }
+        const double distance = height / dot(along, way);
+        double margin = 1e9;
+        for (int across = 0; across < 3; across++) {
+            double at = dot(axes[across], from) + distance * dot(axes[across], way);
+            margin = across == face / 2 ? margin : least(margin, 1 - size(at));
+        }
+        seen->margin = least(seen->margin, size(margin) / (distance + 1));
+        if (margin > 0) {
+            seen->margin = least(seen->margin, size(distance - seen->distance));
+            if (distance < seen->distance) {
+                seen->distance = distance;
+                seen->colour = (uint8_t)(colour + face);
+            }
+        }
+    }
+}
+
+/* Through the middle of a pixel; 90 degrees, so that the focal length is half the width. */
+static sight look(const fxl_pose *pose, uint32_t x, uint32_t y)
+{
+    fxl_camera camera;
+    sight seen = {1e9, 1e9, BACKGROUND};
+    const double right = ((double)x + 0.5 - WIDTH / 2) / (WIDTH / 2);
+    const double up = (HEIGHT / 2 - (double)y - 0.5) / (WIDTH / 2);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
+    const double way[3] = {
+        (camera.right.x * right + camera.up.x * up + camera.forward.x) / FXL_Q2_30_ONE,
+        (camera.right.y * right + camera.up.y * up + camera.forward.y) / FXL_Q2_30_ONE,
+        (camera.right.z * right + camera.up.z * up + camera.forward.z) / FXL_Q2_30_ONE};
+    for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
+        const fxl_object *object = &made->tiny->objects[i];
+        look_at_cube(&pose->position, way, object, i == 1 ? 11 : 1, &seen);
+    }
+    return seen;
+}
+
+/* Cubes that pass through each other are cut where a third cube's planes are, but two that move
+ * are not cut by each other: those are kept apart. */
+void test_what_a_ray_sees_first_is_seen(void)
+{
+    const uint32_t rounds = UNIT_REPEAT / 100;
+    uint32_t judged = 0, moved = 0, through = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        fxl_pose pose = shuffle();
+        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        start_with(0, &fxl_hidden_tree, sizeof pieces);
+        draw(whole, &pose);
+        TEST_ASSERT_EQUAL_UINT32(0, tree_room()->unsplit);
+        TEST_ASSERT_EQUAL_UINT32(0, tree_room()->refused);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            sight seen = look(&pose, i % WIDTH, i / WIDTH);
+            if (seen.margin > 1e-3) {
+                TEST_ASSERT_EQUAL_UINT8(seen.colour, whole[i]);
+                judged++;
+                moved += seen.colour <= 6;
+                through += seen.colour >= 11 && seen.colour <= 16;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(judged > rounds * WIDTH * HEIGHT / 2);
+    TEST_ASSERT_TRUE(moved > rounds && through > rounds);
+}
+
+/* Vertices, edges and faces on the planes of the tree: cubes that stand straight, or on an
+ * edge, on a grid. A plane then goes through vertices that it does not add. */
+void test_cubes_that_touch_the_planes(void)
+{
+    uint32_t judged = 0;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_pose pose = shuffle();
+        made = tree_make();
+        tilt(0, 0, round % 4 ? DEGREES(45) : 0);
+        TEST_ASSERT_TRUE(round % 4 == 0 || made->tiny->vertices[0].x == 0);
+        made->tiny->objects[0].centre =
+            (fxl_point){Q16(0.5) * unit_between(-4, 4), Q16(0.5) * unit_between(-4, 4),
+                        Q16(10) + Q16(0.5) * unit_between(-4, 4)};
+        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        start_with(0, &fxl_hidden_tree, sizeof pieces);
+        draw(whole, &pose);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            sight seen = look(&pose, i % WIDTH, i / WIDTH);
+            if (seen.margin > 1e-3) {
+                TEST_ASSERT_EQUAL_UINT8(seen.colour, whole[i]);
+                judged++;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(judged > UNIT_REPEAT / 100 * WIDTH * HEIGHT / 4);
+}
+
+/* --- other orders, other bands ---------------------------------------------- */
+
+void test_any_bands_and_any_list_give_the_same_frame(void)
+{
+    const uint32_t rounds = UNIT_REPEAT / 100;
+    uint32_t spilled = 0, held = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        const uint32_t room_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
+        fxl_pose pose = shuffle();
+        start_with(0, &fxl_hidden_tree, room_size);
+        draw(whole, &pose);
+        fxl_counters counters = renderer.counters;
+        start_with((uint32_t)unit_between(0, WORDS), &fxl_hidden_tree, room_size);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        for (uint32_t row = 0, rows; row < HEIGHT; row += rows) {
+            rows = 1 + unit_random() % (HEIGHT - row);
+            draw_rows(other, row, rows);
+        }
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        spilled += renderer.counters.spilled > 0;
+        held += renderer.counters.spilled == 0;
+        counters.spilled = renderer.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+    }
+    TEST_ASSERT_TRUE(spilled > rounds / 20 && held > rounds / 20);
+}
+
+/* Whatever comes first keeps its pixels. */
+static bool paint_under(fxl_renderer *by, const fxl_screen_point *points, uint32_t count,
+                        uint8_t colour, const fxl_band *band)
+{
+    fxl_scan_box scan;
+    fxl_span span;
+    (void)by;
+    fxl_scan_box_begin(points, count, band, &scan);
+    while (fxl_scan_box_next(&scan, &span)) {
+        for (int32_t x = span.x0; x < span.x1; x++) {
+            uint32_t at = (uint32_t)((span.y - band->first_row) * band->stride + x);
+            if (band->pixels[at] == BACKGROUND) {
+                band->pixels[at] = colour;
+            }
+        }
+    }
+    return true;
+}
+
+void test_near_to_far_is_the_reverse_of_far_to_near(void)
+{
+    static const fxl_painter under = {.paint = paint_under};
+    fxl_hidden reverse = fxl_hidden_tree;
+    reverse.front_to_back = true;
+    reverse.painter = &under;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
+        const uint32_t room_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
+        fxl_pose pose = shuffle();
+        start_with(0, &fxl_hidden_tree, room_size);
+        draw(whole, &pose);
+        const uint32_t unsplit = tree_room()->unsplit;
+        start_with(round % 2 ? WORDS : 0, &reverse, room_size);
+        draw(other, &pose);
+        TEST_ASSERT_EQUAL_UINT32(unsplit, tree_room()->unsplit);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
+/* Counts how often a pixel is painted with colours of objects that move. */
+static bool paint_counting(fxl_renderer *by, const fxl_screen_point *points, uint32_t count,
+                           uint8_t colour, const fxl_band *band)
+{
+    fxl_scan_box scan;
+    fxl_span span;
+    (void)by;
+    fxl_scan_box_begin(points, count, band, &scan);
+    while (fxl_scan_box_next(&scan, &span)) {
+        for (int32_t x = span.x0; x < span.x1 && colour <= 6; x++) {
+            times[(uint32_t)span.y * WIDTH + (uint32_t)x] += 1;
+        }
+    }
+    return true;
+}
+
+/* Cut or not, a pixel of a convex object is drawn once: no gap, and nothing twice. */
+void test_pieces_leave_no_gap_and_do_not_overlap(void)
+{
+    static const fxl_painter counting = {.paint = paint_counting};
+    fxl_hidden count_all = fxl_hidden_tree;
+    uint32_t covered = 0, most = 0;
+    count_all.painter = &counting;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_pose pose = shuffle();
+        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        start_with(0, &count_all, 0);
+        memset(times, 0, sizeof times);
+        draw(other, &pose);
+        memcpy(whole, times, sizeof times);
+        start_with(0, &count_all, sizeof pieces);
+        memset(times, 0, sizeof times);
+        draw(other, &pose);
+        most = tree_room()->used > most ? tree_room()->used : most;
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            TEST_ASSERT_TRUE(times[i] <= 1 && whole[i] <= 1);
+            /* At its outline a vertex that was rounded may take or give a pixel. */
+            if (times[i] != whole[i]) {
+                made->tiny->objects[1].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+                TEST_ASSERT_TRUE(look(&pose, i % WIDTH, i / WIDTH).margin < 1e-4);
+                made->tiny->objects[1].centre = (fxl_point){0, 0, Q16(10)};
+            }
+            covered += times[i];
+        }
+    }
+    TEST_ASSERT_TRUE(covered > UNIT_REPEAT / 100);
+    TEST_ASSERT_TRUE(most > 20 * sizeof(fxl_point)); /* it was cut */
+}
+
+/* --- room -------------------------------------------------------------------- */
+
+/* Byte by byte more: nothing is written behind it, and what has no room is counted and whole. */
+void test_any_room_for_pieces(void)
+{
+    uint32_t last = 2;
+    fxl_pose pose = {{Q16(-3), Q16(2), Q16(5)}, DEGREES(30), DEGREES(-18), 0};
+    made = tree_make();
+    tilt(unit_random(), unit_random(), unit_random());
+    made->tiny->objects[0].centre = (fxl_point){Q16(0.75), Q16(0.5), Q16(9.5)};
+    made->tiny->objects[2].centre = (fxl_point){Q16(-0.5), Q16(-0.75), Q16(10.25)};
+    start_with(0, &fxl_hidden_tree, sizeof pieces);
+    draw(whole, &pose);
+    const uint32_t used = tree_room()->used;
+    TEST_ASSERT_TRUE(used > 0 && used <= sizeof pieces);
+    for (uint32_t bytes = 0; bytes <= used + 8; bytes += 1 + bytes % 7) {
+        memset(pieces, 0xA5, sizeof pieces);
+        start_with(0, &fxl_hidden_tree, bytes);
+        draw(other, &pose);
+        TEST_ASSERT_TRUE(tree_room()->unsplit <= last);
+        last = tree_room()->unsplit;
+        TEST_ASSERT_TRUE(tree_room()->used <= bytes);
+        TEST_ASSERT_TRUE(last > 0 || memcmp(whole, other, sizeof whole) == 0);
+        for (uint32_t i = (bytes + 3) / 4 * 4; i < sizeof pieces; i++) {
+            TEST_ASSERT_EQUAL_UINT8(0xA5, ((uint8_t *)pieces)[i]);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, last);
+    start_with(0, &fxl_hidden_tree, 0);
+    draw(other, &pose);
+    TEST_ASSERT_EQUAL_UINT32(2, tree_room()->unsplit);
+}
+
+void test_room_for_the_walk(void)
+{
+    made = tree_make();
+    start_with(0, &fxl_hidden_tree, 0);
+    uint32_t needed = fxl_hidden_tree.walk_room(&made->tiny->scene);
+    TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_tree_room) + 4 + 4 * TREE_NODES + 2 * 12, needed);
+    needed = (needed + 7) / 8 * 8;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_renderer_set_hidden(&renderer, &fxl_hidden_tree, room, needed - 1));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_hidden(&renderer, &fxl_hidden_tree, NULL, needed));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_hidden(&renderer, &fxl_hidden_tree, room, needed));
+    made->tiny->objects[0].layer = made->tiny->objects[2].layer = 1; /* nothing moves */
+    TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_tree_room) + 4,
+                             fxl_hidden_tree.walk_room(&made->tiny->scene));
+    made->tiny->scene.nodes = NULL;
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_hidden_tree.walk_room(&made->tiny->scene));
+}
+
+/* --- counting, and scenes of another kind ------------------------------------- */
+
+void test_counters_are_those_of_any_method(void)
+{
+    uint32_t drawn = 0;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_pose pose = shuffle();
+        pose.yaw += round % 3 == 0 ? (fxl_angle)unit_random() : 0;
+        start_with(0, &fxl_hidden_sorted, 0);
+        draw(other, &pose);
+        fxl_counters counters = renderer.counters;
+        start_with(0, &fxl_hidden_tree, round % 2 ? sizeof pieces : 0);
+        draw(whole, &pose);
+        TEST_ASSERT_EQUAL_UINT32(18, renderer.counters.in);
+        counters.spilled = renderer.counters.spilled; /* each piece by itself */
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        drawn += counters.drawn;
+    }
+    TEST_ASSERT_TRUE(drawn > UNIT_REPEAT / 100);
+}
+
+void test_without_a_tree_it_is_drawn_by_distance(void)
+{
+    fxl_pose pose = shuffle();
+    for (uint32_t i = 0; i < 20; i++, pose = shuffle()) {
+        start_with(0, &fxl_hidden_sorted, 0);
+        draw(whole, &pose);
+        made->tiny->scene.nodes = NULL;
+        made->tiny->scene.node_count = made->tiny->scene.tree_object = 0;
+        start_with(0, &fxl_hidden_tree, 0);
+        draw(other, &pose);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
+/* The tree's object behind the eye, one that moves before it; and layers below and above. */
+void test_other_layers_and_a_tree_out_of_sight(void)
+{
+    const fxl_pose pose = {{0, 0, Q16(14)}, 0, 0, 0};
+    made = tree_make();
+    made->tiny->objects[0].centre = (fxl_point){0, 0, Q16(18)};
+    made->tiny->objects[2].centre = (fxl_point){0, 0, Q16(24)};
+    made->tiny->objects[2].layer = 1; /* over the nearer one */
+    start_with(0, &fxl_hidden_tree, sizeof pieces);
+    draw(whole, &pose);
+    TEST_ASSERT_EQUAL_UINT8(5, whole[WIDTH * HEIGHT / 2 + WIDTH / 2]);
+    TEST_ASSERT_EQUAL_UINT32(18, renderer.counters.in);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
+    made->tiny->objects[2].centre.z = Q16(17); /* now nearer, and under */
+    made->tiny->objects[2].layer = 0;
+    made->tiny->objects[0].layer = 2;
+    made->tiny->objects[0].centre.x = Q16(0.5);
+    start_with(0, &fxl_hidden_tree, sizeof pieces);
+    draw(whole, &pose);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
+}

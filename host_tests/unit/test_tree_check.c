@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+/* What the loader refuses of a tree. */
+#include "tree_scene.h"
+
+static tree_scene *made;
+static fxl_scene_fault fault;
+
+void setUp(void)
+{
+    made = tree_make();
+}
+
+static void expect(fxl_status status, const char *what, uint32_t index)
+{
+    fault.what = "nothing";
+    TEST_ASSERT_EQUAL(status, fxl_scene_check(&made->tiny->scene, &fault));
+    if (status != FXL_OK) {
+        TEST_ASSERT_EQUAL_STRING(what, fault.what);
+        TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    }
+    made = tree_make();
+}
+
+void test_a_sound_tree(void)
+{
+    expect(FXL_OK, NULL, 0);
+    made->tiny->scene.keys = NULL;
+    made->tiny->models[1].first_key = 0;
+    expect(FXL_OK, NULL, 0);
+}
+
+void test_whose_it_is(void)
+{
+    made->tiny->scene.tree_object = TINY_OBJECTS;
+    expect(FXL_E_INDEX, "tree", 0);
+    made->tiny->scene.tree_object = 0; /* its model is convex */
+    expect(FXL_E_RESERVED, "tree", 0);
+    made->tiny->objects[2].model = 1;
+    expect(FXL_E_TREE, "object", 2);
+    made->tiny->models[0].kind = FXL_MODEL_SORTED;
+    made->tiny->scene.keys = NULL;
+    expect(FXL_E_TREE, "object", 0);
+    made->tiny->models[0].kind = FXL_MODEL_SORTED; /* on another layer it may be */
+    made->tiny->scene.keys = NULL;
+    made->tiny->objects[0].layer = 1;
+    made->tiny->objects[2].layer = 2;
+    expect(FXL_OK, NULL, 0);
+}
+
+void test_counts(void)
+{
+    made->tiny->scene.node_count = 0;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->tiny->scene.node_count = FXL_TREE_NODES_MAX + 1;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->tiny->scene.nodes = NULL;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->tiny->scene.nodes = NULL;
+    made->tiny->scene.node_count = 0;
+    expect(FXL_E_COUNT, "node table", 0); /* but it says whose it is */
+    made->tiny->scene.nodes = NULL;
+    made->tiny->scene.node_count = 0;
+    made->tiny->scene.tree_object = 0;
+    expect(FXL_OK, NULL, 0);
+}
+
+void test_planes(void)
+{
+    made->nodes[3].reserved = 1;
+    expect(FXL_E_RESERVED, "tree node", 3);
+    made->nodes[3].normal.y += 8;
+    expect(FXL_E_NORMAL, "tree node", 3);
+    made->nodes[2].distance_high = 0x20000000u; /* 2^61 and the least bit more */
+    made->nodes[2].distance_low = 1;
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[2].distance_high = 0xDFFFFFFFu;
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[2].distance_high = 0x20000000u; /* 2^61 itself, and then no face is near */
+    made->nodes[2].distance_low = 0;
+    expect(FXL_E_PLANARITY, "face", 8);
+}
+
+/* 8 units of 2^-16 off is near enough, the least bit more is not. */
+void test_faces_lie_on_the_plane(void)
+{
+    const uint64_t one = (uint64_t)FXL_Q2_30_ONE * 65536u, most = (uint64_t)8 << 30;
+    const struct {
+        uint64_t distance;
+        fxl_status status;
+    } cases[] = {{one + most, FXL_OK},
+                 {one - most, FXL_OK},
+                 {one + most + 1, FXL_E_PLANARITY},
+                 {one - most - 1, FXL_E_PLANARITY}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        made->nodes[4].distance_low = (uint32_t)cases[i].distance;
+        made->nodes[4].distance_high = (uint32_t)(cases[i].distance >> 32);
+        expect(cases[i].status, "face", 10);
+    }
+}
+
+void test_every_face_has_one_node(void)
+{
+    made->nodes[1].first_face = 2;
+    expect(FXL_E_INDEX, "tree node", 1);
+    made->nodes[5].face_count = 0;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->nodes[5].face_count = 2;
+    expect(FXL_E_INDEX, "tree node", 5);
+    made->nodes[5].face_count = 0xFFFF;
+    expect(FXL_E_INDEX, "tree node", 5);
+}
+
+void test_links(void)
+{
+    made->nodes[0].parent = 0;
+    expect(FXL_E_TREE, "tree node", 0);
+    made->nodes[3].back = 3; /* round and round */
+    expect(FXL_E_TREE, "tree node", 3);
+    made->nodes[3].back = 0;
+    expect(FXL_E_TREE, "tree node", 3);
+    made->nodes[3].back = 5; /* 4 hangs nowhere */
+    expect(FXL_E_TREE, "tree node", 3);
+    made->nodes[3].back = FXL_TREE_NONE;
+    expect(FXL_E_TREE, "tree node", 4);
+    made->nodes[5].front = 6; /* past the end */
+    expect(FXL_E_TREE, "tree node", 5);
+    made->nodes[5].front = 0xFFFE;
+    expect(FXL_E_TREE, "tree node", 5);
+    made->nodes[4].parent = 2;
+    expect(FXL_E_TREE, "tree node", 3);
+    made->nodes[2].front = 3; /* twice */
+    expect(FXL_E_TREE, "tree node", 2);
+    made->nodes[2].front = 3; /* in front instead of behind: sound, for this check */
+    made->nodes[2].back = FXL_TREE_NONE;
+    expect(FXL_OK, NULL, 0);
+}
+
+/* A chain of nodes without faces, behind each other: as deep as may be, and one deeper. */
+void test_depth(void)
+{
+#ifndef UNIT_ON_TARGET
+    static fxl_tree_node chain[FXL_TREE_DEPTH_MAX + 2];
+    for (uint32_t count = FXL_TREE_DEPTH_MAX + 1; count <= FXL_TREE_DEPTH_MAX + 2; count++) {
+        for (uint32_t i = 0; i < count; i++) {
+            uint32_t own = i < TREE_NODES ? i : TREE_NODES - 1;
+            chain[i] = made->nodes[own];
+            chain[i].parent = (uint16_t)(i == 0 ? FXL_TREE_NONE : i - 1);
+            chain[i].front = FXL_TREE_NONE;
+            chain[i].back = (uint16_t)(i + 1 < count ? i + 1 : FXL_TREE_NONE);
+            if (i >= TREE_NODES) {
+                chain[i].first_face = TREE_NODES;
+                chain[i].face_count = 0;
+            }
+        }
+        made->tiny->scene.nodes = chain;
+        made->tiny->scene.node_count = count;
+        expect(count == FXL_TREE_DEPTH_MAX + 1 ? FXL_OK : FXL_E_TREE, "tree node",
+               FXL_TREE_DEPTH_MAX);
+    }
+#endif
+}

@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines on the screen by the rule, and a scene's edges in whatever bands. */
+#include "tiny.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32
+};
+
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
+
+static fxl_band all_of(uint8_t *pixels)
+{
+    fxl_band band = {pixels, WIDTH, WIDTH, 0, HEIGHT};
+    return band;
+}
+
+static fxl_screen_point at(double x, double y)
+{
+    fxl_screen_point point = {Q16(x), Q16(y)};
+    return point;
+}
+
+static void draw(uint8_t *pixels, fxl_screen_point from, fxl_screen_point to)
+{
+    fxl_band band = all_of(pixels);
+    memset(pixels, 0, WIDTH * HEIGHT);
+    fxl_wire_line(&from, &to, 1, &band);
+}
+
+static void expect_rows(const char *const *rows, int count)
+{
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            const bool want = y < count && x < (int)strlen(rows[y]) && rows[y][x] == '#';
+            TEST_ASSERT_EQUAL(want, whole[y * WIDTH + x]);
+        }
+    }
+}
+#define EXPECT(...) \
+    expect_rows((const char *const[]){__VA_ARGS__}, \
+                (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)))
+
+void test_a_flat_line(void)
+{
+    draw(whole, at(1.5, 1.9), at(6.5, 3.1));
+    EXPECT("", ".#", "..####"); /* y at the centres 1.5, 2.5 ..: 1.9 2.14 2.38 2.62 2.86 */
+}
+
+void test_a_steep_line(void)
+{
+    draw(whole, at(3, 0), at(1, 4));
+    EXPECT("..#", "..#", ".#", ".#");
+}
+
+/* The centre where a line begins is its own, the one where it ends the next one's. */
+void test_centres_from_the_first_end_to_before_the_last(void)
+{
+    draw(whole, at(0.5, 0.5), at(4.5, 0.5));
+    EXPECT("####");
+    draw(whole, at(0.51, 0.5), at(4.51, 0.5));
+    EXPECT(".####");
+    draw(whole, at(2.6, 0.2), at(3.4, 0.4));
+    EXPECT("");
+}
+
+/* Between two rows it takes the lower, both ways round. */
+void test_a_line_between_rows(void)
+{
+    draw(whole, at(0, 2), at(3, 2));
+    EXPECT("", "", "###");
+    draw(whole, at(3, 2), at(0, 2));
+    EXPECT("", "", "###");
+    draw(whole, at(3, 0), at(3, 3));
+    EXPECT("...#", "...#", "...#");
+}
+
+void test_either_way_is_the_same(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        fxl_screen_point a = {unit_between(-Q16(9), Q16(60)), unit_between(-Q16(9), Q16(40))};
+        fxl_screen_point b = {unit_between(-Q16(9), Q16(60)), unit_between(-Q16(9), Q16(40))};
+        draw(whole, a, b);
+        draw(other, b, a);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
+/* The rule itself, pixel by pixel: the point of the line over the centre of a column, or
+ * beside that of a row, lies in the pixel. |products| < 2^60. */
+static bool covers(const fxl_screen_point *a, const fxl_screen_point *b, int x, int y)
+{
+    int64_t w = (int64_t)b->x - a->x, h = (int64_t)b->y - a->y;
+    int64_t cx = x * 65536 + 32768, cy = y * 65536 + 32768;
+    if ((h < 0 ? -h : h) > (w < 0 ? -w : w)) {
+        if (!(a->y <= b->y ? a->y <= cy && cy < b->y : b->y <= cy && cy < a->y)) {
+            return false;
+        }
+        int64_t over = (a->x - (int64_t)x * 65536) * h + (cy - a->y) * w; /* times 1 / h */
+        return h > 0 ? over >= 0 && over < 65536 * h : over <= 0 && over > 65536 * h;
+    }
+    if (!(a->x <= b->x ? a->x <= cx && cx < b->x : b->x <= cx && cx < a->x)) {
+        return false;
+    }
+    int64_t over = (a->y - (int64_t)y * 65536) * w + (cx - a->x) * h;
+    return w > 0 ? over >= 0 && over < 65536 * w : over <= 0 && over > 65536 * w;
+}
+
+void test_lines_are_what_the_rule_says(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 300; i++) {
+        const int32_t reach = unit_random() % 4 ? Q16(70) : FXL_SCREEN_COORDINATE_MAX;
+        const int32_t grid = unit_random() % 3 ? 1 : 32768;
+        fxl_screen_point a = {unit_between(-reach, reach) / grid * grid,
+                              unit_between(-reach, reach) / grid * grid};
+        fxl_screen_point b = {unit_between(-reach, reach) / grid * grid,
+                              unit_between(-reach, reach) / grid * grid};
+        draw(whole, a, b);
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            TEST_ASSERT_EQUAL(covers(&a, &b, k % WIDTH, k / WIDTH), whole[k]);
+        }
+    }
+}
+
+static fxl_wire wire;
+
+static void draw_frame(uint8_t *pixels, uint32_t rows)
+{
+    memset(pixels, 0, WIDTH * HEIGHT);
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        uint32_t left = HEIGHT - row;
+        fxl_band band = {pixels + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                         (uint16_t)(rows < left ? rows : left)};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
+    }
+}
+
+static void make(fxl_wire_clipper clipper)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, clipper));
+}
+
+void test_bands_and_both_clippers_draw_the_same(void)
+{
+    int pixels = 0, clipped = 0;
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        fxl_pose pose = {unit_point(Q16(6)), unit_random(), unit_random(), unit_random()};
+        make(fxl_line_by_planes);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+        draw_frame(whole, HEIGHT);
+        fxl_wire_counters counters = wire.counters;
+        TEST_ASSERT_EQUAL_UINT32(counters.in, counters.outside + counters.refused + counters.drawn);
+        make(fxl_line_by_codes);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+        draw_frame(other, (uint32_t)unit_between(1, HEIGHT));
+        TEST_ASSERT_TRUE(wire.counters.intersections <= counters.intersections);
+        wire.counters.intersections = counters.intersections;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &wire.counters, sizeof counters);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        clipped += (int)counters.clipped;
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            pixels += whole[k] != 0;
+        }
+    }
+    TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10 && clipped > UNIT_REPEAT / 100);
+}
+
+/* A cube from the front: its four sides, in its colour. */
+void test_a_cube_from_the_front(void)
+{
+    fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
+    make(fxl_line_by_codes);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    draw_frame(whole, HEIGHT);
+    /* 24 / 3 pixels each way from (24, 16). */
+    TEST_ASSERT_EQUAL(5, whole[8 * WIDTH + 20]);
+    TEST_ASSERT_EQUAL(5, whole[24 * WIDTH + 20]);
+    TEST_ASSERT_EQUAL(5, whole[16 * WIDTH + 16]);
+    TEST_ASSERT_EQUAL(5, whole[16 * WIDTH + 32]);
+    TEST_ASSERT_EQUAL(0, whole[14 * WIDTH + 18]);
+}
+
+void test_what_is_no_wireframe_is_refused(void)
+{
+    fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
+    fxl_band band = all_of(whole);
+    tiny_scene *tiny = tiny_make();
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_init(NULL, &tiny->scene, &lens, fxl_line_by_codes));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_init(&wire, NULL, &lens, fxl_line_by_codes));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_init(&wire, &tiny->scene, NULL, fxl_line_by_codes));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_init(&wire, &tiny->scene, &lens, NULL));
+    make(fxl_line_by_planes);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_draw(&wire, &band));
+    pose.position.x = FXL_COORDINATE_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_begin(NULL, &pose));
+    pose.position.x = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    band.rows = HEIGHT + 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &band));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(NULL, &band));
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/* wire SCENE.fxls OUT.fxld [--frames N]
+ *
+ * Draws a scene's path as wireframes into a frame dump, with both line clippers and in bands
+ * of several heights, which must agree, and compares it with the twin in double. Prints what
+ * it found as JSON. Exit code 0: it ran; 2: it could not. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fixel.h"
+#include "frames/dump.h"
+#include "path.h"
+#include "reference/wire.h"
+
+#define EXPLAINED_AT (1.0 / 8192)
+
+static uint8_t pixels[2][FXL_SCREEN_MAX * FXL_SCREEN_MAX], twin[FXL_SCREEN_MAX * FXL_SCREEN_MAX];
+static uint32_t image_words[(16u << 20) / 4 + 1]; /* aligned for the image */
+
+typedef struct {
+    uint64_t lines, clipped, lit, differing, unexplained, disagreeing;
+    uint64_t intersections[2]; /* plane by plane, by outcodes */
+} findings;
+
+static int fail(const char *where, const char *what)
+{
+    fprintf(stderr, "error: %s: %s\n", where, what);
+    return 2;
+}
+
+static int draw(fxl_wire *wire, const fxl_scene_image *image, const fxl_pose *pose, uint32_t rows,
+                uint8_t *to)
+{
+    const uint16_t width = image->lens.width, height = image->lens.height;
+    int done = fxl_wire_begin(wire, pose) == FXL_OK;
+    for (uint32_t row = 0; done && row < height; row += rows) {
+        const uint32_t left = height - row;
+        fxl_band band = {to + (size_t)row * width, width, width, (uint16_t)row,
+                         (uint16_t)(rows < left ? rows : left)};
+        fxl_fill_band(&band, image->background);
+        done = fxl_wire_draw(wire, &band) == FXL_OK;
+    }
+    return done;
+}
+
+static void compare(const ref_wire *lines, const fxl_scene_image *image, findings *found)
+{
+    const int width = image->lens.width, height = image->lens.height;
+    const ref_band band = {twin, width, width, 0, height};
+    memset(twin, image->background, (size_t)width * (size_t)height);
+    for (size_t i = 0; i < lines->count; i++) {
+        ref_wire_draw(&lines->lines[i], &band);
+    }
+    for (int i = 0; i < width * height; i++) {
+        found->lit += pixels[0][i] != image->background;
+        found->disagreeing += pixels[0][i] != pixels[1][i];
+        if (pixels[0][i] == twin[i]) {
+            continue;
+        }
+        int near = 0;
+        for (size_t k = 0; k < lines->count && !near; k++) {
+            near = ref_wire_is_near(&lines->lines[k], i % width, i / width, EXPLAINED_AT);
+        }
+        found->differing++;
+        found->unexplained += !near;
+    }
+}
+
+static int draw_all(const fxl_scene_image *image, const ref_scene_image *reference, dump *to,
+                    uint32_t frames, findings *found)
+{
+    static fxl_wire by_planes, by_codes;
+    walk_path path;
+    ref_wire lines = {0};
+    const size_t area = (size_t)image->lens.width * image->lens.height;
+    walk_path_begin(&path, image, false);
+    int done =
+        fxl_wire_init(&by_planes, &image->scene, &image->lens, fxl_line_by_planes) == FXL_OK &&
+        fxl_wire_init(&by_codes, &image->scene, &image->lens, fxl_line_by_codes) == FXL_OK;
+    for (uint32_t i = 0; done && i < frames; i++) {
+        done = walk_path_next(&path, 0) == FXL_OK &&
+               draw(&by_planes, image, &path.viewer.pose, image->lens.height, pixels[0]) &&
+               draw(&by_codes, image, &path.viewer.pose, 1 + i % 16, pixels[1]);
+        const fxl_pose *p = &path.viewer.pose;
+        const ref_pose pose = {
+            {p->position.x, p->position.y, p->position.z}, p->yaw, p->pitch, p->roll};
+        done = done && ref_wire_frame(&lines, &reference->scene, &reference->lens, &pose);
+        if (done) {
+            const fxl_counters counters = {.in = by_planes.counters.in,
+                                           .outside = by_planes.counters.outside,
+                                           .refused = by_planes.counters.refused,
+                                           .drawn = by_planes.counters.drawn,
+                                           .clipped = by_planes.counters.clipped};
+            compare(&lines, image, found);
+            dump_frame(to, p, pixels[0], area, &counters, path.viewer.clamped);
+            found->lines += by_planes.counters.drawn;
+            found->clipped += by_planes.counters.clipped;
+            found->intersections[0] += by_planes.counters.intersections;
+            found->intersections[1] += by_codes.counters.intersections;
+        }
+    }
+    ref_wire_close(&lines);
+    return done;
+}
+
+static int save(const char *out, const fxl_scene_image *image, const ref_scene_image *reference,
+                uint32_t frames, findings *found)
+{
+    FILE *file = fopen(out, "wb");
+    dump to;
+    if (!file) {
+        return fail(out, strerror(errno));
+    }
+    dump_begin(&to, file, image, frames);
+    const int done = draw_all(image, reference, &to, frames, found);
+    const bool saved = dump_end(&to);
+    if (fclose(file) != 0 || !saved) {
+        return fail(out, "it cannot be written");
+    }
+    return done ? 0 : fail(out, "a frame cannot be drawn");
+}
+
+int main(int count, char **arguments)
+{
+    const int asked = count == 5 && strcmp(arguments[3], "--frames") == 0;
+    if (count != 3 && !asked) {
+        return fail("usage", "wire SCENE.fxls OUT.fxld [--frames N]");
+    }
+    FILE *file = fopen(arguments[1], "rb");
+    const size_t size = file ? fread(image_words, 1, sizeof image_words, file) : 0;
+    if (file) {
+        fclose(file);
+    }
+    fxl_scene_image image;
+    ref_scene_image reference;
+    const fxl_status status = fxl_scene_open(image_words, size, &image, NULL);
+    if (status != FXL_OK) {
+        return fail(arguments[1], fxl_status_text(status));
+    }
+    const char *wrong = ref_scene_open((const uint8_t *)image_words, size, &reference);
+    if (wrong) {
+        return fail(arguments[1], wrong);
+    }
+    uint32_t frames = asked ? (uint32_t)strtoul(arguments[4], NULL, 10) : 0;
+    frames = frames > 0 && frames < image.frame_count ? frames : image.frame_count;
+    findings found = {0};
+    const int code = save(arguments[2], &image, &reference, frames, &found);
+    ref_scene_close(&reference);
+    if (code != 0) {
+        return code;
+    }
+    printf(
+        "{\"frames\": %u, \"lines\": %llu, \"clipped\": %llu, \"intersections_by_planes\": %llu, "
+        "\"intersections_by_codes\": %llu, \"pixels_drawn\": %llu, \"pixels_disagreeing\": %llu, "
+        "\"pixels_differing\": %llu, \"pixels_unexplained\": %llu}\n",
+        frames, (unsigned long long)found.lines, (unsigned long long)found.clipped,
+        (unsigned long long)found.intersections[0], (unsigned long long)found.intersections[1],
+        (unsigned long long)found.lit, (unsigned long long)found.disagreeing,
+        (unsigned long long)found.differing, (unsigned long long)found.unexplained);
+    return fflush(stdout) == 0 ? 0 : 2;
+}

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# build/host/wire: a scene's frames as wireframes, against the twin's.
+
+WIRE_OBJECTS := $(BUILD)/host/objects/wire/main.o $(BUILD)/host/objects/frames/dump.o \
+    $(BUILD)/host/objects/frames/path.o
+HOST_TOOLS += $(BUILD)/host/wire
+
+$(BUILD)/host/objects/wire/%.o: host_tests/wire/%.c
+	@mkdir -p $(@D)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
+
+$(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOSTCC) $^ -lm -o $@
+
+-include $(WIRE_OBJECTS:.o=.d)

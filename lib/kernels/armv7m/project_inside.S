@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_project_inside for Armv7-M and Armv8-M Mainline: UMULL, UDIV, CLZ. The
+ * numbers' names, and why nothing overflows, stand in
+ * lib/kernels/portable/project_inside.c.
+ *
+ * Sides are shifted by multiplication, which takes two instructions for 64 bits; half the
+ * depth is what their product with F is added to. What decides the rounding is left in the
+ * carry and added with the centre. */
+
+    .syntax unified
+    .thumb
+
+/* Of fxl_projection, which begins with factor, depth_min, factor_less_1, factor_2,
+ * factor_17; fxl_view_point is x, y, z: project.c holds them against the structures. */
+#define CENTRES 20
+
+projection  .req r0
+view        .req r1     /* later 2^n, then 2^(n - 3) */
+power       .req r1
+screen      .req r2
+factor      .req r3     /* F */
+depth       .req r9     /* d; before it the upper word of Z */
+upper       .req r10    /* least upper word of Z; later of whatever product comes along */
+factor_1    .req r11    /* F - 1: a lower word times it, added to itself */
+factor_2    .req r12    /* 4 F */
+scale       .req r12    /* G */
+factor_17   .req lr     /* 2^17 F, without what wraps; later P + h */
+
+    .section .text.fxl_project_inside, "ax", %progbits
+    .global fxl_project_inside
+    .type fxl_project_inside, %function
+    .thumb_func
+
+fxl_project_inside:
+    push    {r4-r11, lr}
+    ldm     view, {r4-r9}
+    ldm     projection, {r3, r10, r11, r12, lr}
+    cmp     r9, r10
+    blt     long_way
+
+    clz     r10, r9
+    mov     power, #1
+    lsl     power, power, r10
+    umull   r8, upper, r8, power            /* the upper word of Z 2^n */
+    mla     r9, r9, power, upper
+    lsr     power, power, #3
+    lsrs    depth, r9, #1                   /* the bit that falls out rounds */
+    adc     depth, depth, #0
+
+    lsr     r8, depth, #15                  /* D */
+    udiv    r10, factor_2, r8
+    mls     lr, r10, depth, factor_17
+    sdiv    lr, lr, r8
+    add     scale, lr, r10, lsl #15
+
+    umull   r4, upper, r4, power            /* X' = r5:r4 */
+    mla     r5, r5, power, upper
+    lsr     lr, depth, #1                   /* h */
+    umlal   r4, lr, r4, factor_1
+    mla     lr, r5, factor, lr
+    smull   r4, r5, scale, r5               /* the quotient, or one less */
+    mls     lr, r5, depth, lr
+    cmp     lr, depth                       /* carry: one less */
+    ldrd    r4, r8, [projection, #CENTRES]
+    adc     r5, r5, r4
+
+    umull   r6, upper, r6, power
+    mla     r7, r7, power, upper
+    lsr     lr, depth, #1
+    umlal   r6, lr, r6, factor_1
+    mla     lr, r7, factor, lr
+    smull   r6, r7, scale, r7
+    mls     lr, r7, depth, lr
+    sub     depth, depth, #1
+    cmp     depth, lr                       /* no carry: one less */
+    sbc     r8, r8, r7
+    strd    r5, r8, [screen]
+    movs    r0, #0                          /* FXL_OK */
+    pop     {r4-r11, pc}
+
+long_way:
+    pop     {r4-r11, lr}
+    b.w     fxl_project_any
+
+    .size fxl_project_inside, . - fxl_project_inside

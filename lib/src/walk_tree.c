@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+#include "walk_tree.h"
+
+#include "face.h"
+#include "tree_node.h"
+#include "tree_pieces.h"
+
+/* What is done of a node. */
+enum {
+    FIRST, /* nothing: what the walk comes to first is next */
+    FACES,
+    SECOND
+};
+
+/* A walk in the tree. */
+typedef struct {
+    const fxl_walk *on;
+    const fxl_scene *scene;
+    fxl_tree_room *room;
+    const uint32_t *sides;
+    const fxl_placed *placed; /* null: the tree's object is not in sight */
+    fxl_face_taker take;
+    bool reverse; /* near to far */
+} tree_walk;
+
+_Static_assert(sizeof(fxl_tree_item) == 12 && sizeof(fxl_tree_vertex) == 16, "tree.h says so");
+
+uint32_t fxl_tree_room_size(const fxl_scene *scene)
+{
+    uint32_t movers = fxl_tree_movers(scene);
+    uint32_t size = (uint32_t)sizeof(fxl_tree_room) +
+                    (scene->node_count + 31) / 32 * (uint32_t)sizeof(uint32_t);
+    if (movers > 0) {
+        size += 2 * scene->node_count * (uint32_t)sizeof(uint16_t) +
+                movers * (uint32_t)sizeof(fxl_tree_item);
+    }
+    return scene->nodes == NULL ? 0 : size;
+}
+
+/* The layer's entries in the order, and which of them is the tree's. */
+static void find_layer(const fxl_renderer *renderer, fxl_tree_room *room)
+{
+    const fxl_scene *scene = renderer->scene;
+    const uint32_t layer = scene->objects[scene->tree_object].layer;
+    uint32_t first = 0, end;
+    while (first < renderer->in_sight && renderer->order[first].layer != layer) {
+        first++;
+    }
+    room->owner = FXL_ITEM_NONE;
+    for (end = first; end < renderer->in_sight && renderer->order[end].layer == layer; end++) {
+        if (renderer->order[end].index == scene->tree_object) {
+            room->owner = (uint16_t)end;
+        }
+    }
+    room->first = (uint16_t)first;
+    room->end = (uint16_t)end;
+    room->movers = (uint16_t)(end - first - (room->owner != FXL_ITEM_NONE));
+}
+
+/* On which side of every node's plane the eye is. */
+static void find_sides(const fxl_renderer *renderer, uint32_t *sides)
+{
+    const fxl_scene *scene = renderer->scene;
+    const fxl_point *eye = &renderer->view.camera.position;
+    const fxl_point *centre = &scene->objects[scene->tree_object].centre;
+    /* Both within FXL_COORDINATE_MAX: below 2^30. */
+    const fxl_point from = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < scene->node_count; i++) {
+        bits |= (uint32_t)fxl_tree_is_front(&scene->nodes[i], &from) << (i & 31);
+        if ((i & 31) == 31 || i + 1 == scene->node_count) {
+            sides[i / 32] = bits;
+            bits = 0;
+        }
+    }
+}
+
+/* The node's faces that face the eye, from place->index on; the others are counted. */
+static bool walk_faces(const tree_walk *walk, fxl_tree_place *place)
+{
+    const fxl_tree_node *node = &walk->scene->nodes[place->node];
+    const fxl_model *model =
+        &walk->scene->models[walk->scene->objects[walk->scene->tree_object].model];
+    const fxl_face *faces = &walk->scene->faces[model->first_face + node->first_face];
+    fxl_counters *counters = walk->on->counters;
+    if (walk->placed == NULL) {
+        return true;
+    }
+    for (; place->index < node->face_count; place->index++) {
+        const fxl_face *face =
+            &faces[walk->reverse ? node->face_count - 1 - place->index : place->index];
+        if (!fxl_placed_face_is_front(walk->placed, face)) {
+            counters->backfacing += 1;
+        } else if (!walk->take(walk->on, walk->placed, face)) {
+            return false;
+        }
+        counters->in += 1;
+    }
+    return true;
+}
+
+/* Whether the walk comes to what is in front of a node first: far to near, what is not
+ * on the eye's side. */
+static bool begins_in_front(const tree_walk *walk, uint32_t node)
+{
+    return (walk->sides[node / 32] >> (node & 31) & 1u) == walk->reverse;
+}
+
+static void step(fxl_tree_place *place, uint32_t node, uint32_t phase)
+{
+    place->node = (uint16_t)node;
+    place->phase = (uint16_t)phase;
+    place->index = 0;
+    place->face = 0;
+}
+
+/* Up to the next node of which something is left to do; false where there is none. */
+static bool go_up(const tree_walk *walk, fxl_tree_place *place)
+{
+    uint32_t node = place->node, from;
+    do {
+        from = node;
+        node = walk->scene->nodes[from].parent;
+        if (node == FXL_TREE_NONE) {
+            return false;
+        }
+    } while ((walk->scene->nodes[node].front == from) != begins_in_front(walk, node));
+    step(place, node, FACES);
+    return true;
+}
+
+/* From the place to the end of the tree, without a stack: a node knows its parent. False where
+ * it was stopped. */
+static bool walk_nodes(const tree_walk *walk, fxl_tree_place *place)
+{
+    do {
+        bool more = true;
+        while (more) {
+            const fxl_tree_node *node = &walk->scene->nodes[place->node];
+            if (place->phase == FACES) {
+                if (!walk_faces(walk, place)) {
+                    return false;
+                }
+                step(place, place->node, SECOND);
+            }
+            bool front = begins_in_front(walk, place->node) == (place->phase == FIRST);
+            uint32_t below = front ? node->front : node->back;
+            if (below != FXL_TREE_NONE) {
+                step(place, below, FIRST);
+                continue;
+            }
+            if (walk->room->movers > 0 &&
+                !fxl_tree_walk_leaf(walk->on, walk->room, 2u * place->node + !front, place)) {
+                return false;
+            }
+            more = place->phase == FIRST;
+            if (more) {
+                step(place, place->node, FACES);
+            }
+        }
+    } while (go_up(walk, place));
+    return true;
+}
+
+/* The tree's layer. False where it was stopped: where the list was full, the room has the place. */
+static bool walk_layer(const fxl_walk *on, fxl_tree_room *room, const uint32_t *sides)
+{
+    fxl_renderer *renderer = on->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_object *object = &scene->objects[scene->tree_object];
+    fxl_placed placed;
+    tree_walk walk = {on, scene, room, sides, NULL, on->take, renderer->hidden->front_to_back};
+    if (room->owner != FXL_ITEM_NONE) {
+        fxl_place_object(&placed, scene, object, renderer->order[room->owner].planes,
+                         &renderer->view, &renderer->cache);
+        walk.placed = &placed;
+        walk.take = fxl_walk_taker_of(on, object, &scene->models[object->model]);
+    }
+    fxl_tree_place place = {0, 0, 0, FIRST};
+    if (on->place->faces != 0) {
+        place = room->rest;
+    }
+    bool done = walk_nodes(&walk, &place);
+    if (!done && on->band == NULL) {
+        room->rest = place;
+        on->place->faces = 1; /* the rest is in the room */
+    }
+    return done;
+}
+
+bool fxl_walk_by_tree(const fxl_walk *on)
+{
+    fxl_renderer *renderer = on->renderer;
+    const uint32_t count = renderer->in_sight;
+    if (renderer->scene->nodes == NULL) {
+        return fxl_walk_by_distance(on);
+    }
+    fxl_tree_room *room = renderer->walk_room;
+    fxl_tree_parts parts = fxl_tree_parts_of(renderer->scene, room);
+    if (on->band == NULL) {
+        find_layer(renderer, room);
+        find_sides(renderer, parts.sides);
+        fxl_tree_cut_movers(on, room);
+    }
+    while (on->place->objects < count) {
+        const uint32_t number = on->place->objects;
+        const uint32_t at = renderer->hidden->front_to_back ? count - 1 - number : number;
+        const bool by_tree = at >= room->first && at < room->end;
+        if (!(by_tree ? walk_layer(on, room, parts.sides)
+                      : fxl_walk_object(on, &renderer->order[at]))) {
+            return false;
+        }
+        on->place->objects =
+            (uint16_t)(number + (by_tree ? (uint32_t)(room->end - room->first) : 1u));
+        on->place->faces = 0;
+    }
+    return true;
+}

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""`make wire`: a scene's path as wireframes, drawn on this machine and compared with double."""
+
+import argparse
+import pathlib
+import tempfile
+
+import scene as scene_tool
+from fixel import dump, output, picture
+from fixel.errors import run_main
+from fixel.programs import HostPrograms
+from fixel.progress import Progress, steps
+from run import frame_count, make_scene_image
+
+PATTERNS = ["frame_*.png", "walk.gif", "summary.json"]
+
+
+def passes(summary):
+    """Whether both line clippers and the twin agree, but for explained pixels."""
+    return summary["pixels_disagreeing"] == 0 and summary["pixels_unexplained"] == 0
+
+
+def run(options, folder):
+    """Draws and compares; the pictures go into folder. The summary."""
+    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".wire-", dir=options.build) as name:
+        work = pathlib.Path(name)
+        image = make_scene_image(options.scene, work, options.frames, options.screen)
+        with Progress("drawing wireframes, and judging them against double"):
+            found = HostPrograms(options.build).wire(image, work / "wire.fxld", options.frames)
+        drawn = dump.read_dump(work / "wire.fxld")
+    for frame in steps("writing pictures", drawn.frames):
+        picture.palette_image(frame.pixels, drawn.palette).save(folder / f"frame_{frame.number:04d}.png")
+    (folder / "walk.gif").write_bytes(
+        picture.animation_bytes([frame.pixels for frame in drawn.frames], drawn.palette))
+    return {"scene": options.scene, **found}
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--frames", help="how many frames; the whole path without")
+    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
+    parser.add_argument("--out", default="build/wire", help="folder for the results")
+    parser.add_argument("--build", default="build", help="where make builds")
+    options = parser.parse_args(argv)
+    options.frames = frame_count(options.frames) if options.frames is not None else None
+    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    with output.replaced_folder(options.out, PATTERNS) as folder:
+        summary = run(options, folder)
+        output.write_json(folder / "summary.json", summary)
+    print(f"lines drawn            {summary['lines']:,} in {summary['frames']} frames, "
+          f"{summary['clipped']:,} of them cut")
+    print(f"intersections          {summary['intersections_by_planes']:,} plane by plane, "
+          f"{summary['intersections_by_codes']:,} by outcodes")
+    print(f"differ from double     {summary['pixels_differing']:,} of {summary['pixels_drawn']:,} pixels drawn")
+    print(f"unexplained            {summary['pixels_unexplained']}")
+    print(f"{'pass' if passes(summary) else 'FAIL'}: {options.out}")
+    return 0 if passes(summary) else 1
+
+
+if __name__ == "__main__":
+    run_main(main)
