@@ -7,7 +7,8 @@ vertices and of lines: a line is an edge of the scene or of a cut, with the ends
 first. A new vertex is where a line, from its first ends, meets a plane; it is rounded once and
 belongs to the line, so whoever has the line finds the same vertices on it."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from math import isqrt
 
 from fixel import image_beam, tree_choice
 from fixel.errors import ToolError
@@ -321,7 +322,33 @@ def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX):
         sources += [piece.source for piece in pieces]
         node.face_count = len(faces) - node.first_face
     counts.faces_out = len(faces)
+    add_spheres(nodes, faces, lines.points)
     return nodes, faces, sources, counts
+
+
+def add_spheres(nodes, faces, points):
+    """To each node a sphere about its faces and the spheres below, from the last up. Its centre is
+    that of the box about all faces from the node down."""
+    below, boxes = [[] for _ in nodes], [[] for _ in nodes]
+    for number in range(len(nodes) - 1, -1, -1):
+        node = nodes[number]
+        own = [points[c] for face in faces[node.first_face:node.first_face + node.face_count]
+               for c in face.corners]
+        ends = own + boxes[number]
+        if ends:
+            node.centre = tuple((min(axis) + max(axis)) // 2 for axis in zip(*ends))
+        ways = [minus(point, node.centre) for point in own]
+        node.radius = max([_root(max((dot(way, way) for way in ways), default=0))] +
+                          [_root(dot(way, way)) + child.radius for child, way in
+                           ((child, minus(child.centre, node.centre)) for child in below[number])])
+        if node.parent != NONE:
+            below[node.parent].append(node)
+            boxes[node.parent] += [tuple(map(end, zip(*ends))) for end in (min, max) if ends]
+
+
+def _root(square):
+    """The square root, upward."""
+    return 1 + isqrt(square - 1) if square else 0
 
 
 def layers_of(text, scene):
