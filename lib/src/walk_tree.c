@@ -21,6 +21,8 @@ typedef struct {
     fxl_placed *placed; /* null: the tree's object is not in sight */
     fxl_face_taker take;
     fxl_point from;              /* the eye, as the tree's object sees it */
+    const fxl_tree_node *asked;  /* whose sphere was asked last, */
+    uint32_t answer;             /* and what it said */
     uint32_t inside, inside_end; /* from one to the other all nodes are inside the frustum */
     bool reverse;                /* near to far */
 } tree_walk;
@@ -85,9 +87,15 @@ static bool is_inside(const tree_walk *walk, uint32_t number)
     return number >= walk->inside && number < walk->inside_end;
 }
 
-/* Which planes a node's sphere may cross. Both coordinates are within FXL_COORDINATE_MAX
- * together: the loader has seen to it. */
-static uint32_t planes_of(const tree_walk *walk, uint32_t number)
+static bool same_sphere(const fxl_tree_node *a, const fxl_tree_node *b)
+{
+    return a->radius == b->radius && a->centre.x == b->centre.x && a->centre.y == b->centre.y &&
+           a->centre.z == b->centre.z;
+}
+
+/* Which planes a node's sphere may cross; a sphere is asked once in turn. Both coordinates are
+ * within FXL_COORDINATE_MAX together: the loader has seen to it. */
+static uint32_t planes_of(tree_walk *walk, uint32_t number)
 {
     const fxl_view *view = walk->placed->view;
     const fxl_tree_node *node = &walk->scene->nodes[number];
@@ -97,7 +105,11 @@ static uint32_t planes_of(const tree_walk *walk, uint32_t number)
     if (is_inside(walk, number)) {
         return 0;
     }
-    return fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, node->radius);
+    if (walk->asked == NULL || !same_sphere(walk->asked, node)) {
+        walk->asked = node;
+        walk->answer = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, node->radius);
+    }
+    return walk->answer;
 }
 
 /* Whether nothing from the node down is in sight: then its faces are counted. Where all of it is
@@ -105,7 +117,9 @@ static uint32_t planes_of(const tree_walk *walk, uint32_t number)
 static bool leave_out(tree_walk *walk, uint32_t number)
 {
     const fxl_scene *scene = walk->scene;
-    if (walk->placed == NULL || is_inside(walk, number)) {
+    const uint32_t above = scene->nodes[number].parent;
+    if (walk->placed == NULL || is_inside(walk, number) ||
+        (above != FXL_TREE_NONE && same_sphere(&scene->nodes[number], &scene->nodes[above]))) {
         return false;
     }
     uint32_t planes = planes_of(walk, number);
@@ -131,7 +145,7 @@ static bool leave_out(tree_walk *walk, uint32_t number)
 }
 
 /* The node's faces that face the eye, from place->index on; the others are counted. */
-static bool walk_faces(const tree_walk *walk, fxl_tree_place *place)
+static bool walk_faces(tree_walk *walk, fxl_tree_place *place)
 {
     const fxl_tree_node *node = &walk->scene->nodes[place->node];
     const fxl_model *model =

@@ -80,6 +80,10 @@ def add_spheres(nodes, faces, points):
         if node.parent != NONE:
             below[node.parent].append(node)
             boxes[node.parent] += [tuple(map(end, zip(*ends))) for end in (min, max) if ends]
+    # One that is hardly smaller than that above it is not worth asking: it becomes the same.
+    for node in nodes:
+        if node.parent != NONE and 4 * node.radius > 3 * nodes[node.parent].radius:
+            node.centre, node.radius = nodes[node.parent].centre, nodes[node.parent].radius
 
 
 def _root(square):
