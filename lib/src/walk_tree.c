@@ -23,6 +23,7 @@ typedef struct {
     fxl_point from;              /* the eye, as the tree's object sees it */
     const fxl_tree_node *asked;  /* whose sphere was asked last, */
     uint32_t answer;             /* and what it said */
+    uint32_t planes;             /* those that the object's sphere may cross */
     uint32_t inside, inside_end; /* from one to the other all nodes are inside the frustum */
     bool reverse;                /* near to far */
 } tree_walk;
@@ -108,6 +109,9 @@ static uint32_t planes_of(tree_walk *walk, uint32_t number)
     if (walk->asked == NULL || !same_sphere(walk->asked, node)) {
         walk->asked = node;
         walk->answer = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, node->radius);
+        if (walk->answer != FXL_SPHERE_OUTSIDE) {
+            walk->answer &= walk->planes; /* the object's own sphere may be the tighter */
+        }
     }
     return walk->answer;
 }
@@ -278,6 +282,8 @@ static bool walk_layer(const fxl_walk *on, fxl_tree_room *room, const fxl_tree_p
         fxl_place_object(&placed, scene, object, renderer->order[room->owner].planes,
                          &renderer->view, &renderer->cache);
         walk.placed = &placed;
+        walk.planes = placed.planes;
+        walk.inside_end = walk.planes == 0 ? scene->node_count : 0;
         walk.take = fxl_walk_taker_of(on, object, &scene->models[object->model]);
     }
     fxl_tree_place place = {0, 0, 0, FIRST};
