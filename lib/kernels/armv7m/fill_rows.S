@@ -46,8 +46,13 @@ fxl_fill_trapezoid:
     sub     rows, rows, r4
     subs    r4, r4, r5
     mla     r0, r4, lr, r3
+#ifdef FXL_ROWS_BY_VECTORS
+    vdup.8  q0, colour
+    vmov.32 colour, q0[0]
+#else
     orr     colour, colour, colour, lsl #8
     orr     colour, colour, colour, lsl #16
+#endif
     ldm     r1, {r4-r11}
     add     left, left, r0
     add     right, right, r0
@@ -56,9 +61,6 @@ fxl_fill_trapezoid:
 .Lslanted:
     add     left_step, left_step, lr
     add     right_step, right_step, lr
-#ifdef FXL_ROWS_BY_VECTORS
-    vdup.8  q0, colour
-#endif
 
     .macro next_row
 .Lnext:
