@@ -60,18 +60,29 @@ fxl_fill_trapezoid:
     vdup.8  q0, colour
 #endif
 
+    .macro next_row
+.Lnext:
+    adds    left_fraction, left_fraction, left_step_fraction
+    adc     left, left, left_step
+    adds    right_fraction, right_fraction, right_step_fraction
+    adc     right, right, right_step
+    subs    rows, rows, #1
+    bne     .Lrow
+    pop     {r4-r11, pc}
+    .endm
+
 .Lrow:
     sub     bytes, right, left
     cmp     bytes, #64
     bhs     .Llong
 #ifdef FXL_ROWS_BY_VECTORS
-    /* 16 bytes at a time, the last as many as are left; lr is free. */
+    /* 16 bytes at a time, the last time as many as are left; lr is free. */
     mov     pixel, left
     wlstp.8 lr, bytes, .Lnext
 .Lvector:
     vstrb.8 q0, [pixel], #16
     letp    lr, .Lvector
-    b       .Lnext
+    next_row
 #else
     cmp     bytes, #8
     blo     .Lshort
@@ -169,16 +180,9 @@ fxl_fill_trapezoid:
     strb    colour, [left, #1]
 .Lshort1:
     strb    colour, [left]
-#endif
 
-.Lnext:
-    adds    left_fraction, left_fraction, left_step_fraction
-    adc     left, left, left_step
-    adds    right_fraction, right_fraction, right_step_fraction
-    adc     right, right, right_step
-    subs    rows, rows, #1
-    bne     .Lrow
-    pop     {r4-r11, pc}
+    next_row
+#endif
 
     /* 64 bytes and more: eight registers at a time. */
 .Llong:
