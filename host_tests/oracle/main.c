@@ -2,6 +2,7 @@
 /* oracle: judges the library in exact rational arithmetic.
  *   oracle CLAIM --samples N --seed S --shard I [--shards K]   one shard, as JSON
  *          [--kind N]                                          of one kind only, from 0
+ *          [--clipper NAME]                                    outlines and gaps by another clipper
  *   oracle CLAIM --input "NUMBERS"                             one sample, in words
  *   oracle coverage --grid [--shard I --shards K]              all small triangles
  *   oracle --list                                              claims and units
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "oracle/clipper.h"
 #include "oracle/grid.h"
 #include "oracle/tally.h"
 
@@ -57,6 +59,12 @@ static int read_options(int argc, char **argv, choices *options)
     for (int i = 2; i < argc; i++) {
         if (strcmp(argv[i], "--grid") == 0) {
             options->grid = 1;
+            continue;
+        }
+        if (strcmp(argv[i], "--clipper") == 0 && i + 1 < argc) {
+            if (!oracle_clipper_choose(argv[++i])) {
+                return fail("no clipper has that name", argv[i]);
+            }
             continue;
         }
         uint64_t *number = strcmp(argv[i], "--samples") == 0  ? &options->samples

@@ -4,8 +4,8 @@
 
 ORACLE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/oracle/*.c))
 ORACLE_LIBRARY := $(BUILD)/host/liboracle.a
-# The library's records as the twin's.
-ORACLE_BRIDGE := $(BUILD)/host/objects/stages/bridge.o
+# The library's records as the twin's; clippers by their names.
+ORACLE_BRIDGE := $(BUILD)/host/objects/stages/bridge.o $(BUILD)/host/objects/frames/methods.o
 HOST_TOOLS += $(BUILD)/host/oracle
 
 $(BUILD)/host/objects/oracle/%.o: host_tests/oracle/%.c

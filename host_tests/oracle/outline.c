@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "oracle/clip.h"
+#include "oracle/clipper.h"
 #include "oracle/hausdorff.h"
 #include "oracle/polygons.h"
 #include "reference/clip.h"
@@ -18,7 +19,6 @@
 #include "reference/project.h"
 #include "reference/transform.h"
 #include "stages/bridge.h"
-#include "unit/polygon_face.h"
 
 enum {
     CUT,
@@ -93,8 +93,7 @@ static int twin_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
 
 static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
+    static fxl_screen_polygon screens[2];
     oracle_setup setup;
     fxl_polygon polygon;
     if (!oracle_polygon_read(input, 0, &setup, &polygon)) {
@@ -103,14 +102,14 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     oracle_outline exact;
     oracle_clip(&setup.view, &polygon, &exact);
 
-    fxl_screen_polygon screen = {0};
-    polygon_face_set(&face, &polygon, &setup.view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, &screen);
+    int given;
+    fxl_clip_result result = oracle_clipper_take(&setup.view, &polygon, screens, 2, &given);
+    fxl_screen_polygon screen = screens[0];
     if (result == FXL_CLIP_CAPACITY || result == FXL_CLIP_RANGE) {
         verdict->extras[REFUSED] = 1;
         verdict->value = ORACLE_REFUSED;
     }
-    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT && result != FXL_CLIP_BETWEEN) {
+    if (given == 0) {
         screen.count = 0;
     }
     oracle_spot spots[FXL_POLYGON_CAPACITY];

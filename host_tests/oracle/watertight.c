@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "oracle/clip.h"
+#include "oracle/clipper.h"
 #include "oracle/hausdorff.h"
 #include "oracle/polygons.h"
-#include "unit/polygon_face.h"
 
 enum {
     GAPS,
@@ -23,12 +23,10 @@ enum {
     WITH_PIXELS
 };
 
-/* How far an edge without neighbour may be off, in 1/65536 pixel. */
-#define OUTLINE_BOUND 1.25
-
 enum {
     SIDE_MAX = 256,
     VERTICES_MAX = 12,
+    SCREENS_MAX = 40 * VERTICES_MAX, /* of a clipper that gives triangles */
     FAN = 0,
     STRIP = 1,
     CHORD = 2 /* and more: from vertex 0 to vertex CHORD + n */
@@ -36,11 +34,13 @@ enum {
 
 typedef struct {
     int count;
+    double bound; /* how far an edge without neighbour may be off, in 1/65536 pixel */
     fxl_polygon polygons[FXL_FACE_VERTICES_MAX];
     /* Of the edge from each vertex: whether another piece shares it. */
     uint8_t shared[FXL_FACE_VERTICES_MAX][FXL_FACE_VERTICES_MAX];
-    fxl_screen_polygon screens[FXL_FACE_VERTICES_MAX]; /* as the library projects them */
-    oracle_outline outlines[FXL_FACE_VERTICES_MAX];    /* exactly */
+    int screen_count;
+    fxl_screen_polygon screens[SCREENS_MAX];        /* as the library projects them */
+    oracle_outline outlines[FXL_FACE_VERTICES_MAX]; /* exactly */
 } partition;
 
 /* How often a pixel was drawn, and in how many exact outlines its centre is. */
@@ -116,31 +116,30 @@ static void split(const fxl_polygon *whole, int how, partition *pieces)
 }
 
 /* Draws a piece; 0 where the library refuses it. */
-static int draw(fxl_view *view, const fxl_polygon *polygon, fxl_screen_polygon *screen,
+static int draw(fxl_view *view, const fxl_polygon *polygon, partition *pieces,
                 oracle_verdict *verdict)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_scan scan;
     fxl_span span;
-    polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, screen);
+    int count;
+    fxl_screen_polygon *screen = &pieces->screens[pieces->screen_count];
+    fxl_clip_result result =
+        oracle_clipper_take(view, polygon, screen, SCREENS_MAX - pieces->screen_count, &count);
     verdict->extras[CUT_PIECES] += result == FXL_CLIP_CUT;
-    if (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT && result != FXL_CLIP_BETWEEN) {
-        screen->count = 0;
-        return result != FXL_CLIP_CAPACITY && result != FXL_CLIP_RANGE;
-    }
+    pieces->screen_count += count;
     const fxl_band band = {
         .width = view->lens.width, .stride = view->lens.width, .rows = view->lens.height};
-    if (fxl_scan_begin(screen, &band, &scan) != FXL_OK) {
-        return 0;
-    }
-    while (fxl_scan_next(&scan, &span)) {
-        for (int x = span.x0; x < span.x1; x++) {
-            drawn[span.y][x]++;
+    for (; count > 0; count--, screen++) {
+        if (fxl_scan_begin(screen, &band, &scan) != FXL_OK) {
+            return 0;
+        }
+        while (fxl_scan_next(&scan, &span)) {
+            for (int x = span.x0; x < span.x1; x++) {
+                drawn[span.y][x]++;
+            }
         }
     }
-    return 1;
+    return result != FXL_CLIP_CAPACITY && result != FXL_CLIP_RANGE;
 }
 
 /* Whether the centre is too near an edge without neighbour to be sure of. */
@@ -154,7 +153,7 @@ static int near_rim(const partition *pieces, int x, int y)
             int inner = origin >= 0 && pieces->shared[piece][origin];
             if (!inner &&
                 oracle_from_segment(&centre, &outline->spots[i],
-                                    &outline->spots[(i + 1) % outline->count]) <= OUTLINE_BOUND) {
+                                    &outline->spots[(i + 1) % outline->count]) <= pieces->bound) {
                 return 1;
             }
         }
@@ -180,7 +179,7 @@ static int exact_winding(const partition *pieces, int x, int y)
 static int folded(const partition *pieces, int x, int y)
 {
     int signs = 0;
-    for (int piece = 0; piece < pieces->count; piece++) {
+    for (int piece = 0; piece < pieces->screen_count; piece++) {
         const fxl_screen_polygon *screen = &pieces->screens[piece];
         oracle_spot spots[FXL_POLYGON_CAPACITY];
         for (int i = 0; i < screen->count; i++) {
@@ -219,18 +218,23 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     if (polygon.count < 4 || how < 0 || how > polygon.count - 2) {
         return ORACLE_UNUSABLE;
     }
+    if (how >= CHORD && oracle_clipper_wants_triangles()) {
+        return ORACLE_SKIPPED;
+    }
     split(&polygon, (int)how, &pieces);
+    pieces.bound = oracle_clipper_bound(&setup.view.lens);
     const fxl_lens *lens = &setup.view.lens;
     for (int y = 0; y < lens->height; y++) {
         memset(drawn[y], 0, lens->width);
         memset(exact[y], 0, lens->width);
     }
     int in_sight = 0, refused = 0;
+    pieces.screen_count = 0;
     for (int i = 0; i < pieces.count; i++) {
         oracle_outline *outline = &pieces.outlines[i];
         oracle_clip(&setup.view, &pieces.polygons[i], outline);
         in_sight += outline->count > 0;
-        refused += !draw(&setup.view, &pieces.polygons[i], &pieces.screens[i], verdict);
+        refused += !draw(&setup.view, &pieces.polygons[i], &pieces, verdict);
         for (int y = 0; y < lens->height && outline->count > 0; y++) {
             oracle_cover_row(outline->spots, outline->count, ORACLE_SPOT_BITS, y, lens->width,
                              exact[y]);

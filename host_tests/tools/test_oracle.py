@@ -39,6 +39,37 @@ def test_pieces_are_watertight_but_where_rounding_turned_one_over(build):
     assert found["cut_pieces"] > 20_000
 
 
+@pytest.mark.parametrize("clipper", ("half-spaces", "near", "near-box", "left", "triangles"))
+def test_no_gaps_by_any_clipper(build, clipper):
+    found = json.loads(oracle(build, "watertight", "--samples", 5_000, "--seed", 6, "--shard", 0,
+                              "--clipper", clipper))
+    assert found["gaps"] == 0
+    assert found["doubles"] == found["folded"]
+    assert found["cut_pieces"] > 5_000
+
+
+@pytest.mark.parametrize("clipper", ("normalised", "once"))
+def test_gaps_at_rims_alone_where_planes_are_other_integers(build, clipper):
+    """A polygon nearly parallel to a side plane ends elsewhere; its neighbours end there too."""
+    found = json.loads(oracle(build, "watertight", "--samples", 5_000, "--seed", 6, "--shard", 0,
+                              "--clipper", clipper))
+    assert found["gaps"] <= 5
+    assert found["doubles"] == found["folded"]
+
+
+def test_half_spaces_have_the_outlines_of_the_view(build):
+    command = ("outline_clipped", "--samples", 5_000, "--seed", 7, "--shard", 0)
+    assert oracle(build, *command, "--clipper", "half-spaces") == oracle(build, *command)
+
+
+@pytest.mark.parametrize("clipper, bound", (("normalised", 2), ("world", 1 << 24)))
+def test_outlines_by_a_clipper_with_a_bound_of_its_own(build, clipper, bound):
+    found = json.loads(oracle(build, "outline_clipped", "--samples", 5_000, "--seed", 7, "--shard", 0,
+                              "--clipper", clipper))
+    assert found["max"] <= bound
+    assert found["cut"] > 2_000
+
+
 def test_the_twin_is_judged_too(build):
     """Double loses bits of its own where it clips far from the origin close to the eye; rarely."""
     vertex = json.loads(oracle(build, "vertex_unclipped", "--samples", 50_000, "--seed", 7, "--shard", 0))

@@ -226,7 +226,7 @@ void test_near_leaves_the_sides_alone(void)
         TEST_ASSERT_TRUE(got[0].points[i].x >= 0);
     }
     /* As far off as the world reaches, beside the eye: what a screen could not hold. */
-    polygon.vertices[2].position = at(&view, Q16(4000), Q16(-1), Q16(0.0625));
+    polygon.vertices[2].position = at(&view, Q16(4000), Q16(-1), Q16(0.25));
     for (int which = 0; which < CLIPPERS; which++) {
         int count = take(clippers[which], &polygon, &view, &result);
         TEST_ASSERT_TRUE(count > 0);
@@ -236,6 +236,24 @@ void test_near_leaves_the_sides_alone(void)
                 TEST_ASSERT_INT32_WITHIN(3600 * 65536, 0, got[i].points[k].y);
             }
         }
+    }
+}
+
+/* Before near, though between the sides: all cut it off there. */
+void test_near_is_always_cut(void)
+{
+    fxl_view view = random_view();
+    fxl_clip_result result;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, 0, 0, view.lens.near * 3 / 4);
+    polygon.vertices[1].position = at(&view, Q16(0.5), Q16(-0.5), Q16(2));
+    polygon.vertices[2].position = at(&view, Q16(-0.5), Q16(-0.5), Q16(2));
+    for (int which = 0; which < CLIPPERS; which++) {
+        int count = take(clippers[which], &polygon, &view, &result);
+        bool fan = clippers[which] == &fxl_clipper_triangles;
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+        TEST_ASSERT_EQUAL(fan ? 2 : 1, count);
+        TEST_ASSERT_EQUAL(fan ? 3 : 4, got[0].count);
     }
 }
 

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* The clipper that is judged. */
+#ifndef ORACLE_CLIPPER_H
+#define ORACLE_CLIPPER_H
+
+#include "fixel.h"
+
+/* fxl_clipper_view until another is chosen by its name in the comparison; 0 where there
+ * is none of that name. */
+int oracle_clipper_choose(const char *name);
+
+/* A polygon of the world onto the screen: what the clipper answers, and how many
+ * polygons it gives, into screens with room for so many. */
+fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
+                                    fxl_screen_polygon *screens, int room_for, int *count);
+
+/* How far the chosen one's outlines may be off, in 1/65536 pixel (SPEC.md 6b). */
+double oracle_clipper_bound(const fxl_lens *lens);
+
+/* Whether that holds for triangles alone: of a face that is not quite flat it makes others. */
+int oracle_clipper_wants_triangles(void);
+
+#endif
