@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Every face is assembled, cut by the planes that a vertex is outside of, mostly
- * none, and projected. What is worked out is not accounted for. */
+ * none, and projected. */
 #include "clip_flat.h"
 #include "fixel/clipper.h"
 #include "project_any.h"
@@ -25,8 +25,9 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
     seen->colour = face->colour;
     seen->count = face->count;
     seen->textured = false;
-    fxl_clip_result result = fxl_clip_view_flat(
-        seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), &work->by_view, &clipped);
+    fxl_clip_result result =
+        fxl_clip_view_flat(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
+                           &work->by_view, view->room, &clipped);
     if (clipped == NULL) {
         return result;
     }
