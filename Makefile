@@ -139,6 +139,10 @@ pictures: $(WALK) $(BUILD)/host/live ## the README's pictures anew, from make ru
 	@$(MAKE) --no-print-directory screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
+	@$(MAKE) --no-print-directory run SCENE=scenes/beam.toml OUT=$(BUILD)/beam
+	@$(PY) tools/pictures.py --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
+	@$(MAKE) --no-print-directory wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
+	@$(PY) tools/pictures.py --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3 SIZE=1]

@@ -3,6 +3,7 @@
 # clipper and what hides what (bench/clippers.toml) it makes
 #   $(BENCH_OUT)/<core>/clippers/<clipper>-<hidden>.elf       draws a scene, measured
 #   $(BENCH_OUT)/<core>/clippers/size/<clipper>-<hidden>.elf  the library with these and nothing else
+#   $(BENCH_OUT)/<core>/clippers/operations/<clipper>.elf     draws it, and counts what cutting a polygon takes
 #   $(BUILD)/host/comparison/<clipper>-<hidden>               draws it on the host, and measures outlines
 
 CLIPPERS_PLAN := bench/clippers.toml
@@ -47,6 +48,17 @@ endef
 $(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
     $(eval $(call CLIPPERS_PROGRAM_RULES,$(core),$(clipper),$(hidden))))))
 
+# $(1): the core, $(2): a clipper, with the first of what hides what.
+define CLIPPERS_OPERATIONS_RULES
+$(BENCH_OUT)/$(1)/clippers/operations/$(call CLIPPERS_PART,$(2),1).elf: $(BENCH_OUT)/$(1)/prepare_operations.o \
+        $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(firstword $(CLIPPERS_HIDDEN))).o \
+        $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
+	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
+
+endef
+$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
+    $(eval $(call CLIPPERS_OPERATIONS_RULES,$(core),$(clipper)))))
+
 # --- the host ----------------------------------------------------------------------
 
 COMPARISON_OUT := $(BUILD)/host/comparison
@@ -82,10 +94,12 @@ $(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
 CLIPPERS_HOST := $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
 CLIPPERS_BUILT := $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
-    $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf))
+    $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf) \
+    $(foreach clipper,$(CLIPPERS_CLIPPERS),$(BENCH_OUT)/$(core)/clippers/operations/$(call CLIPPERS_PART,$(clipper),1).elf))
 # What the tests run.
 CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
-CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(if $(filter m3,$(CLIPPERS_CORES)),\
-    $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf))
+CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(COMPARISON_OUT)/world-sorted $(if $(filter m3,$(CLIPPERS_CORES)),\
+    $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf) \
+    $(addprefix $(BENCH_OUT)/m3/clippers/operations/,view.elf triangles.elf))
 
 -include $(wildcard $(COMPARISON_OUT)/*.d)

@@ -44,17 +44,16 @@ def measure(plan, cores, folder, frames):
     drawn = parallel.run("drawing on emulated cores", {
         (core, each, scene["name"]): (clippers_run.on_core, plan, core, each, scene["file"])
         for core in cores for each, scene in tasks})
-    counting, counted = plan.operations, {}
-    if counting["core"] in cores:
-        counted = parallel.run("counting multiplications and divisions", {
-            (each.clipper, scene["name"]): (clippers_run.operations, plan, counting["core"], each, scene["file"])
-            for each, scene in tasks if each.hidden == counting["hidden"] and scene["name"] in counting["scenes"]})
+    first = next(iter(plan.hidden))
+    counted = parallel.run("counting what cutting takes", {
+        (core, each.clipper, scene["name"]): (clippers_run.operations, plan, core, each.clipper, scene["file"])
+        for core in cores for each, scene in tasks if each.hidden == first and not plan.hidden[first]["tree"]})
     sizes = {(core, each): clippers_run.size(plan, core, each) for core, each, _ in drawn}
     images = {(each, scene["name"]): scene for each, scene in tasks}
     rows = [clippers_rows.row(plan, core, each, images[each, name], hosts[each.clipper, each.hidden, name], one,
                               sizes[core, each]) for (core, each, name), one in drawn.items()]
     result = {"frames": {name: scene["image"].frames for (name, _), scene in scenes.items()}, "rows": rows,
-              "operations": {**counting, "rows": clippers_rows.operation_rows(counted, hosts, counting["hidden"])}}
+              "operations": clippers_rows.operation_rows(counted, hosts, first)}
     return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes the README's picture anew from the frames of `make run`: three of the plaza's, side by side."""
+"""Makes a page's picture anew from the frames of `make run` or `make wire`, some of them side by side."""
 
 import argparse
 import pathlib
@@ -9,19 +9,20 @@ from PIL import Image
 from fixel import output, picture
 from fixel.errors import ToolError, run_main
 
-FRAMES = (30, 45, 105)
+FRAMES = "30,45,105"       # of the plaza
 GAP = 8
 
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--run", type=pathlib.Path, required=True, help="where make run left its frames")
+    parser.add_argument("--frames", default=FRAMES, help="their numbers, like 30,45,105")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture")
     options = parser.parse_args(argv)
-    files = [options.run / f"frame_{number:04d}.png" for number in FRAMES]
+    files = [options.run / f"frame_{number:04d}.png" for number in map(int, options.frames.split(","))]
     missing = [str(file) for file in files if not file.exists()]
     if missing:
-        raise ToolError(f"{missing[0]} does not exist: run `make run` on the plaza first")
+        raise ToolError(f"{missing[0]} does not exist: run `make run` on its scene first")
     frames = [Image.open(file).convert("RGB") for file in files]
     width, height = frames[0].size
     row = Image.new("RGB", (len(frames) * (width + GAP) - GAP, height), (255, 255, 255))

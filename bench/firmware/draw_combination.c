@@ -5,14 +5,17 @@
 #include "fixel/light.h"
 #include "text.h"
 
-#define ORDER_ENTRIES 16384u
+/* Zeroes count as loaded, and the scene lies behind them: all together below 480 KB. */
+#define ORDER_ENTRIES 12288u
 #define CACHE_ENTRIES 256u
-#define ROOM_BYTES    131072u /* each, at most */
+#define CLIPPER_BYTES 16384u
+#define HIDDEN_BYTES  65536u
+#define LIGHT_BYTES   8192u
 
 static fxl_order_entry order[ORDER_ENTRIES];
 static fxl_seen_vertex cache[CACHE_ENTRIES];
-static uint64_t clipper_room[ROOM_BYTES / 8u], hidden_room[ROOM_BYTES / 8u];
-static uint64_t light_room[ROOM_BYTES / 8u];
+static uint64_t clipper_room[CLIPPER_BYTES / 8u], hidden_room[HIDDEN_BYTES / 8u];
+static uint64_t light_room[LIGHT_BYTES / 8u];
 static fxl_renderer renderer;
 static uint32_t order_used, hidden_used, pieces_used, light_used;
 
@@ -37,8 +40,11 @@ int draw_open(const fxl_scene_image *image)
 
     order_used = image->scene.order_needed;
     hidden_used = room_for_hidden(image);
-    if (order_used > ORDER_ENTRIES || hidden_used > ROOM_BYTES ||
-        combination_chosen.clipper->room > ROOM_BYTES) {
+    light_used = image->scene.beam_count > 0
+                     ? fxl_light_room(image->scene.beams, image->scene.beam_count)
+                     : 0;
+    if (order_used > ORDER_ENTRIES || hidden_used > HIDDEN_BYTES || light_used > LIGHT_BYTES ||
+        combination_chosen.clipper->room > CLIPPER_BYTES) {
         text_with_number("bench: order entries needed", "", ": ", order_used);
         text_with_number("bench: room needed", "", ": ", hidden_used);
         return SYSTEM_EXIT_CAPACITY;
@@ -50,9 +56,6 @@ int draw_open(const fxl_scene_image *image)
             FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
-    light_used = image->scene.beam_count > 0
-                     ? fxl_light_room(image->scene.beams, image->scene.beam_count)
-                     : 0;
     if (light_used > 0 &&
         fxl_renderer_set_light(&renderer, image->scene.beams, image->scene.beam_count,
                                image->scene.lit, light_room, light_used) != FXL_OK) {

@@ -183,6 +183,13 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     void *room = which->room > 0 ? malloc(which->room) : NULL;
     DEMAND(room != NULL || which->room == 0);
     DEMAND(fxl_renderer_set_clipper(renderer, which, room, which->room) == FXL_OK);
+    if (scene->beam_count > 0) {
+        const uint32_t size = fxl_light_room(scene->beams, scene->beam_count);
+        void *light = malloc(size);
+        DEMAND(light != NULL);
+        DEMAND(fxl_renderer_set_light(renderer, scene->beams, scene->beam_count, scene->lit, light,
+                                      size) == FXL_OK);
+    }
     return renderer;
 }
 
@@ -194,6 +201,7 @@ static void free_renderer(fxl_renderer *renderer)
         free(renderer->cache.entries);
     }
     free(renderer->order);
+    free((void *)(uintptr_t)renderer->light); /* it lies at the beginning of its room */
     free(renderer);
 }
 
@@ -281,7 +289,9 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_gaps_intact(&whole);
     demand_accounted(&renderer->counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->clipper, in);
-    draw_all_objects(renderer, pose, &whole, choice->clipper);
+    if (scene->beam_count == 0) { /* larger spheres reach into beams, and split outlines anew */
+        draw_all_objects(renderer, pose, &whole, choice->clipper);
+    }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
     draw_by_tree(scene, lens, pose, in);
     free(whole.pixels);

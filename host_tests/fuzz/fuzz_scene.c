@@ -32,6 +32,8 @@ static void read_tables(const fxl_scene_image *opened)
     sum += sum_bytes(scene->faces, scene->face_count * sizeof *scene->faces);
     sum += sum_bytes(scene->models, scene->model_count * sizeof *scene->models);
     sum += sum_bytes(scene->objects, scene->object_count * sizeof *scene->objects);
+    sum += sum_bytes(scene->beams, scene->beam_count * sizeof *scene->beams);
+    sum += sum_bytes(scene->lit, scene->beam_count > 0 ? 256 : 0);
     sum += sum_bytes(scene->keys, scene->key_count * sizeof *scene->keys);
     sum += sum_bytes(scene->nodes, scene->node_count * sizeof *scene->nodes);
     DEMAND((opened->poses == NULL) != (opened->strides == NULL));

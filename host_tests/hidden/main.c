@@ -2,9 +2,10 @@
 /* hidden SCENE.fxls [--frames N] [--seed S] [--tree 1]
  *
  * Draws frames of a scene's path, N of them evenly spread, painted far to near, in the order by
- * distance or by the scene's tree, and then by the span buffer: in whole frames and bands of any
- * height, with lists and pools of any size, by both scans. Prints how many pixels differ, and how
- * often pixels were written, as JSON. Exit code 0: it ran; 2: it could not. */
+ * distance or by the scene's tree, in the light of its beams if it has any, and then by the span
+ * buffer: in whole frames and bands of any height, with lists and pools of any size, by both scans.
+ * Prints how many pixels differ, and how often pixels were written, as JSON. Exit code 0: it ran;
+ * 2: it could not. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -46,8 +47,9 @@ typedef struct {
     fxl_order_entry *order;
     fxl_seen_vertex *cache;
     uint32_t *list;
-    void *room, *pieces;
-    uint32_t walk_room; /* bytes: what comes before the painter's room */
+    void *room, *pieces, *light;
+    uint32_t light_size; /* bytes: 0 where the scene has no beams */
+    uint32_t walk_room;  /* bytes: what comes before the painter's room */
     uint64_t seed;
     bool tree;
 } session;
@@ -78,6 +80,11 @@ static bool draw(const session *with, const way *by, const fxl_pose *pose, uint8
     if (fxl_renderer_init(&renderer, scene, &with->image->lens, &memory) != FXL_OK ||
         fxl_renderer_set_clipper(&renderer, by->clipper, NULL, 0) != FXL_OK ||
         fxl_renderer_set_hidden(&renderer, by->hidden, with->room, by->room_size) != FXL_OK) {
+        return false;
+    }
+    if (with->light_size > 0 &&
+        fxl_renderer_set_light(&renderer, scene->beams, scene->beam_count, scene->lit, with->light,
+                               with->light_size) != FXL_OK) {
         return false;
     }
     if (with->tree) {
@@ -237,6 +244,9 @@ static bool open_session(session *with, const fxl_scene_image *image, uint64_t s
     with->image = image;
     with->seed = seed;
     with->tree = tree;
+    with->light_size = image->scene.beams != NULL
+                           ? fxl_light_room(image->scene.beams, image->scene.beam_count)
+                           : 0;
     with->walk_room = tree ? (fxl_hidden_tree.walk_room(&image->scene) + 7u) & ~7u : 0;
     with->width = image->lens.width;
     with->height = image->lens.height;
@@ -247,6 +257,7 @@ static bool open_session(session *with, const fxl_scene_image *image, uint64_t s
            need(with->cache = calloc(CACHE, sizeof *with->cache)) &&
            need(with->list = malloc(PLENTY * sizeof *with->list)) &&
            need(with->pieces = malloc(PIECES)) &&
+           need(with->light = malloc(with->light_size + 8)) &&
            need(with->room =
                     malloc(with->walk_room + FXL_SPAN_BUFFER_ROOM(with->height, INTERVALS)));
 }

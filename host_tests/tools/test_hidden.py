@@ -10,7 +10,7 @@ import pytest
 from conftest import run_cli
 
 FRAMES = 30
-SCENES = ("tiny", "cube", "plaza", "w1", "w3")
+SCENES = ("tiny", "cube", "plaza", "w1", "w3", "beam")
 WITH_TREE = ("plaza", "w1", "knot")
 
 

@@ -10,7 +10,6 @@ from conftest import CHECKOUT
 PAGE = CHECKOUT / "docs" / "seeds.md"
 NUMBERS = [f"{letter}{number}" for letter, count in (("A", 14), ("B", 4), ("C", 8), ("D", 6))
            for number in range(1, count + 1)]
-OPEN = ("A14", "C5")      # not in the code yet
 PLACE = re.compile(r"\[([^]]+)\]\(([^)]+)\): ((?:`\w+`(?:, )?)+)")
 # What a name looks like where it is defined, by the kind of its file.
 DEFINED = {
@@ -46,7 +45,7 @@ def test_no_number_is_missing_and_none_is_there_twice():
     assert [number for number, _ in rows()] == NUMBERS
 
 
-@pytest.mark.parametrize("number, cells", [row for row in rows() if row[0] not in OPEN])
+@pytest.mark.parametrize("number, cells", rows())
 def test_names_stand_where_the_page_says(number, cells):
     assert len(cells) == 4, number
     here, twin, shown = map(names, cells[1:])
@@ -59,11 +58,6 @@ def test_names_stand_where_the_page_says(number, cells):
     for file, name in shown:
         assert file.name.startswith("test_") and name.startswith("test_"), f"{number}: {name} is no test"
         assert is_defined(file, name), f"{number}: {file} has no {name}"
-
-
-@pytest.mark.parametrize("number", OPEN)
-def test_what_is_open_is_said(number):
-    assert dict(rows())[number][1:] == ["not yet"] * 3
 
 
 def test_a_name_that_is_only_called_or_declared_is_not_there(tmp_path):

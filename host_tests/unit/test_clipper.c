@@ -167,6 +167,59 @@ void test_planes_left_out_do_not_cut(void)
     expect_projected(&view, &polygon, &screen);
 }
 
+/* What the scan would find of it. */
+static bool has_pixels(const fxl_screen_polygon *screen)
+{
+    const fxl_band band = {.width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
+    fxl_scan scan;
+    fxl_span span;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(screen, &band, &scan));
+    return fxl_scan_next(&scan, &span);
+}
+
+/* The first centre from a coordinate on is that of no other of the polygon's vertices. */
+static bool is_between(const fxl_screen_polygon *screen)
+{
+    bool one_row = true, one_column = true;
+    for (int i = 1; i < screen->count; i++) {
+        one_column = one_column &&
+                     (screen->points[i].x + 32767) / 65536 == (screen->points[0].x + 32767) / 65536;
+        one_row = one_row &&
+                  (screen->points[i].y + 32767) / 65536 == (screen->points[0].y + 32767) / 65536;
+    }
+    return one_row || one_column;
+}
+
+void test_a_face_between_centres_has_no_pixels(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    int between = 0, pixels = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_view view = random_view(Q16(100));
+        fxl_polygon polygon = random_triangle(&view);
+        const fxl_point middle = polygon.vertices[0].position;
+        const int smaller = unit_between(1, 20);
+        for (int k = 1; k < 3; k++) {
+            fxl_point *at = &polygon.vertices[k].position;
+            *at = (fxl_point){middle.x + (at->x - middle.x) / smaller,
+                              middle.y + (at->y - middle.y) / smaller,
+                              middle.z + (at->z - middle.z) / smaller};
+        }
+        fxl_screen_polygon screen;
+        polygon_face_set(&face, &polygon, &view, 8);
+        fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, &screen);
+        if (result == FXL_CLIP_BETWEEN || result == FXL_CLIP_INSIDE) {
+            expect_projected(&view, &polygon, &screen);
+            TEST_ASSERT_EQUAL(is_between(&screen), result == FXL_CLIP_BETWEEN);
+            TEST_ASSERT_FALSE(result == FXL_CLIP_BETWEEN && has_pixels(&screen));
+            between += result == FXL_CLIP_BETWEEN;
+            pixels += has_pixels(&screen);
+        }
+    }
+    TEST_ASSERT_TRUE(between > UNIT_REPEAT / 20 && pixels > UNIT_REPEAT / 20);
+}
+
 static uint8_t frames[4][PIXELS];
 static fxl_order_entry order[2][64];
 static uint32_t list[2][LIST_WORDS];

@@ -172,6 +172,21 @@ void test_halves_go_away_from_the_front(void)
     }
 }
 
+/* Of both triangles beside an edge too, whichever way they walk it. */
+void test_halves_are_the_same_for_both_sides(void)
+{
+    const fxl_point ahead = {Q16(1), 3, 0}, behind = {Q16(-1), 0, 0}, third = {Q16(9), Q16(9), 0};
+    const fxl_piece pieces[] = {{3, {ahead, behind, third}}, {3, {behind, ahead, third}}};
+    for (int k = 0; k < 2; k++) {
+        bool found = false;
+        TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&pieces[k], &wall, &front, &back));
+        for (uint32_t n = 0; n < front.count; n++) {
+            found |= front.points[n].x == 0 && front.points[n].y == 1; /* 1.5, away from 3 */
+        }
+        TEST_ASSERT_TRUE(found);
+    }
+}
+
 /* Triangles on both sides of an edge, each walked its own way, and the same planes
  * turned about: one point, in all four parts and in all four of the other way. */
 void test_neighbours_get_the_same_bits(void)

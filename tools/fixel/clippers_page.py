@@ -8,7 +8,7 @@ import jinja2
 from fixel import bench_page, clippers_plots, report_page
 from fixel.bench_plan import NAMES
 from fixel.report_frames import Shown
-from fixel.table import coloured, table
+from fixel.table import table
 
 TEMPLATES = pathlib.Path(__file__).resolve().parents[1] / "templates"
 DIFFERENCES = 8         # pictures of them in the page, at most
@@ -65,14 +65,22 @@ EXACT_HEADER = ["clipper", "hidden", "error", "at all", "differ", "of a million"
                 "farthest px", "vertices"]
 
 
-def operation_cells(result):
-    """[[clipper, intersections, distances, multiplications, divisions of a polygon that the frustum cuts]], over all scenes."""
-    cells, rows = [], result["operations"]["rows"]
+OPERATIONS_HEADER = ["clipper", "cut, of a hundred that cross", "intersections", "distances", "instructions",
+                     "multiplications", "divisions"]
+
+
+def operation_cells(result, core):
+    """[[clipper, polygons cut of a hundred that the frustum crosses; intersections and distances of one that it
+    crosses; instructions, multiplications, divisions of one that was cut]], over all scenes."""
+    cells, rows = [], [row for row in result["operations"] if row["board"] == core]
     for clipper in _values(rows, "clipper"):
-        found = [row for row in rows if row["clipper"] == clipper and row["crossing"]]
-        crossing = sum(row["crossing"] for row in found)
-        cells.append([clipper, *[round(sum(row[key] * row["crossing"] for row in found) / crossing, 2) if crossing
-                                 else None for key in ("intersections", "distances", "multiplications", "divisions")]])
+        total = {key: sum(row[key] for row in rows if row["clipper"] == clipper) for key in
+                 ("crossing", "polygons", "intersections", "distances", "instructions", "multiplications", "divisions")}
+        if total["crossing"] and total["polygons"]:
+            cells.append([clipper, round(100 * total["polygons"] / total["crossing"]),
+                          *[round(total[key] / total["crossing"], 2) for key in ("intersections", "distances")],
+                          round(total["instructions"] / total["polygons"]),
+                          *[round(total[key] / total["polygons"], 1) for key in ("multiplications", "divisions")]])
     return cells
 
 
@@ -85,9 +93,8 @@ def terminal(plan, result):
         parts.append(f"{NAMES[core]}, instructions a frame\n" + table(cost_cells(rows, core), header))
     if rows:
         parts.append("error in 1/65536 pixel\n" + table(exact_cells(rows), EXACT_HEADER))
-    if result["operations"]["rows"]:
-        parts.append(f"a polygon that the frustum cuts, {NAMES[result['operations']['core']]}\n" +
-                     table(operation_cells(result), ["clipper", "intersections", "distances", "multiplications", "divisions"]))
+    for core in _values(result["operations"], "board"):
+        parts.append(f"{NAMES[core]}, cutting a polygon\n" + table(operation_cells(result, core), OPERATIONS_HEADER))
     return "\n\n".join(parts)
 
 
@@ -148,7 +155,8 @@ def render(plan, result, hosts):
     return environment.get_template("clippers.html").render(
         result=result, plan=plan, names=NAMES, scenes=_values(rows, "scene"), cores=_values(rows, "board"),
         costs={core: cost_cells(rows, core) for core in _values(rows, "board")}, exact=exact_cells(rows),
-        operations=operation_cells(result), pictures=scene_pictures(plan, result, hosts),
+        operations={core: operation_cells(result, core) for core in _values(result["operations"], "board")},
+        operations_header=OPERATIONS_HEADER, pictures=scene_pictures(plan, result, hosts),
         differences=difference_blocks(hosts), plots=plots(plan, result))
 
 
@@ -224,8 +232,8 @@ def exact_markdown(_, result):
 
 def operations_markdown(_, result):
     """What cutting takes."""
-    return _markdown(["clipper", "intersections", "distances", "multiplications", "divisions"],
-                     operation_cells(result), 1)
+    return "\n\n".join(_markdown([NAMES[core], *OPERATIONS_HEADER[1:]], operation_cells(result, core), 1)
+                       for core in _values(result["operations"], "board"))
 
 
 def all_markdown(_, result):

@@ -37,7 +37,6 @@ class Plan:
         self.clippers = {each["name"]: each for each in data["clippers"]}
         self.hidden = {each["name"]: each for each in data["hidden"]}
         self.scenes = {each["name"]: each for each in data["scenes"]}
-        self.operations = data["operations"]
         self.cores = {core: core for core in CORES}
         self._choose(only.replace(",", " ").split())
 
@@ -65,6 +64,10 @@ class Plan:
     def size_map(self, core, name):
         """The linker's map of a combination's renderer alone."""
         return self.build / "bench" / core / "clippers" / "size" / f"{name}.map"
+
+    def operations_program(self, core, clipper):
+        """The program that counts what cutting a polygon takes."""
+        return self.build / "bench" / core / "clippers" / "operations" / f"{clipper}.elf"
 
     def host_program(self, name):
         """A combination's program for the host."""
@@ -102,7 +105,7 @@ def compile_scene(plan, entry, folder, tree, frames=None):
     still is in a tree."""
     name = f"{entry['name']}-tree" if tree else entry["name"]
     whole = pathlib.Path(folder) / f"{name}-whole.fxls"
-    scene, _ = scene_tool.build(entry["scene"], whole, layers="all" if tree else None)
+    scene, _ = scene_tool.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else None)
     poses = scene.path
     if scene.path_kind != image.POSES:
         walked = pathlib.Path(folder) / f"{name}-whole.fxld"

@@ -27,15 +27,14 @@ def row(plan, core, combination, scene, host, drawn, text_bytes):
 
 
 def operation_rows(counted, hosts, hidden):
-    """[{clipper, scene, intersections, distances, multiplications, divisions}] of a polygon that the frustum cuts."""
+    """[{clipper, scene, board, crossing, polygons, instructions, multiplications, divisions, intersections, distances}]:
+    all of a scene's frames together. crossing: polygons that the planes of the lens cut, whoever cuts them;
+    intersections and distances from planes are the whole scene's, the rest is that of the polygons cut."""
     rows = []
-    for (clipper, scene), taken in counted.items():
+    for (core, clipper, scene), taken in counted.items():
         found = hosts[clipper, hidden, scene].found
-        crossing = found["crossing"]
-        rows.append({"clipper": clipper, "scene": scene, "crossing": crossing, "cut": found["cut"],
-                     **{key: round(value / crossing, 2) if crossing else None for key, value in
-                        (("intersections", found["intersections"]), ("distances", found["distances"]),
-                                       *taken.items())}})
+        rows.append({"clipper": clipper, "scene": scene, "board": core, "crossing": found["crossing"], **taken,
+                     "intersections": found["intersections"], "distances": found["distances"]})
     return rows
 
 

@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: MIT
 """Runs the programs of make clippers: on the host with the double twin, and on emulated cores."""
 
+import collections
 import dataclasses
 import json
 import pathlib
 import statistics
+import tempfile
 import zlib
 
-from fixel import bench_run, dump, link_map, programs
+from fixel import bench_run, counter, dump, link_map, programs
 from fixel.errors import ToolError
+from fixel.machine_code import MachineCode
 
-# Kinds of instructions (fixel/places.py) that are a multiplication; a division.
-MULTIPLY, DIVIDE = ("multiply", "long multiply"), ("divide",)
-# Stages (bench/stages.toml) of a polygon's way to the screen: before it is cut, and the cut itself.
-CUT_STAGES = ("clip",)
+# Kinds of instructions (fixel/thumb.py).
+OPERATIONS = {"multiplications": ("multiply", "multiply add", "long multiply", "long multiply add"),
+              "divisions": ("divide",)}
+MARKERS = ("operations_begin", "operations_end")
 
 
 @dataclasses.dataclass
@@ -57,12 +60,19 @@ def on_core(plan, core, combination, file):
     return bench_run.draw(plan, core, combination.name, file)
 
 
-def operations(plan, core, combination, file):
-    """{"multiplications", "divisions"}: instructions of these kinds that the stages that cut executed,
-    over all frames."""
-    taken, _ = bench_run.profile(plan, core, combination.name, file)
-    return {word: sum(taken.kinds[stage, group] for stage in CUT_STAGES for group in groups)
-            for word, groups in (("multiplications", MULTIPLY), ("divisions", DIVIDE))}
+def operations(plan, core, clipper, file):
+    """{"polygons", "instructions", "multiplications", "divisions"}: how many polygons the clipper cut, and what
+    that took, their vertices being known, and projecting what was left, of all of them together."""
+    elf = plan.operations_program(core, clipper)
+    code = MachineCode(elf)
+    with tempfile.TemporaryDirectory(prefix="fixel-clippers-") as folder:
+        _, counts = counter.run(elf, code, plan.counter, folder, file, detail=True, timeout=bench_run.TIMEOUT,
+                                markers=MARKERS)
+    kinds = collections.Counter()
+    for address, (times, _) in counter.by_address(counts).items():
+        kinds[code.instruction(address).kind] += times
+    return {"polygons": len(counts.regions), "instructions": sum(counts.regions),
+            **{word: sum(kinds[kind] for kind in each) for word, each in OPERATIONS.items()}}
 
 
 def size(plan, core, combination):

@@ -27,9 +27,9 @@ class Counts:
     visits: list = dataclasses.field(default_factory=list)
 
 
-def map_text(code):
+def map_text(code, markers=(BEGIN, END)):
     """What the plugin wants to know about a program."""
-    lines = [f"begin {code.symbol(BEGIN):x}", f"end {code.symbol(END):x}"]
+    lines = [f"{word} {code.symbol(name):x}" for word, name in zip(("begin", "end"), markers)]
     lines += [f"function {function.start:x} {function.end:x}" for function in code.functions]
     for address, instruction in code.each_instruction():
         if instruction.kind in thumb.CALLS:
@@ -60,17 +60,17 @@ def parse(text):
     return counts
 
 
-def run(elf, code, plugin, directory, scene=None, frames=None, detail=False, timeout=120.0):
+def run(elf, code, plugin, directory, scene=None, frames=None, detail=False, timeout=120.0, markers=(BEGIN, END)):
     """Runs a program in a directory, where its files stay; (its output, Counts).
 
     scene: a scene image for the board's partition. timeout: seconds without a sign of life, which
-    is the growth of the frame dump where there is one.
+    is the growth of the frame dump where there is one. markers: the functions about a region.
     """
     program = firmware.load(elf)
     directory = pathlib.Path(directory)
     if not pathlib.Path(plugin).exists():
         raise ToolError(f"{plugin} is not built: make bench builds it")
-    (directory / MAP).write_text(map_text(code), encoding="ascii")
+    (directory / MAP).write_text(map_text(code, markers), encoding="ascii")
     words = ["bench"] + ([f"frames={frames}"] if frames else [])
     options = ["-icount", "shift=0", *qemu.semihosting(words),
                "-plugin", f"{qemu.escape(pathlib.Path(plugin).resolve())},map={MAP},out={COUNTS}"

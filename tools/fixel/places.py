@@ -71,7 +71,7 @@ class Profile:
 
     own[name], inclusive[name]: itself, and with all that it calls; inlined[name]: how much of own was
     inlined into others; entered[name]: how often its first instruction ran. stacks[(names...)]: Sum. stages[name], staged[stage, name]: instructions of a
-    stage of the pipeline, and of a function there. kinds[stage, group]: its multiplications and so on.
+    stage of the pipeline, and of a function there.
     """
 
     def __init__(self, code, counts, lines, models, stages=None):
@@ -81,7 +81,7 @@ class Profile:
         self.own, self.inclusive = collections.defaultdict(Sum), collections.defaultdict(Sum)
         self.inlined, self.lines = collections.Counter(), collections.defaultdict(Sum)
         self.stacks, self.stages = collections.defaultdict(Sum), collections.Counter()
-        self.staged, self.kinds = collections.Counter(), collections.Counter()
+        self.staged = collections.Counter()
         self.pipeline = stages or Stages()
         self.code, self.debug, self.models = code, lines, models
         self.scopes = {}
@@ -117,8 +117,7 @@ class Profile:
         instruction = self.code.instruction(address)
         cycles = {name: model.cycles(instruction, times, left) for name, model in self.models.items()}
         self.total.add(times, cycles)
-        group = GROUP_OF.get(instruction.kind, "other")
-        self.groups[group] += times
+        self.groups[GROUP_OF.get(instruction.kind, "other")] += times
         if instruction.kind == "branch conditional":
             self.taken["taken"] += left
             self.taken["not taken"] += times - left
@@ -133,7 +132,6 @@ class Profile:
         stage = self.pipeline.of(names, self.debug.files)
         self.stages[stage] += times
         self.staged[stage, names[-1]] += times
-        self.kinds[stage, group] += times
         for name in set(names):
             self.inclusive[name].add(times, cycles)
         line = self.debug.line(address)

@@ -9,7 +9,7 @@ belongs to the line, so whoever has the line finds the same vertices on it."""
 
 from dataclasses import dataclass, field
 
-from fixel import tree_choice
+from fixel import image_beam, tree_choice
 from fixel.errors import ToolError
 from fixel.image import (CONVEX, FACE_VERTICES_MAX, PLANARITY_MAX, SORTED, Face, Model, Object,
                          check_coordinates)
@@ -240,10 +240,10 @@ def share(lines, part):
     return len(ring) - before
 
 
-def halve(lines, part):
-    """Parts of at most FACE_VERTICES_MAX vertices, by diagonals between their vertices."""
+def halve(lines, part, most=FACE_VERTICES_MAX):
+    """Parts of at most so many vertices, by diagonals between their vertices."""
     count = len(part.ring)
-    if count <= FACE_VERTICES_MAX:
+    if count <= most:
         return [part]
     points = [lines.points[v] for v in part.ring]
     best = None
@@ -260,7 +260,8 @@ def halve(lines, part):
     pieces = []
     for ring, own in ((part.ring[i:j + 1], part.lines[i:j] + [line]),
                       (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
-        pieces += halve(lines, Part(part.normal, part.colour, part.source, part.group, ring, own))
+        pieces += halve(lines, Part(part.normal, part.colour, part.source, part.group, ring, own),
+                        most)
     return pieces
 
 
@@ -305,8 +306,8 @@ def _middle(scene, members):
     return tuple((a + b) // 2 for a, b in zip(low, high))
 
 
-def grow(parts, lines, progress=None):
-    """Nodes, faces, for each face the number of the part that it came from, and counts."""
+def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX):
+    """Nodes, faces of at most so many vertices, for each face the number of the part that it came from, and counts."""
     builder = Builder(lines, parts, progress)
     nodes, held = builder.build()
     faces, sources, counts = [], [], builder.counts
@@ -314,7 +315,7 @@ def grow(parts, lines, progress=None):
         counts.shared += share(lines, part)
     for node, group in zip(nodes, held):
         node.first_face = len(faces)
-        pieces = [piece for part in group for piece in halve(lines, part)]
+        pieces = [piece for part in group for piece in halve(lines, part, most)]
         counts.halved += len(pieces) - len(group)
         faces += [flat_face(lines, piece) for piece in pieces]
         sources += [piece.source for piece in pieces]
@@ -355,12 +356,19 @@ def _members(scene, layers, moving):
     return [i for _, i in members]
 
 
+def _most(beams):
+    """How many vertices a face may have that beams are to cut."""
+    return max((count for count in range(3, FACE_VERTICES_MAX + 1)
+                if not beams or image_beam.fits(beams, count)), default=3)
+
+
 def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
     last of them; answers the counts. The others stay as they are; the new object is the last."""
     members = _members(scene, layers, moving)
     origin, lines = _middle(scene, members), Lines()
-    nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress)
+    nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress,
+                                   _most(scene.beams))
     used = {}
     for face in faces:
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)

@@ -46,8 +46,13 @@ fxl_fill_trapezoid:
     sub     rows, rows, r4
     subs    r4, r4, r5
     mla     r0, r4, lr, r3
+#ifdef FXL_ROWS_BY_VECTORS
+    vdup.8  q0, colour
+    vmov.32 colour, q0[0]
+#else
     orr     colour, colour, colour, lsl #8
     orr     colour, colour, colour, lsl #16
+#endif
     ldm     r1, {r4-r11}
     add     left, left, r0
     add     right, right, r0
@@ -56,22 +61,30 @@ fxl_fill_trapezoid:
 .Lslanted:
     add     left_step, left_step, lr
     add     right_step, right_step, lr
-#ifdef FXL_ROWS_BY_VECTORS
-    vdup.8  q0, colour
-#endif
+
+    .macro next_row
+.Lnext:
+    adds    left_fraction, left_fraction, left_step_fraction
+    adc     left, left, left_step
+    adds    right_fraction, right_fraction, right_step_fraction
+    adc     right, right, right_step
+    subs    rows, rows, #1
+    bne     .Lrow
+    pop     {r4-r11, pc}
+    .endm
 
 .Lrow:
     sub     bytes, right, left
     cmp     bytes, #64
     bhs     .Llong
 #ifdef FXL_ROWS_BY_VECTORS
-    /* 16 bytes at a time, the last as many as are left; lr is free. */
+    /* 16 bytes at a time, the last time as many as are left; lr is free. */
     mov     pixel, left
     wlstp.8 lr, bytes, .Lnext
 .Lvector:
     vstrb.8 q0, [pixel], #16
     letp    lr, .Lvector
-    b       .Lnext
+    next_row
 #else
     cmp     bytes, #8
     blo     .Lshort
@@ -169,16 +182,9 @@ fxl_fill_trapezoid:
     strb    colour, [left, #1]
 .Lshort1:
     strb    colour, [left]
-#endif
 
-.Lnext:
-    adds    left_fraction, left_fraction, left_step_fraction
-    adc     left, left, left_step
-    adds    right_fraction, right_fraction, right_step_fraction
-    adc     right, right, right_step
-    subs    rows, rows, #1
-    bne     .Lrow
-    pop     {r4-r11, pc}
+    next_row
+#endif
 
     /* 64 bytes and more: eight registers at a time. */
 .Llong:

@@ -3,5 +3,12 @@
  * whose last one is cut off, which takes no more for bytes beside a word. Longer
  * ones go by multiple stores, which take half the instructions. The caller has
  * turned the vectors on, as for any code of a hard-float ABI. */
+    .arch   armv8.1-m.main
+    .arch_extension mve
 #define FXL_ROWS_BY_VECTORS 1
+
+/* The compiler is told of a core without (lib/lib.mk). */
+    .arch   armv8.1-m.main
+    .arch_extension mve
+
 #include "../armv7m/fill_rows.S"

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* What cutting a polygon takes: a clipper's answer is asked for again where it was to cut,
+ * as a region of its own; the vertices are then known. */
+#include "combination.h"
+#include "operations.h"
+
+static const fxl_clipper *asked;
+static fxl_clipper counting;
+static fxl_screen_polygon scratch;
+
+__attribute__((naked, noinline)) void operations_begin(void)
+{
+    __asm__ volatile("bx lr");
+}
+
+__attribute__((naked, noinline)) void operations_end(void)
+{
+    __asm__ volatile("bx lr");
+}
+
+/* All that comes of a face. */
+static bool take(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work)
+{
+    fxl_clip_result result = asked->clip(placed, face, work, &scratch);
+    bool cut = false;
+    while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE) {
+        cut |= result == FXL_CLIP_CUT;
+        result = asked->next != NULL ? asked->next(placed, work, &scratch) : FXL_CLIP_OUTSIDE;
+    }
+    return cut;
+}
+
+static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
+{
+    if (take(placed, face, work)) {
+        operations_begin();
+        take(placed, face, work);
+        operations_end();
+    }
+    return asked->clip(placed, face, work, screen);
+}
+
+void combination_prepare(fxl_renderer *renderer)
+{
+    asked = renderer->clipper;
+    counting = *asked;
+    counting.clip = clip;
+    renderer->clipper = &counting;
+}
+
+uint32_t combination_memory(const fxl_renderer *renderer)
+{
+    (void)renderer;
+    return 0;
+}

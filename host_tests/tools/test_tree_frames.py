@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Frames by a tree: before the double twin, before rays, and whatever bands, list and room."""
+
+import json
+import random
+import subprocess
+import tomllib
+
+from conftest import CHECKOUT
+import pytest
+
+import scene as scene_tool
+from fixel import dump, image, toml_scene, tree
+
+SCENES = {"plaza": ("all", 24), "w1": ("0", 20), "knot": ("all", 24), "w3": ("most", 1)}
+ROOM = 1 << 20
+
+
+def run(*words):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True,
+                          timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def draw(build, scene, out, hidden="tree", **options):
+    extra = [word for name, value in options.items() for word in (f"--{name}", value)]
+    run(build / "host/frames", scene, out, "--hidden", hidden, *extra)
+    return out
+
+
+def verdicts(build, scene, drawn, folder, hidden="tree", every=1):
+    """(the judge's, the third judge's) on a dump."""
+    run(build / "host/judge", scene, drawn, "--json", folder / "judge.json", "--twin",
+        folder / "twin.fxld", "--hidden", hidden)
+    run(build / "host/raycast", scene, folder / "twin.fxld", "--json", folder / "rays.json",
+        "--every", every)
+    return [json.loads((folder / name).read_text()) for name in ("judge.json", "rays.json")]
+
+
+def pictures(file):
+    return [frame.pixels.tobytes() for frame in dump.read_dump(file).frames]
+
+
+@pytest.fixture(scope="module", name="folder")
+def fixture_folder(build, tmp_path_factory):
+    return tmp_path_factory.mktemp("tree")
+
+
+@pytest.fixture(scope="module", params=SCENES, name="planted")
+def fixture_planted(request, folder):
+    layers, frames = SCENES[request.param]
+    file = folder / f"{request.param}.fxls"
+    scene_tool.build(str(CHECKOUT / f"scenes/{request.param}.toml"), str(file), frames,
+                     layers=layers)
+    return request.param, file
+
+
+def test_double_and_rays_find_nothing_unexplained(build, folder, planted):
+    _, scene = planted
+    drawn = draw(build, scene, folder / "drawn.fxld", pieces=ROOM)
+    judge, rays = verdicts(build, scene, drawn, folder, every=4)
+    assert judge["pixels_unexplained"] == 0
+    assert judge["pixels_differing"] * 1e5 <= judge["pixels"]
+    assert rays["pixels_unexplained"] == 0
+
+
+@pytest.mark.parametrize("options", [
+    {"rows": 7}, {"list": 0}, {"list": 60, "rows": 33}, {"list": 400, "rows": 8, "cache": 1},
+    {"hidden": "tree-spans"}, {"hidden": "tree-spans", "list": 100, "rows": 16}])
+def test_bands_list_and_direction_change_no_pixel(build, folder, planted, options):
+    _, scene = planted
+    whole = draw(build, scene, folder / "whole.fxld", pieces=ROOM, frames=6)
+    other = draw(build, scene, folder / "other.fxld", pieces=ROOM, frames=6, **options)
+    assert pictures(whole) == pictures(other)
+
+
+def knot_with_ball_at(position, scale):
+    """The knot, its ball somewhere else: as if it had moved there."""
+    data = tomllib.loads((CHECKOUT / "scenes/knot.toml").read_text(encoding="utf-8"))
+    data["objects"][1]["position"] = list(position)
+    data["objects"][1]["scale"] = scale
+    compiled, _ = toml_scene.compile_data(data, "knot", str(CHECKOUT / "scenes"), 5)
+    tree.plant(compiled, {0}, compiled.moving)
+    return image.pack(compiled)
+
+
+def test_a_ball_anywhere_among_the_beams(build, folder):
+    """Cut by as many planes as it meets; rays know neither planes nor pieces."""
+    chance, scene = random.Random(7), folder / "ball.fxls"
+    for _ in range(12):
+        place = [round(chance.uniform(-2, 2), 3) for _ in range(3)]
+        scene.write_bytes(knot_with_ball_at(place, round(chance.uniform(0.3, 3), 3)))
+        drawn = draw(build, scene, folder / "ball.fxld", pieces=ROOM)
+        judge, rays = verdicts(build, scene, drawn, folder)
+        assert judge["pixels_unexplained"] == 0 and rays["pixels_unexplained"] == 0
+
+
+def test_distance_errs_where_the_tree_is_right(build, folder):
+    scene = folder / "knot_by_both.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 12, layers="all")
+    found = {}
+    for hidden in ("sorted", "tree"):
+        drawn = draw(build, scene, folder / "both.fxld", hidden, pieces=ROOM)
+        judge, rays = verdicts(build, scene, drawn, folder, hidden)
+        assert judge["pixels_unexplained"] == 0     # each twin has its own order
+        found[hidden] = rays["pixels_unexplained"]
+    assert found["tree"] == 0 and found["sorted"] > 1000
+
+
+def test_without_room_the_ball_is_whole(build, folder):
+    """Another picture, but one: the ball where its centre is."""
+    scene = folder / "knot_whole.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 6, layers="all")
+    with_room = pictures(draw(build, scene, folder / "a.fxld", pieces=ROOM))
+    without = pictures(draw(build, scene, folder / "b.fxld", pieces=0))
+    again = pictures(draw(build, scene, folder / "c.fxld", pieces=0, rows=9, list=50))
+    assert with_room != without and without == again
