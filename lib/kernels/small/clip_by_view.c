@@ -3,7 +3,7 @@
  * none, and projected. What is worked out is not accounted for. */
 #include "clip_flat.h"
 #include "fixel/clipper.h"
-#include "fixel/project.h"
+#include "project_any.h"
 
 fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
@@ -33,8 +33,8 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
     screen->colour = clipped->colour;
     screen->count = clipped->count;
     for (uint32_t i = 0; i < clipped->count; i++) {
-        if (fxl_project_inside(&view->projection, &clipped->vertices[i].position,
-                               &screen->points[i]) != FXL_OK) {
+        if (fxl_project_any(&view->projection, &clipped->vertices[i].position,
+                            &screen->points[i]) != FXL_OK) {
             return FXL_CLIP_RANGE;
         }
     }
