@@ -32,7 +32,7 @@ def _values(rows, key):
 
 
 def cost_cells(rows, core):
-    """[[clipper, hidden, median of each scene.., most of all, flash, RAM, stack]] of a core."""
+    """[[clipper, hidden, median of each scene.., most of all, flash, RAM in the first scene, stack]] of a core."""
     cells, scenes = [], _values(rows, "scene")
     for clipper, hidden in _kinds(rows):
         found = [_first(rows, clipper=clipper, hidden=hidden, scene=scene, board=core) for scene in scenes]
@@ -40,7 +40,7 @@ def cost_cells(rows, core):
         if there:
             cells.append([clipper, hidden, *[row and row["instructions"]["median"] for row in found],
                           max(row["instructions"]["max"] for row in there), there[0]["text_bytes"],
-                          max(row["ram_bytes"] for row in there), max(row["stack_bytes"] for row in there)])
+                          there[0]["ram_bytes"], max(row["stack_bytes"] for row in there)])
     return cells
 
 
@@ -88,7 +88,8 @@ def terminal(plan, result):
     """What make clippers prints."""
     rows, parts = result["rows"], []
     for core in _values(rows, "board"):
-        header = ["clipper", "hidden", *[f"{scene}, median" for scene in _values(rows, "scene")], "most", "flash", "RAM",
+        scenes = _values(rows, "scene")
+        header = ["clipper", "hidden", *[f"{scene}, median" for scene in scenes], "most", "flash", f"RAM, {scenes[0]}",
                   "stack"]
         parts.append(f"{NAMES[core]}, instructions a frame\n" + table(cost_cells(rows, core), header))
     if rows:
@@ -217,10 +218,9 @@ def memory_markdown(_, result):
         for core in cores:
             found = [row for row in rows if (row["clipper"], row["hidden"], row["board"]) == (clipper, hidden, core)]
             cells += [found[0]["text_bytes"], max(row["stack_bytes"] for row in found)]
-        table_rows.append([*cells, max(row["ram_bytes"] for row in rows
-                                       if (row["clipper"], row["hidden"]) == (clipper, hidden))])
+        table_rows.append([*cells, _first(rows, clipper=clipper, hidden=hidden, scene=first["scene"])["ram_bytes"]])
     return _markdown(["clipper", "hidden", *[f"{NAMES[core]}: {what}" for core in cores for what in ("flash", "stack")],
-                      "RAM, at most"], table_rows)
+                      f"RAM, {first['scene']}"], table_rows)
 
 
 def exact_markdown(_, result):

@@ -55,7 +55,8 @@ def costs(plan, rows, core, hidden):
 
 def methods(plan, rows, core, clipper):
     """Instructions a frame, what hides what side by side."""
-    found = _instructions(row for row in rows if row["board"] == core and row["clipper"] == clipper)
+    rows = [row for row in rows if row["board"] == core and row["clipper"] == clipper]
+    found = _instructions(rows)
 
     def draw(axes):
         _bars(axes, _in_order(plan.scenes, rows, "scene"), _in_order(plan.hidden, rows, "hidden"),

@@ -62,6 +62,6 @@ def as_lines(result):
     """clippers.json with a line for each row, without the frames' CRCs."""
     def lines(rows):
         kept = ({key: value for key, value in row.items() if key != "crcs"} for row in rows)
-        return "[\n" + ",\n".join(json.dumps(row) for row in kept) + "]"
+        return "[\n" + ",\n".join(json.dumps(row, separators=(",", ":")) for row in kept) + "]"
     return "{" + ",\n".join(f"{json.dumps(key)}: {lines(value) if key == 'rows' else json.dumps(value)}"
                             for key, value in result.items()) + "}\n"

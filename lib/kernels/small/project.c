@@ -78,7 +78,6 @@ void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection)
     projection->centre_y = (int32_t)lens->height * 32768;
 }
 
-/* The long way alone. */
 fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_point *view,
                             fxl_screen_point *screen)
 {
