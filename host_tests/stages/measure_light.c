@@ -90,10 +90,11 @@ static fxl_point any_point(stages_random *random, int32_t step, int32_t top)
 
 void stages_measure_light(stages_tally *tally, stages_random *random)
 {
-    static fxl_lit_corner corners[CORNERS];
+    static fxl_point points[CORNERS];
+    static uint16_t next[CORNERS];
     static fxl_lit_piece table[PIECES];
     static ref_lit_pieces exact;
-    fxl_lit_pieces made = {corners, table, CORNERS, PIECES, 0, 0};
+    fxl_lit_pieces made = {points, next, table, CORNERS, PIECES, 0, 0};
     const int32_t step = stages_random_below(random, 2) ? 65536 : 65536 * 31 + 12345;
     const uint32_t count = 1 + stages_random_below(random, BEAMS);
     fxl_beam beams[BEAMS];

@@ -10,9 +10,10 @@ enum {
     EDGES = 160
 };
 
-static fxl_lit_corner corners[CORNERS];
+static fxl_point corners[CORNERS];
+static uint16_t nexts[CORNERS];
 static fxl_lit_piece table[PIECES];
-static fxl_lit_pieces room = {corners, table, CORNERS, PIECES, 0, 0};
+static fxl_lit_pieces room = {corners, nexts, table, CORNERS, PIECES, 0, 0};
 
 /* Directed edges of which no other goes the other way. */
 static struct {
@@ -230,14 +231,14 @@ void test_too_little_room_is_said(void)
     bool done = false;
     uint32_t needed = fxl_lit_corners_needed(&beam, 1);
     for (uint32_t size = 0; size <= needed; size++) {
-        fxl_lit_pieces small = {corners, table, size, PIECES, 0, 0};
+        fxl_lit_pieces small = {corners, nexts, table, size, PIECES, 0, 0};
         memset(corners, 0x5A, sizeof corners);
         done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
-        TEST_ASSERT_EQUAL_HEX32(0x5A5A5A5A, (uint32_t)corners[size].at.x);
+        TEST_ASSERT_EQUAL_HEX32(0x5A5A5A5A, (uint32_t)corners[size].x);
     }
     TEST_ASSERT_TRUE(done);
     for (uint32_t size = 0; size <= fxl_lit_pieces_needed(&beam, 1); size++) {
-        fxl_lit_pieces small = {corners, table, CORNERS, size, 0, 0};
+        fxl_lit_pieces small = {corners, nexts, table, CORNERS, size, 0, 0};
         memset(table, 0x5A, sizeof table);
         done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
         TEST_ASSERT_EQUAL_HEX16(0x5A5A, table[size].count);

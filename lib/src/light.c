@@ -11,6 +11,7 @@ typedef struct {
     const fxl_beam *beams;
     const uint8_t *lit;
     fxl_lit_pieces *pieces; /* behind this record, with their tables behind them */
+    fxl_point *outline;     /* of a piece; here, for small boards' stacks */
     uint32_t beam_count;
 } lighting;
 
@@ -25,8 +26,10 @@ uint32_t fxl_light_room(const fxl_beam *beams, uint32_t beam_count)
         return 0;
     }
     return rounded_up(sizeof(lighting)) + rounded_up(sizeof(fxl_lit_pieces)) +
-           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(fxl_lit_corner)) +
-           rounded_up(fxl_lit_pieces_needed(beams, beam_count) * sizeof(fxl_lit_piece));
+           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(fxl_point)) +
+           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(uint16_t)) +
+           rounded_up(fxl_lit_pieces_needed(beams, beam_count) * sizeof(fxl_lit_piece)) +
+           rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
 }
 
 static bool reaches(const fxl_light *light, const fxl_point *centre, fxl_q16_16 radius)
@@ -53,13 +56,12 @@ static bool split(const fxl_light *light, fxl_pieces *pieces, const fxl_face *fa
     const bool reverse = pieces->on->renderer->hidden->front_to_back;
     for (uint32_t i = 0; i < made->piece_count; i++) {
         const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
-        fxl_point outline[FXL_POLYGON_CAPACITY];
-        if (!fxl_lit_outline(made, piece, outline)) {
+        if (!fxl_lit_outline(made, piece, of->outline)) {
             pieces->fate |= 1u << FXL_CLIP_CAPACITY;
             continue;
         }
         uint8_t colour = piece->is_lit ? of->lit[face->colour] : face->colour;
-        if (!fxl_walk_piece(pieces, outline, piece->count, colour)) {
+        if (!fxl_walk_piece(pieces, of->outline, piece->count, colour)) {
             return false;
         }
     }
@@ -75,10 +77,14 @@ static const fxl_light *build(const fxl_beam *beams, uint32_t beam_count, const 
     fxl_lit_pieces *pieces = (fxl_lit_pieces *)(void *)room;
     room += rounded_up(sizeof *pieces);
     pieces->corner_capacity = fxl_lit_corners_needed(beams, beam_count);
-    pieces->corners = (fxl_lit_corner *)(void *)room;
-    room += rounded_up(pieces->corner_capacity * sizeof *pieces->corners);
+    pieces->points = (fxl_point *)(void *)room;
+    room += rounded_up(pieces->corner_capacity * sizeof *pieces->points);
+    pieces->next = (uint16_t *)(void *)room;
+    room += rounded_up(pieces->corner_capacity * sizeof *pieces->next);
     pieces->piece_capacity = fxl_lit_pieces_needed(beams, beam_count);
     pieces->pieces = (fxl_lit_piece *)(void *)room;
+    room += rounded_up(pieces->piece_capacity * sizeof *pieces->pieces);
+    of->outline = (fxl_point *)(void *)room;
     pieces->corner_count = 0;
     pieces->piece_count = 0;
     of->light.reaches = reaches;

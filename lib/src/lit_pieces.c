@@ -49,7 +49,7 @@ static uint16_t new_corner(fxl_lit_pieces *of, const fxl_point *at)
     if (of->corner_count == of->corner_capacity) {
         return NONE;
     }
-    of->corners[of->corner_count].at = *at;
+    of->points[of->corner_count] = *at;
     return (uint16_t)of->corner_count++;
 }
 
@@ -57,10 +57,10 @@ static uint16_t new_corner(fxl_lit_pieces *of, const fxl_point *at)
 static void append(fxl_lit_pieces *of, fxl_lit_piece *piece, uint16_t corner)
 {
     if (piece->count == 0) {
-        of->corners[corner].next = corner;
+        of->next[corner] = corner;
     } else {
-        of->corners[corner].next = of->corners[piece->last].next;
-        of->corners[piece->last].next = corner;
+        of->next[corner] = of->next[piece->last];
+        of->next[piece->last] = corner;
     }
     piece->last = corner;
     piece->count++;
@@ -116,15 +116,15 @@ static bool insert_between(fxl_lit_pieces *of, const fxl_point *a, const fxl_poi
         fxl_lit_piece *piece = &of->pieces[i];
         uint16_t corner = piece->last;
         for (uint32_t left = piece->count; left > 0; left--) {
-            const uint16_t next = of->corners[corner].next;
-            const fxl_point *here = &of->corners[corner].at, *there = &of->corners[next].at;
+            const uint16_t next = of->next[corner];
+            const fxl_point *here = &of->points[corner], *there = &of->points[next];
             if ((same(here, a) && same(there, b)) || (same(here, b) && same(there, a))) {
                 const uint16_t between = new_corner(of, crossing);
                 if (between == NONE) {
                     return false;
                 }
-                of->corners[between].next = next;
-                of->corners[corner].next = between;
+                of->next[between] = next;
+                of->next[corner] = between;
                 piece->count++;
                 if (corner == piece->last) {
                     piece->last = between; /* the first corner stays the first */
@@ -163,8 +163,8 @@ static bool follow_edges(fxl_lit_pieces *of, const fxl_lit_piece *piece, const f
 {
     uint16_t corner = piece->last;
     for (uint32_t left = piece->count; left > 0; left--) {
-        const uint16_t next = of->corners[corner].next;
-        const fxl_point a = of->corners[corner].at, b = of->corners[next].at;
+        const uint16_t next = of->next[corner];
+        const fxl_point a = of->points[corner], b = of->points[next];
         if (distance_of(plane, &a) == 0 && distance_of(plane, &b) == 0 &&
             !follow_edge(of, a, b, beam, next_plane)) {
             return false;
@@ -181,9 +181,9 @@ static bool append_row(fxl_lit_pieces *of, uint16_t corner, uint32_t count, bool
                        bool to_front, fxl_lit_piece *front, fxl_lit_piece *back)
 {
     for (uint32_t i = 0; i < count; i++) {
-        const uint16_t next = of->corners[corner].next;
+        const uint16_t next = of->next[corner];
         const bool is_crossing = from_front ? !to_front && i == 0 : to_front && i + 1 == count;
-        if (is_crossing && !append_new(of, back, &of->corners[corner].at)) {
+        if (is_crossing && !append_new(of, back, &of->points[corner])) {
             return false;
         }
         append(of, is_crossing || (from_front && to_front) ? front : back, corner);
@@ -197,13 +197,13 @@ static bool append_row(fxl_lit_pieces *of, uint16_t corner, uint32_t count, bool
 static bool part_corners(fxl_lit_pieces *of, const fxl_lit_piece *piece, const fxl_plane *plane,
                          fxl_lit_piece *front, fxl_lit_piece *back)
 {
-    uint16_t corner = of->corners[piece->last].next, row = NONE;
+    uint16_t corner = of->next[piece->last], row = NONE;
     uint32_t row_count = 0;
-    fxl_point from = of->corners[piece->last].at;
+    fxl_point from = of->points[piece->last];
     fxl_q18_46 side = distance_of(plane, &from); /* of the last corner off the plane */
     for (uint32_t left = piece->count; left > 0; left--) {
-        const uint16_t next = of->corners[corner].next;
-        const fxl_point to = of->corners[corner].at;
+        const uint16_t next = of->next[corner];
+        const fxl_point to = of->points[corner];
         const fxl_q18_46 distance = distance_of(plane, &to);
         if (distance == 0) {
             row = row_count == 0 ? corner : row;
@@ -246,8 +246,8 @@ static outcome part(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_plane *p
     if (*behind == NULL) {
         return NO_ROOM;
     }
-    while (distance_of(plane, &of->corners[piece->last].at) <= 0) {
-        piece->last = of->corners[piece->last].next;
+    while (distance_of(plane, &of->points[piece->last]) <= 0) {
+        piece->last = of->next[piece->last];
     }
     const fxl_lit_piece whole = *piece;
     fxl_lit_piece front = **behind, back = **behind;
@@ -266,10 +266,10 @@ static outcome cut(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *bea
     const fxl_plane plane = fxl_beam_plane_at(beam, number);
     bool in_front = false, is_behind = false, edge = false;
     uint16_t corner = piece->last;
-    fxl_q18_46 before = distance_of(&plane, &of->corners[corner].at);
+    fxl_q18_46 before = distance_of(&plane, &of->points[corner]);
     for (uint32_t left = piece->count; left > 0; left--) {
-        corner = of->corners[corner].next;
-        fxl_q18_46 distance = distance_of(&plane, &of->corners[corner].at);
+        corner = of->next[corner];
+        fxl_q18_46 distance = distance_of(&plane, &of->points[corner]);
         in_front |= distance > 0;
         is_behind |= distance < 0;
         edge |= distance == 0 && before == 0;
@@ -330,8 +330,8 @@ bool fxl_lit_outline(const fxl_lit_pieces *of, const fxl_lit_piece *piece, fxl_p
         return false;
     }
     for (uint32_t i = 0; i < piece->count; i++) {
-        corner = of->corners[corner].next;
-        points[i] = of->corners[corner].at;
+        corner = of->next[corner];
+        points[i] = of->points[corner];
     }
     return true;
 }

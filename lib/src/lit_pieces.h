@@ -6,12 +6,6 @@
 
 #include "fixel/beam.h"
 
-/* A corner of a piece. */
-typedef struct {
-    fxl_point at;
-    uint16_t next; /* round the piece */
-} fxl_lit_corner;
-
 typedef struct {
     uint16_t last; /* the corner before the first */
     uint16_t count;
@@ -20,7 +14,8 @@ typedef struct {
 
 /* In memory of the caller's. */
 typedef struct {
-    fxl_lit_corner *corners;
+    fxl_point *points; /* of the corners */
+    uint16_t *next;    /* of each corner, round its piece */
     fxl_lit_piece *pieces;
     uint32_t corner_capacity, piece_capacity;
     uint32_t corner_count, piece_count;

@@ -7,7 +7,7 @@
 #include "fixel/render.h"
 
 /* Bytes that beams want of the caller's memory, aligned to 8. With one beam of 4, 5 or 8
- * planes 920, 1,016 or 1,320 on a core of 32 bits. 0 where they are out of what fxl_beams_fit
+ * planes 1,320, 1,408 or 1,624 on a core of 32 bits. 0 where they are out of what fxl_beams_fit
  * allows. Requires checked beams. */
 uint32_t fxl_light_room(const fxl_beam *beams, uint32_t beam_count);
 
