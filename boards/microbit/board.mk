@@ -15,7 +15,7 @@ BOARD_CACHE_ENTRIES := 8
 
 # They take 20 to 30 KiB; the last a megabyte.
 BOARD_UNIT_OMIT := test_clipper test_tree test_clipper_family test_watertight_family test_render test_tree_pieces \
-    test_scene_placed
+    test_light test_scene_placed
 
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u
 

@@ -30,7 +30,7 @@ $(EQUALITY_OUT)/$(1)/portable/%.o: $(pattern) firmware/equality/equality.mk
 )
 # All of the library once more, with the portable kernels: fxl_X is portable_X there.
 $(EQUALITY_OUT)/$(1)/portable.a: $(LIB_NAMES:%=$(EQUALITY_OUT)/$(1)/portable/%.o)
-	@rm -f $$@
+	@rm -f $$@ $$@.fxl
 	@$(CROSS)ar rcs $$@.fxl $$^
 	@$(CROSS)nm -g --defined-only $$@.fxl | sed -n 's/.* \(fxl_\([a-zA-Z0-9_]*\)\)$$$$/\1 portable_\2/p' > $$@.names
 	@$(CROSS)objcopy --redefine-syms=$$@.names $$@.fxl $$@

@@ -150,7 +150,8 @@ static fxl_tree_node any_node(const made_scene *made, const fxl_model *model, ui
                           .back = FXL_TREE_NONE,
                           .parent = FXL_TREE_NONE,
                           .first_face = (uint16_t)first_face,
-                          .face_count = has_face};
+                          .face_count = has_face,
+                          .radius = model->radius};
     if (has_face) {
         const fxl_face *face = &made->faces[model->first_face + first_face];
         const fxl_point *v =
@@ -253,8 +254,9 @@ static void spoil(made_scene *made, fuzz_input *in)
     uint16_t *const halves[] = {&face->reserved, &object->model, corner};
     uint16_t *const links[] = {&node->front,      &node->back,       &node->parent,
                                &node->first_face, &node->face_count, &node->reserved};
-    int32_t *const planes[] = {&node->normal.x, &node->normal.y, &node->normal.z};
-    uint32_t which = fuzz_below(in, 48);
+    int32_t *const planes[] = {&node->normal.x, &node->normal.y, &node->normal.z, &node->centre.x,
+                               &node->centre.y, &node->centre.z, &node->radius};
+    uint32_t which = fuzz_below(in, 52);
     if (which >= 32) {
         uint32_t of_tree = which - 32;
         if (of_tree < 2) {
@@ -263,7 +265,7 @@ static void spoil(made_scene *made, fuzz_input *in)
             /* A small number more often than not. */
             *links[of_tree - 2] =
                 (uint16_t)(fuzz_below(in, 4) ? fuzz_below(in, MADE_NODES) : fuzz_bits(in, 2));
-        } else if (of_tree < 11) {
+        } else if (of_tree < 15) {
             *planes[of_tree - 8] = fuzz_any(in);
         } else {
             node->distance_high = (uint32_t)fuzz_any(in);

@@ -196,14 +196,14 @@ static bool read_tree(const uint8_t *bytes, size_t size, ref_scene *scene)
     if (ref_u32(bytes + 152) == 0) {
         return ref_u32(bytes + 148) == 0 && scene->tree_object == 0;
     }
-    const uint8_t *nodes = table_at(bytes, size, 148, 32, 65535, &scene->node_count);
+    const uint8_t *nodes = table_at(bytes, size, 148, 48, 65535, &scene->node_count);
     scene->nodes = nodes ? calloc(scene->node_count, sizeof *scene->nodes) : NULL;
     if (!scene->nodes || scene->tree_object >= scene->object_count) {
         return false;
     }
     const ref_model *model = &scene->models[scene->objects[scene->tree_object].model];
     for (uint32_t i = 0; i < scene->node_count; i++) {
-        const uint8_t *p = nodes + 32 * (size_t)i;
+        const uint8_t *p = nodes + 48 * (size_t)i;
         ref_node *node = &scene->nodes[i];
         *node = (ref_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
                            (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),

@@ -4,6 +4,7 @@
 #define STAGES_MEASURE_H
 
 #include "fixel.h"
+#include "stages/random.h"
 #include "stages/tally.h"
 
 /* The tally of each stage, named and empty. */
@@ -16,6 +17,7 @@ stages_tally stages_list_tally(const char *input);
 stages_tally stages_fill_tally(const char *input);
 stages_tally stages_cover_tally(const char *input);
 stages_tally stages_split_tally(const char *input);
+stages_tally stages_light_tally(const char *input);
 
 /* A sphere on both sides; answers what the library does. */
 uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
@@ -69,5 +71,8 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
 
 /* Splits a piece of the world on both sides. Samples are the parts. */
 void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const fxl_piece *piece);
+
+/* Splits a random face by one or two random beams on both sides. Samples are the pieces. */
+void stages_measure_light(stages_tally *tally, stages_random *random);
 
 #endif

@@ -45,7 +45,7 @@ def test_no_gaps_by_any_clipper(build, clipper):
                               "--clipper", clipper))
     assert found["gaps"] == 0
     assert found["doubles"] == found["folded"]
-    assert found["cut_pieces"] > 5_000
+    assert found["cut_pieces"] > 4_000
 
 
 @pytest.mark.parametrize("clipper", ("normalised", "once"))

@@ -9,7 +9,7 @@ from conftest import run_cli
 from hypothesis import given, settings, strategies as st
 import pytest
 
-from fixel import image, tree
+from fixel import image, tree, tree_faces
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
 from fixel.image_tree import NONE, PLANARITY_MAX
@@ -133,7 +133,7 @@ def test_faces_keep_to_their_sides_and_an_image_of_them_is_sound(drawn):
     made = random_scene(drawn)
     counts = tree.plant(made, {0})
     model = made.models[-1]
-    assert tree.check_sides(model.vertices, model.faces, made.tree.nodes) <= PLANARITY_MAX << 30
+    assert tree_faces.check_sides(model.vertices, model.faces, made.tree.nodes) <= PLANARITY_MAX << 30
     assert counts.faces_out >= counts.faces_in
     again = image.unpack(image.pack(made))
     assert again == made and again.tree == made.tree
@@ -231,8 +231,8 @@ def test_a_face_with_too_many_vertices_is_halved_and_loses_nothing():
     ring = [lines.vertex((round(9 * ONE * math.cos(-i / 30 * math.pi)), 0,
                           round(9 * ONE * math.sin(-i / 30 * math.pi)))) for i in range(60)]
     own = [lines.edge(a, b) for a, b in zip(ring, ring[1:] + ring[:1])]
-    pieces = tree.halve(lines, tree.Part(SQUARE_NORMAL, 7, 0, 0, ring, own))
-    faces = [tree.flat_face(lines, piece) for piece in pieces]
+    pieces = tree_faces.halve(lines, tree.Part(SQUARE_NORMAL, 7, 0, 0, ring, own))
+    faces = [tree_faces.flat_face(lines, piece) for piece in pieces]
     assert all(3 <= len(face.corners) <= image.FACE_VERTICES_MAX for face in faces)
     assert chain_of(edges_of(faces)) == ring or set(chain_of(edges_of(faces))) == set(ring)
     areas = [newell([lines.points[v] for v in face.corners]) for face in faces]

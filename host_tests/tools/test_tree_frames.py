@@ -96,6 +96,25 @@ def test_a_ball_anywhere_among_the_beams(build, folder):
         assert judge["pixels_unexplained"] == 0 and rays["pixels_unexplained"] == 0
 
 
+def test_balls_in_parts_of_a_tree_that_are_out_of_sight(build, folder):
+    """Among the cubes of W1 nodes are left out by their spheres, but not the pieces below them.
+    Balls may hide each other by distance alone, which rays would tell: the twin judges."""
+    data = tomllib.loads((CHECKOUT / "scenes/w1.toml").read_text(encoding="utf-8"))
+    data["objects"].append({"solid": "octahedron", "scale": 3, "moves": True, "colour_index": 9,
+                            "colour_step": 20, "positions": [
+        [-4, 0, 3], [5, 2, 4], [0, -4, 6], [1, 4, -5], [-6, 1, -2], [3, 0, 0]]})
+    compiled, _ = toml_scene.compile_data(data, "w1", str(CHECKOUT / "scenes"), 30)
+    tree.plant(compiled, {0}, compiled.moving)
+    scene = folder / "balls.fxls"
+    scene.write_bytes(image.pack(compiled))
+    drawn = draw(build, scene, folder / "balls.fxld", pieces=ROOM)
+    judge, _ = verdicts(build, scene, drawn, folder, every=30)
+    assert judge["pixels_unexplained"] == 0
+    for options in ({"hidden": "tree-spans", "list": 0}, {"rows": 20, "list": 200}):
+        other = draw(build, scene, folder / "other.fxld", pieces=ROOM, **options)
+        assert pictures(drawn) == pictures(other)
+
+
 def test_distance_errs_where_the_tree_is_right(build, folder):
     scene = folder / "knot_by_both.fxls"
     scene_tool.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 12, layers="all")

@@ -7,7 +7,7 @@ enum {
     WIDTH = 48,
     HEIGHT = 32,
     WORDS = 700,
-    ROOM = 8192
+    ROOM = 4608
 };
 
 static tiny_scene *tiny;

@@ -5,9 +5,9 @@
 #include "unit.h"
 
 enum {
-    CORNERS = 400,
-    PIECES = 100,
-    EDGES = 2 * CORNERS
+    CORNERS = 200,
+    PIECES = 40,
+    EDGES = 160
 };
 
 static fxl_lit_corner corners[CORNERS];

@@ -391,7 +391,7 @@ void test_room_for_the_walk(void)
     made = tree_make();
     start_with(0, &fxl_hidden_tree, 0);
     uint32_t needed = fxl_hidden_tree.walk_room(&made->tiny->scene);
-    TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_tree_room) + 4 + 4 * TREE_NODES + 2 * 12, needed);
+    TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_tree_room) + 8 + 4 * TREE_NODES + 2 * 12, needed);
     needed = (needed + 7) / 8 * 8;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_set_hidden(&renderer, &fxl_hidden_tree, room, needed - 1));

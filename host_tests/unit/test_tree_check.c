@@ -98,6 +98,36 @@ void test_faces_lie_on_the_plane(void)
     }
 }
 
+void test_spheres(void)
+{
+    made->nodes[3].radius = -1;
+    expect(FXL_E_RANGE, "tree node", 3);
+    made->nodes[0].radius = FXL_RADIUS_MAX + 1;
+    expect(FXL_E_RANGE, "tree node", 0);
+    made->nodes[2].centre.z = FXL_COORDINATE_MAX - Q16(10) + 1; /* its object stands at 10 */
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[2].centre.y = -FXL_COORDINATE_MAX - 1;
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[5].radius = Q16(1.7); /* sqrt(3) is more */
+    expect(FXL_E_RADIUS, "tree node", 5);
+    made->nodes[0].radius = TINY_RADIUS - 1; /* less than that below it */
+    expect(FXL_E_RADIUS, "tree node", 1);
+    made->nodes[5].centre.x = 1; /* as large, and elsewhere */
+    expect(FXL_E_RADIUS, "tree node", 5);
+    made->nodes[5].centre.x = 3; /* 5 away from the one above, which is 5 larger */
+    made->nodes[5].centre.y = -4;
+    for (int i = 0; i < 5; i++) {
+        made->nodes[i].radius = TINY_RADIUS + 5;
+    }
+    expect(FXL_OK, NULL, 0);
+    made->nodes[5].centre.x = 3;
+    made->nodes[5].centre.y = -4;
+    for (int i = 0; i < 5; i++) {
+        made->nodes[i].radius = TINY_RADIUS + 4;
+    }
+    expect(FXL_E_RADIUS, "tree node", 5);
+}
+
 void test_every_face_has_one_node(void)
 {
     made->nodes[1].first_face = 2;

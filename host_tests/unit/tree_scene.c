@@ -17,7 +17,8 @@ tree_scene *tree_make(void)
                                 .back = (uint16_t)(i + 1),
                                 .parent = (uint16_t)(i - 1),
                                 .first_face = (uint16_t)i,
-                                .face_count = 1};
+                                .face_count = 1,
+                                .radius = TINY_RADIUS};
     }
     made.nodes[0].parent = FXL_TREE_NONE;
     made.nodes[TREE_NODES - 1].back = FXL_TREE_NONE;

@@ -196,8 +196,11 @@ static void survey_distances(const fxl_order_entry *entries, uint32_t count, buc
     }
     by->far = far;
     by->range = far - near;
-    unsigned bits = fxl_bit_length(by->range | UINT16_MAX);
-    uint32_t factor = UINT32_MAX / ((uint32_t)((by->range << (64 - bits)) >> 48) + 1);
+    uint32_t high = (uint32_t)(by->range >> 32), low = (uint32_t)by->range | UINT16_MAX;
+    unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
+    unsigned bits = (high != 0 ? 64u : 32u) - zeros;
+    uint32_t upper = high != 0 ? high << zeros | low >> 1 >> (31 - zeros) : low << zeros;
+    uint32_t rest, factor = fxl_divide_u32(UINT32_MAX, (upper >> 16) + 1, &rest);
     by->factor = bits < 32   ? factor << 15
                  : bits < 47 ? factor << (47 - bits)
                              : factor >> (bits - 47);
@@ -205,7 +208,7 @@ static void survey_distances(const fxl_order_entry *entries, uint32_t count, buc
 }
 
 /* floor((far - distance) factor / 2^(32 + shift)). The range is below 2^bits, and its upper
- * 16 bits, plus 1, times the first factor below 2^32: so range factor is below 2^63 where
+ * 16 bits, plus 1, times the first factor not above 2^32: so range factor is below 2^63 where
  * bits >= 32, else below 2^(31 + bits); nothing wraps, and the result is below 2^6. */
 static inline uint32_t bucket_of(const buckets *by, uint64_t distance)
 {

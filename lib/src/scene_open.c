@@ -46,7 +46,7 @@ _Static_assert(sizeof(fxl_model) == 28, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_object) == 16, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_face_key) == 20, "SPEC.md, chapter 8");
 _Static_assert(offsetof(header, nodes) == 148, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_tree_node) == 32, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_tree_node) == 48, "SPEC.md, chapter 8");
 _Static_assert(sizeof(lit_header) == 16, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_beam) == 176, "SPEC.md, chapter 8");
 _Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
@@ -146,7 +146,7 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
 }
 
 /* One table: aligned, behind the header, within the image. A count times at
- * most 32 bytes is below 2^37. */
+ * most 48 bytes is below 2^37. */
 static fxl_status check_table(const header *head, const table *entry, uint32_t entry_size,
                               uint32_t count_max, const char *what, fxl_scene_fault *fault)
 {

@@ -66,6 +66,52 @@ static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_fa
     return true;
 }
 
+/* Below 3 * 2^62: the points are below 2^30 each coordinate, so the differences below 2^31. */
+static uint64_t square_between(const fxl_point *a, const fxl_point *b)
+{
+    const int64_t x = (int64_t)a->x - b->x, y = (int64_t)a->y - b->y, z = (int64_t)a->z - b->z;
+    return (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
+}
+
+static uint64_t square(fxl_q16_16 radius)
+{
+    return (uint64_t)((int64_t)radius * radius);
+}
+
+/* In the world, and no larger than the sphere of a model may be. */
+static bool sphere_in_range(const fxl_scene *scene, const fxl_tree_node *node)
+{
+    const fxl_point *origin = &scene->objects[scene->tree_object].centre;
+    const int64_t limit = FXL_COORDINATE_MAX;
+    return fxl_within((int64_t)node->centre.x + origin->x, limit) &&
+           fxl_within((int64_t)node->centre.y + origin->y, limit) &&
+           fxl_within((int64_t)node->centre.z + origin->z, limit) && node->radius >= 0 &&
+           node->radius <= FXL_RADIUS_MAX;
+}
+
+/* The sphere holds the node's faces, and lies within that of the node before which has the
+ * parent's number: whether it is the parent, the links are asked. */
+static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_t number)
+{
+    const fxl_tree_node *node = &scene->nodes[number];
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    for (uint32_t j = 0; j < node->face_count; j++) {
+        const fxl_face *face = &scene->faces[model->first_face + node->first_face + j];
+        for (uint32_t i = 0; i < face->count; i++) {
+            const fxl_point *vertex = &vertices[scene->corners[face->first_corner + i]];
+            if (square_between(vertex, &node->centre) > square(node->radius)) {
+                return false;
+            }
+        }
+    }
+    if (node->parent >= number) {
+        return true;
+    }
+    const fxl_tree_node *above = &scene->nodes[node->parent];
+    return above->radius >= node->radius &&
+           square_between(&above->centre, &node->centre) <= square(above->radius - node->radius);
+}
+
 /* Planes and faces; nodes take the model's faces in turn. */
 static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
 {
@@ -74,6 +120,9 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
     for (uint32_t i = 0; i < scene->node_count; i++) {
         const fxl_tree_node *node = &scene->nodes[i];
         fxl_status status = check_plane(node);
+        if (status == FXL_OK && !sphere_in_range(scene, node)) {
+            status = FXL_E_RANGE;
+        }
         if (status != FXL_OK) {
             return fail(fault, "tree node", i, status);
         }
@@ -85,6 +134,9 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
             if (!lies_on(scene, model, &scene->faces[number], node)) {
                 return fail(fault, "face", number, FXL_E_PLANARITY);
             }
+        }
+        if (!sphere_holds(scene, model, i)) {
+            return fail(fault, "tree node", i, FXL_E_RADIUS);
         }
         first += node->face_count;
     }

@@ -23,7 +23,8 @@ fxl_tree_parts fxl_tree_parts_of(const fxl_scene *scene, fxl_tree_room *room)
     fxl_tree_parts parts;
     parts.movers = fxl_tree_movers(scene);
     parts.sides = (uint32_t *)(room + 1);
-    parts.leaves = (uint16_t *)(parts.sides + (scene->node_count + 31) / 32);
+    parts.busy = parts.sides + (scene->node_count + 31) / 32;
+    parts.leaves = (uint16_t *)(parts.busy + (scene->node_count + 31) / 32);
     parts.whole = (fxl_tree_item *)(void *)(parts.leaves + 2 * scene->node_count);
     parts.items = room->pieces;
     parts.vertices =
@@ -40,9 +41,15 @@ static fxl_tree_item *item_of(const fxl_tree_parts *parts, uint32_t number)
 
 /* Behind what is in the leaf in the order of drawing: before it, where that is walked
  * backward. */
-static void put_into_leaf(const fxl_tree_parts *parts, uint32_t number, bool reverse)
+static void put_into_leaf(const fxl_scene *scene, const fxl_tree_parts *parts, uint32_t number,
+                          bool reverse)
 {
     fxl_tree_item *item = item_of(parts, number);
+    uint32_t node = (item->where & ~FXL_IN_LEAF) / 2;
+    while (node != FXL_TREE_NONE && (parts->busy[node / 32] >> (node & 31) & 1u) == 0) {
+        parts->busy[node / 32] |= (uint32_t)1 << (node & 31);
+        node = scene->nodes[node].parent;
+    }
     uint16_t *link = &parts->leaves[item->where & ~FXL_IN_LEAF];
     while (!reverse && *link != FXL_ITEM_NONE) {
         link = &item_of(parts, *link)->next;
@@ -115,6 +122,9 @@ void fxl_tree_cut_movers(const fxl_walk *on, fxl_tree_room *room)
     for (uint32_t leaf = 0; leaf < 2 * scene->node_count; leaf++) {
         parts.leaves[leaf] = FXL_ITEM_NONE;
     }
+    for (uint32_t i = 0; i < (scene->node_count + 31) / 32; i++) {
+        parts.busy[i] = 0;
+    }
     uint32_t mover = 0;
     for (uint32_t at = room->first; at < room->end; at++) {
         if (at == room->owner) {
@@ -124,7 +134,7 @@ void fxl_tree_cut_movers(const fxl_walk *on, fxl_tree_room *room)
         count_faces(on, &renderer->order[at]);
         if (fxl_tree_cut(&cutter, object, &renderer->view.camera.position, at)) {
             for (uint32_t i = cutter.first_item; i < cutter.item_count; i++) {
-                put_into_leaf(&parts, parts.movers + i, reverse);
+                put_into_leaf(scene, &parts, parts.movers + i, reverse);
             }
         } else {
             fxl_tree_item whole = {FXL_IN_LEAF | leaf_of(scene, &object->centre),
@@ -134,7 +144,7 @@ void fxl_tree_cut_movers(const fxl_walk *on, fxl_tree_room *room)
                                    0,
                                    0};
             parts.whole[mover] = whole;
-            put_into_leaf(&parts, mover, reverse);
+            put_into_leaf(scene, &parts, mover, reverse);
             room->unsplit += 1;
         }
         mover += 1;

@@ -24,6 +24,7 @@ typedef struct {
 /* The parts of the room, and how much of the pieces' room is used. */
 typedef struct {
     uint32_t *sides;                  /* a bit for each node: the eye is in front */
+    uint32_t *busy;                   /* a bit for each node: there are items below it */
     uint16_t *leaves;                 /* for each leaf its first item */
     fxl_tree_item *whole;             /* items 0 .. movers - 1 */
     fxl_tree_item *items;             /* the others, upward from the pieces' room's beginning */

@@ -50,7 +50,9 @@ static bool walk_sorted(const fxl_walk *on, const fxl_placed *placed, const fxl_
     const fxl_face *faces = &scene->faces[model->first_face];
     const uint32_t first = on->place->faces, front = renderer->front;
     const bool reverse = renderer->hidden->front_to_back;
-    const fxl_order_entry *at = &order[reverse ? front - 1 - first : first];
+    /* Where no face is left, the last object's entry is before the first face's. */
+    const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
+    const fxl_order_entry *at = order + place;
     uint32_t number = first;
     while (number < front && take(on, placed, &faces[at->face])) {
         at += reverse ? -1 : 1;

@@ -17,10 +17,15 @@ typedef struct {
     const fxl_walk *on;
     const fxl_scene *scene;
     fxl_tree_room *room;
-    const uint32_t *sides;
-    const fxl_placed *placed; /* null: the tree's object is not in sight */
+    uint32_t *sides, *busy;
+    fxl_placed *placed; /* null: the tree's object is not in sight */
     fxl_face_taker take;
-    bool reverse; /* near to far */
+    fxl_point from;              /* the eye, as the tree's object sees it */
+    const fxl_tree_node *asked;  /* whose sphere was asked last, */
+    uint32_t answer;             /* and what it said */
+    uint32_t planes;             /* those that the object's sphere may cross */
+    uint32_t inside, inside_end; /* from one to the other all nodes are inside the frustum */
+    bool reverse;                /* near to far */
 } tree_walk;
 
 _Static_assert(sizeof(fxl_tree_item) == 12 && sizeof(fxl_tree_vertex) == 16, "tree.h says so");
@@ -31,7 +36,8 @@ uint32_t fxl_tree_room_size(const fxl_scene *scene)
     uint32_t size = (uint32_t)sizeof(fxl_tree_room) +
                     (scene->node_count + 31) / 32 * (uint32_t)sizeof(uint32_t);
     if (movers > 0) {
-        size += 2 * scene->node_count * (uint32_t)sizeof(uint16_t) +
+        size += (scene->node_count + 31) / 32 * (uint32_t)sizeof(uint32_t) +
+                2 * scene->node_count * (uint32_t)sizeof(uint16_t) +
                 movers * (uint32_t)sizeof(fxl_tree_item);
     }
     return scene->nodes == NULL ? 0 : size;
@@ -57,35 +63,109 @@ static void find_layer(const fxl_renderer *renderer, fxl_tree_room *room)
     room->movers = (uint16_t)(end - first - (room->owner != FXL_ITEM_NONE));
 }
 
-/* On which side of every node's plane the eye is. */
-static void find_sides(const fxl_renderer *renderer, uint32_t *sides)
+/* On which side of a node's plane the eye is, kept for as long as the walk is below it. */
+static void find_side(const tree_walk *walk, uint32_t number)
 {
-    const fxl_scene *scene = renderer->scene;
-    const fxl_point *eye = &renderer->view.camera.position;
-    const fxl_point *centre = &scene->objects[scene->tree_object].centre;
-    /* Both within FXL_COORDINATE_MAX: below 2^30. */
-    const fxl_point from = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
-    uint32_t bits = 0;
-    for (uint32_t i = 0; i < scene->node_count; i++) {
-        bits |= (uint32_t)fxl_tree_is_front(&scene->nodes[i], &from) << (i & 31);
-        if ((i & 31) == 31 || i + 1 == scene->node_count) {
-            sides[i / 32] = bits;
-            bits = 0;
+    const uint32_t bit = (uint32_t)1 << (number & 31);
+    uint32_t *word = &walk->sides[number / 32];
+    *word =
+        fxl_tree_is_front(&walk->scene->nodes[number], &walk->from) ? *word | bit : *word & ~bit;
+}
+
+/* The number behind the last node below this one: what comes next in the list of nodes. */
+static uint32_t end_below(const fxl_tree_node *nodes, uint32_t number, uint32_t count)
+{
+    for (uint32_t above; (above = nodes[number].parent) != FXL_TREE_NONE; number = above) {
+        if (nodes[above].front == number && nodes[above].back != FXL_TREE_NONE) {
+            return nodes[above].back;
         }
     }
+    return count;
+}
+
+static bool is_inside(const tree_walk *walk, uint32_t number)
+{
+    return number >= walk->inside && number < walk->inside_end;
+}
+
+static bool same_sphere(const fxl_tree_node *a, const fxl_tree_node *b)
+{
+    return a->radius == b->radius && a->centre.x == b->centre.x && a->centre.y == b->centre.y &&
+           a->centre.z == b->centre.z;
+}
+
+/* Which planes a node's sphere may cross; a sphere is asked once in turn. Both coordinates are
+ * within FXL_COORDINATE_MAX together: the loader has seen to it. */
+static uint32_t planes_of(tree_walk *walk, uint32_t number)
+{
+    const fxl_view *view = walk->placed->view;
+    const fxl_tree_node *node = &walk->scene->nodes[number];
+    const fxl_point *origin = &walk->scene->objects[walk->scene->tree_object].centre;
+    const fxl_point centre = {node->centre.x + origin->x, node->centre.y + origin->y,
+                              node->centre.z + origin->z};
+    if (is_inside(walk, number)) {
+        return 0;
+    }
+    if (walk->asked == NULL || !same_sphere(walk->asked, node)) {
+        walk->asked = node;
+        walk->answer = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, node->radius);
+        if (walk->answer != FXL_SPHERE_OUTSIDE) {
+            walk->answer &= walk->planes; /* the object's own sphere may be the tighter */
+        }
+    }
+    return walk->answer;
+}
+
+/* Whether nothing from the node down is in sight: then its faces are counted. Where all of it is
+ * inside the frustum, nothing below is asked again. */
+static bool leave_out(tree_walk *walk, uint32_t number)
+{
+    const fxl_scene *scene = walk->scene;
+    const uint32_t above = scene->nodes[number].parent;
+    if (walk->placed == NULL || is_inside(walk, number) ||
+        (above != FXL_TREE_NONE && same_sphere(&scene->nodes[number], &scene->nodes[above]))) {
+        return false;
+    }
+    uint32_t planes = planes_of(walk, number);
+    if (planes != 0 && planes != FXL_SPHERE_OUTSIDE) {
+        return false;
+    }
+    uint32_t end = end_below(scene->nodes, number, scene->node_count);
+    if (planes == 0) {
+        walk->inside = number;
+        walk->inside_end = end;
+        return false;
+    }
+    if (walk->room->movers > 0 && (walk->busy[number / 32] >> (number & 31) & 1u) != 0) {
+        return false;
+    }
+    uint32_t faces = (end < scene->node_count
+                          ? scene->nodes[end].first_face
+                          : scene->models[scene->objects[scene->tree_object].model].face_count) -
+                     scene->nodes[number].first_face;
+    walk->on->counters->in += faces;
+    walk->on->counters->outside += faces;
+    return true;
 }
 
 /* The node's faces that face the eye, from place->index on; the others are counted. */
-static bool walk_faces(const tree_walk *walk, fxl_tree_place *place)
+static bool walk_faces(tree_walk *walk, fxl_tree_place *place)
 {
     const fxl_tree_node *node = &walk->scene->nodes[place->node];
     const fxl_model *model =
         &walk->scene->models[walk->scene->objects[walk->scene->tree_object].model];
     const fxl_face *faces = &walk->scene->faces[model->first_face + node->first_face];
     fxl_counters *counters = walk->on->counters;
-    if (walk->placed == NULL) {
+    if (walk->placed == NULL || node->face_count == 0) {
         return true;
     }
+    uint32_t planes = planes_of(walk, place->node);
+    if (planes == FXL_SPHERE_OUTSIDE) {
+        counters->in += node->face_count;
+        counters->outside += node->face_count;
+        return true;
+    }
+    walk->placed->planes = (fxl_planes)planes;
     for (; place->index < node->face_count; place->index++) {
         const fxl_face *face =
             &faces[walk->reverse ? node->face_count - 1 - place->index : place->index];
@@ -129,33 +209,51 @@ static bool go_up(const tree_walk *walk, fxl_tree_place *place)
     return true;
 }
 
+/* What is to do at a node and in its leaves; false where it was stopped. Else *place is at a
+ * node below, or all is done here: then *more is false. */
+static bool work_at(tree_walk *walk, fxl_tree_place *place, bool *more)
+{
+    const fxl_tree_node *node = &walk->scene->nodes[place->node];
+    *more = true;
+    if (place->phase == FIRST && place->index == 0 && place->face == 0) {
+        find_side(walk, place->node);
+        if (leave_out(walk, place->node)) {
+            *more = false;
+            return true;
+        }
+    }
+    if (place->phase == FACES) {
+        if (!walk_faces(walk, place)) {
+            return false;
+        }
+        step(place, place->node, SECOND);
+    }
+    bool front = begins_in_front(walk, place->node) == (place->phase == FIRST);
+    uint32_t below = front ? node->front : node->back;
+    if (below != FXL_TREE_NONE) {
+        step(place, below, FIRST);
+        return true;
+    }
+    if (walk->room->movers > 0 &&
+        !fxl_tree_walk_leaf(walk->on, walk->room, 2u * place->node + !front, place)) {
+        return false;
+    }
+    *more = place->phase == FIRST;
+    if (*more) {
+        step(place, place->node, FACES);
+    }
+    return true;
+}
+
 /* From the place to the end of the tree, without a stack: a node knows its parent. False where
  * it was stopped. */
-static bool walk_nodes(const tree_walk *walk, fxl_tree_place *place)
+static bool walk_nodes(tree_walk *walk, fxl_tree_place *place)
 {
     do {
         bool more = true;
         while (more) {
-            const fxl_tree_node *node = &walk->scene->nodes[place->node];
-            if (place->phase == FACES) {
-                if (!walk_faces(walk, place)) {
-                    return false;
-                }
-                step(place, place->node, SECOND);
-            }
-            bool front = begins_in_front(walk, place->node) == (place->phase == FIRST);
-            uint32_t below = front ? node->front : node->back;
-            if (below != FXL_TREE_NONE) {
-                step(place, below, FIRST);
-                continue;
-            }
-            if (walk->room->movers > 0 &&
-                !fxl_tree_walk_leaf(walk->on, walk->room, 2u * place->node + !front, place)) {
+            if (!work_at(walk, place, &more)) {
                 return false;
-            }
-            more = place->phase == FIRST;
-            if (more) {
-                step(place, place->node, FACES);
             }
         }
     } while (go_up(walk, place));
@@ -163,17 +261,29 @@ static bool walk_nodes(const tree_walk *walk, fxl_tree_place *place)
 }
 
 /* The tree's layer. False where it was stopped: where the list was full, the room has the place. */
-static bool walk_layer(const fxl_walk *on, fxl_tree_room *room, const uint32_t *sides)
+static bool walk_layer(const fxl_walk *on, fxl_tree_room *room, const fxl_tree_parts *parts)
 {
     fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_object *object = &scene->objects[scene->tree_object];
+    const fxl_point *eye = &renderer->view.camera.position;
     fxl_placed placed;
-    tree_walk walk = {on, scene, room, sides, NULL, on->take, renderer->hidden->front_to_back};
+    /* Eye and centre are within FXL_COORDINATE_MAX: below 2^30. */
+    tree_walk walk = {
+        .on = on,
+        .scene = scene,
+        .room = room,
+        .sides = parts->sides,
+        .busy = parts->busy,
+        .take = on->take,
+        .from = {eye->x - object->centre.x, eye->y - object->centre.y, eye->z - object->centre.z},
+        .reverse = renderer->hidden->front_to_back};
     if (room->owner != FXL_ITEM_NONE) {
         fxl_place_object(&placed, scene, object, renderer->order[room->owner].planes,
                          &renderer->view, &renderer->cache);
         walk.placed = &placed;
+        walk.planes = placed.planes;
+        walk.inside_end = walk.planes == 0 ? scene->node_count : 0;
         walk.take = fxl_walk_taker_of(on, object, &scene->models[object->model]);
     }
     fxl_tree_place place = {0, 0, 0, FIRST};
@@ -199,15 +309,13 @@ bool fxl_walk_by_tree(const fxl_walk *on)
     fxl_tree_parts parts = fxl_tree_parts_of(renderer->scene, room);
     if (on->band == NULL) {
         find_layer(renderer, room);
-        find_sides(renderer, parts.sides);
         fxl_tree_cut_movers(on, room);
     }
     while (on->place->objects < count) {
         const uint32_t number = on->place->objects;
         const uint32_t at = renderer->hidden->front_to_back ? count - 1 - number : number;
         const bool by_tree = at >= room->first && at < room->end;
-        if (!(by_tree ? walk_layer(on, room, parts.sides)
-                      : fxl_walk_object(on, &renderer->order[at]))) {
+        if (!(by_tree ? walk_layer(on, room, &parts) : fxl_walk_object(on, &renderer->order[at]))) {
             return false;
         }
         on->place->objects =

@@ -10,7 +10,9 @@ PLANARITY_MAX, DEPTH_MAX, NODES_MAX = 8, 1023, 65535
 NORMAL_SQUARE_MAX_ERROR = 1 << 32
 SORTED = 1
 NONE = 0xFFFF                   # no node
-NODE = struct.Struct("<3iq6H")
+NODE = struct.Struct("<3iq6H4i")
+COORDINATE_MAX = 8191 << 16
+RADIUS_MAX = 28375 << 16
 
 
 def fail(status, text):
@@ -27,16 +29,18 @@ class Node:
     parent: int
     first_face: int     # within the model
     face_count: int
+    centre: tuple = (0, 0, 0)   # 16.16, of a sphere about all faces in front, behind and on it
+    radius: int = 0
 
     def pack(self):
         return NODE.pack(*self.normal, self.distance, self.front, self.back, self.parent,
-                         self.first_face, self.face_count, 0)
+                         self.first_face, self.face_count, 0, *self.centre, self.radius)
 
     @staticmethod
     def unpack(fields):
-        if fields[-1]:
+        if fields[9]:
             fail("reserved", "a reserved field of a node is not zero")
-        return Node(tuple(fields[:3]), *fields[3:9])
+        return Node(tuple(fields[:3]), *fields[3:9], tuple(fields[10:13]), fields[13])
 
 
 @dataclass
@@ -77,6 +81,23 @@ def _check_links(nodes):
         fail("tree", f"node {numbers} hangs nowhere")
 
 
+def _check_sphere(i, node, tree, model, origin):
+    """It lies in the world, holds the node's faces, and lies within the sphere above."""
+    if any(abs(a + b) > COORDINATE_MAX for a, b in zip(node.centre, origin)) or \
+            not 0 <= node.radius <= RADIUS_MAX:
+        fail("range", f"the sphere of node {i} is out of range")
+    for face in model.faces[node.first_face:node.first_face + node.face_count]:
+        for corner in face.corners:
+            if sum((a - b) ** 2 for a, b in zip(model.vertices[corner], node.centre)) > \
+                    node.radius ** 2:
+                fail("radius", f"a face of node {i} reaches out of the node's sphere")
+    if node.parent < i:
+        above = tree.nodes[node.parent]
+        if above.radius < node.radius or (above.radius - node.radius) ** 2 < \
+                sum((a - b) ** 2 for a, b in zip(above.centre, node.centre)):
+            fail("radius", f"the sphere of node {i} reaches out of that above it")
+
+
 def check_tree(tree, models, objects):
     """What the loader asks of a tree, with the loader's integers."""
     model, first = _check_owner(tree, models, objects), 0
@@ -93,6 +114,7 @@ def check_tree(tree, models, objects):
                 if abs(height - node.distance) > PLANARITY_MAX << 30:
                     fail("planarity", f"a face of node {i} lies off its plane")
         first += node.face_count
+        _check_sphere(i, node, tree, model, objects[tree.object].centre)
     if first != len(model.faces):
         fail("count", f"the nodes have {first} of the {len(model.faces)} faces")
     _check_links(tree.nodes)

@@ -6,7 +6,7 @@ from fixel import image
 from fixel.programs import HostPrograms
 from fixel.progress import Progress
 
-STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split")
+STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light")
 KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", "beyond_bound", "mismatched")
 # Random samples of a stage for so many vertices of the whole report.
 SAMPLES_PER = 50

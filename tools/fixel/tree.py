@@ -7,15 +7,14 @@ vertices and of lines: a line is an edge of the scene or of a cut, with the ends
 first. A new vertex is where a line, from its first ends, meets a plane; it is rounded once and
 belongs to the line, so whoever has the line finds the same vertices on it."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from fixel import image_beam, tree_choice
+from fixel import image_beam, tree_choice, tree_faces
 from fixel.errors import ToolError
-from fixel.image import (CONVEX, FACE_VERTICES_MAX, PLANARITY_MAX, SORTED, Face, Model, Object,
-                         check_coordinates)
+from fixel.image import (CONVEX, FACE_VERTICES_MAX, SORTED, Model, Object, check_coordinates)
 from fixel.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
 from fixel.image_tree import PLANARITY_MAX as NEAR
-from fixel.mesh import dot, minus, newell, unit_normal
+from fixel.mesh import dot, minus
 
 # A vertex closer to a plane than this lies on it: in units of 2^-46. It exceeds what a face may
 # be off its plane (4) and a rounded vertex off its line (0.87).
@@ -228,58 +227,6 @@ class Builder:
         return on, front, back
 
 
-def share(lines, part):
-    """Puts the vertices of its lines into a part, and answers how many."""
-    ring, own, before = [], [], len(part.ring)
-    for i, vertex in enumerate(part.ring):
-        line = part.lines[i]
-        inner = lines.between(line, vertex, part.ring[(i + 1) % before])
-        ring += [vertex, *inner]
-        own += [line] * (1 + len(inner))
-    part.ring, part.lines = ring, own
-    return len(ring) - before
-
-
-def halve(lines, part, most=FACE_VERTICES_MAX):
-    """Parts of at most so many vertices, by diagonals between their vertices."""
-    count = len(part.ring)
-    if count <= most:
-        return [part]
-    points = [lines.points[v] for v in part.ring]
-    best = None
-    for i in range(count):
-        for j in range(i + 2, min(count, i + count - 1)):
-            areas = [dot(newell(points[i:j + 1]), part.normal),
-                     dot(newell(points[j:] + points[:i + 1]), part.normal)]
-            if min(areas) > 0 and (best is None or (min(areas), -i, -j) > best[0]):
-                best = (min(areas), -i, -j), i, j
-    if best is None:
-        raise ToolError("a face of the tree with too many vertices cannot be cut in two")
-    _, i, j = best
-    line = lines.line(part.ring[i], part.ring[j])
-    pieces = []
-    for ring, own in ((part.ring[i:j + 1], part.lines[i:j] + [line]),
-                      (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
-        pieces += halve(lines, Part(part.normal, part.colour, part.source, part.group, ring, own),
-                        most)
-    return pieces
-
-
-def flat_face(lines, part):
-    """The part as a face that the loader takes: its first vertex, and if need be its normal, is
-    chosen so that the others lie near its plane."""
-    points = [lines.points[v] for v in part.ring]
-    area = newell(points)
-    for normal in (part.normal, unit_normal(area) if area != (0, 0, 0) else part.normal):
-        along = [dot(normal, point) for point in points]
-        middle = (max(along) + min(along)) // 2
-        first = min(range(len(points)), key=lambda i: (abs(along[i] - middle), i))
-        if all(abs(value - along[first]) <= PLANARITY_MAX << 30 for value in along):
-            return Face(normal, tuple(part.ring[first:] + part.ring[:first]), part.colour)
-    raise ToolError(f"a face of object {part.group} is too far from flat to be cut for a tree: "
-                    "triangulate it in the model")
-
-
 def parts_of(scene, members, origin, lines):
     """The faces of the objects as parts; vertices relative to origin."""
     parts = []
@@ -312,15 +259,16 @@ def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX):
     nodes, held = builder.build()
     faces, sources, counts = [], [], builder.counts
     for part in (part for group in held for part in group):
-        counts.shared += share(lines, part)
+        counts.shared += tree_faces.share(lines, part)
     for node, group in zip(nodes, held):
         node.first_face = len(faces)
-        pieces = [piece for part in group for piece in halve(lines, part, most)]
+        pieces = [piece for part in group for piece in tree_faces.halve(lines, part, most)]
         counts.halved += len(pieces) - len(group)
-        faces += [flat_face(lines, piece) for piece in pieces]
+        faces += [tree_faces.flat_face(lines, piece) for piece in pieces]
         sources += [piece.source for piece in pieces]
         node.face_count = len(faces) - node.first_face
     counts.faces_out = len(faces)
+    tree_faces.add_spheres(nodes, faces, lines.points)
     return nodes, faces, sources, counts
 
 
@@ -395,21 +343,3 @@ def _put(scene, members, model, item):
     scene.objects = [Object(o.centre, new[o.model], o.layer) for o in scene.objects]
     item.model = len(kept)
     scene.objects.append(item)
-
-
-def check_sides(vertices, faces, nodes):
-    """How far, in units of 2^-46, a vertex of a face lies on the wrong side of a plane that it is
-    under: at most image_tree.PLANARITY_MAX << 30 in a sound tree."""
-    worst = 0
-    for node in nodes:
-        planes, at = [], node
-        while at.parent != NONE:
-            above = nodes[at.parent]
-            planes.append((1 if above.front != NONE and nodes[above.front] is at else -1, above))
-            at = above
-        for face in faces[node.first_face:node.first_face + node.face_count]:
-            for corner in face.corners:
-                for sign, above in planes:
-                    out = -sign * height((above.normal, above.distance), vertices[corner])
-                    worst = max(worst, out)
-    return worst

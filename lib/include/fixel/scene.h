@@ -87,6 +87,8 @@ typedef struct {
     uint16_t front, back, parent;    /* numbers of nodes, or FXL_TREE_NONE */
     uint16_t first_face, face_count; /* within the model, the first behind the node's before */
     uint16_t reserved;               /* 0 */
+    fxl_point centre;                /* of a sphere that holds its faces, and the spheres of */
+    fxl_q16_16 radius;               /* the nodes in front and behind; 0..FXL_RADIUS_MAX */
 } fxl_tree_node;
 
 /* What a player holds down for a number of frames. */

@@ -33,7 +33,7 @@ typedef struct {
  * tree, far to near, one over another. A scene without a tree is drawn as by fxl_hidden_sorted.
  * Objects that move do so by their table's centre, which is to stay in range with every vertex.
  * Its room is 36 bytes, a bit for each node, and where other objects are on the tree's
- * layer, 4 bytes for each node and 12 for each of them. */
+ * layer, another bit and 4 bytes for each node and 12 for each of them. */
 extern const fxl_hidden fxl_hidden_tree;
 
 /* The same near to far into a span buffer; its room is behind the tree's. */

@@ -30,6 +30,18 @@ right_step          .req r10
 right_step_fraction .req r11
 rows        .req r12    /* to be done */
 
+    /* The colour is needed four times at first, or by vectors where a row is long. */
+    .macro  four_times where
+#ifdef FXL_ROWS_BY_VECTORS
+    .ifc    \where, colour_late
+#else
+    .ifc    \where, colour_first
+#endif
+    orr     colour, colour, colour, lsl #8
+    orr     colour, colour, colour, lsl #16
+    .endif
+    .endm
+
     .section .text.fxl_fill_trapezoid, "ax", %progbits
     .global fxl_fill_trapezoid
     .type fxl_fill_trapezoid, %function
@@ -46,8 +58,7 @@ fxl_fill_trapezoid:
     sub     rows, rows, r4
     subs    r4, r4, r5
     mla     r0, r4, lr, r3
-    orr     colour, colour, colour, lsl #8
-    orr     colour, colour, colour, lsl #16
+    four_times colour_first
     ldm     r1, {r4-r11}
     add     left, left, r0
     add     right, right, r0
@@ -188,6 +199,7 @@ fxl_fill_trapezoid:
 .Llong:
     cmp     bytes, #0
     blt     .Lcrossed
+    four_times colour_late
     mov     pixel, left
     tst     left, #1
     it      ne
@@ -243,6 +255,7 @@ fxl_fill_trapezoid:
     bcs     .Lslanted
 
     /* r4-r11: colour, lr: rows to be done. */
+    four_times colour_late
 start   .req r3
 rest    .req r12    /* of a row */
 stride  .req r2

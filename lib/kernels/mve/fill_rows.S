@@ -6,4 +6,9 @@
     .arch   armv8.1-m.main
     .arch_extension mve
 #define FXL_ROWS_BY_VECTORS 1
+
+/* The compiler is told of a core without (lib/lib.mk). */
+    .arch   armv8.1-m.main
+    .arch_extension mve
+
 #include "../armv7m/fill_rows.S"

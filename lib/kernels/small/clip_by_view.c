@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Every face is assembled, cut by the planes that a vertex is outside of, mostly
- * none, and projected. What is worked out is not accounted for. */
+ * none, and projected. */
 #include "clip_flat.h"
 #include "fixel/clipper.h"
-#include "fixel/project.h"
+#include "project_any.h"
 
 fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
@@ -25,16 +25,17 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
     seen->colour = face->colour;
     seen->count = face->count;
     seen->textured = false;
-    fxl_clip_result result = fxl_clip_view_flat(
-        seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), &work->by_view, &clipped);
+    fxl_clip_result result =
+        fxl_clip_view_flat(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
+                           &work->by_view, view->room, &clipped);
     if (clipped == NULL) {
         return result;
     }
     screen->colour = clipped->colour;
     screen->count = clipped->count;
     for (uint32_t i = 0; i < clipped->count; i++) {
-        if (fxl_project_seen(&view->projection, &clipped->vertices[i].position,
-                             &screen->points[i]) != FXL_OK) {
+        if (fxl_project_any(&view->projection, &clipped->vertices[i].position,
+                            &screen->points[i]) != FXL_OK) {
             return FXL_CLIP_RANGE;
         }
     }

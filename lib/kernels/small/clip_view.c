@@ -51,15 +51,9 @@ static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fra
     return (fxl_q16_16)(from + (twice < 0 ? -((1 - twice) >> 1) : (twice + 1) >> 1));
 }
 
-/* What polygons may have beside their points, and who wants to know; none of it
- * is linked where nobody names it. */
-typedef struct {
-    void (*set_texel)(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                      uint64_t fraction, fxl_view_vertex *vertex);
-    void (*count)(fxl_clip_account *account, const fxl_q18_46 *distances, uint32_t measured,
-                  uint32_t left);
-    fxl_clip_account *account;
-} extras;
+/* What sets texture coordinates; null, and not linked, where nobody has any. */
+typedef void (*texel_setter)(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
+                             uint64_t fraction, fxl_view_vertex *vertex);
 
 static void set_texel(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
                       uint64_t fraction, fxl_view_vertex *vertex)
@@ -77,19 +71,19 @@ static void interpolate(const fxl_q18_46 *from, const fxl_q18_46 *to, const uint
 
 /* Where an edge crosses a plane, always from its inside to its outside end. */
 static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                         uint64_t fraction, const extras *with, fxl_view_vertex *vertex)
+                         uint64_t fraction, texel_setter set, fxl_view_vertex *vertex)
 {
     const fxl_view_point *from = &inside->position, *to = &outside->position;
     interpolate(&from->x, &to->x, &fraction, &vertex->position.x);
     interpolate(&from->y, &to->y, &fraction, &vertex->position.y);
     interpolate(&from->z, &to->z, &fraction, &vertex->position.z);
-    if (with != NULL) {
-        with->set_texel(inside, outside, fraction, vertex);
+    if (set != NULL) {
+        set(inside, outside, fraction, vertex);
     }
 }
 
 static fxl_clip_result clip_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                     int plane, const extras *with, fxl_view_polygon *out,
+                                     int plane, texel_setter set, fxl_view_polygon *out,
                                      fxl_q18_46 *distances)
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
@@ -123,7 +117,7 @@ static fxl_clip_result clip_to_plane(const fxl_view_polygon *in, const fxl_view_
             set_crossing(&in->vertices[inside], &in->vertices[outside],
                          fxl_fraction((uint64_t)distances[inside],
                                       (uint64_t)(distances[inside] - distances[outside])),
-                         with, &out->vertices[count++]);
+                         set, &out->vertices[count++]);
         }
     }
     if (count < 3) {
@@ -136,8 +130,8 @@ static fxl_clip_result clip_to_plane(const fxl_view_polygon *in, const fxl_view_
 }
 
 static fxl_clip_result clip_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                      fxl_planes planes, const extras *with,
-                                      fxl_clip_view_work *work, const fxl_view_polygon **result)
+                                      fxl_planes planes, texel_setter set, fxl_clip_view_work *work,
+                                      fxl_clip_account *account, const fxl_view_polygon **result)
 {
     fxl_view_polygon *out = &work->polygons[in == &work->polygons[0]];
     fxl_clip_result all = FXL_CLIP_INSIDE;
@@ -146,11 +140,9 @@ static fxl_clip_result clip_to_planes(const fxl_view_polygon *in, const fxl_view
         if ((planes >> plane & 1) == 0) {
             continue;
         }
-        fxl_clip_result cut = clip_to_plane(*result, frustum, plane, with, out, work->distances);
-        if (with != NULL) {
-            with->count(with->account, work->distances, (*result)->count,
-                        cut == FXL_CLIP_CUT ? out->count : 0);
-        }
+        fxl_clip_result cut = clip_to_plane(*result, frustum, plane, set, out, work->distances);
+        fxl_count_cut(account, work->distances, (*result)->count,
+                      cut == FXL_CLIP_CUT ? out->count : 0);
         if (cut == FXL_CLIP_CUT) {
             *result = out;
             out = &work->polygons[out == &work->polygons[0]];
@@ -163,34 +155,18 @@ static fxl_clip_result clip_to_planes(const fxl_view_polygon *in, const fxl_view
     return all;
 }
 
-static void set_none(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                     uint64_t fraction, fxl_view_vertex *vertex)
-{
-    (void)inside;
-    (void)outside;
-    (void)fraction;
-    (void)vertex;
-}
-
-static extras extras_of(const fxl_view_polygon *in, fxl_clip_account *account)
-{
-    extras with = {in->textured ? set_texel : set_none, fxl_count_cut, account};
-    return with;
-}
-
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        int plane, fxl_view_polygon *out, fxl_q18_46 *distances)
 {
-    const extras with = extras_of(in, NULL);
-    return clip_to_plane(in, frustum, plane, &with, out, distances);
+    return clip_to_plane(in, frustum, plane, in->textured ? set_texel : NULL, out, distances);
 }
 
 fxl_clip_result fxl_cut_view_by_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        fxl_planes planes, fxl_clip_view_work *work,
                                        fxl_clip_account *account, const fxl_view_polygon **result)
 {
-    const extras with = extras_of(in, account);
-    return clip_to_planes(in, frustum, planes, &with, work, result);
+    return clip_to_planes(in, frustum, planes, in->textured ? set_texel : NULL, work, account,
+                          result);
 }
 
 fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
@@ -202,7 +178,7 @@ fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_vi
 
 fxl_clip_result fxl_clip_view_flat(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                    fxl_planes planes, fxl_clip_view_work *work,
-                                   const fxl_view_polygon **result)
+                                   fxl_clip_account *account, const fxl_view_polygon **result)
 {
-    return clip_to_planes(in, frustum, planes, NULL, work, result);
+    return clip_to_planes(in, frustum, planes, NULL, work, account, result);
 }

@@ -62,10 +62,10 @@ static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
     return from_a != from_b ? from_a > from_b : a->index < b->index;
 }
 
-/* Shellsort with the gaps of Knuth, (3^k - 1) / 2: of order count^(3/2) at most. */
+/* Shellsort with the gaps of Hibbard, 2^k - 1: of order count^(3/2) at most. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
 {
-    for (uint32_t gap = 29524; gap != 0; gap /= 3) {
+    for (uint32_t gap = 32767; gap != 0; gap >>= 1) {
         for (uint32_t i = gap; i < count; i++) {
             const fxl_order_entry entry = entries[i];
             uint32_t place = i;

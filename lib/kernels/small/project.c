@@ -78,6 +78,12 @@ void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection)
     projection->centre_y = (int32_t)lens->height * 32768;
 }
 
+fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_point *view,
+                            fxl_screen_point *screen)
+{
+    return fxl_project_any(projection, view, screen);
+}
+
 fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
                              fxl_screen_point *screen)
 {

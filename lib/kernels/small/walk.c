@@ -77,11 +77,11 @@ fxl_face_taker fxl_walk_taker(const fxl_renderer *renderer, const fxl_band *band
 static bool paint_over(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
                        uint8_t colour, const fxl_band *band)
 {
-    const fxl_trapezoid *trapezoid;
+    fxl_span span;
     fxl_scan *scan = &renderer->work.scan;
     fxl_scan_outline(points, count, band, scan);
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        fxl_fill_trapezoid(band, trapezoid, colour);
+    while (fxl_scan_next(scan, &span)) {
+        fxl_fill_span(band, &span, colour);
     }
     return true;
 }

@@ -2,7 +2,8 @@
 #include "face.h"
 #include "walk.h"
 
-static fxl_face_taker taker_of(const fxl_walk *on, const fxl_object *object, const fxl_model *model)
+fxl_face_taker fxl_walk_taker_of(const fxl_walk *on, const fxl_object *object,
+                                 const fxl_model *model)
 {
     const fxl_light *light = on->renderer->light;
     return light != NULL && light->reaches(light, &object->centre, model->radius) ? light->face
@@ -39,7 +40,7 @@ bool fxl_walk_object(const fxl_walk *on, const fxl_order_entry *entry)
     const fxl_scene *scene = renderer->scene;
     const fxl_object *object = &scene->objects[entry->index];
     const fxl_model *model = &scene->models[object->model];
-    const fxl_face_taker take = taker_of(on, object, model);
+    const fxl_face_taker take = fxl_walk_taker_of(on, object, model);
     fxl_placed placed;
     fxl_place_object(&placed, scene, object, entry->planes, &renderer->view, &renderer->cache);
     const fxl_order_entry *order = NULL;
