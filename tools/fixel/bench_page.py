@@ -192,7 +192,7 @@ def small_markdown(plan, result):
     cores = list(dict.fromkeys(core for core, _ in rows))
     cells = [[workload, *[f"{rows[core, workload]['frame']:,} ({rows[core, workload]['by_fixel']:.2f})" for core in cores]]
              for workload in plan.small["workloads"] if (cores[0], workload) in rows]
-    return _markdown_table(["-Os, a frame (by -O2)", *[NAMES[core] for core in cores]], cells)
+    return markdown_table(["-Os, a frame (by -O2)", *[NAMES[core] for core in cores]], cells)
 
 
 def stages_markdown(_, result):
