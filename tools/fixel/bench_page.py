@@ -291,7 +291,7 @@ def equality_markdown(_, __):
     kernels = sorted({row["kernel"] for row in rows})
     cells = [[kernel, *[_equality_cell(found.get((core, kernel))) for core in cores]] for kernel in kernels]
     whole = f"{sum(row['inputs'] for row in rows):,} inputs, {sum(row['differ'] for row in rows):,} differ."
-    return f"{_markdown_table(['inputs', *cores], cells)}\n\n{whole}"
+    return f"{markdown_table(['inputs', *cores], cells)}\n\n{whole}"
 
 
 def _equality_cell(row):
