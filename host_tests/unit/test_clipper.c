@@ -177,17 +177,23 @@ static bool has_pixels(const fxl_screen_polygon *screen)
     return fxl_scan_next(&scan, &span);
 }
 
-/* The first centre from a coordinate on is that of no other of the polygon's vertices. */
-static bool is_between(const fxl_screen_polygon *screen)
+/* All vertices have the same first centre from them on, in a row and in a column. */
+static bool has_one_column(const fxl_screen_polygon *screen)
 {
-    bool one_row = true, one_column = true;
+    bool one = true;
     for (int i = 1; i < screen->count; i++) {
-        one_column = one_column &&
-                     (screen->points[i].x + 32767) / 65536 == (screen->points[0].x + 32767) / 65536;
-        one_row = one_row &&
-                  (screen->points[i].y + 32767) / 65536 == (screen->points[0].y + 32767) / 65536;
+        one = one && (screen->points[i].x + 32767) / 65536 == (screen->points[0].x + 32767) / 65536;
     }
-    return one_row || one_column;
+    return one;
+}
+
+static bool has_one_row(const fxl_screen_polygon *screen)
+{
+    bool one = true;
+    for (int i = 1; i < screen->count; i++) {
+        one = one && (screen->points[i].y + 32767) / 65536 == (screen->points[0].y + 32767) / 65536;
+    }
+    return one;
 }
 
 void test_a_face_between_centres_has_no_pixels(void)
@@ -211,7 +217,10 @@ void test_a_face_between_centres_has_no_pixels(void)
         fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, &screen);
         if (result == FXL_CLIP_BETWEEN || result == FXL_CLIP_INSIDE) {
             expect_projected(&view, &polygon, &screen);
-            TEST_ASSERT_EQUAL(is_between(&screen), result == FXL_CLIP_BETWEEN);
+            /* What reaches no row, any clipper may leave to the list. */
+            bool between_columns = has_one_column(&screen);
+            TEST_ASSERT_FALSE(between_columns && result != FXL_CLIP_BETWEEN);
+            TEST_ASSERT_FALSE(result == FXL_CLIP_BETWEEN && !between_columns && !has_one_row(&screen));
             TEST_ASSERT_FALSE(result == FXL_CLIP_BETWEEN && has_pixels(&screen));
             between += result == FXL_CLIP_BETWEEN;
             pixels += has_pixels(&screen);

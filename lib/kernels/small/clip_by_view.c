@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Every face is assembled, cut by the planes that a vertex is outside of, mostly
- * none, and projected. */
+ * none, and projected. One that is inside covers no centre where all its vertices have the
+ * same first column of centres from them on; that it reaches no row is found as for any. */
 #include "clip_flat.h"
+#include "edge.h"
 #include "fixel/clipper.h"
 #include "project_any.h"
 
@@ -33,11 +35,14 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
     }
     screen->colour = clipped->colour;
     screen->count = clipped->count;
+    _Static_assert(FXL_CLIP_INSIDE == 0, "what is cut is not asked");
+    int32_t columns = (int32_t)result; /* and bits in which any differs from the first */
     for (uint32_t i = 0; i < clipped->count; i++) {
-        if (fxl_project_any(&view->projection, &clipped->vertices[i].position,
-                            &screen->points[i]) != FXL_OK) {
+        fxl_screen_point *point = &screen->points[i];
+        if (fxl_project_any(&view->projection, &clipped->vertices[i].position, point) != FXL_OK) {
             return FXL_CLIP_RANGE;
         }
+        columns |= fxl_first_centre_from(point->x) ^ fxl_first_centre_from(screen->points[0].x);
     }
-    return result;
+    return columns == 0 ? FXL_CLIP_BETWEEN : result;
 }
