@@ -116,7 +116,8 @@ def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
     scene_tool.build(str(CHECKOUT / "scenes" / "w1.toml"), scene)
 
     def measured(clipper, sides):
-        done = subprocess.run([build / "host" / "comparison" / f"{clipper}-sorted", sides, scene, tmp_path / "out.fxld", "20"],
+        program = build / "host" / "comparison" / f"{clipper}-sorted"
+        done = subprocess.run([program, sides, scene, tmp_path / "out.fxld", "20"],
                               capture_output=True, text=True, timeout=60, check=False)
         assert done.returncode == 0, done.stderr
         return json.loads(done.stdout)
