@@ -136,7 +136,7 @@ def test_every_clipper_and_method_of_the_library_is_compared(plan):
     assert {each["record"] for each in plan.hidden.values()} == records("fxl_hidden") - left_out
 
 
-def test_the_plan_names_what_the_issue_does(plan):
+def test_the_plan_names_what_is_to_be_compared(plan):
     assert set(plan.clippers) == {"view", "world", "normalised", "once", "half-spaces", "triangles", "near", "left"}
     assert {"sorted", "spans", "box"} <= set(plan.hidden)
     assert {"plaza", "w1", "w3", "spot", "adversarial"} <= set(plan.scenes)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A box about an object against the frustum: tighter than a sphere about what is
- * long or flat, and dearer. A renderer asks spheres. */
+ * long or flat, and dearer. A renderer asks spheres. Source: chapter 65 (A9). */
 #ifndef FXL_BOX_H
 #define FXL_BOX_H
 
