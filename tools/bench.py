@@ -91,7 +91,8 @@ def measure(plan, cores, left_out):
     result = {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
               "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
               "rows": rows, "limits": limits, "sizes": sizes, "stages": bench_rows.stages(profiles),
-              "small": bench_rows.small(drawn, small), "cycles_estimate": bench_rows.estimates(profiles), "growth": growth, "pictures": pictures}
+              "small": bench_rows.small(drawn, small), "cycles_estimate": bench_rows.estimates(profiles),
+              "growth": growth, "pictures": pictures}
     return {**result, "goals": bench_goals.measure(result)}
 
 

@@ -24,7 +24,11 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
                                const fxl_view_frustum *frustum, const fxl_point *centre,
                                fxl_q16_16 radius);
 
-/* A face of an object of which the library's sphere said `planes`, by the twin's
+/* An object's box on both sides: the same answer, which it gives. */
+uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
+                            const fxl_object *object);
+
+/* A face of an object of which the library's sphere or box said `planes`, by the twin's
  * distances of its vertices. Where it is not so, a mismatch. */
 void stages_check_left_out(stages_tally *tally, const fxl_camera *camera,
                            const fxl_view_frustum *frustum, uint32_t planes,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "reference/box.h"
 #include "reference/sphere.h"
 #include "reference/transform.h"
 #include "stages/bridge.h"
@@ -51,6 +52,21 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
     double off = off_by(&distances, exact_radius + REF_SPHERE_SLACK, fixed, exact) * REF_ONE;
     tally->mismatched += fixed > FXL_SPHERE_OUTSIDE;
     stages_count(tally, off, off <= 64);
+    return fixed;
+}
+
+uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
+                            const fxl_object *object)
+{
+    ref_frustum exact;
+    fxl_box box;
+    fxl_box_of_object(scene, object, &box);
+    for (int plane = 0; plane < REF_PLANE_COUNT; plane++) {
+        exact.planes[plane] = bridge_plane(&frustum->planes[plane]);
+    }
+    ref_point least = bridge_point(&box.least), most = bridge_point(&box.most);
+    uint32_t fixed = fxl_box_planes(frustum, &box);
+    tally->mismatched += fixed != ref_box_planes(&exact, &least, &most);
     return fixed;
 }
 

@@ -162,11 +162,13 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
         fxl_place_object(&placed, scene, object, FXL_PLANES_ALL, &view, &cache);
         uint32_t planes = stages_measure_sphere(&to->sphere, &view.camera, &view.view_frustum,
                                                 &object->centre, model->radius);
+        uint32_t by_box = stages_measure_box(&to->sphere, &view.frustum, scene, object);
         for (uint32_t k = 0; k < model->face_count; k++) {
             const fxl_face *face = &scene->faces[model->first_face + k];
             fxl_polygon polygon;
             fxl_face_to_polygon(&placed, face, &polygon);
             stages_check_left_out(&to->sphere, &view.camera, &view.view_frustum, planes, &polygon);
+            stages_check_left_out(&to->sphere, &view.camera, &view.view_frustum, by_box, &polygon);
             if (fxl_face_is_front(scene, object, face, &pose->position)) {
                 take_polygon(to, &view, &polygon);
             }

@@ -105,7 +105,7 @@ def test_the_stages_and_functions_add_up_to_the_frames(measured, plan):
         assert all(sum(stage["functions"].values()) == stage["instructions"] for stage in stages)
 
 
-def test_the_plan_has_the_issue_s_workloads_and_kernels(plan):
+def test_the_plan_has_all_workloads_and_kernels(plan):
     assert list(plan.workloads) == ["w1", "w2", "w3", "w3b", "plaza"] and set(plan.renderers) == RENDERERS
     assert {"multiply", "divide", "reciprocal", "root", "sine", "transform", "outcode", "project", "clip",
             "edge-setup", "span-1", "span-320"} <= set(plan.kernels)

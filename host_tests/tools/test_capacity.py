@@ -85,7 +85,8 @@ def test_another_capacity_than_the_library_does_not_link(libraries, tmp_path, li
 
 @pytest.mark.parametrize("capacity, code", [(SMALL, 3), (SMALL + 1, 0), (USUAL, 0)])
 def test_a_face_that_is_too_much_is_refused_and_named(tmp_path, capacity, code):
-    checker = [ROOT / "lib/src" / name for name in ("scene_check.c", "tree_check.c", "beam.c", "plane.c", "divide_wide.c", "status.c")]
+    checker = [ROOT / "lib/src" / name for name in ("scene_check.c", "tree_check.c", "beam.c", "plane.c",
+                                                    "divide_wide.c", "status.c")]
     done = link(tmp_path, PENTAGON, checker, f"-DFXL_POLYGON_CAPACITY={capacity}")
     assert done.returncode == 0, done.stderr
     run = subprocess.run([tmp_path / "program"], text=True, capture_output=True, check=False)

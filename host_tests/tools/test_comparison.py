@@ -116,7 +116,8 @@ def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
     scene_tool.build(str(CHECKOUT / "scenes" / "w1.toml"), scene)
 
     def measured(clipper, sides):
-        done = subprocess.run([build / "host" / "comparison" / f"{clipper}-sorted", sides, scene, tmp_path / "out.fxld", "20"],
+        program = build / "host" / "comparison" / f"{clipper}-sorted"
+        done = subprocess.run([program, sides, scene, tmp_path / "out.fxld", "20"],
                               capture_output=True, text=True, timeout=60, check=False)
         assert done.returncode == 0, done.stderr
         return json.loads(done.stdout)
@@ -135,7 +136,7 @@ def test_every_clipper_and_method_of_the_library_is_compared(plan):
     assert {each["record"] for each in plan.hidden.values()} == records("fxl_hidden") - left_out
 
 
-def test_the_plan_names_what_the_issue_does(plan):
+def test_the_plan_names_what_is_to_be_compared(plan):
     assert set(plan.clippers) == {"view", "world", "normalised", "once", "half-spaces", "triangles", "near", "left"}
     assert {"sorted", "spans", "box"} <= set(plan.hidden)
     assert {"plaza", "w1", "w3", "spot", "adversarial"} <= set(plan.scenes)

@@ -7,7 +7,7 @@ import zlib
 from hypothesis import given, settings, strategies as st
 import pytest
 
-from fixel import image
+from fixel import image, image_keys
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
 
@@ -165,7 +165,7 @@ def test_sorted_models_have_keys():
                 min_size=3, max_size=6), st.tuples(*[st.integers(-(1 << 30), 1 << 30)] * 3))
 def test_a_key_is_the_plane_and_the_box(vertices, normal):
     corners = tuple(range(len(vertices)))
-    height, *box = image.key_of(Model(vertices, []), Face(normal, corners, 0))
+    height, *box = image_keys.key_of(Model(vertices, []), Face(normal, corners, 0))
     assert height == sum(n * c for n, c in zip(normal, vertices[0]))
     assert box == [min(v[i] for v in vertices) + max(v[i] for v in vertices) for i in range(3)]
 

@@ -64,7 +64,8 @@ def test_a_name_that_is_only_called_or_declared_is_not_there(tmp_path):
     source, header = tmp_path / "x.c", tmp_path / "x.h"
     source.write_text("int gone(int);\nstatic int hidden(void)\n{\n    return called(1);\n}\n"
                       "int here(int a,\n         int b)\n{\n}\nconst fxl_clipper record = {0};\n", encoding="utf-8")
-    header.write_text("int declared(int a);\ntypedef struct {\n    int x;\n} type;\n#define LIMIT 3\n", encoding="utf-8")
+    header.write_text("int declared(int a);\ntypedef struct {\n    int x;\n} type;\n#define LIMIT 3\n",
+                      encoding="utf-8")
     assert [name for name in ("gone", "hidden", "called", "here", "record", "other") if is_defined(source, name)] == \
         ["here", "record"]
     assert [name for name in ("declared", "type", "LIMIT") if is_defined(header, name)] == ["type", "LIMIT"]

@@ -18,6 +18,7 @@
 
 #include "fixel/angle.h"
 #include "fixel/beam.h"
+#include "fixel/box.h"
 #include "fixel/camera.h"
 #include "fixel/clip.h"
 #include "fixel/clip_view.h"

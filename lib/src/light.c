@@ -44,13 +44,14 @@ static bool reaches(const fxl_light *light, const fxl_point *centre, fxl_q16_16 
 }
 
 /* Front to back the pieces come the other way round. Where rounding has used up the room, the
- * face stays whole and dark. */
+ * face stays whole and dark, and counts as refused. */
 static bool split(const fxl_light *light, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
     const lighting *of = (const lighting *)light;
     fxl_lit_pieces *made = of->pieces;
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
+        pieces->fate |= 1u << FXL_CLIP_CAPACITY;
         return fxl_walk_piece(pieces, points, count, face->colour);
     }
     const bool reverse = pieces->on->renderer->hidden->front_to_back;

@@ -190,7 +190,8 @@ def small_markdown(plan, result):
     if not rows:
         return "Not measured."
     cores = list(dict.fromkeys(core for core, _ in rows))
-    cells = [[workload, *[f"{rows[core, workload]['frame']:,} ({rows[core, workload]['by_fixel']:.2f})" for core in cores]]
+    cells = [[workload, *[f"{rows[core, workload]['frame']:,} ({rows[core, workload]['by_fixel']:.2f})"
+                          for core in cores]]
              for workload in plan.small["workloads"] if (cores[0], workload) in rows]
     return markdown_table(["-Os, a frame (by -O2)", *[NAMES[core] for core in cores]], cells)
 
@@ -308,7 +309,8 @@ def tools_markdown(_, result):
 
 
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
-            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown, "files": files_markdown, "small": small_markdown,
+            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown,
+            "sizes": sizes_markdown, "files": files_markdown, "small": small_markdown,
             "equality": equality_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The comparison of clippers: for a terminal, as a page that needs nothing else, and as Markdown for docs/clipping.md."""
+"""The comparison of clippers: for a terminal, as a page of its own, and as Markdown for docs/clipping.md."""
 
 import pathlib
 
@@ -143,7 +143,8 @@ def plots(plan, result):
         made += [(f"What each hidden-surface method costs, {NAMES[core]}, {rows[0]['clipper']}",
                   clippers_plots.methods(plan, rows, core, rows[0]["clipper"])) for core in cores]
     made.append(("The largest error of an outline", clippers_plots.errors(plan, rows, hidden[0])))
-    made.append(("Code: the renderer with this clipper and no other", clippers_plots.sizes(plan, rows, cores, hidden[0])))
+    made.append(("Code: the renderer with this clipper and no other",
+                 clippers_plots.sizes(plan, rows, cores, hidden[0])))
     return made
 
 
@@ -244,7 +245,8 @@ def all_markdown(_, result):
 def summary_markdown(_, result):
     """How much was drawn and compared."""
     rows = result["rows"]
-    return (f"{len(_kinds(rows))} combinations in {len(result['frames'])} scenes on {len(_values(rows, 'board'))} cores: "
+    return (f"{len(_kinds(rows))} combinations in {len(result['frames'])} scenes "
+            f"on {len(_values(rows, 'board'))} cores: "
             f"{sum(row['frames'] for row in rows):,} frames, {sum(row['pixels'] for row in rows):,} pixels. Different "
             f"from double: {sum(row['pixels_differing'] for row in rows):,}; unexplained: "
             f"{sum(row['pixels_unexplained'] for row in rows):,}. Frames of an emulated core unlike the host's: "

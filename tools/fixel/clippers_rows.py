@@ -27,8 +27,9 @@ def row(plan, core, combination, scene, host, drawn, text_bytes):
 
 
 def operation_rows(counted, hosts, hidden):
-    """[{clipper, scene, board, crossing, polygons, instructions, multiplications, divisions, intersections, distances}]:
-    all of a scene's frames together. crossing: polygons that the planes of the lens cut, whoever cuts them;
+    """[{clipper, scene, board, crossing, polygons, instructions, multiplications, divisions, intersections,
+    distances}]: all of a scene's frames together. crossing: polygons that the planes of the lens cut, whoever cuts
+    them;
     intersections and distances from planes are the whole scene's, the rest is that of the polygons cut."""
     rows = []
     for (core, clipper, scene), taken in counted.items():

@@ -9,7 +9,7 @@ import tempfile
 import zlib
 
 from fixel.errors import ToolError
-from fixel import image_beam
+from fixel import image_beam, image_keys
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
@@ -40,7 +40,6 @@ _VERTEX = struct.Struct("<3i")
 _CORNER = struct.Struct("<H")
 _FACE = struct.Struct("<3iIBBH")
 _MODEL = struct.Struct("<4IB3siI")
-_KEY = struct.Struct("<q3i")
 _OBJECT = struct.Struct("<3iHBB")
 _POSE = struct.Struct("<3i3I")
 _STRIDE = struct.Struct("<HH")
@@ -107,13 +106,6 @@ def radius_of(vertices):
     return 1 + isqrt(square - 1) if square else 0
 
 
-def key_of(model, face):
-    """A face's height over the model's origin, and minimum + maximum of its box."""
-    points = [model.vertices[corner] for corner in face.corners]
-    height = sum(n * c for n, c in zip(face.normal, points[0]))
-    return height, *(min(axis) + max(axis) for axis in zip(*points))
-
-
 def _model_tables(image):
     """Vertices, corners, faces and models as packed bytes, and the keys of sorted models' faces."""
     vertices, corners, faces, models, keys = [], [], [], [], []
@@ -128,7 +120,7 @@ def _model_tables(image):
                                     face.colour, 0))
             corners += [_CORNER.pack(corner) for corner in face.corners]
         if model.kind == SORTED:
-            keys += [_KEY.pack(*key_of(model, face)) for face in model.faces]
+            keys += [image_keys.KEY.pack(*image_keys.key_of(model, face)) for face in model.faces]
     return [vertices, corners, faces, models], keys
 
 
@@ -243,7 +235,7 @@ def _tables(blob, fields):
               ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
               ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000)]
     size, tables, places = fields[3], [], [fields[i:i + 2] for i in range(24, 38, 2)]
-    limits += [("keys", _KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX)]
+    limits += [("keys", image_keys.KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX)]
     places += [fields[39:41], fields[41:43]]
     if fields[2] == LIT_HEADER_SIZE:
         *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
@@ -299,23 +291,6 @@ def _read_models(models, vertices, corners, faces):
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
         extras.append((radius, first_key))
     return result, extras
-
-
-def _check_keys(models, extras, keys):
-    """The keys of sorted models, in turn: what the faces say. An image may have none at all."""
-    first = 0
-    for i, (model, (_, first_key)) in enumerate(zip(models, extras)):
-        has = keys and model.kind == SORTED
-        wanted = [key_of(model, face) for face in model.faces] if has else []
-        if not wanted and first_key:
-            fail("reserved", f"model {i} has no keys, but says where they are")
-        if wanted and (first_key != first or first + len(wanted) > len(keys)):
-            fail("index", f"model {i}: its keys do not follow those before, or are not all there")
-        if wanted != keys[first:first + len(wanted)]:
-            fail("key", f"model {i}: a key is not what the face's vertices and its normal say")
-        first += len(wanted)
-    if first != len(keys):
-        fail("count", f"{len(keys)} keys of {first} faces of sorted models")
 
 
 def _check_radii(models, extras):
@@ -378,7 +353,7 @@ def unpack(blob):
         for j, face in enumerate(model.faces):
             check_plane(face.normal, [model.vertices[c] for c in face.corners],
                         f"face {j} of model {i}")
-    _check_keys(models, extras, keys)
+    image_keys.check(models, [first for _, first in extras], keys)
     tree = None
     if nodes:
         tree = Tree([Node.unpack(node) for node in nodes], fields[43])

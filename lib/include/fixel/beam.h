@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Light beams: convex parts of the world in which faces are drawn lit. What of a face lies
  * within a beam is drawn in its colour's lit variant, if the face is turned to the light;
- * the rest is drawn dark. Nothing throws a shadow within a beam. */
+ * the rest is drawn dark. Nothing throws a shadow within a beam. Source: "Realtime
+ * 3D Clipping" (C6). */
 #ifndef FXL_BEAM_H
 #define FXL_BEAM_H
 

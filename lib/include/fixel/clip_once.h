@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping to all planes of the normalised frustum at once, without polygons in
- * between. */
+ * between. Source: chapter 65 (A11 in docs/seeds.md). */
 #ifndef FXL_CLIP_ONCE_H
 #define FXL_CLIP_ONCE_H
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Convex volumes of six half-spaces, as homogeneous vectors, and what lies within
- * them: points, polygons. line.h cuts lines. */
+ * them: points, polygons. line.h cuts lines. Source: notes on homogeneous view
+ * volumes (D1, D2, D5, D6); planes of the world and of the view by one clipper: C7. */
 #ifndef FXL_HALF_SPACE_H
 #define FXL_HALF_SPACE_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping lines to a volume, two ways. */
+/* Clipping lines to a volume, two ways. Source: notes on homogeneous view volumes (D3, D4)
+ * and on a line and a plane (B1). */
 #ifndef FXL_LINE_H
 #define FXL_LINE_H
 

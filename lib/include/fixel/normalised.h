@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping to the normalised frustum: the field of view is folded into the
- * matrix, so that the side planes lie at x = +-z and y = +-z. */
+ * matrix, so that the side planes lie at x = +-z and y = +-z. Source: chapter 65 (A13). */
 #ifndef FXL_NORMALISED_H
 #define FXL_NORMALISED_H
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Scanning by brute force: every pixel of a polygon's bounding box is tested. The same
- * pixels as fxl_scan_next gives, without a list of edges. */
+ * pixels as fxl_scan_next gives, without a list of edges. Source: notes on
+ * homogeneous view volumes (D6). */
 #ifndef FXL_SCAN_BOX_H
 #define FXL_SCAN_BOX_H
 

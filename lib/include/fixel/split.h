@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Splitting polygons of the world by planes, both parts kept, in 16.16: for trees
- * and light beams. */
+ * and light beams (A14, C6). */
 #ifndef FXL_SPLIT_H
 #define FXL_SPLIT_H
 

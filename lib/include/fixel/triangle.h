@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping triangles: by planes before projection, then by the four borders of the
- * screen in two dimensions, through a queue. */
+ * screen in two dimensions, through a queue. Source: notes on clipping triangles
+ * before and after projection (B3, B4). */
 #ifndef FXL_TRIANGLE_H
 #define FXL_TRIANGLE_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Wireframes: the outlines of the faces that face the eye, as lines. A way of its own from a
- * scene to a band, for looking at things; nothing is hidden. */
+ * scene to a band, for looking at things; nothing is hidden. It shows D3 and D4. */
 #ifndef FXL_WIRE_H
 #define FXL_WIRE_H
 

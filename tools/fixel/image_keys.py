@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""The keys of a scene image: what ordering asks of a sorted model's faces (SPEC.md, chapter 8)."""
+
+import struct
+
+from fixel.image_tree import SORTED, fail
+
+KEY = struct.Struct("<q3i")
+
+
+def key_of(model, face):
+    """A face's height over the model's origin, and minimum + maximum of its box."""
+    points = [model.vertices[corner] for corner in face.corners]
+    height = sum(n * c for n, c in zip(face.normal, points[0]))
+    return height, *(min(axis) + max(axis) for axis in zip(*points))
+
+
+def check(models, first_keys, keys):
+    """The keys of sorted models, in turn: what the faces say. An image may have none at all."""
+    first = 0
+    for i, (model, first_key) in enumerate(zip(models, first_keys)):
+        has = keys and model.kind == SORTED
+        wanted = [key_of(model, face) for face in model.faces] if has else []
+        if not wanted and first_key:
+            fail("reserved", f"model {i} has no keys, but says where they are")
+        if wanted and (first_key != first or first + len(wanted) > len(keys)):
+            fail("index", f"model {i}: its keys do not follow those before, or are not all there")
+        if wanted != keys[first:first + len(wanted)]:
+            fail("key", f"model {i}: a key is not what the face's vertices and its normal say")
+        first += len(wanted)
+    if first != len(keys):
+        fail("count", f"{len(keys)} keys of {first} faces of sorted models")
