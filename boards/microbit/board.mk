@@ -14,7 +14,7 @@ BOARD_LIST_BYTES := 4096
 BOARD_CACHE_ENTRIES := 8
 
 # They take 20 to 30 KiB; the last a megabyte.
-BOARD_UNIT_OMIT := test_clipper test_tree test_clipper_family test_watertight_family test_render test_tree_pieces \
+BOARD_UNIT_OMIT := test_clipper test_tree test_clipper_family test_family_frames test_watertight_family test_render test_tree_pieces \
     test_light test_scene_placed
 
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u

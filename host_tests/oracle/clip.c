@@ -53,32 +53,29 @@ static exact_point *new_point(void)
     return &pool[pool_used++];
 }
 
-/* w times the distance from a plane, in units of 2^-76 for the sides and 2^-46
- * for near and far: of one plane only the ratios matter. */
-static void distance(const fxl_view_frustum *frustum, int plane, const exact_point *p, mpz_t d)
+/* w times the distance from a plane, times a factor that is the plane's: of one plane
+ * only the ratios matter. */
+static void distance(const oracle_plane *plane, const exact_point *p, mpz_t d)
 {
-    if (plane == FXL_PLANE_NEAR || plane == FXL_PLANE_FAR) {
-        mpz_set_si(d, plane == FXL_PLANE_NEAR ? frustum->near : frustum->far);
-        mpz_mul(d, d, p->w);
-        mpz_sub(d, p->z, d);
-        if (plane == FXL_PLANE_FAR) {
-            mpz_neg(d, d);
-        }
-        return;
+    static mpz_t term;
+    static int ready;
+    if (!ready) {
+        mpz_init(term);
+        ready = 1;
     }
-    int across_x = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_RIGHT;
-    int positive = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM;
-    mpz_mul_si(d, p->w, frustum->inset);
-    mpz_mul_2exp(d, d, 30);
-    mpz_neg(d, d);
-    (positive ? mpz_addmul_ui : mpz_submul_ui)(
-        d, across_x ? p->x : p->y, (unsigned long)(across_x ? frustum->x_side : frustum->y_side));
-    mpz_addmul_ui(d, p->z, (unsigned long)(across_x ? frustum->x_depth : frustum->y_depth));
+    mpz_mul_si(d, p->w, plane->offset);
+    mpz_mul_2exp(d, d, plane->up);
+    mpz_mul_si(term, p->x, plane->x);
+    mpz_add(d, d, term);
+    mpz_mul_si(term, p->y, plane->y);
+    mpz_add(d, d, term);
+    mpz_mul_si(term, p->z, plane->z);
+    mpz_add(d, d, term);
 }
 
 /* Where the line from a to b meets the plane: d(a) b - d(b) a, in homogeneous
  * coordinates, with w > 0. */
-static const exact_point *cross(const fxl_view_frustum *frustum, int plane, const exact_point *a,
+static const exact_point *cross(const oracle_plane *plane, const exact_point *a,
                                 const exact_point *b)
 {
     static mpz_t da, db;
@@ -88,8 +85,8 @@ static const exact_point *cross(const fxl_view_frustum *frustum, int plane, cons
         ready = 1;
     }
     exact_point *p = new_point();
-    distance(frustum, plane, a, da);
-    distance(frustum, plane, b, db);
+    distance(plane, a, da);
+    distance(plane, b, db);
     if (mpz_sgn(da) < 0) {
         mpz_neg(da, da);
         mpz_neg(db, db);
@@ -112,7 +109,7 @@ static void append(exact_polygon *polygon, exact_vertex vertex)
 }
 
 /* One plane. A vertex on it is inside, and is not repeated. */
-static void clip_to_plane(const fxl_view_frustum *frustum, int plane, const exact_polygon *in,
+static void clip_to_plane(const oracle_plane *plane, int number, const exact_polygon *in,
                           exact_polygon *out)
 {
     static mpz_t d;
@@ -123,7 +120,7 @@ static void clip_to_plane(const fxl_view_frustum *frustum, int plane, const exac
     }
     int signs[ORACLE_OUTLINE_MAX];
     for (int i = 0; i < in->count; i++) {
-        distance(frustum, plane, in->vertices[i].point, d);
+        distance(plane, in->vertices[i].point, d);
         signs[i] = mpz_sgn(d);
     }
     out->count = 0;
@@ -135,7 +132,7 @@ static void clip_to_plane(const fxl_view_frustum *frustum, int plane, const exac
             append(out, vertex);
         }
         if ((signs[i] > 0 && signs[next] < 0) || (signs[i] < 0 && signs[next] > 0)) {
-            vertex.point = cross(frustum, plane, vertex.from, vertex.to);
+            vertex.point = cross(plane, vertex.from, vertex.to);
             vertex.opens = signs[i] > 0;
             append(out, vertex);
         }
@@ -145,13 +142,13 @@ static void clip_to_plane(const fxl_view_frustum *frustum, int plane, const exac
         if (vertex->opens) {
             vertex->from = vertex->point;
             vertex->to = out->vertices[(i + 1) % out->count].point;
-            vertex->origin = -1 - plane;
+            vertex->origin = -1 - number;
         }
     }
 }
 
-/* floor(focal * side 2^32 / depth) */
-static int64_t project(int64_t focal, const mpz_t side, const mpz_t depth)
+/* floor(scale * side 2^32 / depth) */
+static int64_t project(int64_t scale, const mpz_t side, const mpz_t depth)
 {
     static mpz_t quotient;
     static int ready;
@@ -159,7 +156,7 @@ static int64_t project(int64_t focal, const mpz_t side, const mpz_t depth)
         mpz_init(quotient);
         ready = 1;
     }
-    mpz_mul_si(quotient, side, focal);
+    mpz_mul_si(quotient, side, scale);
     mpz_mul_2exp(quotient, quotient, ORACLE_SPOT_BITS);
     mpz_fdiv_q(quotient, quotient, depth);
     if (!mpz_fits_slong_p(quotient)) {
@@ -168,18 +165,26 @@ static int64_t project(int64_t focal, const mpz_t side, const mpz_t depth)
     return mpz_get_si(quotient);
 }
 
-static void start(const fxl_view *view, const fxl_polygon *polygon, exact_polygon *exact)
+static void put_shifted(mpz_t number, int64_t value, unsigned up)
 {
+    mpz_set_si(number, value);
+    mpz_mul_2exp(number, number, up);
+}
+
+static void start(const oracle_space *space, const fxl_polygon *polygon, exact_polygon *exact)
+{
+    unsigned one = space->x_shift > space->y_shift ? space->x_shift : space->y_shift;
+    one = space->z_shift > one ? space->z_shift : one;
     pool_used = 0;
     exact->count = polygon->count;
     for (int i = 0; i < polygon->count; i++) {
         const fxl_point *p = &polygon->vertices[i].position;
-        oracle_view_point v = oracle_transform(&view->camera, (int64_t[3]){p->x, p->y, p->z});
+        oracle_view_point v = oracle_transform(&space->camera, (int64_t[3]){p->x, p->y, p->z});
         exact_point *point = new_point();
-        mpz_set_si(point->x, v.x);
-        mpz_set_si(point->y, v.y);
-        mpz_set_si(point->z, v.z);
-        mpz_set_si(point->w, 1);
+        put_shifted(point->x, v.x, one - space->x_shift);
+        put_shifted(point->y, v.y, one - space->y_shift);
+        put_shifted(point->z, v.z, one - space->z_shift);
+        put_shifted(point->w, 1, one);
         exact->vertices[i].point = exact->vertices[i].from = point;
         exact->vertices[i].origin = i;
     }
@@ -188,28 +193,27 @@ static void start(const fxl_view *view, const fxl_polygon *polygon, exact_polygo
     }
 }
 
-void oracle_clip(const fxl_view *view, const fxl_polygon *polygon, oracle_outline *outline)
+void oracle_clip(const oracle_space *space, const fxl_polygon *polygon, oracle_outline *outline)
 {
     static exact_polygon polygons[2];
     /* SPEC.md 4.2. Of a polygon that is not quite flat the order changes what is left. */
     static const int order[] = {FXL_PLANE_NEAR,  FXL_PLANE_FAR,    FXL_PLANE_LEFT,
                                 FXL_PLANE_RIGHT, FXL_PLANE_BOTTOM, FXL_PLANE_TOP};
     exact_polygon *current = &polygons[0], *other = &polygons[1];
-    start(view, polygon, current);
+    start(space, polygon, current);
     for (int i = 0; i < FXL_PLANE_COUNT && current->count >= 3; i++) {
-        clip_to_plane(&view->view_frustum, order[i], current, other);
+        clip_to_plane(&space->planes[order[i]], order[i], current, other);
         exact_polygon *swap = current;
         current = other;
         other = swap;
     }
     outline->count = current->count < 3 ? 0 : current->count;
-    const fxl_lens *lens = &view->lens;
     for (int i = 0; i < outline->count; i++) {
         const exact_vertex *vertex = &current->vertices[i];
-        int64_t centre_x = (int64_t)lens->width << (15 + ORACLE_SPOT_BITS);
-        int64_t centre_y = (int64_t)lens->height << (15 + ORACLE_SPOT_BITS);
-        outline->spots[i].x = centre_x + project(lens->focal, vertex->point->x, vertex->point->z);
-        outline->spots[i].y = centre_y - project(lens->focal, vertex->point->y, vertex->point->z);
+        outline->spots[i].x = space->centre_x * ((int64_t)1 << ORACLE_SPOT_BITS) +
+                              project(space->x_scale, vertex->point->x, vertex->point->z);
+        outline->spots[i].y = space->centre_y * ((int64_t)1 << ORACLE_SPOT_BITS) -
+                              project(space->y_scale, vertex->point->y, vertex->point->z);
         outline->origins[i] = vertex->origin;
     }
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping and projection in exact rational arithmetic (SPEC.md 4.5 to 4.7):
  * Sutherland-Hodgman in the view on homogeneous big integers, with the planes
- * that the integers of the view's frustum state. Nothing is rounded until the
+ * that the space's integers state. Nothing is rounded until the
  * result is written down at 2^-48 pixel. */
 #ifndef ORACLE_CLIP_H
 #define ORACLE_CLIP_H
 
 #include "oracle/cover.h"
-#include "oracle/setup.h"
+#include "oracle/space.h"
 
 enum {
     ORACLE_OUTLINE_MAX = 64,
@@ -21,6 +21,6 @@ typedef struct {
                                             * -1 - plane for one that a plane made */
 } oracle_outline;
 
-void oracle_clip(const fxl_view *view, const fxl_polygon *polygon, oracle_outline *outline);
+void oracle_clip(const oracle_space *space, const fxl_polygon *polygon, oracle_outline *outline);
 
 #endif

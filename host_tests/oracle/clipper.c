@@ -8,6 +8,7 @@
 #include "unit/polygon_face.h"
 
 static const fxl_clipper *chosen = &fxl_clipper_view;
+static int own_integers;
 
 int oracle_clipper_choose(const char *name)
 {
@@ -16,10 +17,29 @@ int oracle_clipper_choose(const char *name)
     return found != NULL;
 }
 
+void oracle_clipper_own_integers(void)
+{
+    own_integers = 1;
+}
+
+static int is_normalised(void)
+{
+    return chosen == &fxl_clipper_normalised || chosen == &fxl_clipper_once;
+}
+
+oracle_space oracle_clipper_space(const fxl_view *view)
+{
+    return own_integers && is_normalised() ? oracle_space_of_normalised(view)
+                                           : oracle_space_of_view(view);
+}
+
 double oracle_clipper_bound(const fxl_lens *lens)
 {
     if (chosen == &fxl_clipper_world) { /* two units of the world where near is */
         return 1.25 + 2.0 * lens->focal / lens->near;
+    }
+    if (own_integers && is_normalised()) {
+        return 1.25;
     }
     return chosen == &fxl_clipper_normalised || oracle_clipper_wants_triangles() ? 2 : 1.25;
 }

@@ -3,11 +3,18 @@
 #ifndef ORACLE_CLIPPER_H
 #define ORACLE_CLIPPER_H
 
-#include "fixel.h"
+#include "oracle/space.h"
 
 /* fxl_clipper_view until another is chosen by its name in the comparison; 0 where there
  * is none of that name. */
 int oracle_clipper_choose(const char *name);
+
+/* From now on what is exact takes the chosen clipper's own matrix and planes as given, not the
+ * view's: what is left is its clipping alone. */
+void oracle_clipper_own_integers(void);
+
+/* What exact clipping takes as given. */
+oracle_space oracle_clipper_space(const fxl_view *view);
 
 /* A polygon of the world onto the screen: what the clipper answers, and how many
  * polygons it gives, into screens with room for so many. */

@@ -3,6 +3,7 @@
  *   oracle CLAIM --samples N --seed S --shard I [--shards K]   one shard, as JSON
  *          [--kind N]                                          of one kind only, from 0
  *          [--clipper NAME]                                    outlines and gaps by another clipper
+ *          [--own-integers]                                    given its own matrix and planes
  *   oracle CLAIM --input "NUMBERS"                             one sample, in words
  *   oracle coverage --grid [--shard I --shards K]              all small triangles
  *   oracle --list                                              claims and units
@@ -59,6 +60,10 @@ static int read_options(int argc, char **argv, choices *options)
     for (int i = 2; i < argc; i++) {
         if (strcmp(argv[i], "--grid") == 0) {
             options->grid = 1;
+            continue;
+        }
+        if (strcmp(argv[i], "--own-integers") == 0) {
+            oracle_clipper_own_integers();
             continue;
         }
         if (strcmp(argv[i], "--clipper") == 0 && i + 1 < argc) {

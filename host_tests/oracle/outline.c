@@ -100,7 +100,8 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
         return ORACLE_UNUSABLE;
     }
     oracle_outline exact;
-    oracle_clip(&setup.view, &polygon, &exact);
+    const oracle_space space = oracle_clipper_space(&setup.view);
+    oracle_clip(&space, &polygon, &exact);
 
     int given;
     fxl_clip_result result = oracle_clipper_take(&setup.view, &polygon, screens, 2, &given);

@@ -223,6 +223,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     }
     split(&polygon, (int)how, &pieces);
     pieces.bound = oracle_clipper_bound(&setup.view.lens);
+    const oracle_space space = oracle_clipper_space(&setup.view);
     const fxl_lens *lens = &setup.view.lens;
     for (int y = 0; y < lens->height; y++) {
         memset(drawn[y], 0, lens->width);
@@ -232,7 +233,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     pieces.screen_count = 0;
     for (int i = 0; i < pieces.count; i++) {
         oracle_outline *outline = &pieces.outlines[i];
-        oracle_clip(&setup.view, &pieces.polygons[i], outline);
+        oracle_clip(&space, &pieces.polygons[i], outline);
         in_sight += outline->count > 0;
         refused += !draw(&setup.view, &pieces.polygons[i], &pieces, verdict);
         for (int y = 0; y < lens->height && outline->count > 0; y++) {

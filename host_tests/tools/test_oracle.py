@@ -49,12 +49,22 @@ def test_no_gaps_by_any_clipper(build, clipper):
 
 
 @pytest.mark.parametrize("clipper", ("normalised", "once"))
-def test_gaps_at_rims_alone_where_planes_are_other_integers(build, clipper):
-    """A polygon nearly parallel to a side plane ends elsewhere; its neighbours end there too."""
-    found = json.loads(oracle(build, "watertight", "--samples", 5_000, "--seed", 6, "--shard", 0,
-                              "--clipper", clipper))
-    assert found["gaps"] <= 5
+def test_no_gaps_given_the_normalised_frustums_own_integers(build, clipper):
+    found = json.loads(oracle(build, "watertight", "--samples", 20_000, "--seed", 6, "--shard", 0,
+                              "--clipper", clipper, "--own-integers"))
+    assert found["gaps"] == 0
     assert found["doubles"] == found["folded"]
+    assert found["cut_pieces"] > 20_000
+
+
+@pytest.mark.parametrize("clipper", ("normalised", "once"))
+def test_gaps_where_a_polygon_is_nearly_parallel_to_planes_of_other_integers(build, clipper):
+    """Against the view's integers such a polygon ends elsewhere; its neighbours end there too."""
+    found = json.loads(oracle(build, "watertight", "--samples", 20_000, "--seed", 6, "--shard", 0,
+                              "--clipper", clipper))
+    assert found["gaps"] > 0
+    assert found["doubles"] == found["folded"]
+    assert {kind["kind"] for kind in found["kinds"] if kind["max"] > 0} == {"nearly parallel to a plane"}
 
 
 def test_half_spaces_have_the_outlines_of_the_view(build):
@@ -68,6 +78,13 @@ def test_outlines_by_a_clipper_with_a_bound_of_its_own(build, clipper, bound):
                               "--clipper", clipper))
     assert found["max"] <= bound
     assert found["cut"] > 2_000
+
+
+def test_outlines_given_the_normalised_frustums_own_integers(build):
+    found = json.loads(oracle(build, "outline_clipped", "--samples", 20_000, "--seed", 7, "--shard", 0,
+                              "--clipper", "normalised", "--own-integers"))
+    assert found["max"] <= BOUNDS["outline_clipped"]
+    assert found["cut"] > 15_000
 
 
 def test_the_twin_is_judged_too(build):

@@ -130,6 +130,20 @@ void test_a_wall_becomes_the_screen(void)
                NUMBERS(-10, -10, 10, 10, -10, 10, 10, 10, 10, -10, 10, 10), ANY);
 }
 
+/* An edge through a corner of the frustum is not seen, and its end lies on both planes. */
+void test_an_edge_through_a_corner(void)
+{
+    expect_cut(NUMBERS(-5, -12, 10, -15, -8, 10, -12, 2, 10),
+               NUMBERS(-6, -10, 10, -10, -10, 10, -10, -2, 10), ANY);
+    expect_cut(NUMBERS(-12, 2, 10, -15, -8, 10, -5, -12, 10),
+               NUMBERS(-10, -2, 10, -10, -10, 10, -6, -10, 10), ANY);
+    /* Every edge through one. */
+    expect_cut(NUMBERS(0, -20, 10, 20, 0, 10, 0, 20, 10, -20, 0, 10),
+               NUMBERS(-10, -10, 10, 10, -10, 10, 10, 10, 10, -10, 10, 10), ANY);
+    expect_cut(NUMBERS(-20, 0, 10, 0, 20, 10, 20, 0, 10, 0, -20, 10),
+               NUMBERS(-10, 10, 10, 10, 10, 10, 10, -10, 10, -10, -10, 10), ANY);
+}
+
 /* Two vertices on planes: they come once, and cost nothing. */
 void test_vertices_on_planes_are_not_repeated(void)
 {
@@ -223,4 +237,34 @@ void test_it_agrees_with_plane_by_plane(void)
     TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 50);
     TEST_ASSERT_TRUE(unlike * 1000 < cuts);
     TEST_ASSERT_TRUE(more < cuts / 2);
+}
+
+/* Quadrangles whose four edges pass a corner each, and triangles of which two do: whether an
+ * edge is seen hangs on bits that the crossings' rounding hides. */
+void test_edges_that_pass_corners_closely(void)
+{
+    fxl_normalised frustum = square();
+    int cuts = 0;
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        fxl_clip_polygon polygon = {.colour = 1, .count = (uint8_t)unit_between(3, 4)};
+        int64_t z = unit_wide(55);
+        z = (z < 0 ? -z : z) + V(1);
+        for (int k = 0; k < polygon.count; k++) {
+            /* The middle of each edge is a corner. */
+            static const int signs[4][2] = {{0, -2}, {2, 0}, {0, 2}, {-2, 0}};
+            fxl_view_point *at = &polygon.vertices[k].position;
+            at->x = z * signs[k][0] + unit_between(-2, 2);
+            at->y = z * signs[k][1] + unit_between(-2, 2);
+            at->z = z + unit_between(-2, 2);
+        }
+        const fxl_clip_polygon *once, *each;
+        room->account = other_room.account = (fxl_clip_account){0, 0, 0};
+        fxl_clip_once(&polygon, &frustum, room, &once);
+        fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
+        double one = once ? twice_area(&frustum, once) : 0;
+        double two = each ? twice_area(&frustum, each) : 0;
+        TEST_ASSERT_TRUE(unit_near(one, two, 4 * 65536.0 * 256));
+        cuts += once != NULL;
+    }
+    TEST_ASSERT_EQUAL(UNIT_REPEAT / 10, cuts);
 }

@@ -1,32 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* The family's clippers under the treaty, alone and in a renderer. */
+/* The family's clippers under the treaty, face by face. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "fixel/clipper_room.h"
+#include "family_clippers.h"
 #include "polygon_face.h"
-#include "tiny.h"
+#include "unit.h"
 
 enum {
     WIDTH = 48,
     HEIGHT = 32,
-    PIXELS = WIDTH * HEIGHT,
-    BACKGROUND = 200,
-    CLIPPERS = 6,
-    LIST_WORDS = 40 * FXL_LIST_WORDS(8),
     GUARD = 64,
     PIECES = 48
 };
-
-static const fxl_clipper *const clippers[CLIPPERS] = {
-    &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
-    &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
 
 /* Room and what must not be touched behind it. */
 static struct {
     fxl_clipper_room room;
     uint8_t guard[GUARD];
-} rooms[2];
+} guarded;
 
 static bool is_kept(fxl_clip_result result)
 {
@@ -86,7 +78,7 @@ static int take(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view
     static fxl_clipper_work work;
     static polygon_face face;
     int count = 0;
-    view->room = &rooms[0].room;
+    view->room = &guarded.room;
     memset(view->room, 0, clipper->room);
     polygon_face_set(&face, polygon, view, (uint32_t)unit_between(1, 8));
     *result = clipper->clip(&face.placed, &face.face, &work, &got[0]);
@@ -267,161 +259,14 @@ void test_the_capacity_is_never_overrun(void)
     }
     for (int which = 0; which < CLIPPERS; which++) {
         fxl_clip_result result;
-        memset(rooms[0].guard, 0x5A, GUARD);
+        memset(guarded.guard, 0x5A, GUARD);
         take(clippers[which], &polygon, &view, &result);
         bool fan = clippers[which] == &fxl_clipper_triangles;
         if (clippers[which] != &fxl_clipper_once) { /* which says nothing about such */
             TEST_ASSERT_EQUAL(fan, is_kept(result) || result == FXL_CLIP_OUTSIDE);
             TEST_ASSERT_TRUE(fan || result == FXL_CLIP_CAPACITY);
         }
-        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0].guard, GUARD);
-    }
-}
-
-static uint8_t frames[3][PIXELS];
-static fxl_order_entry order[64];
-static uint32_t list[LIST_WORDS];
-static fxl_seen_vertex cache[9];
-static fxl_renderer renderer;
-
-static void start(uint32_t list_words, uint32_t entries)
-{
-    tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order, 64, list, list_words, cache, entries};
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
-}
-
-static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (int row = 0; row < HEIGHT; row += rows) {
-        int left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-}
-
-/* Between and beside the cubes, where many faces are cut. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(0, 2);
-    return pose;
-}
-
-static bool is_near(const uint8_t *frame, int pixel, uint8_t colour)
-{
-    int x = pixel % WIDTH, y = pixel / WIDTH;
-    for (int j = y - 1; j <= y + 1; j++) {
-        for (int i = x - 1; i <= x + 1; i++) {
-            if (i >= 0 && i < WIDTH && j >= 0 && j < HEIGHT && frame[j * WIDTH + i] == colour) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-static void set_clipper(const fxl_clipper *clipper, void *room)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, room, clipper->room));
-}
-
-/* Outlines are less than a hundredth of a pixel apart, so a pixel differs only on an
- * edge, and seldom; whatever bands, list and cache there are, it is the same. */
-void test_all_draw_the_same_frames(void)
-{
-    const int rounds = UNIT_REPEAT / 100;
-    int differing = 0;
-    uint32_t clipped = 0;
-    for (int round = 0; round < rounds; round++) {
-        fxl_pose pose = random_pose();
-        start(LIST_WORDS, 0);
-        draw(&pose, HEIGHT, frames[0]);
-        uint32_t in = renderer.counters.in, backfacing = renderer.counters.backfacing;
-        for (int which = 0; which < CLIPPERS; which++) {
-            memset(&rooms[0], 0x5A, sizeof rooms[0]);
-            start(LIST_WORDS, 9);
-            set_clipper(clippers[which], &rooms[0].room);
-            draw(&pose, HEIGHT, frames[1]);
-            fxl_counters counters = renderer.counters;
-            clipped += counters.clipped;
-            TEST_ASSERT_EQUAL_UINT32(in, counters.in);
-            TEST_ASSERT_EQUAL_UINT32(backfacing, counters.backfacing);
-            TEST_ASSERT_EQUAL_UINT32(in, counters.backfacing + counters.outside +
-                                             counters.degenerate + counters.refused +
-                                             counters.drawn);
-            TEST_ASSERT_EQUAL_UINT32(0, counters.refused);
-            for (int i = 0; i < PIXELS; i++) {
-                differing += frames[0][i] != frames[1][i];
-                TEST_ASSERT_TRUE(is_near(frames[0], i, frames[1][i]));
-            }
-            start((uint32_t)unit_between(0, 60), (uint32_t)unit_between(0, 9));
-            set_clipper(clippers[which], &rooms[0].room);
-            draw(&pose, unit_between(1, HEIGHT), frames[2]);
-            TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
-            renderer.counters.spilled = counters.spilled;
-            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
-            const uint8_t *behind = (const uint8_t *)&rooms[0] + clippers[which]->room;
-            TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, behind, sizeof rooms[0] - clippers[which]->room);
-        }
-    }
-    TEST_ASSERT_TRUE(clipped > (uint32_t)rounds);
-    TEST_ASSERT_TRUE(differing <= 1 + rounds / 10);
-}
-
-/* Every clipper may follow every other, also in the same room. */
-void test_the_clipper_may_change_between_frames(void)
-{
-    start(LIST_WORDS, 9);
-    for (int round = 0; round < 40; round++) {
-        fxl_pose pose = random_pose();
-        int which = unit_between(0, CLIPPERS - 1), other = unit_between(0, CLIPPERS - 1);
-        set_clipper(clippers[which], &rooms[0].room);
-        draw(&pose, HEIGHT, frames[0]);
-        set_clipper(clippers[other], &rooms[1].room);
-        draw(&pose, HEIGHT, frames[1]);
-        set_clipper(clippers[which], &rooms[1].room);
-        draw(&pose, HEIGHT, frames[1]);
-        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
-    }
-}
-
-/* The planes are worked out anew for every pose, without being set again. */
-void test_every_frame_has_its_own_planes(void)
-{
-    for (int which = 0; which < CLIPPERS; which++) {
-        fxl_pose poses[2] = {random_pose(), random_pose()};
-        start(LIST_WORDS, 9);
-        set_clipper(clippers[which], &rooms[0].room);
-        draw(&poses[0], HEIGHT, frames[0]);
-        draw(&poses[1], HEIGHT, frames[1]);
-        draw(&poses[0], HEIGHT, frames[2]);
-        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[2], PIXELS);
-        start(LIST_WORDS, 9);
-        set_clipper(clippers[which], &rooms[1].room);
-        draw(&poses[1], HEIGHT, frames[2]);
-        TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
-    }
-}
-
-void test_room_that_is_too_small_is_refused(void)
-{
-    start(LIST_WORDS, 9);
-    for (int which = 0; which < CLIPPERS; which++) {
-        const fxl_clipper *clipper = clippers[which];
-        TEST_ASSERT_TRUE(clipper->room > 0 && clipper->room <= sizeof(fxl_clipper_room));
-        TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_clipper(&renderer, clipper, &rooms[0],
-                                                                   clipper->room - 1));
-        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                          fxl_renderer_set_clipper(&renderer, clipper, NULL, clipper->room));
-        TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, guarded.guard, GUARD);
     }
 }
 
@@ -440,10 +285,10 @@ void test_the_sliver_rule_is_an_option(void)
     polygon.vertices[2].position = at(&view, Q16(-0.01), Q16(-0.01), near - Q16(0.5));
     for (int which = 0; which < CLIPPERS; which++) {
         for (int on = 0; on < 2; on++) {
-            fxl_clip_account *account = &rooms[0].room.account;
-            memset(&rooms[0].room, 0, clippers[which]->room);
+            fxl_clip_account *account = &guarded.room.account;
+            memset(&guarded.room, 0, clippers[which]->room);
             account->sliver = on ? (fxl_q18_46)1 << 40 : 0; /* 1/64 unit */
-            view.room = &rooms[0].room;
+            view.room = &guarded.room;
             polygon_face_set(&face, &polygon, &view, 4);
             fxl_clip_result result =
                 clippers[which]->clip(&face.placed, &face.face, &work, &screen);

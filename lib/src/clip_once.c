@@ -3,13 +3,7 @@
 
 #include "arith.h"
 #include "crossing.h"
-
-/* A way from one vertex to the next, and where a plane cuts it: by the distances of
- * its ends from the plane, of which one counts as inside. */
-typedef struct {
-    int plane; /* FXL_PLANE_COUNT: none */
-    fxl_q18_46 from, to;
-} crossing;
+#include "crossing_order.h"
 
 typedef struct {
     const fxl_clip_polygon *in;
@@ -22,25 +16,6 @@ typedef struct {
     bool full;
     int exit_plane; /* through which the polygon left the frustum last */
 } pass;
-
-/* a b as 128 bits. */
-static void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
-{
-    *high = fxl_multiply_high(a, b);
-    *low = a * b;
-}
-
-/* Whether the one crossing comes before the other: from / (from - to) as exact
- * fractions. The differences are below 2^64. */
-static bool before(const crossing *a, const crossing *b)
-{
-    uint64_t a_part = fxl_magnitude(a->from), b_part = fxl_magnitude(b->from);
-    uint64_t a_whole = a_part + fxl_magnitude(a->to), b_whole = b_part + fxl_magnitude(b->to);
-    uint64_t a_high, a_low, b_high, b_low;
-    multiply(a_part, b_whole, &a_high, &a_low);
-    multiply(b_part, a_whole, &b_high, &b_low);
-    return a_high < b_high || (a_high == b_high && a_low < b_low);
-}
 
 static void append(pass *on, const fxl_clip_vertex *vertex)
 {
@@ -88,8 +63,8 @@ static fxl_q18_46 distance(const pass *on, int plane, uint32_t vertex)
 /* The last plane through which an edge enters, and the first through which it
  * leaves. False where it lies outside of one plane, or leaves before it enters: it is
  * then not seen. */
-static bool find_crossings(const pass *on, uint32_t from, uint32_t to, crossing *enter,
-                           crossing *leave)
+static bool find_crossings(const pass *on, uint32_t from, uint32_t to, fxl_plane_crossing *enter,
+                           fxl_plane_crossing *leave)
 {
     uint32_t from_code = on->codes[from], to_code = on->codes[to];
     enter->plane = leave->plane = FXL_PLANE_COUNT;
@@ -100,17 +75,15 @@ static bool find_crossings(const pass *on, uint32_t from, uint32_t to, crossing 
         if (((from_code | to_code) >> plane & 1u) == 0) {
             continue;
         }
-        crossing one = {plane, distance(on, plane, from), distance(on, plane, to)};
+        fxl_plane_crossing one = {plane, distance(on, plane, from), distance(on, plane, to)};
         if ((from_code >> plane & 1u) != 0) {
-            if (enter->plane == FXL_PLANE_COUNT || before(enter, &one)) {
-                *enter = one;
-            }
-        } else if (leave->plane == FXL_PLANE_COUNT || before(&one, leave)) {
-            *leave = one;
+            fxl_crossing_prefer(enter, &one, true);
+        } else {
+            fxl_crossing_prefer(leave, &one, false);
         }
     }
     return enter->plane == FXL_PLANE_COUNT || leave->plane == FXL_PLANE_COUNT ||
-           before(enter, leave);
+           fxl_crossing_before(enter, leave);
 }
 
 /* The outline's crossing with a plane on the edge from one vertex to another, of
@@ -184,6 +157,35 @@ static bool find_corner(pass *on, int plane, int other, fxl_clip_vertex *corner)
     return true;
 }
 
+/* An end of the polygon's cut that is outside of a plane, or on it, may count as inside by
+ * so much: a coordinate is less than 1.25 units off, and a distance adds two. */
+#define HIDDEN 2
+
+/* Where a cut that ends unseen leaves the frustum: through a plane that its end is outside
+ * of; else, where that is lost in rounding, at its end. The outline there passes the corner
+ * exactly or as good as. */
+static fxl_plane_crossing find_leave(const pass *on, const fxl_clip_vertex *at,
+                                     const fxl_clip_vertex *end, uint32_t met)
+{
+    fxl_plane_crossing leave = {FXL_PLANE_COUNT, 0, 0}, hidden = {FXL_PLANE_COUNT, 1, 0};
+    fxl_q18_46 least = HIDDEN;
+    for (int other = 0; on->any >> other != 0; other++) {
+        if (((on->any & ~met) >> other & 1u) == 0) {
+            continue;
+        }
+        fxl_plane_crossing one = {other, fxl_normalised_distance(on->frustum, other, &at->position),
+                                  fxl_normalised_distance(on->frustum, other, &end->position)};
+        one.from = one.from < 0 ? 0 : one.from;
+        if (one.to < 0) {
+            fxl_crossing_prefer(&leave, &one, false);
+        } else if (one.to <= least) {
+            least = one.to;
+            hidden.plane = other;
+        }
+    }
+    return leave.plane == FXL_PLANE_COUNT ? hidden : leave;
+}
+
 /* The corners from a point on one plane to where the outline comes in again through
  * another: along the polygon's cut by the plane, until the next plane cuts that off.
  * A point is inside of what it was found inside of, whatever its rounding says. */
@@ -193,21 +195,12 @@ static void append_corners(pass *on, const fxl_clip_vertex *at, int plane, int l
     uint32_t spare = 0;
     uint32_t met = 0;
     while (plane != last && !on->full) {
-        crossing first = {FXL_PLANE_COUNT, 0, 0};
         met |= (uint32_t)1 << plane;
         const fxl_clip_vertex *end = cut_outline(on, plane, true);
         if (end == NULL) {
             return;
         }
-        for (int other = 0; on->any >> other != 0; other++) {
-            crossing one = {other, fxl_normalised_distance(on->frustum, other, &at->position),
-                            fxl_normalised_distance(on->frustum, other, &end->position)};
-            one.from = one.from < 0 ? 0 : one.from;
-            if ((met >> other & 1u) == 0 && (on->any >> other & 1u) != 0 && one.to < 0 &&
-                (first.plane == FXL_PLANE_COUNT || before(&one, &first))) {
-                first = one;
-            }
-        }
+        fxl_plane_crossing first = find_leave(on, at, end, met);
         if (first.plane == FXL_PLANE_COUNT) { /* the corner is lost in rounding */
             return;
         }
@@ -227,7 +220,7 @@ static void append_corners(pass *on, const fxl_clip_vertex *at, int plane, int l
 static void append_edge(pass *on, uint32_t from)
 {
     uint32_t to = next_of(on, from);
-    crossing enter, leave;
+    fxl_plane_crossing enter, leave;
     if (on->codes[from] == 0) {
         append(on, &on->in->vertices[from]);
     }
@@ -253,7 +246,7 @@ static void append_edge(pass *on, uint32_t from)
  * none. */
 static uint32_t find_exit(const pass *on)
 {
-    crossing enter, leave;
+    fxl_plane_crossing enter, leave;
     uint32_t from = 0;
     while (from < on->in->count && (on->codes[next_of(on, from)] == 0 ||
                                     !find_crossings(on, from, next_of(on, from), &enter, &leave) ||
@@ -263,6 +256,39 @@ static uint32_t find_exit(const pass *on)
     return from;
 }
 
+/* The part of the polygon's cut by a plane that is seen, of which neither end is. False
+ * where there is none. */
+static bool find_part(const pass *on, int plane, const fxl_clip_vertex *from,
+                      const fxl_clip_vertex *to, fxl_plane_crossing *enter,
+                      fxl_plane_crossing *leave)
+{
+    int enter_hidden = FXL_PLANE_COUNT;
+    enter->plane = leave->plane = FXL_PLANE_COUNT;
+    for (int other = 0; on->any >> other != 0; other++) {
+        fxl_plane_crossing one = {other,
+                                  fxl_normalised_distance(on->frustum, other, &from->position),
+                                  fxl_normalised_distance(on->frustum, other, &to->position)};
+        if (other == plane) {
+            continue;
+        }
+        if (one.from < 0 && one.to < 0) {
+            return false;
+        }
+        if (one.from < 0) {
+            fxl_crossing_prefer(enter, &one, true);
+        } else if (one.from <= HIDDEN && one.from < one.to) {
+            enter_hidden = other;
+        }
+    }
+    if (enter->plane == FXL_PLANE_COUNT) {
+        *enter = (fxl_plane_crossing){enter_hidden, 0, 1};
+    }
+    uint32_t met = (uint32_t)1 << plane | (uint32_t)1 << enter->plane;
+    *leave = find_leave(on, from, to, met);
+    return enter->plane != FXL_PLANE_COUNT && leave->plane != FXL_PLANE_COUNT &&
+           fxl_crossing_before(enter, leave);
+}
+
 /* No edge is seen: either the polygon fills the frustum from side to side, and all
  * its vertices are corners, or there is nothing. The polygon's cut by some plane is
  * then seen in part. */
@@ -270,32 +296,13 @@ static void append_corners_alone(pass *on)
 {
     for (int plane = 0; on->any >> plane != 0; plane++) {
         fxl_clip_vertex corner;
-        crossing enter = {FXL_PLANE_COUNT, 0, 0}, leave = enter;
+        fxl_plane_crossing enter, leave;
         if ((on->any >> plane & 1u) == 0) {
             continue;
         }
         const fxl_clip_vertex *from = cut_outline(on, plane, false);
         const fxl_clip_vertex *to = cut_outline(on, plane, true);
-        if (from == NULL || to == NULL) {
-            continue;
-        }
-        bool outside = false;
-        for (int other = 0; on->any >> other != 0; other++) {
-            crossing one = {other, fxl_normalised_distance(on->frustum, other, &from->position),
-                            fxl_normalised_distance(on->frustum, other, &to->position)};
-            if (other == plane) {
-                continue;
-            }
-            outside = outside || (one.from < 0 && one.to < 0);
-            if (one.from < 0 && (enter.plane == FXL_PLANE_COUNT || before(&enter, &one))) {
-                enter = one;
-            } else if (one.from >= 0 && one.to < 0 &&
-                       (leave.plane == FXL_PLANE_COUNT || before(&one, &leave))) {
-                leave = one;
-            }
-        }
-        if (!outside && enter.plane != FXL_PLANE_COUNT && leave.plane != FXL_PLANE_COUNT &&
-            before(&enter, &leave)) {
+        if (from != NULL && to != NULL && find_part(on, plane, from, to, &enter, &leave)) {
             if (!find_corner(on, plane, enter.plane, &corner)) {
                 cross(on, to, from, enter.to, enter.from, &corner);
             }
@@ -367,7 +374,7 @@ fxl_clip_result fxl_clip_once(const fxl_clip_polygon *in, const fxl_normalised *
     if (start == in->count) {
         append_corners_alone(&on);
     } else {
-        crossing enter, leave;
+        fxl_plane_crossing enter, leave;
         find_crossings(&on, start, next_of(&on, start), &enter, &leave);
         on.exit_plane = leave.plane;
         for (uint32_t left = in->count, at = start; left > 0; left--) {

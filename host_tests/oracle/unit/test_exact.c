@@ -90,8 +90,9 @@ void test_clip_to_the_whole_screen(void)
         4,
         (const int32_t[4][3]){{-500, 500, 32}, {500, 500, 32}, {500, -500, 32}, {-500, -500, 32}});
     oracle_outline outline;
+    const oracle_space space = oracle_space_of_view(&view);
     oracle_spot screen[4];
-    oracle_clip(&view, &polygon, &outline);
+    oracle_clip(&space, &polygon, &outline);
     square(0, 0, 64 * 65536, screen);
     TEST_ASSERT_EQUAL(4, outline.count);
     expect_near(0, oracle_hausdorff(outline.spots, outline.count, screen, 4));
@@ -111,7 +112,8 @@ void test_clip_of_a_floor(void)
     const oracle_spot whole[6] = {exact[0], exact[1],        exact[2],
                                   exact[3], {0, 64LL << 48}, {0, exact[2].y}};
     oracle_outline outline;
-    oracle_clip(&view, &polygon, &outline);
+    const oracle_space space = oracle_space_of_view(&view);
+    oracle_clip(&space, &polygon, &outline);
     expect_near(0, oracle_hausdorff(outline.spots, outline.count, whole, 6));
 }
 
@@ -121,7 +123,8 @@ void test_clip_of_what_is_behind(void)
     fxl_polygon polygon =
         world_polygon(3, (const int32_t[3][3]){{-25, -1, -50}, {25, -1, -50}, {25, 9, -50}});
     oracle_outline outline;
-    oracle_clip(&view, &polygon, &outline);
+    const oracle_space space = oracle_space_of_view(&view);
+    oracle_clip(&space, &polygon, &outline);
     TEST_ASSERT_EQUAL(0, outline.count);
 }
 

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* Which of two planes a way crosses first, exactly. Internal. */
+#ifndef FXL_CROSSING_ORDER_H
+#define FXL_CROSSING_ORDER_H
+
+#include "arith.h"
+#include "fixel/frustum.h"
+
+/* A way from one point to another, and where a plane cuts it: by the distances of its
+ * ends from the plane, each below 2^63, of which one counts as inside. */
+typedef struct {
+    int plane; /* FXL_PLANE_COUNT: none */
+    fxl_q18_46 from, to;
+} fxl_plane_crossing;
+
+/* Whether the one crossing comes before the other: |from| / (|from| + |to|) as exact
+ * fractions. The sums are below 2^64, the products are taken as 128 bits. */
+static inline bool fxl_crossing_before(const fxl_plane_crossing *a, const fxl_plane_crossing *b)
+{
+    uint64_t a_part = fxl_magnitude(a->from), b_part = fxl_magnitude(b->from);
+    uint64_t a_whole = a_part + fxl_magnitude(a->to), b_whole = b_part + fxl_magnitude(b->to);
+    uint64_t a_high = fxl_multiply_high(a_part, b_whole);
+    uint64_t b_high = fxl_multiply_high(b_part, a_whole);
+    return a_high < b_high || (a_high == b_high && a_part * b_whole < b_part * a_whole);
+}
+
+/* The better of two crossings, of which the former may be none: the later one, or the
+ * earlier. */
+static inline void fxl_crossing_prefer(fxl_plane_crossing *best, const fxl_plane_crossing *one,
+                                       bool later)
+{
+    if (best->plane == FXL_PLANE_COUNT ||
+        (later ? fxl_crossing_before(best, one) : fxl_crossing_before(one, best))) {
+        *best = *one;
+    }
+}
+
+#endif
