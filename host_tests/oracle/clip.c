@@ -165,26 +165,24 @@ static int64_t project(int64_t scale, const mpz_t side, const mpz_t depth)
     return mpz_get_si(quotient);
 }
 
-static void put_shifted(mpz_t number, int64_t value, unsigned up)
+/* floor(value / 2^shift + 1/2); value is below 2^61. */
+static int64_t rounded(int64_t value, unsigned shift)
 {
-    mpz_set_si(number, value);
-    mpz_mul_2exp(number, number, up);
+    return shift == 0 ? value : (value + ((int64_t)1 << (shift - 1))) >> shift;
 }
 
 static void start(const oracle_space *space, const fxl_polygon *polygon, exact_polygon *exact)
 {
-    unsigned one = space->x_shift > space->y_shift ? space->x_shift : space->y_shift;
-    one = space->z_shift > one ? space->z_shift : one;
     pool_used = 0;
     exact->count = polygon->count;
     for (int i = 0; i < polygon->count; i++) {
         const fxl_point *p = &polygon->vertices[i].position;
         oracle_view_point v = oracle_transform(&space->camera, (int64_t[3]){p->x, p->y, p->z});
         exact_point *point = new_point();
-        put_shifted(point->x, v.x, one - space->x_shift);
-        put_shifted(point->y, v.y, one - space->y_shift);
-        put_shifted(point->z, v.z, one - space->z_shift);
-        put_shifted(point->w, 1, one);
+        mpz_set_si(point->x, rounded(v.x, space->x_shift));
+        mpz_set_si(point->y, rounded(v.y, space->y_shift));
+        mpz_set_si(point->z, rounded(v.z, space->z_shift));
+        mpz_set_si(point->w, 1);
         exact->vertices[i].point = exact->vertices[i].from = point;
         exact->vertices[i].origin = i;
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping and projection in exact rational arithmetic (SPEC.md 4.5 to 4.7):
  * Sutherland-Hodgman in the view on homogeneous big integers, with the planes
- * that the space's integers state. Nothing is rounded until the
+ * that the space's integers state. From the vertices there on nothing is rounded until the
  * result is written down at 2^-48 pixel. */
 #ifndef ORACLE_CLIP_H
 #define ORACLE_CLIP_H

@@ -9,8 +9,8 @@
  * is none of that name. */
 int oracle_clipper_choose(const char *name);
 
-/* From now on what is exact takes the chosen clipper's own matrix and planes as given, not the
- * view's: what is left is its clipping alone. */
+/* From now on what is exact takes the chosen clipper's own matrix, planes and rounded vertices as
+ * given, not the view's: what is left is its clipping alone. */
 void oracle_clipper_own_integers(void);
 
 /* What exact clipping takes as given. */

@@ -3,7 +3,7 @@
  *   oracle CLAIM --samples N --seed S --shard I [--shards K]   one shard, as JSON
  *          [--kind N]                                          of one kind only, from 0
  *          [--clipper NAME]                                    outlines and gaps by another clipper
- *          [--own-integers]                                    given its own matrix and planes
+ *          [--own-integers]                                    given what it works with itself
  *   oracle CLAIM --input "NUMBERS"                             one sample, in words
  *   oracle coverage --grid [--shard I --shards K]              all small triangles
  *   oracle --list                                              claims and units

@@ -14,7 +14,7 @@ typedef struct {
 } oracle_plane;
 
 typedef struct {
-    fxl_camera camera; /* a row is 2^-shift times its direction */
+    fxl_camera camera; /* a row is 2^-shift times its direction, then rounded to 2^-46 */
     unsigned x_shift, y_shift, z_shift;
     oracle_plane planes[FXL_PLANE_COUNT];
     int64_t centre_x, centre_y; /* of the screen, 1/65536 pixel */
