@@ -66,7 +66,8 @@ def test_a_stack_that_overflows_slowly(board):
     ending = run(board, "stack")
     check(ending, "STACK", ["fault: stack overflow"])
     (limit, _), (size, _) = symbol(board, "fxl_stack_limit"), symbol(board, "fxl_stack_size")
-    assert limit - 1024 <= printed(ending.output, "address") <= limit
+    # Where a register holds the limit, the pointer stays where it was: above, by less than a frame.
+    assert limit - 1024 <= printed(ending.output, "address") <= limit + 96
     assert_names_function(ending, "from" if "pc and r0 to r3 are lost" in ending.output else "pc", "overflow_slowly")
     used, of = map(int, re.search(r"^stack: (\d+) of (\d+) bytes", ending.output, re.MULTILINE).groups())
     assert of == size and size - 256 <= used <= size
