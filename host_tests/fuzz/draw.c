@@ -294,6 +294,8 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
     draw_by_tree(scene, lens, pose, in);
+    draw_wireframe(scene, lens, pose, in);
+    draw_boxes(scene, lens, pose);
     free(whole.pixels);
     free_renderer(renderer);
 }

@@ -30,4 +30,11 @@ uint64_t draw_faces_placed(const fxl_scene *scene);
 void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                   fuzz_input *in);
 
+/* The first rows of a frame as a wireframe: whole and in bands. */
+void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                    fuzz_input *in);
+
+/* What the boxes about objects say, against every vertex. */
+void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
+
 #endif
