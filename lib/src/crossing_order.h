@@ -14,7 +14,8 @@ typedef struct {
 } fxl_plane_crossing;
 
 /* Whether the one crossing comes before the other: |from| / (|from| + |to|) as exact
- * fractions. The sums are below 2^64, the products are taken as 128 bits. */
+ * fractions. The sums are below 2^64, the products are taken as 128 bits, of which the lower
+ * 64 are what is left of a product that wraps. */
 static inline bool fxl_crossing_before(const fxl_plane_crossing *a, const fxl_plane_crossing *b)
 {
     uint64_t a_part = fxl_magnitude(a->from), b_part = fxl_magnitude(b->from);
