@@ -220,7 +220,8 @@ void test_a_face_between_centres_has_no_pixels(void)
             /* What reaches no row, any clipper may leave to the list. */
             bool between_columns = has_one_column(&screen);
             TEST_ASSERT_FALSE(between_columns && result != FXL_CLIP_BETWEEN);
-            TEST_ASSERT_FALSE(result == FXL_CLIP_BETWEEN && !between_columns && !has_one_row(&screen));
+            TEST_ASSERT_FALSE(result == FXL_CLIP_BETWEEN && !between_columns &&
+                              !has_one_row(&screen));
             TEST_ASSERT_FALSE(result == FXL_CLIP_BETWEEN && has_pixels(&screen));
             between += result == FXL_CLIP_BETWEEN;
             pixels += has_pixels(&screen);
