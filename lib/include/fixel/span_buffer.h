@@ -21,7 +21,7 @@ typedef struct {
     uint16_t *rows;    /* the first interval of each row, or FXL_COVERED_END */
     fxl_covered *pool; /* the first `used` of `capacity` were in use */
     uint16_t capacity, used;
-    uint16_t unused; /* of those used, what is free again: a chain */
+    uint16_t unused; /* of those used, what holds nothing any more: a chain */
     uint16_t first_row, row_count, width;
     uint16_t open_rows; /* that are not covered whole */
 } fxl_span_buffer;
