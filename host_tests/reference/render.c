@@ -235,15 +235,30 @@ static void count_left_out(ref_renderer *renderer)
     renderer->counters.in = faces;
 }
 
+/* The planes that cut. The sides are those of the screen, without the inset: what an inset
+ * takes from the picture is a fault of the scene's, which a judge is to see (SPEC.md 10). */
+static void set_frusta(ref_renderer *renderer)
+{
+    ref_lens screen = renderer->lens;
+    screen.inset = 0;
+    ref_view_frustum view_sides = ref_view_frustum_from_lens(&screen);
+    ref_frustum sides =
+        ref_frustum_with_guard(&renderer->camera, &screen, renderer->cuts, REF_GUARD_PIXELS);
+    renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
+    renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
+    for (int plane = REF_PLANE_LEFT; plane <= REF_PLANE_TOP; plane++) {
+        renderer->view_frustum.planes[plane] = view_sides.planes[plane];
+        renderer->frustum.planes[plane] = sides.planes[plane];
+    }
+}
+
 bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
 {
     renderer->eye = pose->position;
     renderer->camera = ref_camera_from_pose(pose);
-    renderer->frustum = ref_frustum_with_guard(&renderer->camera, &renderer->lens, renderer->cuts,
-                                               REF_GUARD_PIXELS);
+    set_frusta(renderer);
     renderer->counters = (ref_counters){0};
     renderer->list.count = 0;
-    renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
     uint32_t count = ref_order_objects(renderer->scene, &renderer->eye, &renderer->camera,
                                        &renderer->view_frustum, renderer->objects);
     const bool by_tree = renderer->by_tree && renderer->scene->nodes;
