@@ -47,7 +47,7 @@ def test_a_border_of_background_is_told(build, tmp_path, clipper):
 
 
 @pytest.mark.parametrize("clipper", ["view", "normalised", "once", "half-spaces", "triangles", "near"])
-def test_without_an_inset_there_is_no_border(build, tmp_path, clipper):
-    background, verdict = judged(build, tmp_path, ", inset = 0", clipper)
+def test_the_default_leaves_no_border(build, tmp_path, clipper):
+    background, verdict = judged(build, tmp_path, "", clipper)
     assert background == [0] * FRAMES
     assert verdict["pixels_unexplained"] == 0
