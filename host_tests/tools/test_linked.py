@@ -27,3 +27,16 @@ def test_a_scene_without_tree_and_beams_links_neither_check(build, tmp_path, cal
     subprocess.run([program], check=True, timeout=10)
     names = subprocess.run(["nm", program], check=True, text=True, capture_output=True).stdout.split()
     assert TREES_AND_BEAMS & set(names) == linked
+
+
+def test_an_int_of_16_bits_is_refused(build, tmp_path):
+    """There is no such compiler here: int stands for short, once the system's headers are read."""
+    source = tmp_path / "short.c"
+    source.write_text("#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n"
+                      "#ifdef SHORT\n#define int short\n#endif\n#include \"arith.h\"\n", encoding="utf-8")
+    library = build.parent / "lib"
+    command = ["gcc", "-std=c11", "-fsyntax-only", "-I", library / "include", "-I", library / "src", "-I",
+               library / "kernels" / "portable", source]
+    subprocess.run(command, check=True)
+    done = subprocess.run([*command, "-DSHORT"], text=True, capture_output=True, check=False)
+    assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr
