@@ -9,6 +9,10 @@ bug none may. Works on copies under DIR/seeded_bugs and never in the checkout.
 Exit: 0 all caught, 1 a bug survived (or a test fails without one), 2 could not run.
 """
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 import concurrent.futures
 import dataclasses

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs every test: units on the host, the same units on each emulated board, the tools.
 
@@ -5,6 +6,10 @@ Prints a line for each suite as it ends and failures whole, and which tests were
 left out because a board has no room for them. The last line is "N passed, N
 failed" (", N skipped" where some were); exit 1 if any failed or nothing ran.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures

@@ -45,7 +45,7 @@ def random_frames(count, height=24, width=32, seed=1):
 def environment(**changes):
     """The environment of a user's own command, not of one under make test."""
     kept = {name: value for name, value in os.environ.items()
-            if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES", "FIXEL_SETUP")}
+            if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
     return {**kept, **changes}
 
 
