@@ -27,7 +27,7 @@ from fixel import ending as endings
 from fixel import emulator, firmware, output, qemu
 from fixel.errors import ToolError, run_main
 
-TIMEOUT = 3600.0    # seconds for a kernel
+TIMEOUT = 3600.0    # seconds of CPU time for a kernel
 THOUSANDS_MAX = 1000000
 KERNEL_SHIFT = 20   # as in firmware/equality/main.c
 LINE = re.compile(r"^equality: (\S+) (\d+)\nequality: differences (\d+)$", re.MULTILINE)

@@ -30,7 +30,7 @@ from fixel.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
-BOARD_TIMEOUT = 60.0    # seconds without a new frame
+BOARD_TIMEOUT = 60.0    # seconds of CPU time without a new frame
 
 
 def elf_of(board, build):

@@ -134,7 +134,7 @@ def play(commands, name, script):
 
 def setup(machine, *what):
     return subprocess.run([str(machine / "checkout" / "tools" / "setup.sh"), *what],
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True,
                           check=False, env=environment(PATH=str(machine / "bin")))
 
 
