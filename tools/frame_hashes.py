@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Puts the frames of scenes on record in host_tests/frames/hashes.json. Alters no record.
+
+    frame_hashes.py SCENE... [--build DIR]
+
+SCENE is a .toml, an .obj or an .fxls. Each is compiled, drawn on the host, and added under the
+CRC-32 of its image. An image that is on record already must draw what the record says.
+Exit: 0 all are on record; 1 an image draws something else than its record; 2 could not run.
+"""
+
+import argparse
+import pathlib
+import sys
+import tempfile
+
+import scene as scene_tool
+from fixel import dump, frame_hashes
+from fixel.errors import ToolError, run_main
+from fixel.programs import run_program
+
+
+def drawn_by_host(image, build, folder):
+    """The frames of an image as build/host/frames draws them."""
+    out = folder / "frames.fxld"
+    run_program([pathlib.Path(build) / "host" / "frames", image, out])
+    return dump.read_dump(out)
+
+
+def add(scene, records, build, folder):
+    """Adds a scene's record; answers what was done, as a word."""
+    image = pathlib.Path(scene)
+    if image.suffix != ".fxls":
+        image = folder / "scene.fxls"
+        scene_tool.build(str(scene), str(image))
+    key, drawn = frame_hashes.image_key(image), drawn_by_host(image, build, folder)
+    if key in records:
+        wrong = frame_hashes.difference(records[key], drawn)
+        if wrong:
+            raise ToolError(f"{scene}: {wrong}", exit_code=1)
+        return "on record"
+    records[key] = frame_hashes.record_of(pathlib.Path(scene).stem, drawn)
+    return "added"
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(prog="frame_hashes.py", description=__doc__.split("\n")[0])
+    parser.add_argument("scenes", nargs="+", metavar="SCENE")
+    parser.add_argument("--build", default="build")
+    options = parser.parse_args(argv)
+    records = frame_hashes.load()
+    with tempfile.TemporaryDirectory(prefix="fixel-") as folder:
+        for scene in options.scenes:
+            print(f"{scene}: {add(scene, records, options.build, pathlib.Path(folder))}", file=sys.stderr)
+    frame_hashes.save(records)
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)
