@@ -51,6 +51,7 @@ def gather(options, work):
                    for row in report_shards.merge_stage(options.build, each, shards[each["stage"]])],
         "sweeps": [row for each in about["sweeps"] for row in
                    report_shards.merge_sweep(each, shards[f"sweep:{each['parameter']}"])],
+        "depths": report_shards.merge_depths(shards["vertex"]),
         "twins": twins, "frames": frames, "scales": scales, "third_judge": third}
     return report, shown
 
@@ -89,9 +90,9 @@ def print_report(report, out):
 def write_picture(options):
     """The README's picture from a report that is there."""
     file = pathlib.Path(options.out) / "report.json"
-    entries = [row for row in read_json(file).get("sweeps", []) if row["parameter"] == "depth"]
+    entries = read_json(file).get("depths", [])
     if not entries:
-        raise ToolError(f"{file}: holds no sweep over depth; make report writes one")
+        raise ToolError(f"{file}: holds no errors of vertices by depth; make report writes them")
     output.write_file(options.picture, report_plots.picture_bytes(entries))
     print(options.picture)
 

@@ -69,6 +69,13 @@ def test_program_links_for_a_microcontroller(library, tmp_path, core):
                     library(core), tmp_path)
 
 
+def test_the_pictures_words_are_the_tables_figures():
+    row = re.search(r"\| a vertex on the screen \| ([\d,]+) \| ([\d,]+) \|", README)
+    words = re.search(r"float32 up to ([\d.]+) pixels, plain 16\.16 up to ([\d.]+)", README)
+    naive, float32 = (int(text.replace(",", "")) / 65536 for text in row.groups())
+    assert words.groups() == (f"{float32:.3g}", f"{naive:.3g}")
+
+
 def test_files_named_exist():
     for target in re.findall(r"\]\(([^)#]+)\)", README):
         assert (ROOT / target).exists(), target

@@ -129,6 +129,18 @@ def test_sweeps(result):
         assert all(0 <= point["mean"] <= point["max"] for point in row["points"])
 
 
+def test_the_picture_and_the_table_have_one_sampling(result):
+    """Errors by depth are those of the stage's own samples: neither has a worst that the other lacks."""
+    _, report, _ = result
+    whole = {row["design"]: row for row in report["stages"] if row["stage"] == "vertex"}
+    assert {row["design"] for row in report["depths"]} == set(DESIGNS)
+    for row in report["depths"]:
+        values = [point["value"] for point in row["points"]]
+        assert values == sorted(set(values)) and len(values) >= 15
+        assert max(point["max"] for point in row["points"]) == whole[row["design"]]["max"]
+        assert sum(point["samples"] for point in row["points"]) == whole[row["design"]]["samples"]
+
+
 def test_frames(result):
     _, report, _ = result
     scenes = {frame["scene"] for frame in report["frames"]}
