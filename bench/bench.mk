@@ -22,7 +22,7 @@ BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard -mno-unaligned-acce
 BENCH_OPTIMISE := -O2
 BENCH_SMALL := -Os -DFXL_SMALL
 BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sections -fstack-usage \
-    -Ilib/include -Ilib/src -Iboards -Ifirmware/walk -Ibench/firmware -Ibench/listing -MMD -MP
+    -Ilib/include -Ilib -Iboards -Ifirmware/walk -Ibench/firmware -Ibench/listing -MMD -MP
 
 # --- the plugin ------------------------------------------------------------------
 
@@ -93,29 +93,22 @@ $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 $(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline))
 endef
 
-# $(1): the core, $(2): what its flags are called here, $(3): a folder, $(4): a pattern of the
-# library's sources.
-define BENCH_LIB_RULE
-$(BENCH_OUT)/$(1)/$(3)lib/%.o: $(4) bench/bench.mk lib/lib.mk
-	$$(call FIRMWARE_COMPILE,$$($(2).$(1)) $$($(2)_FAMILY.$(1)) -ffreestanding)
-
-endef
-# $(1), $(2), $(3): the same, $(4): the family, $(5): what the flags are called here adds.
+# $(1): the core, $(2): what its flags are called here, $(3): a folder.
 define BENCH_LIB_RULES
-$(2)_FAMILY.$(1) := $(call LIB_FAMILY_CFLAGS,$(4))
-$(foreach pattern,$(call LIB_PATTERNS,$(4),$(5)),$(call BENCH_LIB_RULE,$(1),$(2),$(3),$(pattern)))
+$(2)_FAMILY.$(1) := $(call LIB_TUNE,$(BENCH_FLAGS.$(1)))
+$(call LIB_RULES,$(BENCH_OUT)/$(1)/$(3)lib,$$(call FIRMWARE_COMPILE,$$($(2).$(1)) $$($(2)_FAMILY.$(1)) -ffreestanding),bench/bench.mk)
 endef
 
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core))),$(BENCH_OPTIMISE)))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core))),$(BENCH_SMALL))))
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/)))
 
 # --- sizes -----------------------------------------------------------------------
 
 # A renderer linked with what it calls and nothing else, once as measured and
 # once for size; what counts is the linker's map.
 BENCH_SIZED := fixel listing-double listing-float memset
-BENCH_ROOTS.fixel := fxl_renderer_init_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
+BENCH_ROOTS.fixel := fxl_renderer_init_with_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
 BENCH_ROOTS.listing-double := listing_draw
 BENCH_ROOTS.listing-float := listing_draw
 BENCH_ROOTS.memset := memset

@@ -28,7 +28,7 @@ CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(1),1)),prepare_tre
 
 CLIPPERS_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text memory_functions draw_combination \
     $(BENCH_FRAMES))
-CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_hidden \
+CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_visibility \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
 CLIPPERS_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,fxl_frame_draw $(CLIPPERS_ROOTS:%=-Wl,-u,%)

@@ -75,24 +75,17 @@ $(FIRMWARE_SAY) CC $@
 $(FIRMWARE_QUIET)$(1) -c $< -o $@
 endef
 
-# $(1): a core's name, $(2): a pattern of the library's sources.
-define CORE_LIB_RULE
-$(CORE_OUT)/$(1)/lib/%.o: $(2) firmware/firmware.mk lib/lib.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))))
-
-endef
-
 # $(1): the first board with this core.
 define CORE_RULES
-CORE_FAMILY.$(call CORE_NAME,$(1)) := $(call LIB_FAMILY,$(BOARD_CORE.$(1)))
+CORE_TUNE.$(call CORE_NAME,$(1)) := $(call LIB_TUNE,$(BOARD_CORE.$(1)))
 CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(call CORE_CHOICE,$(1))
 endef
 
 CORES_READ :=
 $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)),,\
     $(eval CORES_READ += $(call CORE_NAME,$(board)))$(eval $(call CORE_RULES,$(board)))))
-$(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core)),$(CORE_CC.$(core))),\
-    $(eval $(call CORE_LIB_RULE,$(core),$(pattern)))))
+$(foreach core,$(CORES_READ),$(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/lib,\
+    $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Ilib/include $$(CORE_TUNE.$(core))),firmware/firmware.mk)))
 
 # --- boards --------------------------------------------------------------------
 

@@ -1,53 +1,41 @@
 # SPDX-License-Identifier: MIT
 # The library: for the host's programs, and for somebody's own firmware.
 
-LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h)
+LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h lib/include/fixel/*/*.h lib/include/fixel/*/*/*.h)
 
-# Kernels: one contract, a folder for each family of cores. A file there stands
-# in for the portable one of the same name; what a family lacks is taken from
-# the families that it builds on, and in the end from the portable ones.
-LIB_FAMILIES := armv6m:cortex-m0,cortex-m0plus,cortex-m1,cortex-m23 armv7m:cortex-m3 \
-    armv7em:cortex-m4,cortex-m7,cortex-m33,cortex-m35p armv81m:cortex-m55,cortex-m85
-LIB_BASES.armv7em := armv7m
-LIB_BASES.armv81m := armv7em armv7m
-comma := ,
-LIB_HAS_MVE = $(and $(filter -mfloat-abi=hard -mfloat-abi=softfp,$(1)),$(filter -mcpu=cortex-m55 -mcpu=cortex-m85,$(1)))
-# A compiler's flags -> the family of the core that -mcpu names; portable for any other. With an ABI
-# that has vectors in registers, which the program then turns on, it is mve+FAMILY where there are any.
-LIB_FAMILY = $(if $(call LIB_HAS_MVE,$(1)),mve+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
-    $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
-    $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
+# Every source file, for any core: the files of lib/kernels ask the compiler which core it is
+# for (lib/kernels/family.h), and of each kernel exactly one has contents. An object is named
+# by its source's path below lib/; a makefile has a rule for .c and one for .S.
+LIB_SOURCES := $(sort $(wildcard lib/src/*/*.c lib/extra/*/*.c lib/kernels/*/*.c lib/kernels/*/*.S))
+LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 
-# Every object of the library, whatever the family; its source is the first of
-# LIB_PATTERNS that there is: a makefile has a rule for each, in this order. Its
-# arguments are a family and a compiler's flags: kernels in assembly are quick and take many
-# bytes, so with -DFXL_SMALL (fixel/config.h) there are none.
-LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/portable/*.c))))
-LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(foreach family,$(filter-out portable,$(subst +, ,$(1))),\
-    $(family) $(LIB_BASES.$(family))) portable) lib/src
-LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
-    $(suffix $(wildcard $(folder)/*.c $(if $(filter -DFXL_SMALL,$(2)),,$(folder)/*.S))))))
-# The kernels' own loops must not become calls of memset. No code touches a register for
-# floating point: nothing here has floats, and what a compiler keeps there costs more than
-# the stack. So a Cortex-M4 gets the very code of a Cortex-M3, as which it is scheduled.
-# A Cortex-M55's is of more instructions in the larger part of the stages, whatever it is
-# scheduled for, so that it gets the Cortex-M3's too. These come after what says the core.
-LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
-    $(if $(filter armv7em,$(subst +, ,$(1))),-mtune=cortex-m3 -mgeneral-regs-only) \
-    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only)
+# No flag here is needed for a correct library; they save instructions. A kernel's own loop
+# must not become a call of memset. No code touches a register for floating point: nothing
+# here has floats, and what a compiler keeps there costs more than the stack. So a Cortex-M4
+# gets the very code of a Cortex-M3, as which it is scheduled.
+LIB_TUNED := cortex-m4 cortex-m7 cortex-m33 cortex-m35p cortex-m55 cortex-m85
+# $(1): the compiler's flags that choose the core.
+LIB_TUNE = -fno-tree-loop-distribute-patterns \
+    $(if $(filter $(LIB_TUNED:%=-mcpu=%) $(LIB_TUNED:%=-mcpu=%+%),$(1)),-mtune=cortex-m3 -mgeneral-regs-only)
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
+
+# $(1): where the objects go, $(2): the command that compiles, $(3): what they depend on too,
+# $(4): what is said before. The source is $<, the object $@.
+define LIB_RULES
+$(foreach suffix,c S,
+$(1)/%.o: lib/%.$(suffix) $(3) lib/lib.mk
+	$(4)
+	@mkdir -p $$(@D)
+	$(2)
+)
+endef
 
 # --- build/host/libfixel.a, for the host's programs ---------------------------
 
 LIB_HOST_OBJECTS := $(LIB_NAMES:%=$(BUILD)/host/objects/lib/%.o)
 
-define LIB_HOST_RULE
-$(BUILD)/host/objects/lib/%.o: $(1) lib/lib.mk
-	@mkdir -p $$(@D)
-	$$(HOSTCC) $$(LIB_CFLAGS) $(call LIB_FAMILY_CFLAGS,portable) -O2 -g -c $$< -o $$@
-endef
-$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call LIB_HOST_RULE,$(pattern))))
+$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g -c $$< -o $$@,,$$(HOST_SAY)))
 
 $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 	@rm -f $@
@@ -55,36 +43,38 @@ $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 
 # --- make lib CORE=: build/lib/CORE/{libfixel.a,include/} ---------------------
 
-# CORE is a name that gcc's -mcpu knows, or "host". LIB_FLAGS adds to the flags,
+# CORE is one of LIB_CORES; "cortex-" may be left out. LIB_FLAGS adds to the flags,
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
 # SIZE=1 asks for few bytes instead of few instructions.
-LIB_OUT := $(BUILD)/lib/$(CORE)
+LIB_CORES := cortex-m0 cortex-m0plus cortex-m1 cortex-m23 cortex-m3 $(LIB_TUNED) host
+LIB_CORE := $(or $(filter $(CORE) cortex-$(CORE),$(LIB_CORES)),unknown)
+LIB_OUT := $(BUILD)/lib/$(LIB_CORE)
 LIB_FLAGS ?=
-LIB_CORE_FLAGS := $(if $(filter host,$(CORE)),,-mcpu=$(CORE) -mthumb)
-LIB_CC := $(if $(filter host,$(CORE)),$(HOSTCC),$(CROSS)gcc)
-LIB_AR := $(if $(filter host,$(CORE)),ar,$(CROSS)ar)
+LIB_CORE_FLAGS := $(if $(filter host,$(LIB_CORE)),,-mcpu=$(LIB_CORE) -mthumb)
+LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(CROSS)gcc)
+LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(CROSS)ar)
 LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
-LIB_KERNELS := $(call LIB_FAMILY,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS))
 LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
 
 .PHONY: lib
+ifeq ($(LIB_CORE),unknown)
+lib:
+	@echo "error: CORE=$(CORE) is unknown; the cores are: $(LIB_CORES)" >&2; exit 2
+else
 lib: $(LIB_OUT)/libfixel.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
 	@printf '  %s and %s\n' '$(LIB_OUT)/libfixel.a' '$(LIB_OUT)/include/fixel.h'
+endif
 
 # Flags are part of what was built: another choice builds anew.
-$(LIB_OUT)/flags: FORCE
+$(LIB_OUT)/flags: FORCE | set-up-lib
 	@mkdir -p $(@D)
 	@echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
 	    echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
 
-define LIB_RULE
-$(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
-	@mkdir -p $$(@D)
-	@printf '  %-4s %s\n' CC $$@
-	@$$(LIB_CC) $$(LIB_CFLAGS) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) \
-	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
-endef
-$(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS),$(LIB_OPTIMISE) $(LIB_FLAGS)),$(eval $(call LIB_RULE,$(pattern))))
+LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS) $(call LIB_TUNE,$(LIB_CORE_FLAGS)) \
+    -ffunction-sections -fdata-sections -fstack-usage -c
+
+$(eval $(call LIB_RULES,$(LIB_OUT)/objects,@printf '  %-4s %s\n' CC $$@ && $$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags))
 
 $(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
 	@rm -f $@

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Compiled once for each combination: bench/clippers.mk says which. */
 #include "combination.h"
-#include "fixel.h"
+#include "fixel/all.h"
 
 const combination combination_chosen = {&COMBINATION_CLIPPER, &COMBINATION_HIDDEN,
                                         COMBINATION_ROOM};

@@ -7,7 +7,7 @@
 
 typedef struct {
     const fxl_clipper *clipper;
-    const fxl_hidden *hidden;
+    const fxl_visibility *hidden;
     uint32_t room; /* bytes for what hides what, where it wants some */
 } combination;
 

@@ -2,7 +2,7 @@
 /* Fixel with any clipper and anything that hides what, the frame in one band. */
 #include "combination.h"
 #include "contract/system.h"
-#include "fixel/light.h"
+#include "fixel/extra/beams/beam_light.h"
 #include "text.h"
 
 /* Zeroes count as loaded, and the scene lies behind them: all together below 480 KB. */
@@ -13,7 +13,7 @@
 #define LIGHT_BYTES   8192u
 
 static fxl_order_entry order[ORDER_ENTRIES];
-static fxl_seen_vertex cache[CACHE_ENTRIES];
+static fxl_cached_vertex cache[CACHE_ENTRIES];
 static uint64_t clipper_room[CLIPPER_BYTES / 8u], hidden_room[HIDDEN_BYTES / 8u];
 static uint64_t light_room[LIGHT_BYTES / 8u];
 static fxl_renderer renderer;
@@ -22,13 +22,13 @@ static uint32_t order_used, hidden_used, pieces_used, light_used;
 /* Bytes for what hides what: what was chosen, or what it wants at the least. */
 static uint32_t room_for_hidden(const fxl_scene_image *image)
 {
-    const fxl_hidden *hidden = combination_chosen.hidden;
+    const fxl_visibility *hidden = combination_chosen.hidden;
     uint32_t walk = 0, paint = 0;
-    if (hidden->walk_room != NULL) {
-        walk = (hidden->walk_room(&image->scene) + 7u) & ~7u;
+    if (hidden->submit_workspace_size != NULL) {
+        walk = (hidden->submit_workspace_size(&image->scene) + 7u) & ~7u;
     }
-    if (hidden->painter != NULL && hidden->painter->room != NULL) {
-        paint = hidden->painter->room(&image->lens);
+    if (hidden->backend != NULL && hidden->backend->workspace_size != NULL) {
+        paint = hidden->backend->workspace_size(&image->lens);
         paint = paint < combination_chosen.room ? combination_chosen.room : paint;
     }
     return walk + paint;
@@ -41,23 +41,23 @@ int draw_open(const fxl_scene_image *image)
     order_used = image->scene.order_needed;
     hidden_used = room_for_hidden(image);
     light_used = image->scene.beam_count > 0
-                     ? fxl_light_room(image->scene.beams, image->scene.beam_count)
+                     ? fxl_beam_light_workspace_size(image->scene.beams, image->scene.beam_count)
                      : 0;
     if (order_used > ORDER_ENTRIES || hidden_used > HIDDEN_BYTES || light_used > LIGHT_BYTES ||
-        combination_chosen.clipper->room > CLIPPER_BYTES) {
+        combination_chosen.clipper->workspace_size > CLIPPER_BYTES) {
         text_with_number("bench: order entries needed", "", ": ", order_used);
         text_with_number("bench: room needed", "", ": ", hidden_used);
         return SYSTEM_EXIT_CAPACITY;
     }
     if (fxl_renderer_init_bare(&renderer, &image->scene, &image->lens, &memory) != FXL_OK ||
         fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
-                                 combination_chosen.clipper->room) != FXL_OK ||
-        fxl_renderer_set_hidden(&renderer, combination_chosen.hidden, hidden_room, hidden_used) !=
-            FXL_OK) {
+                                 combination_chosen.clipper->workspace_size) != FXL_OK ||
+        fxl_renderer_set_visibility(&renderer, combination_chosen.hidden, hidden_room,
+                                    hidden_used) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
     if (light_used > 0 &&
-        fxl_renderer_set_light(&renderer, image->scene.beams, image->scene.beam_count,
+        fxl_renderer_set_beams(&renderer, image->scene.beams, image->scene.beam_count,
                                image->scene.lit, light_room, light_used) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
@@ -73,7 +73,7 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 uint32_t draw_memory(void)
 {
     return (uint32_t)(sizeof renderer + sizeof cache + order_used * sizeof order[0]) +
-           combination_chosen.clipper->room + hidden_used + pieces_used + light_used;
+           combination_chosen.clipper->workspace_size + hidden_used + pieces_used + light_used;
 }
 
 /* Asked for after each frame. */

@@ -8,7 +8,7 @@
 #define CACHE_ENTRIES 256u  /* at most */
 
 static fxl_order_entry order[ORDER_ENTRIES];
-static fxl_seen_vertex cache[CACHE_ENTRIES];
+static fxl_cached_vertex cache[CACHE_ENTRIES];
 static fxl_renderer renderer;
 static uint32_t order_needed;
 static uint32_t cache_used;
@@ -37,7 +37,7 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: order entries needed", "", ": ", order_needed);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
+    return fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
                ? SYSTEM_EXIT_DONE
                : SYSTEM_EXIT_RENDER;
 }

@@ -9,7 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "draw.h"
-#include "fixel/fill.h"
+#include "fixel/stage/fill.h"
 #include "path.h"
 #include "region.h"
 #include "start.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "kernels.h"
 
-#include "arith.h"
-#include "edge_divide.h"
+#include "src/math/arith.h"
+#include "kernels/edge_divide.h"
 
 #define EACH(i) for (uint32_t i = 0; i < KERNEL_COUNT; i++)
 
@@ -15,7 +15,7 @@ static union {
     fxl_view_point seen[KERNEL_COUNT];
     fxl_screen_point screen[KERNEL_COUNT];
     fxl_view_frustum frustums[KERNEL_COUNT];
-    fxl_seen_vertex vertices[KERNEL_COUNT];
+    fxl_cached_vertex vertices[KERNEL_COUNT];
     struct {
         int32_t whole;
         uint32_t fraction;
@@ -111,7 +111,7 @@ static void transform_outcode(const kernel_inputs *in)
 {
     EACH(i)
     {
-        fxl_look_at(&in->placed, i, &results.vertices[i]);
+        fxl_transform_vertex(&in->placed, i, &results.vertices[i]);
     }
 }
 

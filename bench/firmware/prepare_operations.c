@@ -19,7 +19,7 @@ __attribute__((naked, noinline)) void operations_end(void)
 }
 
 /* All that comes of a face. */
-static bool take(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work)
+static bool take(const fxl_model_view *placed, const fxl_face *face, fxl_clipper_work *work)
 {
     fxl_clip_result result = asked->clip(placed, face, work, &scratch);
     bool cut = false;
@@ -30,8 +30,8 @@ static bool take(const fxl_placed *placed, const fxl_face *face, fxl_clipper_wor
     return cut;
 }
 
-static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
-                            fxl_screen_polygon *screen)
+static fxl_clip_result clip(const fxl_model_view *placed, const fxl_face *face,
+                            fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     if (take(placed, face, work)) {
         operations_begin();

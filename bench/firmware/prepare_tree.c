@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /* A tree takes pieces of what moves: as many as any scene of the comparison gives. */
 #include "combination.h"
-#include "fixel/tree.h"
+#include "fixel/extra/bsp.h"
 
 static uint32_t pieces[65536u / 4u];
 static uint32_t most;
 
 void combination_prepare(fxl_renderer *renderer)
 {
-    fxl_tree_room *room = renderer->walk_room;
+    fxl_bsp_workspace *room = renderer->submit_workspace;
     room->pieces = pieces;
     room->pieces_size = sizeof pieces;
 }
 
 uint32_t combination_memory(const fxl_renderer *renderer)
 {
-    const fxl_tree_room *room = renderer->walk_room;
+    const fxl_bsp_workspace *room = renderer->submit_workspace;
     most = room->used > most ? room->used : most;
     return most;
 }

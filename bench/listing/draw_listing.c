@@ -38,10 +38,10 @@ static void copy_faces(const fxl_scene *scene)
         for (uint32_t f = model->first_face; f < model->first_face + model->face_count; f++) {
             const fxl_face *face = &scene->faces[f];
             for (uint32_t i = 0; i < face->count; i++) {
-                uint32_t vertex = model->first_vertex + scene->corners[face->first_corner + i];
-                vertices[face->first_corner + i] = from_point(&scene->vertices[vertex]);
+                uint32_t vertex = model->first_vertex + scene->indices[face->first_index + i];
+                vertices[face->first_index + i] = from_point(&scene->vertices[vertex]);
             }
-            faces[f].vertices = &vertices[face->first_corner];
+            faces[f].vertices = &vertices[face->first_index];
             faces[f].count = face->count;
             faces[f].colour = face->colour;
         }
@@ -51,15 +51,15 @@ static void copy_faces(const fxl_scene *scene)
 int draw_open(const fxl_scene_image *image)
 {
     const fxl_scene *scene = &image->scene;
-    if (scene->object_count > OBJECTS_MAX || scene->face_count > FACES_MAX ||
-        scene->corner_count > VERTICES_MAX) {
+    if (scene->instance_count > OBJECTS_MAX || scene->face_count > FACES_MAX ||
+        scene->index_count > VERTICES_MAX) {
         text_with_number("bench: the listing has no room for so many corners", "", ": ",
-                         scene->corner_count);
+                         scene->index_count);
         return SYSTEM_EXIT_CAPACITY;
     }
     copy_faces(scene);
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const fxl_object *object = &scene->objects[i];
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const fxl_instance *object = &scene->instances[i];
         const fxl_model *model = &scene->models[object->model];
         objects[i].centre = from_point(&object->centre);
         objects[i].faces = &faces[model->first_face];
@@ -67,7 +67,7 @@ int draw_open(const fxl_scene_image *image)
         objects[i].layer = object->layer;
     }
     world.objects = objects;
-    world.object_count = scene->object_count;
+    world.object_count = scene->instance_count;
     world.focal = from_q16(image->lens.focal);
     return SYSTEM_EXIT_DONE;
 }

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "fixel/record.h"
+#include "fixel/types.h"
 
 /* Announces how many frames will follow; before display_open.
  * Requires frames >= 1. */

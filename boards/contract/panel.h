@@ -21,7 +21,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "fixel/record.h"
+#include "fixel/types.h"
 
 /* What will be shown. */
 typedef struct {

@@ -18,16 +18,13 @@ EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c %/tests.c
 define EQUALITY_RULES
 EQUALITY_CC.$(1) := $($(EQUALITY_FLAGS).$(EQUALITY_CORE)) -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK \
     $(if $(findstring =hard,$(BENCH_FLAGS.$(EQUALITY_CORE))),-mgeneral-regs-only)
-EQUALITY_PORTABLE_CFLAGS.$(1) := -O2 -UFXL_SMALL $(call LIB_FAMILY_CFLAGS,portable)
+EQUALITY_PORTABLE_CFLAGS.$(1) := -O2 -UFXL_SMALL -DFXL_PORTABLE_KERNELS $(call LIB_TUNE)
 
 $(EQUALITY_OUT)/$(1)/core.o: firmware/equality/sides.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $($(EQUALITY_FLAGS)_FAMILY.$(EQUALITY_CORE)) -DSIDE=core_)
 $(EQUALITY_OUT)/$(1)/portable.o: firmware/equality/sides.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1)) -DSIDE=portable_)
-$(foreach pattern,$(call LIB_PATTERNS,portable),
-$(EQUALITY_OUT)/$(1)/portable/%.o: $(pattern) firmware/equality/equality.mk
-	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1)))
-)
+$(call LIB_RULES,$(EQUALITY_OUT)/$(1)/portable,$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $$(EQUALITY_PORTABLE_CFLAGS.$(1))),firmware/equality/equality.mk)
 # All of the library once more, with the portable kernels: fxl_X is portable_X there.
 $(EQUALITY_OUT)/$(1)/portable.a: $(LIB_NAMES:%=$(EQUALITY_OUT)/$(1)/portable/%.o)
 	@rm -f $$@ $$@.fxl

@@ -49,7 +49,7 @@ static fxl_direction any_normal(void)
     return normal;
 }
 
-static void any_faces(fxl_face *faces, fxl_face_key *keys, const fxl_point *eye)
+static void any_faces(fxl_face *faces, fxl_face_bounds *keys, const fxl_point *eye)
 {
     for (uint32_t i = 0; i < FACES; i++) {
         faces[i].normal = any_normal();
@@ -82,7 +82,7 @@ static bool same_entries(const fxl_order_entry *a, const fxl_order_entry *b, uin
 void test_front_faces(uint32_t rounds)
 {
     static fxl_face faces[FACES];
-    static fxl_face_key keys[FACES];
+    static fxl_face_bounds keys[FACES];
     fxl_order_entry core[FACES], portable[FACES];
     for (uint32_t i = 0; i < rounds; i++) {
         const fxl_point eye = {coordinate(), coordinate(), coordinate()};
@@ -102,8 +102,8 @@ static fxl_point vertices[VERTICES];
 static uint16_t corners[FXL_FACE_VERTICES_MAX];
 
 typedef struct {
-    fxl_seen_vertex entries[ENTRIES];
-    fxl_placed placed;
+    fxl_cached_vertex entries[ENTRIES];
+    fxl_model_view placed;
     fxl_clipper_work work;
     fxl_screen_polygon screen;
 } side;
@@ -151,13 +151,13 @@ static void place(side *to, uint32_t mask, uint32_t tag, fxl_planes planes)
 {
     memset(to, 0x5A, sizeof *to);
     memset(to->entries, 0, sizeof to->entries);
-    to->placed = (fxl_placed){.view = &view,
-                              .entries = to->entries,
-                              .mask = mask,
-                              .tag = tag,
-                              .vertices = vertices,
-                              .corners = corners,
-                              .planes = planes};
+    to->placed = (fxl_model_view){.view = &view,
+                                  .entries = to->entries,
+                                  .mask = mask,
+                                  .tag = tag,
+                                  .vertices = vertices,
+                                  .indices = corners,
+                                  .planes = planes};
 }
 
 /* The planes that a vertex lies outside of. */
@@ -166,8 +166,8 @@ static fxl_planes crossed(void)
     fxl_planes planes = 0;
     place(&by_core, 0, 0, FXL_PLANES_ALL);
     for (uint32_t i = 0; i < VERTICES; i++) {
-        fxl_look_at(&by_core.placed, i, by_core.entries);
-        planes = (fxl_planes)(planes | (by_core.entries[0].state & FXL_PLANES_ALL));
+        fxl_transform_vertex(&by_core.placed, i, by_core.entries);
+        planes = (fxl_planes)(planes | (by_core.entries[0].clip_flags & FXL_PLANES_ALL));
     }
     return planes;
 }
@@ -200,7 +200,7 @@ void test_clip_by_view(uint32_t rounds)
             place(&by_core, mask, tag, planes);
             place(&by_portable, mask, tag, planes);
             for (uint32_t k = 0; k < 2; k++) {
-                fxl_face face = {.first_corner = any_32() >> 9 & 3u,
+                fxl_face face = {.first_index = any_32() >> 9 & 3u,
                                  .count = (uint8_t)(3u + (any_32() >> 9) % 6u),
                                  .colour = (uint8_t)any_32()};
                 for (uint32_t c = 0; c < FXL_FACE_VERTICES_MAX; c++) {

@@ -4,7 +4,7 @@
 #include "fill.h"
 
 #include "equality.h"
-#include "fixel/fill.h"
+#include "fixel/stage/fill.h"
 #include "sides.h"
 
 #define WIDTH_MAX FXL_SCREEN_MAX

@@ -4,7 +4,7 @@
 #include "project.h"
 
 #include "equality.h"
-#include "project_any.h"
+#include "src/view/project_any.h"
 #include "sides.h"
 
 #define SIDE_MAX (((int64_t)1 << 61) - 1)
@@ -26,7 +26,7 @@ static void compare(const fxl_projection *projection, const fxl_view_point *view
 {
     fxl_screen_point core = untouched, portable = untouched, any = untouched;
     fxl_status by_any = fxl_project_any(projection, view, &any);
-    fxl_status by_seen = fxl_project_seen(projection, view, &core);
+    fxl_status by_seen = fxl_project_visible(projection, view, &core);
     bool equal = by_seen == by_any && same(core, any);
     if (view->z > 0 && is_within(view->x, 2 * view->z) && is_within(view->y, 2 * view->z)) {
         core = untouched;

@@ -2,11 +2,11 @@
 /* The inline kernels as functions; SIDE is core_ or portable_. */
 #include "sides.h"
 
-#include "divide.h"
-#include "edge_divide.h"
-#include "leading_zeros.h"
-#include "multiply.h"
-#include "multiply_high.h"
+#include "kernels/divide.h"
+#include "kernels/edge_divide.h"
+#include "kernels/leading_zeros.h"
+#include "kernels/multiply.h"
+#include "kernels/multiply_high.h"
 
 #define JOIN(side, name)   side##name
 #define EXPAND(side, name) JOIN(side, name)

@@ -5,9 +5,9 @@
 #ifndef SIDES_H
 #define SIDES_H
 
-#include "fixel/clipper.h"
-#include "fixel/scan.h"
-#include "front_faces.h"
+#include "fixel/stage/clipper.h"
+#include "fixel/stage/scan.h"
+#include "src/view/front_faces.h"
 
 #define SIDES(side) \
     uint64_t side##multiply_u32(uint32_t a, uint32_t b); \
@@ -31,10 +31,11 @@ uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t 
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
 const fxl_trapezoid *portable_scan_next_trapezoid(fxl_scan *scan);
 void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
-void portable_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *entry);
-fxl_clip_result portable_clip_by_view(const fxl_placed *placed, const fxl_face *face,
+void portable_transform_vertex(const fxl_model_view *placed, uint32_t number,
+                               fxl_cached_vertex *entry);
+fxl_clip_result portable_clip_by_view(const fxl_model_view *placed, const fxl_face *face,
                                       fxl_clipper_work *work, fxl_screen_polygon *screen);
-fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_key *keys,
+fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
                                       const fxl_point *from, fxl_order_entry *entry,
                                       uint32_t count);
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,

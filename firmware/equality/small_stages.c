@@ -4,8 +4,8 @@
 #include "small_stages.h"
 
 #include "equality.h"
-#include "fixel/order.h"
-#include "fixel/scan.h"
+#include "fixel/stage/order.h"
+#include "fixel/stage/scan.h"
 #include "sides.h"
 
 #define ENTRIES 24u

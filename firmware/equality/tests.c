@@ -4,7 +4,7 @@
 #include "equality.h"
 #include "faces.h"
 #include "fill.h"
-#include "look_at.h"
+#include "transform_vertex.h"
 #include "divisions.h"
 #include "products.h"
 #include "project.h"

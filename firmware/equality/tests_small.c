@@ -2,7 +2,7 @@
 #include "divisions.h"
 #include "equality.h"
 #include "fill.h"
-#include "look_at.h"
+#include "transform_vertex.h"
 #include "products.h"
 #include "project.h"
 #include "small_stages.h"

@@ -6,7 +6,7 @@
 
 #define LINE_MAX 256
 
-void fxl_assert_failed(const char *file, int at); /* lib/src/arith.h */
+void fxl_assert_failed(const char *file, int at); /* lib/src/math/arith.h */
 int unittest_run(void); /* the generated runner; answers how many failed */
 
 static char line[LINE_MAX];

@@ -25,7 +25,7 @@ BOARD_TEST_SHARED = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,$(filter-out host_
     $(BOARD_CORE_OUT)/unit/unity.o $(LIB_NAMES:%=$(BOARD_CORE_OUT)/unit/lib/%.o)
 
 # Unity asks for setjmp, and tests may print: these programs have a C library.
-BOARD_TEST_CC = $(filter-out -ffreestanding,$(CORE_CC.$(1))) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))) -Iboards \
+BOARD_TEST_CC = $(filter-out -ffreestanding,$(CORE_CC.$(1))) -Ilib/include -Ilib -Iboards \
     -I$(UNITY_DIR)/src -Ihost_tests/unit -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # All RAM that is left is their stack (linker/sections.ld).
 BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1
@@ -38,13 +38,6 @@ $(CORE_OUT)/runners/%_runner.c: host_tests/unit/%.c
 	$(FIRMWARE_SAY) RUBY $@
 	$(FIRMWARE_QUIET)ruby -W0 $(UNITY_DIR)/auto/generate_test_runner.rb --main_name=unittest_run $< $@
 
-# The library with its assertions on. $(1): a core's name, $(2): a pattern of its sources.
-define CORE_TEST_LIB_RULE
-$(CORE_OUT)/$(1)/unit/lib/%.o: $(2) firmware/firmware.mk lib/lib.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(1)) -Ilib/include $(call LIB_FAMILY_CFLAGS,$(CORE_FAMILY.$(1))) -DFXL_ASSERT_HOOK)
-
-endef
-
 # $(1): a core's name.
 define CORE_TEST_RULES
 $(CORE_OUT)/$(1)/unit/%.o: %.c firmware/unittest/unittest.mk
@@ -56,8 +49,10 @@ $(CORE_OUT)/$(1)/unit/%_runner.o: $(CORE_OUT)/runners/%_runner.c firmware/unitte
 $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_FOREIGN_CC,$(1)))
 endef
+# The library with its assertions on.
 $(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core)))\
-    $(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core)),$(CORE_CC.$(core))),$(eval $(call CORE_TEST_LIB_RULE,$(core),$(pattern)))))
+    $(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/unit/lib,\
+        $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Ilib/include $$(CORE_TUNE.$(core)) -DFXL_ASSERT_HOOK),firmware/firmware.mk)))
 
 # Of those, what the board is not made of anyway.
 BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_SOURCES.$(1)),$(UNIT_PARTS)))

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "path.h"
 
+#include "fixel/extra/player.h"
+
 void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live)
 {
     path->image = image;
     path->viewer = image->start;
     path->frame = 0;
     path->stride = 0;
-    path->stride_left = image->strides != NULL ? image->strides[0].frames : 0;
+    path->stride_left = image->segments != NULL ? image->segments[0].frames : 0;
     path->live = live;
 }
 
@@ -18,7 +20,7 @@ bool walk_path_wants_keys(const walk_path *path)
 
 static uint32_t stride_keys(walk_path *path)
 {
-    const fxl_stride *strides = path->image->strides;
+    const fxl_path_segment *strides = path->image->segments;
 
     if (path->stride_left == 0) {
         path->stride++; /* < path_count, since frame < frame_count */
@@ -41,5 +43,5 @@ fxl_status walk_path_next(walk_path *path, uint32_t held)
         path->frame++;
         keys = stride_keys(path);
     }
-    return fxl_viewer_step(&path->viewer, keys, &path->image->gait, NULL);
+    return fxl_player_step(&path->viewer, keys, &path->image->motion_limits, NULL);
 }

@@ -7,7 +7,7 @@
 
 typedef struct {
     const fxl_scene_image *image;
-    fxl_viewer viewer;
+    fxl_player viewer;
     uint32_t frame;       /* of the path, the next one */
     uint32_t stride;      /* the one under way */
     uint32_t stride_left; /* frames of it still to come */
@@ -24,7 +24,7 @@ bool walk_path_wants_keys(const walk_path *path);
 /* Moves on to the next frame; its pose is then path->viewer.pose. A path of
  * poses gives its poses; a path of strides walks; after either, and where the
  * path is live, held decides.
- * What fxl_viewer_step answers; on an error the viewer stays. */
+ * What fxl_player_step answers; on an error the viewer stays. */
 fxl_status walk_path_next(walk_path *path, uint32_t held);
 
 #endif

@@ -7,7 +7,7 @@
 #include "contract/journal.h"
 #include "contract/store.h"
 #include "contract/system.h"
-#include "fixel.h"
+#include "fixel/all.h"
 #include "path.h"
 
 /* A row of the widest screen must fit. */
@@ -18,12 +18,12 @@ static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
 static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* what light wants is taken from it */
 #else
-static uint32_t *const list = NULL;         /* every band walks the scene */
+static uint32_t *const list = NULL;           /* every band walks the scene */
 #endif
 #if WALK_CACHE_ENTRIES > 0
-static fxl_seen_vertex cache[WALK_CACHE_ENTRIES];
+static fxl_cached_vertex cache[WALK_CACHE_ENTRIES];
 #else
-static fxl_seen_vertex *const cache = NULL; /* every face works its vertices out anew */
+static fxl_cached_vertex *const cache = NULL; /* every face works its vertices out anew */
 #endif
 static fxl_renderer renderer;
 
@@ -121,7 +121,7 @@ static int open_scene(fxl_scene_image *image)
 static int open_renderer(const fxl_scene_image *image)
 {
     const fxl_scene *scene = &image->scene;
-    const uint32_t room = fxl_light_room(scene->beams, scene->beam_count);
+    const uint32_t room = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
     if (room > WALK_LIST_BYTES / 4 * 4) {
         print_with_number("walk: the scene's light needs ", room, " bytes");
         print_with_number(", this board's list has ", WALK_LIST_BYTES, "\n");
@@ -130,7 +130,7 @@ static int open_renderer(const fxl_scene_image *image)
     const fxl_memory memory = {
         order, WALK_ORDER_ENTRIES, room > 0 ? list + room / 4 : list, (WALK_LIST_BYTES - room) / 4,
         cache, WALK_CACHE_ENTRIES};
-    fxl_status status = fxl_renderer_init(&renderer, scene, &image->lens, &memory);
+    fxl_status status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
 
     if (status == FXL_E_CAPACITY) {
         print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
@@ -138,7 +138,7 @@ static int open_renderer(const fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK && scene->beam_count > 0) {
-        status = fxl_renderer_set_light(&renderer, scene->beams, scene->beam_count, scene->lit,
+        status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
                                         list, room);
     }
     if (status != FXL_OK) {

@@ -19,7 +19,7 @@ ref_volume_polygon case_seen(const clipper_case *of)
     return seen;
 }
 
-void case_carry(const clipper_case *of, int vertex, fxl_clip_vertex *into)
+void case_carry(const clipper_case *of, int vertex, fxl_varying_vertex *into)
 {
     const fxl_vertex *from = &of->polygon.vertices[vertex];
     into->carried[0] = from->position.x;
@@ -30,8 +30,8 @@ void case_carry(const clipper_case *of, int vertex, fxl_clip_vertex *into)
     into->carried[5] = vertex % 2 ? 16383 * 65536 : -16383 * 65536;
 }
 
-double case_carried_error(const clipper_case *of, const fxl_clip_vertex *vertex, double x, double y,
-                          double z)
+double case_carried_error(const clipper_case *of, const fxl_varying_vertex *vertex, double x,
+                          double y, double z)
 {
     ref_camera camera = bridge_camera(&of->camera);
     fxl_point point = {vertex->carried[0], vertex->carried[1], vertex->carried[2]};

@@ -54,11 +54,11 @@ void measure_line_by_codes(clipper_tally *tally, const clipper_case *of);
 /* The vertices of a case, exact, along right, up and forward. The first three
  * numbers that ride along are the vertex's own place in the world. */
 ref_volume_polygon case_seen(const clipper_case *of);
-void case_carry(const clipper_case *of, int vertex, fxl_clip_vertex *into);
+void case_carry(const clipper_case *of, int vertex, fxl_varying_vertex *into);
 
 /* How far what rides along is from where the vertex lies, in 1/65536. */
-double case_carried_error(const clipper_case *of, const fxl_clip_vertex *vertex, double x, double y,
-                          double z);
+double case_carried_error(const clipper_case *of, const fxl_varying_vertex *vertex, double x,
+                          double y, double z);
 
 /* The twin's answer on the screen; false where nothing is seen. *parallel: whether
  * the polygon is nearly parallel to a plane that cuts it. */

@@ -4,9 +4,10 @@
 
 #include "clippers/measure.h"
 
-static void load(const clipper_case *of, const fxl_normalised *frustum, fxl_clip_polygon *polygon)
+static void load(const clipper_case *of, const fxl_normalised *frustum,
+                 fxl_varying_polygon *polygon)
 {
-    *polygon = (fxl_clip_polygon){.count = of->polygon.count, .carried = FXL_CARRIED_MAX};
+    *polygon = (fxl_varying_polygon){.count = of->polygon.count, .carried = FXL_CARRIED_MAX};
     for (int i = 0; i < of->polygon.count; i++) {
         fxl_normalised_point(frustum, &of->polygon.vertices[i].position,
                              &polygon->vertices[i].position);
@@ -15,7 +16,7 @@ static void load(const clipper_case *of, const fxl_normalised *frustum, fxl_clip
 }
 
 /* Back from the normalised frustum into the view, by its definition. */
-static double carried_error(const clipper_case *of, const fxl_clip_vertex *vertex)
+static double carried_error(const clipper_case *of, const fxl_varying_vertex *vertex)
 {
     double focal = of->lens.focal / 65536.0;
     double x = focal / (of->lens.width / 2.0), y = focal / (of->lens.height / 2.0);
@@ -27,7 +28,7 @@ static double carried_error(const clipper_case *of, const fxl_clip_vertex *verte
 }
 
 /* Vertices that a plane made. */
-static uint64_t count_made(const fxl_clip_polygon *in, const fxl_clip_polygon *out)
+static uint64_t count_made(const fxl_varying_polygon *in, const fxl_varying_polygon *out)
 {
     uint64_t made = 0;
     for (int i = 0; i < out->count; i++) {
@@ -42,7 +43,7 @@ static uint64_t count_made(const fxl_clip_polygon *in, const fxl_clip_polygon *o
 }
 
 /* Whether a vertex lies on two planes. */
-static bool has_corner(const fxl_normalised *frustum, const fxl_clip_polygon *out)
+static bool has_corner(const fxl_normalised *frustum, const fxl_varying_polygon *out)
 {
     bool any = false;
     for (int i = 0; i < out->count; i++) {
@@ -57,18 +58,18 @@ static bool has_corner(const fxl_normalised *frustum, const fxl_clip_polygon *ou
 
 static void measure(clipper_tally *tally, const clipper_case *of, bool once, fxl_q18_46 sliver)
 {
-    static fxl_clip_room room;
-    static fxl_clip_once_room once_room;
-    fxl_clip_polygon polygon;
-    const fxl_clip_polygon *result;
+    static fxl_clip_workspace room;
+    static fxl_clip_once_workspace once_room;
+    fxl_varying_polygon polygon;
+    const fxl_varying_polygon *result;
     fxl_normalised frustum;
     fxl_normalised_from_camera(&of->camera, &of->lens, &frustum);
     load(of, &frustum, &polygon);
-    room.account = once_room.account = (fxl_clip_account){sliver, 0, 0};
+    room.stats = once_room.stats = (fxl_clip_stats){sliver, 0, 0};
     fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_room, &result)
                                : fxl_clip_normalised(&polygon, &frustum, &room, &result);
     if (cut == FXL_CLIP_CUT) {
-        uint32_t crossings = (once ? &once_room.account : &room.account)->intersections;
+        uint32_t crossings = (once ? &once_room.stats : &room.stats)->intersections;
         bool plain = !has_corner(&frustum, result);
         tally->crossings += crossings;
         tally->made += count_made(&polygon, result);

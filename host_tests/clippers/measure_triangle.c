@@ -71,7 +71,7 @@ static void count(clipper_tally *tally, const pieces *all, const outline *expect
 
 void measure_triangle(clipper_tally *tally, const clipper_case *of)
 {
-    static fxl_triangle_room room;
+    static fxl_triangle_workspace room;
     clipper_case one = *of;
     fxl_clip_triangle triangle;
     fxl_volume volume;
@@ -91,7 +91,7 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
     for (int i = 0; i < OUTLINE_MAX; i++) {
         all.missed[i] = INFINITY;
     }
-    room.account = (fxl_clip_account){0, 0, 0};
+    room.stats = (fxl_clip_stats){0, 0, 0};
     room.screen_sliver = 0;
     fxl_clip_result cut = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &room);
     tally->refused += cut == FXL_CLIP_CAPACITY;
@@ -114,6 +114,6 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
         tally->made++;
     }
     tally->verdicts += status != FXL_OK;
-    tally->crossings += room.account.intersections;
+    tally->crossings += room.stats.intersections;
     count(tally, &all, &expected, parallel);
 }

@@ -5,7 +5,7 @@
 
 #define UNIT 0x1p46
 
-static ref_volume_vertex vertex_of(const fxl_clip_vertex *from)
+static ref_volume_vertex vertex_of(const fxl_varying_vertex *from)
 {
     ref_volume_vertex made = {from->position.x / (ref_wide)UNIT,
                               from->position.y / (ref_wide)UNIT,
@@ -17,9 +17,9 @@ static ref_volume_vertex vertex_of(const fxl_clip_vertex *from)
     return made;
 }
 
-static void load(const clipper_case *of, fxl_clip_polygon *polygon)
+static void load(const clipper_case *of, fxl_varying_polygon *polygon)
 {
-    *polygon = (fxl_clip_polygon){.count = of->polygon.count, .carried = FXL_CARRIED_MAX};
+    *polygon = (fxl_varying_polygon){.count = of->polygon.count, .carried = FXL_CARRIED_MAX};
     for (int i = 0; i < of->polygon.count; i++) {
         fxl_transform_point(&of->camera, &of->polygon.vertices[i].position,
                             &polygon->vertices[i].position);
@@ -29,7 +29,7 @@ static void load(const clipper_case *of, fxl_clip_polygon *polygon)
 
 /* Counts a clipped polygon of the view, its vertices and what they carry. */
 static void count_result(clipper_tally *tally, const clipper_case *of, fxl_clip_result cut,
-                         const fxl_clip_polygon *result, const ref_half_space *planes)
+                         const fxl_varying_polygon *result, const ref_half_space *planes)
 {
     outline expected, got;
     bool parallel;
@@ -54,9 +54,9 @@ static void count_result(clipper_tally *tally, const clipper_case *of, fxl_clip_
 
 static void measure(clipper_tally *tally, const clipper_case *of, uint32_t screen)
 {
-    static fxl_clip_room room;
-    static fxl_clip_polygon polygon;
-    const fxl_clip_polygon *result;
+    static fxl_clip_workspace room;
+    static fxl_varying_polygon polygon;
+    const fxl_varying_polygon *result;
     fxl_volume volume;
     ref_half_space planes[REF_PLANE_COUNT];
     ref_lens lens = bridge_lens(&of->lens);
@@ -70,9 +70,9 @@ static void measure(clipper_tally *tally, const clipper_case *of, uint32_t scree
         }
     }
     load(of, &polygon);
-    room.account = (fxl_clip_account){0, 0, 0};
+    room.stats = (fxl_clip_stats){0, 0, 0};
     fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &room, &result);
-    tally->crossings += room.account.intersections;
+    tally->crossings += room.stats.intersections;
     count_result(tally, of, cut, result, planes);
 }
 
@@ -97,7 +97,7 @@ static void window_of(const clipper_case *of, fxl_volume *volume, ref_half_space
     fxl_q16_16 left = of->polygon.vertices[0].u / 64, bottom = of->polygon.vertices[0].v / 64;
     fxl_q16_16 right = left + 65536 + (of->polygon.vertices[1].u & 0xFFFFF);
     fxl_q16_16 top = bottom + 65536 + (of->polygon.vertices[1].v & 0xFFFFF);
-    fxl_q16_16 near = FXL_NEAR_MIN + (of->polygon.vertices[2].u & 0xFFFFF), far = of->lens.far;
+    fxl_q16_16 near = FXL_NEAR_MIN + (of->polygon.vertices[2].u & 0xFFFFF), far = of->lens.far_z;
     far = far > near ? far : near + 1;
     fxl_volume_from_window(left, right, bottom, top, near, far, volume);
     ref_volume_from_window(left / REF_ONE, right / REF_ONE, bottom / REF_ONE, top / REF_ONE,
@@ -126,7 +126,7 @@ static double from_line(const ref_volume_vertex *p, const ref_volume_vertex *a,
 static void measure_line(clipper_tally *tally, const clipper_case *of,
                          bool (*clip)(fxl_clip_line *, const fxl_volume *, uint32_t *))
 {
-    fxl_clip_polygon polygon;
+    fxl_varying_polygon polygon;
     fxl_volume volume;
     ref_half_space planes[REF_PLANE_COUNT];
     window_of(of, &volume, planes);

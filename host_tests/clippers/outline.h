@@ -3,7 +3,7 @@
 #ifndef CLIPPERS_OUTLINE_H
 #define CLIPPERS_OUTLINE_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "reference/volume.h"
 
 enum {

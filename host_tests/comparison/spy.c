@@ -117,7 +117,7 @@ static void close_face(void)
     }
 }
 
-static void open_face(const fxl_placed *placed, const fxl_face *face)
+static void open_face(const fxl_model_view *placed, const fxl_face *face)
 {
     current.open = true;
     current.count = 0;
@@ -149,8 +149,8 @@ static void add_piece(const fxl_screen_polygon *screen)
     }
 }
 
-static fxl_clip_result ask(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
-                           fxl_screen_polygon *screen)
+static fxl_clip_result ask(const fxl_model_view *placed, const fxl_face *face,
+                           fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     close_face();
     open_face(placed, face);
@@ -181,7 +181,7 @@ static fxl_clip_result ask(const fxl_placed *placed, const fxl_face *face, fxl_c
     return result;
 }
 
-static fxl_clip_result ask_next(const fxl_placed *placed, fxl_clipper_work *work,
+static fxl_clip_result ask_next(const fxl_model_view *placed, fxl_clipper_work *work,
                                 fxl_screen_polygon *screen)
 {
     fxl_clip_result result = asked->next(placed, work, screen);
@@ -193,8 +193,8 @@ static fxl_clip_result ask_next(const fxl_placed *placed, fxl_clipper_work *work
 
 bool spy_begin(fxl_renderer *renderer, spy_sides sides)
 {
-    uint32_t wanted = renderer->clipper->room;
-    wanted = wanted > sizeof(fxl_clip_account) ? wanted : (uint32_t)sizeof(fxl_clip_account);
+    uint32_t wanted = renderer->clipper->workspace_size;
+    wanted = wanted > sizeof(fxl_clip_stats) ? wanted : (uint32_t)sizeof(fxl_clip_stats);
     cut_to = sides;
     asked = renderer->clipper;
     spy = (fxl_clipper){ask, asked->next != NULL ? ask_next : NULL, wanted};
@@ -209,7 +209,7 @@ void spy_watch(fxl_renderer *renderer, bool watching)
 
 const spy_findings *spy_end(void)
 {
-    fxl_clip_account account;
+    fxl_clip_stats account;
     memcpy(&account, room, sizeof account);
     close_face();
     found.intersections = account.intersections;

@@ -152,9 +152,9 @@ static int128 plane_distance(const designs_input *input, const fxl_view_point *p
         return (int128)sign * frustum.y_side * point->y + (int128)frustum.y_depth * point->z -
                inset;
     case FXL_PLANE_NEAR:
-        return one * (point->z - frustum.near);
+        return one * (point->z - frustum.near_z);
     default:
-        return one * (frustum.far - point->z);
+        return one * (frustum.far_z - point->z);
     }
 }
 

@@ -110,9 +110,9 @@ static vector plane_of(const designs_input *input, float *distance)
                      side_x * right.z + side_y * up.z + depth * forward.z};
     *distance = dot(&normal, &eye) + q16(input->lens.inset);
     if (input->plane == FXL_PLANE_NEAR) {
-        *distance += q16(input->lens.near);
+        *distance += q16(input->lens.near_z);
     } else if (input->plane == FXL_PLANE_FAR) {
-        *distance -= q16(input->lens.far);
+        *distance -= q16(input->lens.far_z);
     }
     return normal;
 }

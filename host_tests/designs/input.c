@@ -40,8 +40,8 @@ static void put_view(numbers *list, const designs_input *input)
     put(list, lens->width);
     put(list, lens->height);
     put(list, lens->focal);
-    put(list, lens->near);
-    put(list, lens->far);
+    put(list, lens->near_z);
+    put(list, lens->far_z);
     put(list, lens->inset);
     put_point(list, &input->camera.position);
     put_direction(list, &input->camera.right);
@@ -142,8 +142,8 @@ static void take_view(numbers *list, designs_input *input, bool *sound)
     input->lens.width = (uint16_t)take(list, 1, FXL_SCREEN_MAX, sound);
     input->lens.height = (uint16_t)take(list, 1, FXL_SCREEN_MAX, sound);
     input->lens.focal = (fxl_q16_16)take(list, 1, (1 << 29) - 1, sound);
-    input->lens.near = (fxl_q16_16)take(list, FXL_NEAR_MIN, FXL_FAR_MAX, sound);
-    input->lens.far = (fxl_q16_16)take(list, FXL_NEAR_MIN, FXL_FAR_MAX, sound);
+    input->lens.near_z = (fxl_q16_16)take(list, FXL_NEAR_MIN, FXL_FAR_MAX, sound);
+    input->lens.far_z = (fxl_q16_16)take(list, FXL_NEAR_MIN, FXL_FAR_MAX, sound);
     input->lens.inset = (fxl_q16_16)take(list, 0, FXL_INSET_MAX, sound);
     input->camera.position = take_point(list, sound);
     input->camera.right = take_direction(list, sound);

@@ -4,7 +4,7 @@
 #ifndef DESIGNS_INPUT_H
 #define DESIGNS_INPUT_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 
 enum designs_stage {
     DESIGNS_MATRIX,

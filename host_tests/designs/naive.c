@@ -116,9 +116,9 @@ static vector plane_of(const designs_input *input, fixed *distance)
         multiply(side_x, right.z) + multiply(side_y, up.z) + multiply(depth, forward.z)};
     *distance = held((int64_t)dot(&normal, &eye) + input->lens.inset);
     if (input->plane == FXL_PLANE_NEAR) {
-        *distance = held((int64_t)*distance + input->lens.near);
+        *distance = held((int64_t)*distance + input->lens.near_z);
     } else if (input->plane == FXL_PLANE_FAR) {
-        *distance = held((int64_t)*distance - input->lens.far);
+        *distance = held((int64_t)*distance - input->lens.far_z);
     }
     return normal;
 }

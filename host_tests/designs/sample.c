@@ -89,7 +89,7 @@ static double half_extent(const fxl_lens *lens, int axis)
 
 static double sample_depth(const designs_plan *plan, designs_random *random, const fxl_lens *lens)
 {
-    double near = lens->near / 65536.0;
+    double near = lens->near_z / 65536.0;
     designs_range depth = plan->depth;
     depth.low = depth.low < near ? near : depth.low;
     return between(random, depth);
@@ -97,7 +97,7 @@ static double sample_depth(const designs_plan *plan, designs_random *random, con
 
 static bool is_visible(const designs_input *input, const fxl_view_point *view)
 {
-    if (view->z < (int64_t)input->lens.near << 30) {
+    if (view->z < (int64_t)input->lens.near_z << 30) {
         return false;
     }
     designs_screen screen = exact_screen(input, view);
@@ -128,7 +128,7 @@ static place place_on_plane(const designs_plan *plan, designs_random *random,
 {
     const fxl_lens *lens = &input->lens;
     bool near = input->plane == FXL_PLANE_NEAR;
-    double z = near ? (lens->near + lens->inset) / 65536.0 : sample_depth(plan, random, lens);
+    double z = near ? (lens->near_z + lens->inset) / 65536.0 : sample_depth(plan, random, lens);
     place view = {{0, 0, z}};
     for (int axis = 0; axis < 2; axis++) {
         view.axes[axis] = z * half_extent(lens, axis) * designs_random_uniform(random, -1, 1);

@@ -94,7 +94,7 @@ static void explain_view(enum designs_stage stage, const designs_input *input)
 {
     const fxl_lens *lens = &input->lens;
     printf("screen %u x %u pixels, focal length %.6f pixels, near plane %.6f\n", lens->width,
-           lens->height, lens->focal / 65536.0, lens->near / 65536.0);
+           lens->height, lens->focal / 65536.0, lens->near_z / 65536.0);
     for (int i = 0; i < (stage == DESIGNS_CLIP ? 2 : 1); i++) {
         const fxl_point *point = &input->points[i];
         fxl_view_point view = exact_view_point(input, i);

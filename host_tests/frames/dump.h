@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 
 typedef struct {
     FILE *file;

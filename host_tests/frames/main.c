@@ -24,9 +24,9 @@ typedef struct {
 typedef struct {
     fxl_scene_image image;
     fxl_renderer renderer;
-    fxl_hidden hidden; /* with the clipper's own painter */
+    fxl_visibility hidden; /* with the clipper's own painter */
     uint8_t *pixels;
-    fxl_clipper_room room;
+    fxl_clipper_workspace room;
     uint64_t drawn, clipped, refused, degenerate;
 } session;
 
@@ -133,10 +133,10 @@ static const char *open_session(const options *wanted, session *run)
                          scene->order_needed,
                          need(4 * (size_t)wanted->list),
                          wanted->list,
-                         need(wanted->cache * sizeof(fxl_seen_vertex)),
+                         need(wanted->cache * sizeof(fxl_cached_vertex)),
                          wanted->cache};
     run->pixels = need((size_t)lens->width * lens->height);
-    status = fxl_renderer_init(&run->renderer, scene, lens, &memory);
+    status = fxl_renderer_init_with(&run->renderer, scene, lens, &memory);
     if (status == FXL_OK) {
         status = fxl_renderer_set_clipper(&run->renderer, wanted->clipper->clipper, &run->room,
                                           sizeof run->room);
@@ -144,27 +144,30 @@ static const char *open_session(const options *wanted, session *run)
     if (status == FXL_OK) {
         run->hidden = *wanted->hidden->hidden;
         if (wanted->clipper->painter) {
-            run->hidden.painter = run->hidden.painter == &fxl_painter_spans
-                                      ? &fxl_painter_spans_box
+            run->hidden.backend = run->hidden.backend == &fxl_raster_spans
+                                      ? &fxl_raster_spans_box
                                       : wanted->clipper->painter;
         }
         const uint32_t room =
-            (run->hidden.walk_room ? run->hidden.walk_room(scene) + 8 : 0) +
-            (run->hidden.painter->room ? run->hidden.painter->room(lens) * 16 : 0);
-        status = fxl_renderer_set_hidden(&run->renderer, &run->hidden, need(room), room);
+            (run->hidden.submit_workspace_size ? run->hidden.submit_workspace_size(scene) + 8 : 0) +
+            (run->hidden.backend->workspace_size ? run->hidden.backend->workspace_size(lens) * 16
+                                                 : 0);
+        status = fxl_renderer_set_visibility(&run->renderer, &run->hidden, need(room), room);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
-        const uint32_t room = fxl_light_room(scene->beams, scene->beam_count);
-        status = fxl_renderer_set_light(&run->renderer, scene->beams, scene->beam_count, scene->lit,
+        const uint32_t room = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
+        status = fxl_renderer_set_beams(&run->renderer, scene->beams, scene->beam_count, scene->lit,
                                         need(room), room);
     }
-    if (status == FXL_OK && run->renderer.hidden->walk_room == fxl_hidden_tree.walk_room &&
-        scene->nodes != NULL) {
-        fxl_tree_room *tree = run->renderer.walk_room;
+    if (status == FXL_OK &&
+        run->renderer.visibility->submit_workspace_size ==
+            fxl_visibility_bsp.submit_workspace_size &&
+        scene->bsp_nodes != NULL) {
+        fxl_bsp_workspace *tree = run->renderer.submit_workspace;
         tree->pieces = need(wanted->pieces);
         tree->pieces_size = wanted->pieces;
     }
-    run->room.account.sliver = (fxl_q18_46)wanted->sliver << 30;
+    run->room.stats.sliver = (fxl_q18_46)wanted->sliver << 30;
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 
@@ -241,6 +244,6 @@ int main(int count, char **arguments)
            ", \"clipped\": %" PRIu64 ", \"refused\": %" PRIu64 ", \"degenerate\": %" PRIu64
            ", \"intersections\": %" PRIu32 ", \"distances\": %" PRIu32 "}\n",
            wanted.clipper->name, wanted.hidden->name, frames, run.drawn, run.clipped, run.refused,
-           run.degenerate, run.room.account.intersections, run.room.account.distances);
+           run.degenerate, run.room.stats.intersections, run.room.stats.distances);
     return fflush(stdout) == 0 ? 0 : 2;
 }

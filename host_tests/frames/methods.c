@@ -11,15 +11,15 @@ static const named_clipper clippers[] = {
     {"half-spaces", &fxl_clipper_half_spaces, NULL},
     {"triangles", &fxl_clipper_triangles, NULL},
     {"near", &fxl_clipper_near, NULL},
-    {"near-box", &fxl_clipper_near, &fxl_painter_box},
+    {"near-box", &fxl_clipper_near, &fxl_raster_box},
     {"left", &fxl_clipper_left, NULL},
 };
 
 static const named_hidden methods[] = {
-    {"sorted", &fxl_hidden_sorted},
-    {"spans", &fxl_hidden_spans},
-    {"tree", &fxl_hidden_tree},
-    {"tree-spans", &fxl_hidden_tree_spans},
+    {"sorted", &fxl_visibility_sorted},
+    {"spans", &fxl_visibility_spans},
+    {"tree", &fxl_visibility_bsp},
+    {"tree-spans", &fxl_visibility_bsp_spans},
 };
 
 const named_clipper *find_clipper(const char *name)

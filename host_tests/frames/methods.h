@@ -3,17 +3,17 @@
 #ifndef FRAMES_METHODS_H
 #define FRAMES_METHODS_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 
 typedef struct {
     const char *name;
     const fxl_clipper *clipper;
-    const fxl_painter *painter; /* its own; null: the method's */
+    const fxl_raster_backend *painter; /* its own; null: the method's */
 } named_clipper;
 
 typedef struct {
     const char *name;
-    const fxl_hidden *hidden;
+    const fxl_visibility *hidden;
 } named_hidden;
 
 /* Null where there is none of that name. */

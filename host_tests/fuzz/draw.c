@@ -12,21 +12,21 @@ enum {
 };
 
 /* The clippers as a renderer knows them, with their promises checked. */
-static fxl_clip_result checked_by_view(const fxl_placed *placed, const fxl_face *face,
+static fxl_clip_result checked_by_view(const fxl_model_view *placed, const fxl_face *face,
                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    const uint16_t *corners = placed->corners + face->first_corner;
+    const uint16_t *corners = placed->indices + face->first_index;
     fxl_view_polygon seen = {.colour = face->colour, .count = face->count};
     const fxl_view_polygon *clipped;
     static fxl_clip_view_work checked;
     fxl_planes needed = 0;
     for (uint32_t i = 0; i < face->count; i++) {
-        fxl_point from_eye = fxl_placed_vertex(placed, corners[i]), point = from_eye;
+        fxl_point from_eye = fxl_model_view_vertex(placed, corners[i]), point = from_eye;
         point.x += placed->view->camera.position.x;
         point.y += placed->view->camera.position.y;
         point.z += placed->view->camera.position.z;
         fxl_transform_point(&placed->view->camera, &point, &seen.vertices[i].position);
-        DEMAND(memcmp(&fxl_see(placed, corners[i])->position, &seen.vertices[i].position,
+        DEMAND(memcmp(&fxl_fetch_vertex(placed, corners[i])->position, &seen.vertices[i].position,
                       sizeof seen.vertices[i].position) == 0);
         needed |= judge_outcode(&placed->view->view_frustum, &seen.vertices[i].position, 0);
     }
@@ -48,7 +48,7 @@ static fxl_clip_result checked_by_view(const fxl_placed *placed, const fxl_face 
     return cut;
 }
 
-static fxl_clip_result checked_by_world(const fxl_placed *placed, const fxl_face *face,
+static fxl_clip_result checked_by_world(const fxl_model_view *placed, const fxl_face *face,
                                         fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     fxl_clip_result cut = fxl_clip_by_world(placed, face, work, screen);
@@ -59,7 +59,7 @@ static fxl_clip_result checked_by_world(const fxl_placed *placed, const fxl_face
 /* Any other: its outlines are such as the scan takes. */
 static const fxl_clipper *of_family;
 
-static fxl_clip_result checked_clip(const fxl_placed *placed, const fxl_face *face,
+static fxl_clip_result checked_clip(const fxl_model_view *placed, const fxl_face *face,
                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     fxl_clip_result cut = of_family->clip(placed, face, work, screen);
@@ -70,7 +70,7 @@ static fxl_clip_result checked_clip(const fxl_placed *placed, const fxl_face *fa
     return cut;
 }
 
-static fxl_clip_result checked_next(const fxl_placed *placed, fxl_clipper_work *work,
+static fxl_clip_result checked_next(const fxl_model_view *placed, fxl_clipper_work *work,
                                     fxl_screen_polygon *screen)
 {
     fxl_clip_result cut = of_family->next(placed, work, screen);
@@ -92,16 +92,16 @@ static const fxl_clipper *checked(uint32_t number)
         return number == 1 ? &checked_world : &checked_view;
     }
     of_family = family[number - 2];
-    made =
-        (fxl_clipper){checked_clip, of_family->next != NULL ? checked_next : NULL, of_family->room};
+    made = (fxl_clipper){checked_clip, of_family->next != NULL ? checked_next : NULL,
+                         of_family->workspace_size};
     return &made;
 }
 
 uint64_t draw_faces_placed(const fxl_scene *scene)
 {
     uint64_t faces = 0;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        faces += scene->models[scene->objects[i].model].face_count;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        faces += scene->models[scene->instances[i].model].face_count;
     }
     return faces;
 }
@@ -171,23 +171,23 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     fxl_memory memory;
     memory.order_capacity = scene->order_needed;
     memory.order = malloc(scene->order_needed * sizeof *memory.order);
-    memory.list_capacity = list_words;
-    memory.list = malloc(list_words * sizeof *memory.list + 1);
+    memory.display_list_capacity = list_words;
+    memory.display_list = malloc(list_words * sizeof *memory.display_list + 1);
     memory.cache_capacity = cache_entries;
     memory.cache = cache_entries > 0 ? malloc(cache_entries * sizeof *memory.cache) : NULL;
-    DEMAND(renderer != NULL && memory.order != NULL && memory.list != NULL);
+    DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
     DEMAND(memory.cache != NULL || cache_entries == 0);
     memset(renderer, GAP, sizeof *renderer);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &memory) == FXL_OK);
     const fxl_clipper *which = checked(clipper);
-    void *room = which->room > 0 ? malloc(which->room) : NULL;
-    DEMAND(room != NULL || which->room == 0);
-    DEMAND(fxl_renderer_set_clipper(renderer, which, room, which->room) == FXL_OK);
+    void *room = which->workspace_size > 0 ? malloc(which->workspace_size) : NULL;
+    DEMAND(room != NULL || which->workspace_size == 0);
+    DEMAND(fxl_renderer_set_clipper(renderer, which, room, which->workspace_size) == FXL_OK);
     if (scene->beam_count > 0) {
-        const uint32_t size = fxl_light_room(scene->beams, scene->beam_count);
+        const uint32_t size = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
         void *light = malloc(size);
         DEMAND(light != NULL);
-        DEMAND(fxl_renderer_set_light(renderer, scene->beams, scene->beam_count, scene->lit, light,
+        DEMAND(fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit, light,
                                       size) == FXL_OK);
     }
     return renderer;
@@ -195,13 +195,13 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
 
 static void free_renderer(fxl_renderer *renderer)
 {
-    free(renderer->view.room);
-    free(renderer->list.words);
-    if (renderer->cache.entries != &renderer->spare) {
+    free(renderer->view.clipper_workspace);
+    free(renderer->display_list.words);
+    if (renderer->cache.entries != &renderer->own_entry) {
         free(renderer->cache.entries);
     }
     free(renderer->order);
-    free((void *)(uintptr_t)renderer->light); /* it lies at the beginning of its room */
+    free((void *)(uintptr_t)renderer->beam_light); /* it lies at the beginning of its room */
     free(renderer);
 }
 
@@ -210,13 +210,13 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
                        uint32_t clipper, fuzz_input *in)
 {
     fxl_counters counters = first->counters;
-    uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_LIST_WORDS(8));
+    uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     fxl_renderer *renderer =
         make_renderer(first->scene, &first->view.lens, clipper, words, fuzz_below(in, 40));
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->counters.spilled <= counters.spilled);
-    DEMAND(renderer->counters.spilled < counters.spilled || renderer->list.used == 0);
+    DEMAND(renderer->counters.spilled < counters.spilled || renderer->display_list.used == 0);
     counters.spilled = renderer->counters.spilled;
     DEMAND(memcmp(&counters, &renderer->counters, sizeof counters) == 0);
     free_renderer(renderer);
@@ -228,13 +228,14 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
 {
     const fxl_lens *lens = &first->view.lens;
     fxl_counters counters = first->counters;
-    uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_LIST_WORDS(8));
-    uint32_t size = FXL_SPAN_BUFFER_ROOM_LEAST(lens->width, lens->height);
+    uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
+    uint32_t size = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
-    const fxl_hidden *hidden = fuzz_below(in, 4) ? &fxl_hidden_spans : &fxl_hidden_spans_box;
+    const fxl_visibility *hidden =
+        fuzz_below(in, 4) ? &fxl_visibility_spans : &fxl_visibility_spans_box;
     void *room = malloc(size += fuzz_below(in, 12u * lens->height));
     DEMAND(room != NULL);
-    DEMAND(fxl_renderer_set_hidden(renderer, hidden, room, size) == FXL_OK);
+    DEMAND(fxl_renderer_set_visibility(renderer, hidden, room, size) == FXL_OK);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->counters.spilled <= counters.spilled);
@@ -256,10 +257,10 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
     memcpy(models, scene.models, scene.model_count * sizeof *models);
     for (uint32_t i = 0; i < scene.model_count; i++) {
         models[i].radius = FXL_RADIUS_MAX;
-        models[i].first_key = 0;
+        models[i].first_face_bounds = 0;
     }
     scene.models = models;
-    scene.keys = NULL;
+    scene.face_bounds = NULL;
     fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, clipper, 0, 1);
     fxl_band band = make_band(&first->view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);

@@ -27,21 +27,21 @@ static void *block(size_t size)
 }
 
 static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *lens,
-                         const fxl_hidden *hidden, uint32_t pieces)
+                         const fxl_visibility *hidden, uint32_t pieces)
 {
     made->order = block(scene->order_needed * sizeof(fxl_order_entry));
     made->list = block(1);
     const fxl_memory memory = {made->order, scene->order_needed, made->list, 0, NULL, 0};
-    uint32_t room = (hidden->walk_room(scene) + 7u) & ~7u;
-    room += hidden->painter->room != NULL ? hidden->painter->room(lens) : 0;
-    DEMAND(fxl_renderer_init(&made->renderer, scene, lens, &memory) == FXL_OK);
+    uint32_t room = (hidden->submit_workspace_size(scene) + 7u) & ~7u;
+    room += hidden->backend->workspace_size != NULL ? hidden->backend->workspace_size(lens) : 0;
+    DEMAND(fxl_renderer_init_with(&made->renderer, scene, lens, &memory) == FXL_OK);
     made->room = block(room);
     made->pieces = block(pieces);
-    DEMAND(room == 0 || fxl_renderer_set_hidden(&made->renderer, hidden, made->room, room - 1) ==
-                            FXL_E_CAPACITY);
-    DEMAND(fxl_renderer_set_hidden(&made->renderer, hidden, made->room, room) == FXL_OK);
-    if (scene->nodes != NULL) {
-        fxl_tree_room *tree = made->room;
+    DEMAND(room == 0 || fxl_renderer_set_visibility(&made->renderer, hidden, made->room,
+                                                    room - 1) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_set_visibility(&made->renderer, hidden, made->room, room) == FXL_OK);
+    if (scene->bsp_nodes != NULL) {
+        fxl_bsp_workspace *tree = made->room;
         tree->pieces = made->pieces;
         tree->pieces_size = pieces;
     }
@@ -53,8 +53,8 @@ static void give_list(drawing *made, uint32_t words)
 {
     free(made->list);
     made->list = block(4 * (size_t)words);
-    made->renderer.list.words = made->list;
-    made->renderer.list.capacity = words;
+    made->renderer.display_list.words = made->list;
+    made->renderer.display_list.capacity = words;
 }
 
 static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
@@ -68,8 +68,8 @@ static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(&made->renderer, &band) == FXL_OK);
     }
-    if (made->renderer.scene->nodes != NULL) {
-        const fxl_tree_room *tree = made->room;
+    if (made->renderer.scene->bsp_nodes != NULL) {
+        const fxl_bsp_workspace *tree = made->room;
         DEMAND(tree->used <= tree->pieces_size);
         made->unsplit = tree->unsplit;
     }
@@ -102,14 +102,14 @@ void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *
 {
     drawing whole = {0}, bands = {0}, spans = {0};
     const uint32_t pieces = fuzz_below(in, 2) ? PIECES_MAX : fuzz_below(in, PIECES_MAX);
-    open_drawing(&whole, scene, lens, &fxl_hidden_tree, pieces);
+    open_drawing(&whole, scene, lens, &fxl_visibility_bsp, pieces);
     draw(&whole, pose, whole.rows);
     DEMAND(whole.renderer.counters.in == draw_faces_placed(scene));
-    open_drawing(&bands, scene, lens, &fxl_hidden_tree, pieces);
+    open_drawing(&bands, scene, lens, &fxl_visibility_bsp, pieces);
     give_list(&bands, fuzz_below(in, 200));
     draw(&bands, pose, 1 + fuzz_below(in, bands.rows));
     demand_same(&whole, &bands);
-    open_drawing(&spans, scene, lens, &fxl_hidden_tree_spans, pieces);
+    open_drawing(&spans, scene, lens, &fxl_visibility_bsp_spans, pieces);
     give_list(&spans, fuzz_below(in, 200));
     draw(&spans, pose, 1 + fuzz_below(in, spans.rows));
     demand_same(&whole, &spans);

@@ -44,12 +44,12 @@ void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose
 }
 
 /* Of an object's vertices, what its box says of the planes. */
-static void check_box(const fxl_scene *scene, const fxl_object *object, fxl_view *view)
+static void check_box(const fxl_scene *scene, const fxl_instance *object, fxl_view *view)
 {
     const fxl_model *model = &scene->models[object->model];
     uint32_t seen = 0;
     fxl_box box;
-    fxl_box_of_object(scene, object, &box);
+    fxl_box_of_instance(scene, object, &box);
     uint32_t planes = fxl_box_planes(fxl_view_world_frustum(view), &box);
     for (uint32_t i = 0; i < model->vertex_count; i++) {
         const fxl_point *vertex = &scene->vertices[model->first_vertex + i];
@@ -73,7 +73,7 @@ void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     fxl_wire wire; /* for its view */
     DEMAND(fxl_wire_init(&wire, scene, lens, fxl_line_by_codes) == FXL_OK);
     DEMAND(fxl_wire_begin(&wire, pose) == FXL_OK);
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        check_box(scene, &scene->objects[i], &wire.view);
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        check_box(scene, &scene->instances[i], &wire.view);
     }
 }

@@ -10,7 +10,7 @@ FUZZ_CLANG = $(eval FUZZ_CLANG := $$(shell for name in clang-19 clang-18 clang-1
     clang-14 clang; do command -v $$$$name && break; done))$(FUZZ_CLANG)
 
 FUZZ_SANITIZERS := -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all
-FUZZ_CFLAGS := -std=c11 -g -Ilib/include $(patsubst %,-I%,$(call LIB_FOLDERS,portable)) -MMD -MP
+FUZZ_CFLAGS := -std=c11 -g -Ilib/include -Ilib -MMD -MP
 # No silent wrap: in the library an unsigned one counts too, but where it is meant.
 FUZZ_WRAPS := -fsanitize=unsigned-integer-overflow -fsanitize-ignorelist=host_tests/fuzz/wraps.txt
 FUZZ_COVERAGE := -O1 -fprofile-instr-generate -fcoverage-mapping
@@ -23,13 +23,9 @@ FUZZ_LIB := $(LIB_NAMES)
 
 # --- libFuzzer, sanitizers, the library's assertions ---------------------------
 
-define FUZZ_ASAN_RULE
-$(FUZZ_OUT)/asan/lib/%.o: $(1) host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
-	@mkdir -p $$(@D)
-	$$(HOST_SAY)
-	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) -O1 $$(FUZZ_SANITIZERS) $$(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $$< -o $$@
-endef
-$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_ASAN_RULE,$(pattern))))
+$(eval $(call LIB_RULES,$(FUZZ_OUT)/asan/lib,\
+    $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) -O1 $$(FUZZ_SANITIZERS) $$(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $$< -o $$@,\
+    host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -38,13 +34,8 @@ $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 
 # --- branches: the library as it is shipped, without assertions ----------------
 
-define FUZZ_COVER_RULE
-$(FUZZ_OUT)/cover/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
-	@mkdir -p $$(@D)
-	$$(HOST_SAY)
-	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@
-endef
-$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_COVER_RULE,$(pattern))))
+$(eval $(call LIB_RULES,$(FUZZ_OUT)/cover/lib,\
+    $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -54,15 +45,10 @@ $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 # --- replay --------------------------------------------------------------------
 
 FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
-    -Ilib/include $(call LIB_FAMILY_CFLAGS,portable) -MMD -MP
+    -Ilib/include -Ilib -MMD -MP
 
-define FUZZ_REPLAY_RULE
-$(FUZZ_OUT)/replay/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
-	@mkdir -p $$(@D)
-	$$(HOST_SAY)
-	$$(HOSTCC) $$(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@
-endef
-$(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_REPLAY_RULE,$(pattern))))
+$(eval $(call LIB_RULES,$(FUZZ_OUT)/replay/lib,\
+    $$(HOSTCC) $$(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -88,4 +74,4 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
 HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 
--include $(wildcard $(FUZZ_OUT)/*/*.d $(FUZZ_OUT)/*/lib/*.d)
+-include $(wildcard $(FUZZ_OUT)/*/*.d $(FUZZ_OUT)/*/lib/*/*/*.d)

@@ -22,8 +22,8 @@ static bool check_scene(fxl_scene *scene)
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
     DEMAND(fxl_scene_check_all(scene, NULL) == status);
-    bool bare = scene->nodes == NULL && scene->node_count == 0 && scene->tree_object == 0 &&
-                scene->beam_count == 0;
+    bool bare = scene->bsp_nodes == NULL && scene->bsp_node_count == 0 &&
+                scene->bsp_instance == 0 && scene->beam_count == 0;
     DEMAND(bare ? fxl_scene_check(scene, NULL) == status : fxl_scene_check(scene, NULL) != FXL_OK);
     return status == FXL_OK;
 }
@@ -49,22 +49,22 @@ static void fuzz_placed_limit(fuzz_input *in)
     static const fxl_point vertices[FXL_MODEL_VERTICES_MAX];
     static const uint16_t corners[3] = {0, 1, 2};
     static const fxl_face face = {{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0};
-    static const fxl_object objects[FXL_SCENE_OBJECTS_MAX];
+    static const fxl_instance objects[FXL_SCENE_INSTANCES_MAX];
     fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, {0}, 0, 0};
     fxl_scene scene = {.vertices = vertices,
-                       .corners = corners,
+                       .indices = corners,
                        .faces = &face,
                        .models = &model,
-                       .objects = objects,
-                       .corner_count = 3,
+                       .instances = objects,
+                       .index_count = 3,
                        .face_count = 1,
                        .model_count = 1};
-    scene.object_count = 1 + fuzz_below(in, fuzz_below(in, 2) ? 8 : FXL_SCENE_OBJECTS_MAX);
+    scene.instance_count = 1 + fuzz_below(in, fuzz_below(in, 2) ? 8 : FXL_SCENE_INSTANCES_MAX);
     model.vertex_count = 3 + fuzz_below(in, FXL_MODEL_VERTICES_MAX - 2);
     scene.vertex_count = model.vertex_count;
-    uint64_t placed = (uint64_t)scene.object_count * scene.vertex_count;
+    uint64_t placed = (uint64_t)scene.instance_count * scene.vertex_count;
     DEMAND(check_scene(&scene) == (placed <= FXL_SCENE_PLACED_MAX));
-    DEMAND(placed > FXL_SCENE_PLACED_MAX || scene.order_needed == scene.object_count + 1);
+    DEMAND(placed > FXL_SCENE_PLACED_MAX || scene.order_needed == scene.instance_count + 1);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -28,19 +28,19 @@ static void read_tables(const fxl_scene_image *opened)
     const fxl_scene *scene = &opened->scene;
     volatile uint32_t sum = sum_bytes(opened->palette, 3u * 256u);
     sum += sum_bytes(scene->vertices, scene->vertex_count * sizeof *scene->vertices);
-    sum += sum_bytes(scene->corners, scene->corner_count * sizeof *scene->corners);
+    sum += sum_bytes(scene->indices, scene->index_count * sizeof *scene->indices);
     sum += sum_bytes(scene->faces, scene->face_count * sizeof *scene->faces);
     sum += sum_bytes(scene->models, scene->model_count * sizeof *scene->models);
-    sum += sum_bytes(scene->objects, scene->object_count * sizeof *scene->objects);
+    sum += sum_bytes(scene->instances, scene->instance_count * sizeof *scene->instances);
     sum += sum_bytes(scene->beams, scene->beam_count * sizeof *scene->beams);
     sum += sum_bytes(scene->lit, scene->beam_count > 0 ? 256 : 0);
-    sum += sum_bytes(scene->keys, scene->key_count * sizeof *scene->keys);
-    sum += sum_bytes(scene->nodes, scene->node_count * sizeof *scene->nodes);
-    DEMAND((opened->poses == NULL) != (opened->strides == NULL));
+    sum += sum_bytes(scene->face_bounds, scene->face_bounds_count * sizeof *scene->face_bounds);
+    sum += sum_bytes(scene->bsp_nodes, scene->bsp_node_count * sizeof *scene->bsp_nodes);
+    DEMAND((opened->poses == NULL) != (opened->segments == NULL));
     if (opened->poses != NULL) {
         sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);
     } else {
-        sum += sum_bytes(opened->strides, opened->path_count * sizeof *opened->strides);
+        sum += sum_bytes(opened->segments, opened->path_count * sizeof *opened->segments);
     }
     (void)sum;
 }
@@ -64,7 +64,7 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
 /* Walks the path as firmware does: poses as they stand, strides step by step. */
 static void walk(const fxl_scene_image *opened, fuzz_input *in)
 {
-    fxl_viewer viewer = opened->start;
+    fxl_player viewer = opened->start;
     uint32_t frames = 0;
     for (uint32_t i = 0; i < opened->path_count && frames < STEPS; i++) {
         if (opened->poses != NULL) {
@@ -75,9 +75,9 @@ static void walk(const fxl_scene_image *opened, fuzz_input *in)
             frames += 1;
             continue;
         }
-        for (uint32_t j = 0; j < opened->strides[i].frames && frames < STEPS; j++) {
-            DEMAND(fxl_viewer_step(&viewer, opened->strides[i].keys, &opened->gait, NULL) ==
-                   FXL_OK);
+        for (uint32_t j = 0; j < opened->segments[i].frames && frames < STEPS; j++) {
+            DEMAND(fxl_player_step(&viewer, opened->segments[i].keys, &opened->motion_limits,
+                                   NULL) == FXL_OK);
             if (frames < 3) {
                 draw_frame(opened, &viewer.pose, frames, in);
             }

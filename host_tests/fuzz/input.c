@@ -38,7 +38,7 @@ int32_t fuzz_any(fuzz_input *in)
                                     2 * FXL_COORDINATE_MAX,
                                     FXL_SCREEN_COORDINATE_MAX,
                                     FXL_FAR_MAX,
-                                    FXL_GAIT_MAX,
+                                    FXL_MOTION_MAX,
                                     FXL_Q2_30_ONE};
     uint32_t kind = fuzz_below(in, 32);
     if (kind < sizeof edges / sizeof edges[0]) {

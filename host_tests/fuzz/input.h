@@ -4,7 +4,7 @@
 #ifndef INPUT_H
 #define INPUT_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 
 typedef struct {
     const uint8_t *at;

@@ -50,7 +50,7 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     face->normal.x = plane.axes.forward.x * turned;
     face->normal.y = plane.axes.forward.y * turned;
     face->normal.z = plane.axes.forward.z * turned;
-    face->first_corner = scene->corner_count;
+    face->first_index = scene->index_count;
     face->count = (uint8_t)(3 + fuzz_below(in, FXL_FACE_VERTICES_MAX - 2));
     face->colour = (uint8_t)fuzz_bits(in, 1);
     for (uint32_t i = 0; i < face->count; i++) {
@@ -60,10 +60,10 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
             b = i % 2 == 0 ? -(int64_t)32768 * (1 << scale) : b; /* a comb */
         }
         made->vertices[scene->vertex_count + i] = on_plane(&plane, a, b);
-        made->corners[scene->corner_count + i] = (uint16_t)(model->vertex_count + i);
+        made->corners[scene->index_count + i] = (uint16_t)(model->vertex_count + i);
     }
     scene->face_count += 1;
-    scene->corner_count += face->count;
+    scene->index_count += face->count;
     scene->vertex_count += face->count;
     model->face_count += 1;
     model->vertex_count += face->count;
@@ -91,14 +91,14 @@ static void set_radius(const made_scene *made, fxl_model *model)
 /* The keys of a model's faces, from the vertices. */
 static void add_keys(made_scene *made, fxl_model *model)
 {
-    model->first_key = made->scene.key_count;
+    model->first_face_bounds = made->scene.face_bounds_count;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &made->faces[model->first_face + i];
         int32_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
         int32_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
         const fxl_point *first = NULL;
         for (uint32_t k = 0; k < face->count; k++) {
-            uint32_t number = made->corners[face->first_corner + k];
+            uint32_t number = made->corners[face->first_index + k];
             const fxl_point *v = &made->vertices[model->first_vertex + number];
             const int32_t at[3] = {v->x, v->y, v->z};
             first = k == 0 ? v : first;
@@ -110,9 +110,9 @@ static void add_keys(made_scene *made, fxl_model *model)
         uint64_t height = (uint64_t)((int64_t)face->normal.x * first->x) +
                           (uint64_t)((int64_t)face->normal.y * first->y) +
                           (uint64_t)((int64_t)face->normal.z * first->z);
-        made->keys[made->scene.key_count++] =
-            (fxl_face_key){(uint32_t)height, (uint32_t)(height >> 32), low[0] + high[0],
-                           low[1] + high[1], low[2] + high[2]};
+        made->keys[made->scene.face_bounds_count++] =
+            (fxl_face_bounds){(uint32_t)height, (uint32_t)(height >> 32), low[0] + high[0],
+                              low[1] + high[1], low[2] + high[2]};
     }
 }
 
@@ -133,7 +133,7 @@ static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
 
 static void add_object(made_scene *made, fuzz_input *in)
 {
-    fxl_object *object = &made->objects[made->scene.object_count++];
+    fxl_instance *object = &made->objects[made->scene.instance_count++];
     uint32_t kind = fuzz_below(in, 16);
     if (kind > 8) {
         object->centre = fuzz_point(in, FXL_COORDINATE_MAX);
@@ -143,19 +143,19 @@ static void add_object(made_scene *made, fuzz_input *in)
 }
 
 /* A node with the plane of a face, or any plane where it has none. */
-static fxl_tree_node any_node(const made_scene *made, const fxl_model *model, uint32_t first_face,
-                              bool has_face, fuzz_input *in)
+static fxl_bsp_node any_node(const made_scene *made, const fxl_model *model, uint32_t first_face,
+                             bool has_face, fuzz_input *in)
 {
-    fxl_tree_node node = {.front = FXL_TREE_NONE,
-                          .back = FXL_TREE_NONE,
-                          .parent = FXL_TREE_NONE,
-                          .first_face = (uint16_t)first_face,
-                          .face_count = has_face,
-                          .radius = model->radius};
+    fxl_bsp_node node = {.front = FXL_BSP_NONE,
+                         .back = FXL_BSP_NONE,
+                         .parent = FXL_BSP_NONE,
+                         .first_face = (uint16_t)first_face,
+                         .face_count = has_face,
+                         .radius = model->radius};
     if (has_face) {
         const fxl_face *face = &made->faces[model->first_face + first_face];
         const fxl_point *v =
-            &made->vertices[model->first_vertex + made->corners[face->first_corner]];
+            &made->vertices[model->first_vertex + made->corners[face->first_index]];
         uint64_t height = (uint64_t)((int64_t)face->normal.x * v->x) +
                           (uint64_t)((int64_t)face->normal.y * v->y) +
                           (uint64_t)((int64_t)face->normal.z * v->z);
@@ -173,15 +173,15 @@ static fxl_tree_node any_node(const made_scene *made, const fxl_model *model, ui
  * comes upon them. */
 static void hang(made_scene *made, uint32_t number, fuzz_input *in)
 {
-    fxl_tree_node *nodes = made->nodes;
+    fxl_bsp_node *nodes = made->nodes;
     uint32_t above = number - 1, up = fuzz_below(in, 4);
     if (fuzz_below(in, 2)) {
         nodes[above].front = (uint16_t)number;
         nodes[number].parent = (uint16_t)above;
         return;
     }
-    for (uint32_t at = above; up > 0 && at != FXL_TREE_NONE; at = nodes[at].parent, up--) {
-        above = nodes[at].back == FXL_TREE_NONE ? at : above;
+    for (uint32_t at = above; up > 0 && at != FXL_BSP_NONE; at = nodes[at].parent, up--) {
+        above = nodes[at].back == FXL_BSP_NONE ? at : above;
     }
     nodes[above].back = (uint16_t)number;
     nodes[number].parent = (uint16_t)above;
@@ -192,13 +192,13 @@ static void hang(made_scene *made, uint32_t number, fuzz_input *in)
 static void add_tree(made_scene *made, fuzz_input *in)
 {
     fxl_scene *scene = &made->scene;
-    uint32_t owner = fuzz_below(in, scene->object_count);
+    uint32_t owner = fuzz_below(in, scene->instance_count);
     const fxl_model *model = &made->models[made->objects[owner].model];
     if (model->kind != FXL_MODEL_SORTED) {
         return;
     }
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        fxl_object *object = &made->objects[i];
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        fxl_instance *object = &made->objects[i];
         if (i != owner && object->model == made->objects[owner].model) {
             object->model = (uint16_t)((object->model + 1u) % scene->model_count);
             if (object->model == made->objects[owner].model) {
@@ -211,17 +211,17 @@ static void add_tree(made_scene *made, fuzz_input *in)
         }
     }
     uint32_t face = 0;
-    while (face < model->face_count && scene->node_count < MADE_NODES) {
-        bool has_face =
-            MADE_NODES - scene->node_count <= model->face_count - face || fuzz_below(in, 4) != 0;
-        made->nodes[scene->node_count] = any_node(made, model, face, has_face, in);
-        if (scene->node_count > 0) {
-            hang(made, scene->node_count, in);
+    while (face < model->face_count && scene->bsp_node_count < MADE_NODES) {
+        bool has_face = MADE_NODES - scene->bsp_node_count <= model->face_count - face ||
+                        fuzz_below(in, 4) != 0;
+        made->nodes[scene->bsp_node_count] = any_node(made, model, face, has_face, in);
+        if (scene->bsp_node_count > 0) {
+            hang(made, scene->bsp_node_count, in);
         }
         face += has_face;
-        scene->node_count += 1;
+        scene->bsp_node_count += 1;
     }
-    scene->tree_object = owner;
+    scene->bsp_instance = owner;
 }
 
 /* A count that the tables do not have: lower, or above every limit. */
@@ -236,16 +236,17 @@ static void spoil(made_scene *made, fuzz_input *in)
 {
     fxl_scene *scene = &made->scene;
     fxl_model *model = &made->models[fuzz_below(in, scene->model_count)];
-    fxl_object *object = &made->objects[fuzz_below(in, scene->object_count)];
+    fxl_instance *object = &made->objects[fuzz_below(in, scene->instance_count)];
     fxl_face *face = &made->faces[fuzz_below(in, scene->face_count)];
     fxl_point *vertex = &made->vertices[fuzz_below(in, scene->vertex_count)];
-    uint16_t *corner = &made->corners[fuzz_below(in, scene->corner_count)];
-    fxl_tree_node *node = &made->nodes[fuzz_below(in, MADE_NODES)];
-    uint32_t *const counts[] = {&scene->vertex_count, &scene->corner_count, &scene->face_count,
-                                &scene->model_count,  &scene->object_count, &scene->key_count,
-                                &scene->node_count,   &scene->tree_object};
-    uint32_t *const words[] = {&face->first_corner, &model->first_vertex, &model->vertex_count,
-                               &model->first_face,  &model->face_count,   &model->first_key};
+    uint16_t *corner = &made->corners[fuzz_below(in, scene->index_count)];
+    fxl_bsp_node *node = &made->nodes[fuzz_below(in, MADE_NODES)];
+    uint32_t *const counts[] = {&scene->vertex_count,   &scene->index_count,
+                                &scene->face_count,     &scene->model_count,
+                                &scene->instance_count, &scene->face_bounds_count,
+                                &scene->bsp_node_count, &scene->bsp_instance};
+    uint32_t *const words[] = {&face->first_index, &model->first_vertex, &model->vertex_count,
+                               &model->first_face, &model->face_count,   &model->first_face_bounds};
     int32_t *const numbers[] = {
         &face->normal.x,   &face->normal.y, &face->normal.z, &object->centre.x, &object->centre.y,
         &object->centre.z, &vertex->x,      &vertex->y,      &vertex->z,        &model->radius};
@@ -299,13 +300,14 @@ static void copy_tables(made_scene *made, fxl_scene sizes)
 {
     fxl_scene *scene = &made->scene;
     scene->vertices = copy(made->vertices, sizes.vertex_count * sizeof *made->vertices);
-    scene->corners = copy(made->corners, sizes.corner_count * sizeof *made->corners);
+    scene->indices = copy(made->corners, sizes.index_count * sizeof *made->corners);
     scene->faces = copy(made->faces, sizes.face_count * sizeof *made->faces);
     scene->models = copy(made->models, sizes.model_count * sizeof *made->models);
-    scene->objects = copy(made->objects, sizes.object_count * sizeof *made->objects);
-    scene->keys = copy(made->keys, sizes.key_count * sizeof *made->keys);
-    scene->nodes =
-        sizes.node_count > 0 ? copy(made->nodes, sizes.node_count * sizeof *made->nodes) : NULL;
+    scene->instances = copy(made->objects, sizes.instance_count * sizeof *made->objects);
+    scene->face_bounds = copy(made->keys, sizes.face_bounds_count * sizeof *made->keys);
+    scene->bsp_nodes = sizes.bsp_node_count > 0
+                           ? copy(made->nodes, sizes.bsp_node_count * sizeof *made->nodes)
+                           : NULL;
 }
 
 made_scene *make_scene(fuzz_input *in)
@@ -335,11 +337,11 @@ made_scene *make_scene(fuzz_input *in)
 void free_scene(made_scene *made)
 {
     free((void *)(uintptr_t)made->scene.vertices);
-    free((void *)(uintptr_t)made->scene.corners);
+    free((void *)(uintptr_t)made->scene.indices);
     free((void *)(uintptr_t)made->scene.faces);
     free((void *)(uintptr_t)made->scene.models);
-    free((void *)(uintptr_t)made->scene.objects);
-    free((void *)(uintptr_t)made->scene.keys);
-    free((void *)(uintptr_t)made->scene.nodes);
+    free((void *)(uintptr_t)made->scene.instances);
+    free((void *)(uintptr_t)made->scene.face_bounds);
+    free((void *)(uintptr_t)made->scene.bsp_nodes);
     free(made);
 }

@@ -18,9 +18,9 @@ typedef struct {
     uint16_t corners[MADE_VERTICES];
     fxl_face faces[MADE_FACES];
     fxl_model models[MADE_MODELS];
-    fxl_object objects[MADE_OBJECTS];
-    fxl_face_key keys[MADE_FACES];
-    fxl_tree_node nodes[MADE_NODES];
+    fxl_instance objects[MADE_OBJECTS];
+    fxl_face_bounds keys[MADE_FACES];
+    fxl_bsp_node nodes[MADE_NODES];
     fxl_scene scene; /* its tables are copies of just the size that it states */
 } made_scene;
 

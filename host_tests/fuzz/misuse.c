@@ -19,16 +19,16 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
                      no_cache = {order, 2, NULL, 0, NULL, 1},
                      too_little = {order, 1, NULL, 0, NULL, 0};
     *renderer = untouched;
-    DEMAND(fxl_renderer_init(NULL, scene, lens, &memory) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, NULL, lens, &memory) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, scene, NULL, &memory) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, &no_order) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, &no_list) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, &no_cache) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, &too_little) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_init_with(NULL, scene, lens, &memory) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, NULL, lens, &memory) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, NULL, &memory) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &no_order) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &no_list) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &no_cache) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &too_little) == FXL_E_CAPACITY);
     DEMAND(memcmp(renderer, &untouched, sizeof untouched) == 0);
-    DEMAND(fxl_renderer_init(renderer, scene, lens, &memory) == FXL_OK);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &memory) == FXL_OK);
 }
 
 /* A band of the lens's screen with one number spoilt, or none. */
@@ -86,25 +86,25 @@ static void misuse_scene(void)
     static const uint16_t corners[3];
     static const fxl_face face;
     static const fxl_model model;
-    static const fxl_object object;
+    static const fxl_instance object;
     const fxl_scene whole = {.vertices = vertices,
-                             .corners = corners,
+                             .indices = corners,
                              .faces = &face,
                              .models = &model,
-                             .objects = &object,
+                             .instances = &object,
                              .vertex_count = 3,
-                             .corner_count = 3,
+                             .index_count = 3,
                              .face_count = 1,
                              .model_count = 1,
-                             .object_count = 1};
+                             .instance_count = 1};
     fxl_scene_fault fault = {NULL, 0};
     for (int missing = 0; missing < 5; missing++) {
         fxl_scene scene = whole;
         scene.vertices = missing == 0 ? NULL : vertices;
-        scene.corners = missing == 1 ? NULL : corners;
+        scene.indices = missing == 1 ? NULL : corners;
         scene.faces = missing == 2 ? NULL : &face;
         scene.models = missing == 3 ? NULL : &model;
-        scene.objects = missing == 4 ? NULL : &object;
+        scene.instances = missing == 4 ? NULL : &object;
         DEMAND(fxl_scene_check(&scene, &fault) == FXL_E_ARGUMENT && fault.what != NULL);
     }
     DEMAND(fxl_scene_check(NULL, &fault) == FXL_E_ARGUMENT);
@@ -118,8 +118,8 @@ void fuzz_misuse(fuzz_input *in)
     fxl_order_entry order[2];
     fxl_scene empty = {0};
     fxl_camera camera;
-    fxl_viewer viewer = {0};
-    fxl_gait gait = {0};
+    fxl_player viewer = {0};
+    fxl_motion_limits gait = {0};
     fxl_pose pose = {0};
     fxl_lens lens = fuzz_lens(in, PIXELS);
     fxl_band band = any_band(&lens, pixels, in);
@@ -130,8 +130,8 @@ void fuzz_misuse(fuzz_input *in)
     misuse_scene();
     DEMAND(fxl_camera_from_pose(NULL, &camera) == FXL_E_ARGUMENT);
     DEMAND(fxl_camera_from_pose(&pose, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_viewer_step(NULL, 0, &gait, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_viewer_step(&viewer, 0, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_player_step(NULL, 0, &gait, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_player_step(&viewer, 0, NULL, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_lens_from_fov(1, 1, FXL_FOV_MIN, 256, 257, 0, NULL) == FXL_E_ARGUMENT);
     DEMAND(pixels[0] == 0x5A);
 }

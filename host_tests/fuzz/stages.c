@@ -96,18 +96,18 @@ static void draw_listed(const fxl_screen_polygon *polygon, const fxl_band *drawn
     fxl_band band = *drawn;
     fxl_rows rows = fxl_scan_rows(polygon, FXL_SCREEN_MAX);
     fxl_rows wanted = {band.first_row, (uint16_t)(band.first_row + band.rows)};
-    fxl_list list = {NULL, FXL_LIST_WORDS((uint32_t)polygon->count), 0};
-    fxl_list_record record;
+    fxl_display_list list = {NULL, FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count), 0};
+    fxl_display_list_record record;
     fxl_scan scan;
     uint32_t place = 0;
     list.words = malloc(list.capacity * sizeof *list.words);
     band.pixels = pixels;
     DEMAND(list.words != NULL && rows.first <= rows.end && rows.end <= FXL_SCREEN_MAX);
     if (rows.first < rows.end) {
-        DEMAND(fxl_list_append(&list, polygon, rows));
-        DEMAND(!fxl_list_append(&list, polygon, rows));
+        DEMAND(fxl_display_list_append(&list, polygon, rows));
+        DEMAND(!fxl_display_list_append(&list, polygon, rows));
     }
-    if (fxl_list_next(&list, wanted, &place, &record)) {
+    if (fxl_display_list_next(&list, wanted, &place, &record)) {
         fxl_scan_outline(record.points, record.count, &band, &scan);
         draw_spans(&scan, &band);
     }
@@ -150,7 +150,7 @@ void fuzz_scan(fuzz_input *in)
 
 void fuzz_clip_world(fuzz_input *in)
 {
-    fxl_clip_work work;
+    fxl_clip_world_work work;
     fxl_polygon polygon;
     const fxl_polygon *result;
     fxl_view view;
@@ -173,7 +173,7 @@ void fuzz_clip_world(fuzz_input *in)
                                  fxl_plane_distance(side, &vertex->position));
         }
     }
-    fxl_clip_result cut = fxl_clip_to_frustum(&polygon, frustum, &work, &result);
+    fxl_clip_result cut = fxl_clip_world_to_frustum(&polygon, frustum, &work, &result);
     DEMAND((result != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     for (uint32_t i = 0; result != NULL && i < result->count; i++) {
@@ -222,14 +222,14 @@ void fuzz_clip_view(fuzz_input *in)
 
 /* A viewer and a gait in range; most choices leave them so, the
  * others spoil one number. Answers whether one was. */
-static bool any_viewer(fuzz_input *in, fxl_viewer *viewer, fxl_gait *gait)
+static bool any_viewer(fuzz_input *in, fxl_player *viewer, fxl_motion_limits *gait)
 {
     viewer->pose = fuzz_pose(in);
-    viewer->speed = fuzz_coordinate(in, FXL_GAIT_MAX);
+    viewer->speed = fuzz_coordinate(in, FXL_MOTION_MAX);
     viewer->clamped = 0;
-    gait->acceleration = fuzz_between(in, 0, FXL_GAIT_MAX);
-    gait->friction = fuzz_between(in, 0, FXL_GAIT_MAX);
-    gait->speed_max = fuzz_between(in, 0, FXL_GAIT_MAX);
+    gait->acceleration = fuzz_between(in, 0, FXL_MOTION_MAX);
+    gait->friction = fuzz_between(in, 0, FXL_MOTION_MAX);
+    gait->speed_max = fuzz_between(in, 0, FXL_MOTION_MAX);
     gait->turn = fuzz_below(in, FXL_ANGLE_QUARTER + 1);
     int32_t *const numbers[] = {&viewer->pose.position.x, &viewer->pose.position.y,
                                 &viewer->pose.position.z, &viewer->speed,
@@ -244,8 +244,8 @@ static bool any_viewer(fuzz_input *in, fxl_viewer *viewer, fxl_gait *gait)
     return which < 8;
 }
 
-static void demand_walked(const fxl_viewer *viewer, const fxl_viewer *before, const fxl_gait *gait,
-                          const bool *held)
+static void demand_walked(const fxl_player *viewer, const fxl_player *before,
+                          const fxl_motion_limits *gait, const bool *held)
 {
     const fxl_point *place = &viewer->pose.position;
     DEMAND(place->x >= -FXL_COORDINATE_MAX && place->x <= FXL_COORDINATE_MAX);
@@ -258,15 +258,15 @@ static void demand_walked(const fxl_viewer *viewer, const fxl_viewer *before, co
 
 void fuzz_viewer(fuzz_input *in)
 {
-    fxl_viewer viewer;
-    fxl_gait gait;
+    fxl_player viewer;
+    fxl_motion_limits gait;
     bool spoilt = any_viewer(in, &viewer, &gait);
     for (uint32_t i = 0; i < 4 * ROUNDS && (i == 0 || in->left > 0); i++) {
         bool held = false;
         bool *report = fuzz_below(in, 2) == 1 ? &held : NULL;
         uint32_t keys = (uint32_t)fuzz_bits(in, fuzz_below(in, 16) == 0 ? 2 : 1);
-        fxl_viewer before = viewer;
-        fxl_status status = fxl_viewer_step(&viewer, keys, &gait, report);
+        fxl_player before = viewer;
+        fxl_status status = fxl_player_step(&viewer, keys, &gait, report);
         if (status != FXL_OK) {
             DEMAND(status == FXL_E_RANGE && (spoilt || keys > FXL_KEY_ALL));
             DEMAND(memcmp(&before, &viewer, sizeof viewer) == 0);
@@ -289,7 +289,7 @@ void fuzz_lenses(fuzz_input *in)
 {
     fxl_lens before, lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
     uint16_t size[2] = {lens.width, lens.height};
-    int32_t fov = FXL_ANGLE_QUARTER, depths[3] = {lens.near, lens.far, lens.inset};
+    int32_t fov = FXL_ANGLE_QUARTER, depths[3] = {lens.near_z, lens.far_z, lens.inset};
     uint32_t which = fuzz_below(in, 8);
     if (which < 2) {
         size[which] = (uint16_t)fuzz_any(in);

@@ -107,12 +107,12 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
             box->top - y > work->distance || y - box->bottom > work->distance) {
             continue;
         }
-        const ref_object *object = &scene->objects[renderer->list.drawn[i].object];
+        const ref_instance *object = &scene->objects[renderer->list.drawn[i].object];
         const ref_model *model = &scene->models[object->model];
         const ref_face *face = &scene->faces[model->first_face + renderer->list.drawn[i].face];
         int32_t vertices[3 * UINT8_MAX];
         for (int corner = 0; corner < face->count; corner++) {
-            ref_lattice_point point = ref_face_corner(scene, object, face, corner);
+            ref_lattice_point point = ref_face_vertex(scene, object, face, corner);
             vertices[3 * corner] = point.x;
             vertices[3 * corner + 1] = point.y;
             vertices[3 * corner + 2] = point.z;

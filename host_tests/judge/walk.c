@@ -31,8 +31,8 @@ static double error_units(double exact, int32_t units)
 static const char *compare_strides(const ref_scene_image *image, const judge_dump *dump,
                                    judge_walk *walk, uint32_t *frame)
 {
-    ref_viewer viewer = ref_viewer_at(&image->start);
-    const ref_stride *stride = image->strides;
+    ref_player viewer = ref_player_at(&image->start);
+    const ref_path_segment *stride = image->strides;
     uint32_t done = 0; /* frames of this stride */
     for (*frame = 0; *frame < dump->frame_count; ++*frame) {
         while (done == stride->frames) {
@@ -40,7 +40,7 @@ static const char *compare_strides(const ref_scene_image *image, const judge_dum
             done = 0;
         }
         double pushed = fmin(image->gait.speed_max, fabs(viewer.speed) + image->gait.acceleration);
-        ref_viewer_step(&viewer, stride->keys, &image->gait);
+        ref_player_step(&viewer, stride->keys, &image->gait);
         done++;
         walk->max_bound += 0.51 + pushed * REF_ONE * 0x1p-29;
 

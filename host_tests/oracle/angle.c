@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "oracle/claim.h"
 
 #define UNIT      1073741824.0L

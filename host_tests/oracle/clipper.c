@@ -36,7 +36,7 @@ oracle_space oracle_clipper_space(const fxl_view *view)
 double oracle_clipper_bound(const fxl_lens *lens)
 {
     if (chosen == &fxl_clipper_world) { /* two units of the world where near is */
-        return 1.25 + 2.0 * lens->focal / lens->near;
+        return 1.25 + 2.0 * lens->focal / lens->near_z;
     }
     if (own_integers && is_normalised()) {
         return 1.25;
@@ -53,10 +53,10 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
                                     fxl_screen_polygon *screens, int room_for, int *count)
 {
     static fxl_clipper_work work;
-    static fxl_clipper_room room;
+    static fxl_clipper_workspace room;
     static polygon_face face;
     memset(&room, 0, sizeof room);
-    view->room = &room;
+    view->clipper_workspace = &room;
     view->frame += 1;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     fxl_clip_result result = chosen->clip(&face.placed, &face.face, &work, &screens[0]);

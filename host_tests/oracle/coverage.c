@@ -3,7 +3,7 @@
  * 16.16 outline; the twin's on small screens too. */
 #include <string.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "oracle/claim.h"
 #include "oracle/cover.h"
 #include "oracle/grid.h"

@@ -14,7 +14,7 @@
 #include "oracle/clipper.h"
 #include "oracle/hausdorff.h"
 #include "oracle/polygons.h"
-#include "reference/clip.h"
+#include "reference/clip_world.h"
 #include "reference/frustum.h"
 #include "reference/project.h"
 #include "reference/transform.h"
@@ -77,7 +77,7 @@ static int twin_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
     ref_lens lens = bridge_lens(&setup->view.lens);
     ref_frustum frustum = ref_frustum_from_camera(&camera, &lens);
     ref_polygon whole = bridge_polygon(polygon), clipped = {0};
-    ref_clip_result result = ref_clip_to_frustum(&whole, &frustum, &clipped);
+    ref_clip_result result = ref_clip_world_to_frustum(&whole, &frustum, &clipped);
     if (exact->count == 0 || (result != REF_CLIP_INSIDE && result != REF_CLIP_CUT)) {
         return 0; /* one that merely touches is not the twin's to decide */
     }

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "oracle/cover.h"
 
 enum {

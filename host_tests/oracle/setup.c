@@ -156,8 +156,8 @@ oracle_wide oracle_distance(const fxl_view_frustum *frustum, int plane,
     case FXL_PLANE_TOP:
         return depth_y - y;
     case FXL_PLANE_NEAR:
-        return one * point->z - one * frustum->near;
+        return one * point->z - one * frustum->near_z;
     default:
-        return one * frustum->far - one * point->z;
+        return one * frustum->far_z - one * point->z;
     }
 }

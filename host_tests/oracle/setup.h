@@ -4,7 +4,7 @@
 #ifndef ORACLE_SETUP_H
 #define ORACLE_SETUP_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "oracle/claim.h"
 
 __extension__ typedef __int128 oracle_wide;

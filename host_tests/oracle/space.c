@@ -11,8 +11,8 @@ oracle_space oracle_space_of_view(const fxl_view *view)
 {
     const fxl_view_frustum *f = &view->view_frustum;
     oracle_space space = {.camera = view->camera,
-                          .planes = {[FXL_PLANE_NEAR] = {0, 0, 1, -f->near, 0},
-                                     [FXL_PLANE_FAR] = {0, 0, -1, f->far, 0},
+                          .planes = {[FXL_PLANE_NEAR] = {0, 0, 1, -f->near_z, 0},
+                                     [FXL_PLANE_FAR] = {0, 0, -1, f->far_z, 0},
                                      [FXL_PLANE_LEFT] = {f->x_side, 0, f->x_depth, -f->inset, 30},
                                      [FXL_PLANE_RIGHT] = {-f->x_side, 0, f->x_depth, -f->inset, 30},
                                      [FXL_PLANE_BOTTOM] = {0, f->y_side, f->y_depth, -f->inset, 30},
@@ -31,8 +31,8 @@ oracle_space oracle_space_of_normalised(const fxl_view *view)
                           .x_shift = f.x.shift,
                           .y_shift = f.y.shift,
                           .z_shift = f.z.shift,
-                          .planes = {[FXL_PLANE_NEAR] = {0, 0, 1, -f.near, 0},
-                                     [FXL_PLANE_FAR] = {0, 0, -1, f.far, 0},
+                          .planes = {[FXL_PLANE_NEAR] = {0, 0, 1, -f.near_z, 0},
+                                     [FXL_PLANE_FAR] = {0, 0, -1, f.far_z, 0},
                                      [FXL_PLANE_LEFT] = {1, 0, 1, -f.x_inset, 0},
                                      [FXL_PLANE_RIGHT] = {-1, 0, 1, -f.x_inset, 0},
                                      [FXL_PLANE_BOTTOM] = {0, 1, 1, -f.y_inset, 0},

@@ -4,7 +4,7 @@
 #ifndef REF_CLIP_VIEW_H
 #define REF_CLIP_VIEW_H
 
-#include "reference/clip.h"
+#include "reference/clip_world.h"
 
 /* 113 bits where the compiler has them: products of 31 by 62 bits and their sums
  * are exact, so that a sign cannot err. */

@@ -24,12 +24,12 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
 }
 
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                     const ref_object *object, const ref_face *face)
+                                     const ref_instance *object, const ref_face *face)
 {
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
     int64_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
-        ref_lattice_point corner = ref_face_corner(scene, object, face, i);
+        ref_lattice_point corner = ref_face_vertex(scene, object, face, i);
         widen(&low[0], &high[0], corner.x);
         widen(&low[1], &high[1], corner.y);
         widen(&low[2], &high[2], corner.z);
@@ -56,13 +56,13 @@ void ref_order_sort(ref_order_entry *entries, uint32_t count)
     qsort(entries, count, sizeof *entries, drawn_before);
 }
 
-uint32_t ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
-                           const ref_camera *camera, const ref_view_frustum *frustum,
-                           ref_order_entry *entries)
+uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *eye,
+                             const ref_camera *camera, const ref_view_frustum *frustum,
+                             ref_order_entry *entries)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_object *object = &scene->objects[i];
+        const ref_instance *object = &scene->objects[i];
         ref_point centre = ref_point_from_lattice(&object->centre);
         ref_sphere_distances distances = ref_sphere_measure(camera, frustum, &centre);
         double radius = scene->models[object->model].radius / REF_ONE;
@@ -75,7 +75,7 @@ uint32_t ref_order_objects(const ref_scene *scene, const ref_lattice_point *eye,
     return count;
 }
 
-uint32_t ref_order_faces(const ref_scene *scene, const ref_object *object,
+uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *object,
                          const ref_lattice_point *eye, ref_order_entry *entries)
 {
     const ref_model *model = &scene->models[object->model];

@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference/clip.h"
+#include "reference/clip_world.h"
 #include "reference/cull.h"
 #include "reference/camera.h"
 #include "reference/depth.h"
 #include "reference/fill.h"
-#include "reference/light.h"
+#include "reference/beam_light.h"
 #include "reference/project.h"
 #include "reference/scan.h"
-#include "reference/render_tree.h"
+#include "reference/render_bsp.h"
 #include "reference/transform.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
@@ -38,7 +38,7 @@ void ref_renderer_close(ref_renderer *renderer)
 {
     free(renderer->objects);
     free(renderer->faces);
-    ref_list_close(&renderer->list);
+    ref_display_list_close(&renderer->list);
     memset(renderer, 0, sizeof *renderer);
 }
 
@@ -70,7 +70,7 @@ static ref_clip_result put_on_screen(const ref_renderer *renderer, const ref_pol
     if (renderer->cuts != REF_CUT_ALL && is_outside(&renderer->camera, &view_frustum, whole)) {
         return REF_CLIP_OUTSIDE;
     }
-    ref_clip_result result = ref_clip_to_frustum(whole, &frustum, &clipped);
+    ref_clip_result result = ref_clip_world_to_frustum(whole, &frustum, &clipped);
     if (result == REF_CLIP_CUT || result == REF_CLIP_INSIDE) {
         ref_transform_polygon(&renderer->camera, &clipped, &view);
         ref_project_polygon(&renderer->lens, &view, screen);
@@ -111,8 +111,8 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
     }
 }
 
-bool ref_take_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t object,
-                      uint32_t face, ref_counters *counters)
+bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t object,
+                        uint32_t face, ref_counters *counters)
 {
     ref_drawn drawn = {.object = object, .face = face};
     count(put_on_screen(renderer, whole, 0, &drawn.polygon), counters);
@@ -126,7 +126,7 @@ bool ref_take_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t
         return true;
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
-    return ref_list_append(&renderer->list, &drawn);
+    return ref_display_list_append(&renderer->list, &drawn);
 }
 
 /* One face of which the pieces were counted in one by one. */
@@ -149,14 +149,14 @@ static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32
 {
     ref_lit_pieces pieces; /* judges run in threads */
     const ref_scene *scene = renderer->scene;
-    const ref_object *object = &scene->objects[object_number];
+    const ref_instance *object = &scene->objects[object_number];
     const ref_face *face = &scene->faces[scene->models[object->model].first_face + face_number];
     ref_piece whole = {.count = face->count};
     ref_counters counted = {0};
     for (int i = 0; i < whole.count; i++) {
-        whole.points[i] = ref_face_corner(scene, object, face, i);
+        whole.points[i] = ref_face_vertex(scene, object, face, i);
     }
-    if (!ref_light_split(scene, &whole, face->normal, &pieces)) {
+    if (!ref_beam_light_split(scene, &whole, face->normal, &pieces)) {
         pieces.count = 1;
         pieces.pieces[0] = (ref_lit_piece){whole, false};
     }
@@ -167,7 +167,7 @@ static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!ref_take_polygon(renderer, &polygon, object_number, face_number, &counted)) {
+        if (!ref_submit_polygon(renderer, &polygon, object_number, face_number, &counted)) {
             return false;
         }
     }
@@ -175,23 +175,23 @@ static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32
     return true;
 }
 
-bool ref_take_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+bool ref_submit_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
 {
-    const ref_object *object = &renderer->scene->objects[object_number];
+    const ref_instance *object = &renderer->scene->objects[object_number];
     const ref_model *model = &renderer->scene->models[object->model];
-    if (ref_light_reaches(renderer->scene, &object->centre, model->radius)) {
+    if (ref_beam_light_reaches(renderer->scene, &object->centre, model->radius)) {
         return take_lit_face(renderer, object_number, face_number);
     }
     ref_polygon whole;
     ref_face_to_polygon(renderer->scene, object,
                         &renderer->scene->faces[model->first_face + face_number], &whole);
-    return ref_take_polygon(renderer, &whole, object_number, face_number, &renderer->counters);
+    return ref_submit_polygon(renderer, &whole, object_number, face_number, &renderer->counters);
 }
 
-bool ref_take_object(ref_renderer *renderer, uint32_t number)
+bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
 {
     const ref_scene *scene = renderer->scene;
-    const ref_object *object = &scene->objects[number];
+    const ref_instance *object = &scene->objects[number];
     const ref_model *model = &scene->models[object->model];
     uint32_t count = 0;
     if (model->kind == REF_MODEL_SORTED) {
@@ -207,7 +207,7 @@ bool ref_take_object(ref_renderer *renderer, uint32_t number)
     renderer->counters.in += model->face_count;
     renderer->counters.backfacing += model->face_count - count;
     for (uint32_t i = 0; i < count; i++) {
-        if (!ref_take_face(renderer, number, renderer->faces[i].index)) {
+        if (!ref_submit_face(renderer, number, renderer->faces[i].index)) {
             return false;
         }
     }
@@ -217,7 +217,7 @@ bool ref_take_object(ref_renderer *renderer, uint32_t number)
 static bool take_by_distance(ref_renderer *renderer, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        if (!ref_take_object(renderer, renderer->objects[i].index)) {
+        if (!ref_submit_instance(renderer, renderer->objects[i].index)) {
             return false;
         }
     }
@@ -259,10 +259,10 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     set_frusta(renderer);
     renderer->counters = (ref_counters){0};
     renderer->list.count = 0;
-    uint32_t count = ref_order_objects(renderer->scene, &renderer->eye, &renderer->camera,
-                                       &renderer->view_frustum, renderer->objects);
+    uint32_t count = ref_order_instances(renderer->scene, &renderer->eye, &renderer->camera,
+                                         &renderer->view_frustum, renderer->objects);
     const bool by_tree = renderer->by_tree && renderer->scene->nodes;
-    if (!(by_tree ? ref_take_by_tree(renderer, renderer->objects, count)
+    if (!(by_tree ? ref_submit_by_bsp(renderer, renderer->objects, count)
                   : take_by_distance(renderer, count))) {
         return false;
     }
@@ -274,7 +274,8 @@ void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
 {
     ref_rows rows = {band->first_row, band->first_row + band->rows};
     const ref_drawn *drawn;
-    for (size_t place = 0; (drawn = ref_list_next(&renderer->list, rows, &place)) != NULL;) {
+    for (size_t place = 0;
+         (drawn = ref_display_list_next(&renderer->list, rows, &place)) != NULL;) {
         ref_scan scan;
         ref_span span;
         ref_scan_begin(&drawn->polygon, band, &scan);

@@ -51,7 +51,7 @@ ref_pose ref_pose_read(const uint8_t *bytes)
                       ref_u32(bytes + 20)};
 }
 
-ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_object *object,
+ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *object,
                                   const ref_face *face, int corner)
 {
     const ref_model *model = &scene->models[object->model];
@@ -122,7 +122,7 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     }
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const uint8_t *p = objects + 16 * (size_t)i;
-        scene->objects[i] = (ref_object){point_read(p), ref_u16(p + 12), p[14]};
+        scene->objects[i] = (ref_instance){point_read(p), ref_u16(p + 12), p[14]};
     }
     return true;
 }
@@ -168,7 +168,7 @@ static bool geometry_is_sound(const ref_scene *scene)
         }
     }
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_object *object = &scene->objects[i];
+        const ref_instance *object = &scene->objects[i];
         if (object->model >= scene->model_count || !inside_world(&object->centre)) {
             return false;
         }
@@ -204,14 +204,14 @@ static bool read_tree(const uint8_t *bytes, size_t size, ref_scene *scene)
     const ref_model *model = &scene->models[scene->objects[scene->tree_object].model];
     for (uint32_t i = 0; i < scene->node_count; i++) {
         const uint8_t *p = nodes + 48 * (size_t)i;
-        ref_node *node = &scene->nodes[i];
-        *node = (ref_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
-                           (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),
-                           ref_u16(p + 20),
-                           ref_u16(p + 22),
-                           ref_u16(p + 24),
-                           ref_u16(p + 26),
-                           ref_u16(p + 28)};
+        ref_bsp_node *node = &scene->nodes[i];
+        *node = (ref_bsp_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
+                               (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),
+                               ref_u16(p + 20),
+                               ref_u16(p + 22),
+                               ref_u16(p + 24),
+                               ref_u16(p + 26),
+                               ref_u16(p + 28)};
         const uint32_t below[2] = {node->front, node->back};
         for (int k = 0; k < 2; k++) {
             if (below[k] != REF_NODE_NONE && (below[k] <= i || below[k] >= scene->node_count)) {
@@ -241,7 +241,7 @@ static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
     for (uint32_t i = 0; i < image->path_count; i++) {
         if (image->strides) {
             const uint8_t *p = path + 4 * (size_t)i;
-            image->strides[i] = (ref_stride){ref_u16(p), ref_u16(p + 2)};
+            image->strides[i] = (ref_path_segment){ref_u16(p), ref_u16(p + 2)};
             frames += image->strides[i].frames;
         } else if (image->poses) {
             image->poses[i] = ref_pose_read(path + 24 * (size_t)i);
@@ -328,8 +328,8 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     }
     image->background = bytes[36];
     image->start = ref_pose_read(bytes + 40);
-    image->gait = (ref_gait){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
-                             ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
+    image->gait = (ref_motion_limits){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
+                                      ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
     uint32_t colours;
     const uint8_t *palette = table_at(bytes, stated, 80, 3, 256, &colours);
     if (!palette || colours != 256) {

@@ -4,7 +4,7 @@
 #define REF_SCENE_H
 
 #include "reference/lens.h"
-#include "reference/viewer.h"
+#include "reference/player.h"
 
 typedef struct {
     int32_t normal[3]; /* 2.30 */
@@ -27,7 +27,7 @@ typedef struct {
     ref_lattice_point centre;
     uint16_t model;
     uint8_t layer;
-} ref_object;
+} ref_instance;
 
 #define REF_NODE_NONE 65535u
 
@@ -36,11 +36,11 @@ typedef struct {
     int32_t normal[3]; /* 2.30 */
     int64_t distance;  /* 18.46 */
     uint32_t front, back, parent, first_face, face_count;
-} ref_node;
+} ref_bsp_node;
 
 typedef struct {
     uint16_t keys, frames;
-} ref_stride;
+} ref_path_segment;
 
 enum {
     REF_BEAM_POINT = 0,
@@ -60,9 +60,9 @@ typedef struct {
     uint16_t *corners;
     ref_face *faces;
     ref_model *models;
-    ref_object *objects;
+    ref_instance *objects;
     uint32_t vertex_count, corner_count, face_count, model_count, object_count;
-    ref_node *nodes; /* null where there is no tree */
+    ref_bsp_node *nodes; /* null where there is no tree */
     uint32_t node_count, tree_object;
     ref_beam *beams; /* null where there are none */
     uint32_t beam_count;
@@ -75,9 +75,9 @@ typedef struct {
     uint8_t background;
     uint8_t palette[768];
     ref_pose start;
-    ref_gait gait;
-    ref_pose *poses;     /* null where the path is strides */
-    ref_stride *strides; /* null where the path is poses */
+    ref_motion_limits gait;
+    ref_pose *poses;           /* null where the path is strides */
+    ref_path_segment *strides; /* null where the path is poses */
     uint32_t path_count, frame_count;
 } ref_scene_image;
 
@@ -99,7 +99,7 @@ int32_t ref_i32(const uint8_t *bytes);
 ref_pose ref_pose_read(const uint8_t *bytes);
 
 /* A corner of a face in the world, exactly. */
-ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_object *object,
+ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *object,
                                   const ref_face *face, int corner);
 
 #endif

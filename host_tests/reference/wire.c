@@ -53,7 +53,7 @@ bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens
     ref_volume_from_lens(lens, planes);
     wire->count = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_object *object = &scene->objects[i];
+        const ref_instance *object = &scene->objects[i];
         const ref_model *model = &scene->models[object->model];
         for (uint32_t f = 0; f < model->face_count; f++) {
             const ref_face *face = &scene->faces[model->first_face + f];
@@ -61,9 +61,9 @@ bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens
                 continue;
             }
             for (int k = 0; k < face->count; k++) {
-                const ref_lattice_point a = ref_face_corner(scene, object, face, k);
+                const ref_lattice_point a = ref_face_vertex(scene, object, face, k);
                 const ref_lattice_point b =
-                    ref_face_corner(scene, object, face, (k + 1) % face->count);
+                    ref_face_vertex(scene, object, face, (k + 1) % face->count);
                 const ref_volume_vertex from = vertex_of(&camera, &a), to = vertex_of(&camera, &b);
                 ref_wide enter, leave;
                 if (!ref_clip_line(&from, &to, planes, REF_PLANE_COUNT, &enter, &leave)) {

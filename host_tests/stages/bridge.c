@@ -31,8 +31,8 @@ ref_camera bridge_camera(const fxl_camera *camera)
 
 ref_lens bridge_lens(const fxl_lens *lens)
 {
-    return (ref_lens){lens->width,     lens->height,   q16(lens->focal),
-                      q16(lens->near), q16(lens->far), q16(lens->inset)};
+    return (ref_lens){lens->width,       lens->height,     q16(lens->focal),
+                      q16(lens->near_z), q16(lens->far_z), q16(lens->inset)};
 }
 
 ref_polygon bridge_polygon(const fxl_polygon *polygon)
@@ -79,8 +79,8 @@ ref_view_frustum bridge_view_frustum(const fxl_view_frustum *f)
         [REF_PLANE_RIGHT] = {false, -x, x_depth, inset},
         [REF_PLANE_BOTTOM] = {true, y, y_depth, inset},
         [REF_PLANE_TOP] = {true, -y, y_depth, inset},
-        [REF_PLANE_NEAR] = {false, 0, 1, q46(f->near)},
-        [REF_PLANE_FAR] = {false, 0, -1, -q46(f->far)},
+        [REF_PLANE_NEAR] = {false, 0, 1, q46(f->near_z)},
+        [REF_PLANE_FAR] = {false, 0, -1, -q46(f->far_z)},
     }};
 }
 

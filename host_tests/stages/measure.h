@@ -3,7 +3,7 @@
 #ifndef STAGES_MEASURE_H
 #define STAGES_MEASURE_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "stages/random.h"
 #include "stages/tally.h"
 
@@ -26,7 +26,7 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
 
 /* An object's box on both sides: the same answer, which it gives. */
 uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
-                            const fxl_object *object);
+                            const fxl_instance *object);
 
 /* A face of an object of which the library's sphere or box said `planes`, by the twin's
  * distances of its vertices. Where it is not so, a mismatch. */

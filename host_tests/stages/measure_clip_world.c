@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "reference/clip.h"
+#include "reference/clip_world.h"
 #include "reference/plane.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
@@ -110,9 +110,9 @@ static int same_vertices(const fxl_polygon *a, const fxl_polygon *b)
 static void compare_whole(stages_tally *tally, const fxl_frustum *frustum, const fxl_polygon *in,
                           fxl_clip_result expected, const fxl_polygon *left)
 {
-    static fxl_clip_work work;
+    static fxl_clip_world_work work;
     const fxl_polygon *result;
-    fxl_clip_result whole = fxl_clip_to_frustum(in, frustum, &work, &result);
+    fxl_clip_result whole = fxl_clip_world_to_frustum(in, frustum, &work, &result);
     int same = whole == expected && (result != NULL) == (left != NULL) &&
                (!left || same_vertices(result, left));
     tally->mismatched += !same;
@@ -126,11 +126,11 @@ int stages_measure_clip_world(stages_tally *tally, const fxl_frustum *frustum, f
         const fxl_plane *plane = &frustum->planes[i];
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
         fxl_polygon cut;
-        fxl_clip_result result = fxl_clip_to_plane(polygon, plane, &cut, distances);
+        fxl_clip_result result = fxl_clip_world_to_plane(polygon, plane, &cut, distances);
 
         ref_polygon in = bridge_polygon(polygon), exact;
         ref_plane exact_plane = bridge_plane(plane);
-        ref_clip_result exact_result = ref_clip_to_plane(&in, &exact_plane, &exact);
+        ref_clip_result exact_result = ref_clip_world_to_plane(&in, &exact_plane, &exact);
         tally->mismatched += (int)result != (int)exact_result;
 
         if (result == FXL_CLIP_CUT && exact_result == REF_CLIP_CUT) {

@@ -82,7 +82,7 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
                           uint16_t width, fxl_rows rows, uint32_t intervals)
 {
     const uint16_t height = (uint16_t)(rows.end - rows.first);
-    const uint32_t size = FXL_SPAN_BUFFER_ROOM(height, intervals);
+    const uint32_t size = FXL_SPAN_BUFFER_BYTES(height, intervals);
     const size_t pixels = (size_t)width * height;
     void *room = malloc(size);
     bool *covered = malloc(pixels * sizeof *covered);

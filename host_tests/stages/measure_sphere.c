@@ -56,11 +56,11 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
 }
 
 uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
-                            const fxl_object *object)
+                            const fxl_instance *object)
 {
     ref_frustum exact;
     fxl_box box;
-    fxl_box_of_object(scene, object, &box);
+    fxl_box_of_instance(scene, object, &box);
     for (int plane = 0; plane < REF_PLANE_COUNT; plane++) {
         exact.planes[plane] = bridge_plane(&frustum->planes[plane]);
     }

@@ -3,7 +3,7 @@
 #ifndef STAGES_RANDOM_H
 #define STAGES_RANDOM_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 
 typedef struct {
     uint64_t state;

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "stages/measure.h"
 #include "stages/random.h"
 
@@ -130,7 +130,7 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
 static void take_list(tallies *to, stages_random *random, uint16_t width, uint16_t height)
 {
     uint32_t count = listed_count < LISTED_MAX ? listed_count : LISTED_MAX;
-    uint32_t words = stages_random_below(random, count * FXL_LIST_WORDS(6) + 1);
+    uint32_t words = stages_random_below(random, count * FXL_DISPLAY_LIST_WORDS(6) + 1);
     fxl_rows wanted = {(uint16_t)stages_random_below(random, height), height};
     wanted.end =
         (uint16_t)(wanted.first + 1 + stages_random_below(random, (uint32_t)height - wanted.first));
@@ -150,14 +150,14 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
     if (!view_from(pose, &image->lens, &view)) {
         return;
     }
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const fxl_object *object = &scene->objects[i];
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const fxl_instance *object = &scene->instances[i];
         const fxl_model *model = &scene->models[object->model];
-        fxl_seen_vertex none;
+        fxl_cached_vertex none;
         fxl_vertex_cache cache;
-        fxl_placed placed;
+        fxl_model_view placed;
         fxl_vertex_cache_init(&cache, &none, 1);
-        fxl_place_object(&placed, scene, object, FXL_PLANES_ALL, &view, &cache);
+        fxl_model_view_of_instance(&placed, scene, object, FXL_PLANES_ALL, &view, &cache);
         uint32_t planes = stages_measure_sphere(&to->sphere, &view.camera, &view.view_frustum,
                                                 &object->centre, model->radius);
         uint32_t by_box = stages_measure_box(&to->sphere, &view.frustum, scene, object);
@@ -178,7 +178,7 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
 
 static void take_path(tallies *to, const fxl_scene_image *image)
 {
-    fxl_viewer viewer = image->start;
+    fxl_player viewer = image->start;
     uint32_t every = 1 + (image->frame_count - 1) / FRAMES_MAX;
     uint32_t stride = 0, done = 0; /* frames of this stride */
     for (uint32_t frame = 0; frame < image->frame_count; frame++) {
@@ -186,11 +186,11 @@ static void take_path(tallies *to, const fxl_scene_image *image)
         if (image->poses) {
             pose = image->poses[frame];
         } else {
-            if (done == image->strides[stride].frames) {
+            if (done == image->segments[stride].frames) {
                 stride++;
                 done = 0;
             }
-            fxl_viewer_step(&viewer, image->strides[stride].keys, &image->gait, NULL);
+            fxl_player_step(&viewer, image->segments[stride].keys, &image->motion_limits, NULL);
             done++;
             pose = viewer.pose;
         }
@@ -249,9 +249,9 @@ static void take_random_polygon(tallies *to, stages_random *random)
         *plane = fxl_plane_from_point(&polygon.vertices[on].position, &plane->normal, 0);
         fxl_q18_46 depth = seen.vertices[on].position.z;
         if (stages_random_below(random, 2)) {
-            view.view_frustum.near = depth;
+            view.view_frustum.near_z = depth;
         } else {
-            view.view_frustum.far = depth;
+            view.view_frustum.far_z = depth;
         }
     }
     stages_measure_clip(&to->clip, &view.view_frustum, &seen);

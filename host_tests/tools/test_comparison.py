@@ -132,8 +132,8 @@ def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
 
 def test_every_clipper_and_method_of_the_library_is_compared(plan):
     assert {each["record"] for each in plan.clippers.values()} == records("fxl_clipper")
-    left_out = {"fxl_hidden_spans_box"}     # the span buffer with the other scan: nothing new
-    assert {each["record"] for each in plan.hidden.values()} == records("fxl_hidden") - left_out
+    left_out = {"fxl_visibility_spans_box"}     # the span buffer with the other scan: nothing new
+    assert {each["record"] for each in plan.hidden.values()} == records("fxl_visibility") - left_out
 
 
 def test_the_plan_names_what_is_to_be_compared(plan):

@@ -13,7 +13,7 @@ int main(void)
     return NAME != FXL_E_ARGUMENT;
 }
 """
-TREES_AND_BEAMS = {"fxl_tree_check", "fxl_beam_check", "fxl_beams_fit"}
+TREES_AND_BEAMS = {"fxl_bsp_check", "fxl_beam_check", "fxl_beams_fit"}
 
 
 @pytest.mark.parametrize("call, linked", [("fxl_scene_check(&scene, NULL)", set()),
@@ -33,10 +33,9 @@ def test_an_int_of_16_bits_is_refused(build, tmp_path):
     """There is no such compiler here: int stands for short, once the system's headers are read."""
     source = tmp_path / "short.c"
     source.write_text("#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n"
-                      "#ifdef SHORT\n#define int short\n#endif\n#include \"arith.h\"\n", encoding="utf-8")
+                      "#ifdef SHORT\n#define int short\n#endif\n#include \"math/arith.h\"\n", encoding="utf-8")
     library = build.parent / "lib"
-    command = ["gcc", "-std=c11", "-fsyntax-only", "-I", library / "include", "-I", library / "src", "-I",
-               library / "kernels" / "portable", source]
+    command = ["gcc", "-std=c11", "-fsyntax-only", "-I", library / "include", "-I", library / "src", source]
     subprocess.run(command, check=True)
     done = subprocess.run([*command, "-DSHORT"], text=True, capture_output=True, check=False)
     assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr

@@ -86,7 +86,7 @@ def test_the_changelog_says_nothing_twice():
 
 def test_no_renderers_clipper_is_recommended_for_what_a_lens_cannot_say():
     """A lens has no window that lies to one side, so a renderer cannot draw one, whatever its clipper."""
-    lens = (ROOT / "lib" / "include" / "fixel" / "lens.h").read_text(encoding="utf-8")
+    lens = (ROOT / "lib" / "include" / "fixel" / "stage" / "lens.h").read_text(encoding="utf-8")
     assert not re.search(r"\b(left|right|window)\b", lens), "a lens may be lopsided now: mend docs/clipping.md"
     advice = (ROOT / "docs" / "clipping.md").read_text(encoding="utf-8").split("## Which to choose", 1)[1]
     row = next(line for line in advice.splitlines() if "lopsided" in line)

@@ -24,7 +24,7 @@ FIGURES = ("x", "y", "z", "yaw", "pitch", "roll")
 # What a key changes, and which way.
 KEYS = {"ArrowUp": ("z", 1), "ArrowRight": ("yaw", 1), "ArrowLeft": ("yaw", -1), "ArrowDown": ("z", -1),
         "KeyR": ("pitch", 1), "KeyF": ("pitch", -1), "KeyQ": ("roll", 1), "KeyE": ("roll", -1)}
-# Other keys that mean the same: bits of fixel/viewer.h.
+# Other keys that mean the same: bits of fixel/extra/player.h.
 SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32}
 
 

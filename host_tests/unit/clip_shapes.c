@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "clip_shapes.h"
 
-fxl_clip_polygon clip_shape(const int *numbers, size_t count)
+fxl_varying_polygon clip_shape(const int *numbers, size_t count)
 {
-    fxl_clip_polygon polygon;
+    fxl_varying_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     polygon.colour = 3;
     polygon.count = (uint8_t)count;
@@ -17,9 +17,9 @@ fxl_clip_polygon clip_shape(const int *numbers, size_t count)
     return polygon;
 }
 
-fxl_clip_polygon clip_saw(uint8_t count, int reach)
+fxl_varying_polygon clip_saw(uint8_t count, int reach)
 {
-    fxl_clip_polygon polygon;
+    fxl_varying_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     polygon.count = count;
     for (int i = 0; i < count; i++) {
@@ -29,14 +29,14 @@ fxl_clip_polygon clip_saw(uint8_t count, int reach)
     return polygon;
 }
 
-static bool same_vertex(const fxl_clip_vertex *a, const fxl_clip_vertex *b, uint32_t carried)
+static bool same_vertex(const fxl_varying_vertex *a, const fxl_varying_vertex *b, uint32_t carried)
 {
     return a->position.x == b->position.x && a->position.y == b->position.y &&
            a->position.z == b->position.z &&
            memcmp(a->carried, b->carried, carried * sizeof a->carried[0]) == 0;
 }
 
-static bool same_from(const fxl_clip_polygon *a, const fxl_clip_polygon *b, uint32_t first)
+static bool same_from(const fxl_varying_polygon *a, const fxl_varying_polygon *b, uint32_t first)
 {
     for (uint32_t i = 0; i < a->count; i++) {
         if (!same_vertex(&a->vertices[i], &b->vertices[(first + i) % b->count], a->carried)) {
@@ -46,7 +46,7 @@ static bool same_from(const fxl_clip_polygon *a, const fxl_clip_polygon *b, uint
     return true;
 }
 
-bool clip_same(const fxl_clip_polygon *a, const fxl_clip_polygon *b)
+bool clip_same(const fxl_varying_polygon *a, const fxl_varying_polygon *b)
 {
     bool same = false;
     for (uint32_t first = 0; first < b->count; first++) {
@@ -57,10 +57,10 @@ bool clip_same(const fxl_clip_polygon *a, const fxl_clip_polygon *b)
 
 /* centre + a cos + b sin, by multiples of 1/8 turn, which keep it convex and
  * clockwise or not alike. */
-fxl_clip_polygon clip_random_shape(unsigned bits)
+fxl_varying_polygon clip_random_shape(unsigned bits)
 {
     static const int cosines[8] = {10, 7, 0, -7, -10, -7, 0, 7};
-    fxl_clip_polygon polygon;
+    fxl_varying_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     int64_t centre[3], a[3], b[3];
     for (int k = 0; k < 3; k++) {

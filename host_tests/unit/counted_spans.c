@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../../lib/src/fill_row.h"
+#include "../../lib/src/raster/fill_row.h"
 
 static const uint8_t *counted_pixels;
 static uint8_t *counted_writes;
@@ -21,7 +21,7 @@ static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
 #define fxl_span_buffer_begin counted_span_buffer_begin
 #define fxl_span_buffer_draw  counted_span_buffer_draw
 #define fxl_fill_row          count_and_fill
-#include "../../lib/src/span_buffer.c"
+#include "../../lib/extra/spans/span_buffer.c"
 
 static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
@@ -30,23 +30,23 @@ static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32
     const fxl_trapezoid *trapezoid;
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        if (!counted_span_buffer_draw(renderer->paint_room, trapezoid, colour, band)) {
+        if (!counted_span_buffer_draw(renderer->raster_workspace, trapezoid, colour, band)) {
             return false;
         }
     }
     return true;
 }
 
-static fxl_painter painter;
-static fxl_hidden hidden;
-const fxl_hidden *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
+static fxl_raster_backend painter;
+static fxl_visibility hidden;
+const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
 {
     counted_writes = writes;
     counted_pixels = pixels;
     memset(writes, 0, count);
-    painter = fxl_painter_spans;
-    painter.paint = paint;
-    hidden = fxl_hidden_spans;
-    hidden.painter = &painter;
+    painter = fxl_raster_spans;
+    painter.draw_polygon = paint;
+    hidden = fxl_visibility_spans;
+    hidden.backend = &painter;
     return &hidden;
 }

@@ -3,7 +3,7 @@
 #ifndef COUNTED_SPANS_H
 #define COUNTED_SPANS_H
 
-#include "fixel.h"
+#include "fixel/all.h"
 
 /* span_buffer.c, but that each span that it fills is counted. */
 fxl_span_buffer *counted_span_buffer_make(void *memory, uint32_t size, uint16_t height);
@@ -12,7 +12,7 @@ bool counted_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trap
                               uint8_t colour, const fxl_band *band);
 
 /* From now on writes[], all 0 at first, says how often each of so many pixels was written.
- * Answers fxl_hidden_spans with the span buffer counted. */
-const fxl_hidden *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count);
+ * Answers fxl_visibility_spans with the span buffer counted. */
+const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count);
 
 #endif

@@ -4,13 +4,13 @@
 #ifndef POLYGON_FACE_H
 #define POLYGON_FACE_H
 
-#include "fixel/clipper.h"
+#include "fixel/stage/clipper.h"
 
 typedef struct {
-    fxl_placed placed;
+    fxl_model_view placed;
     fxl_face face;
     fxl_vertex_cache cache;
-    fxl_seen_vertex seen[FXL_POLYGON_CAPACITY];
+    fxl_cached_vertex seen[FXL_POLYGON_CAPACITY];
     fxl_point vertices[FXL_POLYGON_CAPACITY];
     uint16_t corners[FXL_POLYGON_CAPACITY];
 } polygon_face;
@@ -20,15 +20,15 @@ static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon
                                     uint32_t entries)
 {
     const fxl_model model = {.vertex_count = polygon->count, .face_count = 1};
-    const fxl_object object = {{0, 0, 0}, 0, 0, 0};
-    const fxl_scene scene = {.vertices = as->vertices, .corners = as->corners, .models = &model};
+    const fxl_instance object = {{0, 0, 0}, 0, 0, 0};
+    const fxl_scene scene = {.vertices = as->vertices, .indices = as->corners, .models = &model};
     as->face = (fxl_face){.count = polygon->count, .colour = polygon->colour};
     for (uint16_t i = 0; i < polygon->count; i++) {
         as->vertices[i] = polygon->vertices[i].position;
         as->corners[i] = i;
     }
     fxl_vertex_cache_init(&as->cache, as->seen, entries);
-    fxl_place_object(&as->placed, &scene, &object, FXL_PLANES_ALL, view, &as->cache);
+    fxl_model_view_of_instance(&as->placed, &scene, &object, FXL_PLANES_ALL, view, &as->cache);
 }
 
 #endif

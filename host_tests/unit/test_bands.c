@@ -8,7 +8,7 @@ enum {
     HEIGHT = 16,
     BACKGROUND = 200,
     FACES = 18,
-    WORDS = FACES / 2 * FXL_LIST_WORDS(6) /* more than half the faces never face the eye */
+    WORDS = FACES / 2 * FXL_DISPLAY_LIST_WORDS(6) /* more than half the faces never face the eye */
 };
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
@@ -24,7 +24,7 @@ static void start(uint32_t words, const fxl_clipper *clipper)
     const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words, NULL, 0};
     tiny = tiny_make();
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
 }
 
@@ -103,7 +103,7 @@ void test_what_does_not_fit_is_counted(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
     fxl_counters counters = draw_whole(&pose, &fxl_clipper_view);
-    fxl_list_record record;
+    fxl_display_list_record record;
     TEST_ASSERT_TRUE(counters.spilled > 3);
     for (uint32_t words = 0; words <= WORDS; words++) {
         uint32_t place = 0, held = 0;
@@ -111,18 +111,19 @@ void test_what_does_not_fit_is_counted(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
         draw_rows(other, 8, 8);
-        while (fxl_list_next(&renderer.list, (fxl_rows){0, HEIGHT}, &place, &record)) {
+        while (
+            fxl_display_list_next(&renderer.display_list, (fxl_rows){0, HEIGHT}, &place, &record)) {
             held++;
         }
         TEST_ASSERT_EQUAL_UINT32(counters.spilled, held + renderer.counters.spilled);
-        TEST_ASSERT_TRUE(held > 0 || words < FXL_LIST_WORDS(4));
+        TEST_ASSERT_TRUE(held > 0 || words < FXL_DISPLAY_LIST_WORDS(4));
     }
     TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
 }
 
 static uint32_t asked;
 
-static fxl_clip_result counting_clipper(const fxl_placed *placed, const fxl_face *face,
+static fxl_clip_result counting_clipper(const fxl_model_view *placed, const fxl_face *face,
                                         fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     asked++;
@@ -172,7 +173,7 @@ void test_a_polygon_on_no_row_takes_no_record(void)
     start(WORDS, &fxl_clipper_view);
     fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-    uint32_t drawn = renderer.counters.drawn, used = renderer.list.used;
+    uint32_t drawn = renderer.counters.drawn, used = renderer.display_list.used;
     /* The front of the first cube, 6 before the eye: 12 / 6 of a pixel high where
      * it was 4, about row 8, and so about the edge of two rows. */
     for (int v = 0; v < 8; v++) {
@@ -181,7 +182,7 @@ void test_a_polygon_on_no_row_takes_no_record(void)
     tiny->objects[2].centre = (fxl_point){0, 0, Q16(-400)};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
-    TEST_ASSERT_EQUAL_UINT32(FXL_LIST_WORDS(4), renderer.list.used);
-    TEST_ASSERT_TRUE(drawn > 2 && used > FXL_LIST_WORDS(4));
+    TEST_ASSERT_EQUAL_UINT32(FXL_DISPLAY_LIST_WORDS(4), renderer.display_list.used);
+    TEST_ASSERT_TRUE(drawn > 2 && used > FXL_DISPLAY_LIST_WORDS(4));
     TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
 }

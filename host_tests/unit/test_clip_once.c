@@ -4,11 +4,11 @@
 #include "clip_shapes.h"
 
 static struct {
-    fxl_clip_once_room room;
+    fxl_clip_once_workspace room;
     uint8_t guard[64];
 } guarded;
-static fxl_clip_once_room *const room = &guarded.room;
-static fxl_clip_room other_room;
+static fxl_clip_once_workspace *const room = &guarded.room;
+static fxl_clip_workspace other_room;
 
 /* Of intersections: not looked at. */
 #define ANY UINT32_MAX
@@ -26,18 +26,18 @@ static fxl_normalised square(void)
     return frustum;
 }
 
-static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
+static fxl_clip_result clip(const fxl_varying_polygon *polygon, const fxl_varying_polygon **result)
 {
     fxl_normalised frustum = square();
-    room->account = (fxl_clip_account){0, 0, 0};
+    room->stats = (fxl_clip_stats){0, 0, 0};
     return fxl_clip_once(polygon, &frustum, room, result);
 }
 
 /* The vertices in their order, from whichever on, to within rounding. */
-static void expect_shape(const fxl_clip_polygon *polygon, const fxl_clip_polygon *wanted,
+static void expect_shape(const fxl_varying_polygon *polygon, const fxl_varying_polygon *wanted,
                          uint32_t intersections)
 {
-    const fxl_clip_polygon *result = NULL;
+    const fxl_varying_polygon *result = NULL;
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(polygon, &result));
     TEST_ASSERT_EQUAL(wanted->count, result->count);
     TEST_ASSERT_EQUAL(polygon->colour, result->colour);
@@ -54,30 +54,30 @@ static void expect_shape(const fxl_clip_polygon *polygon, const fxl_clip_polygon
         found = found || same;
     }
     TEST_ASSERT_TRUE_MESSAGE(found, "other vertices");
-    TEST_ASSERT_TRUE(intersections == ANY || intersections == room->account.intersections);
+    TEST_ASSERT_TRUE(intersections == ANY || intersections == room->stats.intersections);
 }
 
 /* Not inlined, so that its two polygons leave the stack again. */
 static __attribute__((noinline)) void expect_cut(const int *in, size_t in_count, const int *out,
                                                  size_t out_count, uint32_t intersections)
 {
-    fxl_clip_polygon polygon = clip_shape(in, in_count), wanted = clip_shape(out, out_count);
+    fxl_varying_polygon polygon = clip_shape(in, in_count), wanted = clip_shape(out, out_count);
     expect_shape(&polygon, &wanted, intersections);
 }
 #define NUMBERS(...) ((const int[]){__VA_ARGS__}), sizeof((const int[]){__VA_ARGS__}) / 12
 
 void test_inside_is_the_input_itself(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));
     TEST_ASSERT_EQUAL_PTR(&polygon, result);
 }
 
 void test_outside_is_nothing(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(50, -5, 10, 50, 5, 10, 11, 0, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(50, -5, 10, 50, 5, 10, 11, 0, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
     TEST_ASSERT_NULL(result);
     /* Past a corner, outside of no one plane. */
@@ -101,8 +101,8 @@ void test_edges_are_cut_once(void)
 /* Through near and far. */
 void test_a_ribbon_away_from_the_eye(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(-1, 0, -500, -1, 0, 3000, 1, 0, 3000, 1, 0, -500);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(-1, 0, -500, -1, 0, 3000, 1, 0, 3000, 1, 0, -500);
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
     TEST_ASSERT_TRUE(result->count == 6 || result->count == 4);
     for (int i = 0; i < result->count; i++) {
@@ -153,8 +153,8 @@ void test_vertices_on_planes_are_not_repeated(void)
 
 void test_a_touch_is_degenerate(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(10, 0, 10, 20, 5, 10, 20, -5, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(10, 0, 10, 20, 5, 10, 20, -5, 10);
     fxl_clip_result cut = clip(&polygon, &result);
     TEST_ASSERT_TRUE(cut == FXL_CLIP_DEGENERATE);
     TEST_ASSERT_NULL(result);
@@ -162,19 +162,19 @@ void test_a_touch_is_degenerate(void)
 
 void test_a_sliver_is_refused_where_asked(void)
 {
-    const fxl_clip_polygon *result;
+    const fxl_varying_polygon *result;
     fxl_normalised frustum = square();
-    fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room->account = (fxl_clip_account){0, 0, 0};
+    fxl_varying_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
+    room->stats = (fxl_clip_stats){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
-    room->account.sliver = V(2);
+    room->stats.sliver = V(2);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, room, &result));
     /* A vertex barely inside stands for the crossing before it. */
     polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
-    room->account = (fxl_clip_account){V(2), 0, 0};
+    room->stats = (fxl_clip_stats){V(2), 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
     TEST_ASSERT_EQUAL(4, result->count);
-    TEST_ASSERT_EQUAL(1, room->account.intersections);
+    TEST_ASSERT_EQUAL(1, room->stats.intersections);
 }
 
 /* Outlines of every kind, also such as no face has: nothing beyond the capacity. */
@@ -184,13 +184,13 @@ void test_the_capacity_is_never_overrun(void)
     fxl_normalised frustum = square();
     int refused = 0;
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
-        fxl_clip_polygon polygon = clip_saw((uint8_t)unit_between(3, FXL_POLYGON_CAPACITY), 50);
-        const fxl_clip_polygon *result;
+        fxl_varying_polygon polygon = clip_saw((uint8_t)unit_between(3, FXL_POLYGON_CAPACITY), 50);
+        const fxl_varying_polygon *result;
         for (int k = 0; k < polygon.count && i % 8 != 0; k++) {
             polygon.vertices[k].position =
                 (fxl_view_point){unit_wide(61), unit_wide(61), unit_wide(61)};
         }
-        guarded.room.account = (fxl_clip_account){i % 3 == 0 ? V(1) : 0, 0, 0};
+        guarded.room.stats = (fxl_clip_stats){i % 3 == 0 ? V(1) : 0, 0, 0};
         fxl_clip_result cut = fxl_clip_once(&polygon, &frustum, &guarded.room, &result);
         refused += cut == FXL_CLIP_CAPACITY;
         TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT || cut == FXL_CLIP_INSIDE, result != NULL);
@@ -200,7 +200,7 @@ void test_the_capacity_is_never_overrun(void)
 }
 
 /* Twice the area on the screen, in units of 2^-32 square pixel. */
-static double twice_area(const fxl_normalised *frustum, const fxl_clip_polygon *polygon)
+static double twice_area(const fxl_normalised *frustum, const fxl_varying_polygon *polygon)
 {
     fxl_screen_point at[FXL_POLYGON_CAPACITY];
     double twice = 0;
@@ -222,9 +222,9 @@ void test_it_agrees_with_plane_by_plane(void)
     int cuts = 0, unlike = 0, more = 0;
     fxl_normalised frustum = square();
     for (int i = 0; i < UNIT_REPEAT / 5; i++) {
-        const fxl_clip_polygon *once, *each;
-        fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(50, 61));
-        room->account = other_room.account = (fxl_clip_account){0, 0, 0};
+        const fxl_varying_polygon *once, *each;
+        fxl_varying_polygon polygon = clip_random_shape((unsigned)unit_between(50, 61));
+        room->stats = other_room.stats = (fxl_clip_stats){0, 0, 0};
         fxl_clip_result a = fxl_clip_once(&polygon, &frustum, room, &once);
         fxl_clip_result b = fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
         double one = once ? twice_area(&frustum, once) : 0;
@@ -232,7 +232,7 @@ void test_it_agrees_with_plane_by_plane(void)
         TEST_ASSERT_TRUE(a == b || (one == 0 && two == 0));
         unlike += !unit_near(one, two, 4 * 65536.0 * 256);
         cuts += a == FXL_CLIP_CUT;
-        more += a == FXL_CLIP_CUT && room->account.intersections > other_room.account.intersections;
+        more += a == FXL_CLIP_CUT && room->stats.intersections > other_room.stats.intersections;
     }
     TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 50);
     TEST_ASSERT_TRUE(unlike * 1000 < cuts);
@@ -246,7 +246,7 @@ void test_edges_that_pass_corners_closely(void)
     fxl_normalised frustum = square();
     int cuts = 0;
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
-        fxl_clip_polygon polygon = {.colour = 1, .count = (uint8_t)unit_between(3, 4)};
+        fxl_varying_polygon polygon = {.colour = 1, .count = (uint8_t)unit_between(3, 4)};
         int64_t z = unit_wide(55);
         z = (z < 0 ? -z : z) + V(1);
         for (int k = 0; k < polygon.count; k++) {
@@ -257,8 +257,8 @@ void test_edges_that_pass_corners_closely(void)
             at->y = z * signs[k][1] + unit_between(-2, 2);
             at->z = z + unit_between(-2, 2);
         }
-        const fxl_clip_polygon *once, *each;
-        room->account = other_room.account = (fxl_clip_account){0, 0, 0};
+        const fxl_varying_polygon *once, *each;
+        room->stats = other_room.stats = (fxl_clip_stats){0, 0, 0};
         fxl_clip_once(&polygon, &frustum, room, &once);
         fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
         double one = once ? twice_area(&frustum, once) : 0;

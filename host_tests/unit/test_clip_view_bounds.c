@@ -25,8 +25,8 @@ static fxl_view_frustum random_frustum(unsigned bits)
     fxl_view_frustum_from_lens(&lens, &frustum);
     if (bits < 61) {
         frustum.inset = unit_random() % 2 ? 0 : frustum.inset >> (61 - bits);
-        frustum.near = unit_wide(bits);
-        frustum.far = unit_wide(bits);
+        frustum.near_z = unit_wide(bits);
+        frustum.far_z = unit_wide(bits);
     }
     return frustum;
 }
@@ -37,8 +37,8 @@ static wide exact_distance(const fxl_view_frustum *f, int plane, const fxl_view_
     const int64_t one = (int64_t)1 << 30;
     if (plane == FXL_PLANE_NEAR || plane == FXL_PLANE_FAR) {
         return plane == FXL_PLANE_NEAR
-                   ? wide_difference(wide_product(p->z, one), wide_product(f->near, one))
-                   : wide_difference(wide_product(f->far, one), wide_product(p->z, one));
+                   ? wide_difference(wide_product(p->z, one), wide_product(f->near_z, one))
+                   : wide_difference(wide_product(f->far_z, one), wide_product(p->z, one));
     }
     bool sideways = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_RIGHT;
     bool low = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM;
@@ -311,7 +311,7 @@ void test_from_any_place_to_the_screen(void)
         fxl_lens lens = unit_any_lens();
         if (unit_random() % 4 == 0) {
             lens.inset = 0;
-            lens.near = FXL_NEAR_MIN;
+            lens.near_z = FXL_NEAR_MIN;
         }
         if (unit_random() % 2 == 0) {
             pose.position = unit_point(Q16(10));

@@ -8,7 +8,7 @@ enum {
     HEIGHT = 32,
     PIXELS = WIDTH * HEIGHT,
     BACKGROUND = 200,
-    LIST_WORDS = 18 * FXL_LIST_WORDS(8) /* all faces of the scene, whole or cut */
+    LIST_WORDS = 18 * FXL_DISPLAY_LIST_WORDS(8) /* all faces of the scene, whole or cut */
 };
 
 static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
@@ -47,7 +47,7 @@ static fxl_polygon random_triangle(const fxl_view *view)
 }
 
 /* A face between the centres of pixels is inside. */
-static fxl_clip_result clip_by_view(const fxl_placed *placed, const fxl_face *face,
+static fxl_clip_result clip_by_view(const fxl_model_view *placed, const fxl_face *face,
                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     fxl_clip_result result = fxl_clip_by_view(placed, face, work, screen);
@@ -242,7 +242,8 @@ static void start(int which)
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&renderers[which], &tiny->scene, &lens, &memory));
 }
 
 static void set_clipper(int which, const fxl_clipper *clipper)
@@ -271,7 +272,7 @@ static fxl_pose random_pose(void)
 static uint32_t asked;
 static const fxl_clip_result *answer; /* null: what fxl_clip_by_view says */
 
-static fxl_clip_result recording_clipper(const fxl_placed *placed, const fxl_face *face,
+static fxl_clip_result recording_clipper(const fxl_model_view *placed, const fxl_face *face,
                                          fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     asked++;
@@ -369,7 +370,7 @@ void test_the_cache_changes_no_pixel(void)
     enum {
         ENTRIES = 9
     };
-    static fxl_seen_vertex caches[2][ENTRIES];
+    static fxl_cached_vertex caches[2][ENTRIES];
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = random_pose();
         start(0);

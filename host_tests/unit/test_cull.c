@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "face.h"
+#include "src/view/facing.h"
 #include "tiny.h"
 
 static int64_t side_of(const fxl_face *face, const fxl_point *first, const fxl_point *eye)
@@ -45,7 +45,7 @@ void test_the_least_bit_decides(void)
 {
     tiny_scene *tiny = tiny_make();
     fxl_face *face = &tiny->faces[1];
-    const fxl_point *first = &tiny->vertices[tiny->corners[face->first_corner]];
+    const fxl_point *first = &tiny->vertices[tiny->corners[face->first_index]];
     face->normal.y = 1;
     for (int32_t side = -1; side <= 1; side++) {
         fxl_point eye = {first->x, first->y + side, first->z};
@@ -61,7 +61,7 @@ void test_facing_is_exact_everywhere(void)
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
         face->normal = unit_direction();
         tiny->objects[0].centre = unit_point(FXL_COORDINATE_MAX - Q16(1));
-        fxl_point first = tiny->vertices[tiny->corners[face->first_corner]];
+        fxl_point first = tiny->vertices[tiny->corners[face->first_index]];
         first.x += tiny->objects[0].centre.x;
         first.y += tiny->objects[0].centre.y;
         first.z += tiny->objects[0].centre.z;
@@ -73,9 +73,11 @@ void test_facing_is_exact_everywhere(void)
                           fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
         fxl_view view = {.camera.position = eye};
         fxl_vertex_cache cache = {0};
-        fxl_placed placed;
-        fxl_place_object(&placed, &tiny->scene, &tiny->objects[0], FXL_PLANES_ALL, &view, &cache);
-        TEST_ASSERT_EQUAL(side_of(face, &first, &eye) > 0, fxl_placed_face_is_front(&placed, face));
+        fxl_model_view placed;
+        fxl_model_view_of_instance(&placed, &tiny->scene, &tiny->objects[0], FXL_PLANES_ALL, &view,
+                                   &cache);
+        TEST_ASSERT_EQUAL(side_of(face, &first, &eye) > 0,
+                          fxl_model_view_face_is_front(&placed, face));
     }
 }
 
@@ -88,14 +90,15 @@ void test_a_face_becomes_a_polygon_of_the_world(void)
     const fxl_face *face = &tiny->faces[4];
     fxl_view view = {.camera.position = {Q16(7), Q16(-8), Q16(9)}};
     fxl_vertex_cache cache = {0};
-    fxl_placed placed;
-    fxl_place_object(&placed, &tiny->scene, &tiny->objects[0], FXL_PLANES_ALL, &view, &cache);
+    fxl_model_view placed;
+    fxl_model_view_of_instance(&placed, &tiny->scene, &tiny->objects[0], FXL_PLANES_ALL, &view,
+                               &cache);
     fxl_face_to_polygon(&placed, face, &polygon);
     TEST_ASSERT_EQUAL(face->colour, polygon.colour);
     TEST_ASSERT_EQUAL(4, polygon.count);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &polygon.vertices[4], sizeof polygon.vertices[4]);
     for (uint32_t i = 0; i < 4; i++) {
-        const fxl_point *from = &tiny->vertices[tiny->corners[face->first_corner + i]];
+        const fxl_point *from = &tiny->vertices[tiny->corners[face->first_index + i]];
         const fxl_vertex *vertex = &polygon.vertices[i];
         TEST_ASSERT_EQUAL_INT32(from->x + Q16(100), vertex->position.x);
         TEST_ASSERT_EQUAL_INT32(from->y - Q16(200), vertex->position.y);

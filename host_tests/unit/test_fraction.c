@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
-#include "divide_wide.h"
+#include "src/math/divide_wide.h"
 #include "unit.h"
 #include "wide.h"
 

@@ -88,8 +88,8 @@ void test_distances_from_the_eye(void)
         }
         int64_t near = fxl_plane_distance(&frustum.planes[FXL_PLANE_NEAR], &pose.position);
         int64_t far = fxl_plane_distance(&frustum.planes[FXL_PLANE_FAR], &pose.position);
-        int64_t nearest = (int64_t)lens.near + lens.inset;
-        int64_t farthest = (int64_t)lens.far - lens.inset;
+        int64_t nearest = (int64_t)lens.near_z + lens.inset;
+        int64_t farthest = (int64_t)lens.far_z - lens.inset;
         expect_within(unit + nearest * 7, -nearest * unit, near);
         expect_within(unit + farthest * 7, farthest * unit, far);
     }
@@ -112,8 +112,8 @@ void test_the_view_frustum_is_that_of_the_lens(void)
         fxl_view_frustum_from_lens(&lens, &frustum);
         expect_unit_vector(lens.focal, lens.width * 32768.0, frustum.x_side, frustum.x_depth);
         expect_unit_vector(lens.focal, lens.height * 32768.0, frustum.y_side, frustum.y_depth);
-        TEST_ASSERT_EQUAL_INT64(((int64_t)lens.near + lens.inset) * unit, frustum.near);
-        TEST_ASSERT_EQUAL_INT64(((int64_t)lens.far - lens.inset) * unit, frustum.far);
+        TEST_ASSERT_EQUAL_INT64(((int64_t)lens.near_z + lens.inset) * unit, frustum.near_z);
+        TEST_ASSERT_EQUAL_INT64(((int64_t)lens.far_z - lens.inset) * unit, frustum.far_z);
         TEST_ASSERT_EQUAL_INT64(lens.inset * unit, frustum.inset);
     }
 }

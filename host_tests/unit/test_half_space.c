@@ -4,7 +4,7 @@
 #include "clip_shapes.h"
 #include "wide.h"
 
-static fxl_clip_room room;
+static fxl_clip_workspace room;
 
 /* The window from -2 to -1 and from 1 to 3 at depth 1: all of it up and to the
  * left; far at 100. */
@@ -129,34 +129,34 @@ void test_points(void)
 void test_polygons(void)
 {
     fxl_volume volume = aside();
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon inside = SHAPE(-12, 12, 10, -12, 28, 10, -18, 28, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon inside = SHAPE(-12, 12, 10, -12, 28, 10, -18, 28, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_to_volume(&inside, &volume, &room, &result));
     TEST_ASSERT_EQUAL_PTR(&inside, result);
-    fxl_clip_polygon outside = SHAPE(0, 12, 10, 0, 28, 10, -9, 28, 10);
+    fxl_varying_polygon outside = SHAPE(0, 12, 10, 0, 28, 10, -9, 28, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_to_volume(&outside, &volume, &room, &result));
     TEST_ASSERT_NULL(result);
     /* The left half hangs out. */
-    fxl_clip_polygon half = SHAPE(-16, 12, 10, -24, 12, 10, -24, 28, 10, -16, 28, 10);
-    fxl_clip_polygon expected = SHAPE(-16, 12, 10, -20, 12, 10, -20, 28, 10, -16, 28, 10);
+    fxl_varying_polygon half = SHAPE(-16, 12, 10, -24, 12, 10, -24, 28, 10, -16, 28, 10);
+    fxl_varying_polygon expected = SHAPE(-16, 12, 10, -20, 12, 10, -20, 28, 10, -16, 28, 10);
     expected.vertices[1].carried[1] = Q16(0.5);
     expected.vertices[2].carried[1] = Q16(2.5);
-    room.account = (fxl_clip_account){0, 0, 0};
+    room.stats = (fxl_clip_stats){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &room, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
-    TEST_ASSERT_EQUAL(2, room.account.intersections);
+    TEST_ASSERT_EQUAL(2, room.stats.intersections);
 }
 
 /* One half-space: early outs that write nothing, and the input may be any. */
 void test_one_half_space(void)
 {
-    fxl_clip_polygon *const out = &room.polygons[0], *const before = &room.polygons[1];
+    fxl_varying_polygon *const out = &room.polygons[0], *const before = &room.polygons[1];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
-    fxl_clip_account account = {0, 0, 0};
+    fxl_clip_stats account = {0, 0, 0};
     fxl_half_space slanted = {{FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4}, V(-1)};
     memset(out, 0x5A, sizeof *out);
     *before = *out;
-    fxl_clip_polygon polygon = SHAPE(4, 0, 0, 0, 4, 0, 0, 0, 4); /* on it */
+    fxl_varying_polygon polygon = SHAPE(4, 0, 0, 0, 4, 0, 0, 0, 4); /* on it */
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
                       fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
     polygon = SHAPE(3, 0, 0, 0, 3, 0, 0, 0, 3);
@@ -177,15 +177,15 @@ void test_the_guard_band_keeps_the_screen_in_range(void)
     int cut_count = 0, beyond = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_lens lens = unit_any_lens();
-        lens.near = FXL_NEAR_MIN;
+        lens.near_z = FXL_NEAR_MIN;
         lens.inset = unit_random() % 2 ? 0 : 4;
         fxl_volume volume;
-        const fxl_clip_polygon *result;
+        const fxl_varying_polygon *result;
         fxl_volume_from_lens(&lens, depths | (unit_random() % 2 ? 1u << FXL_PLANE_LEFT : 0),
                              &volume);
-        fxl_clip_polygon polygon = clip_random_shape(61);
+        fxl_varying_polygon polygon = clip_random_shape(61);
         polygon.vertices[0].position.z = volume.planes[FXL_PLANE_NEAR].offset * -1;
-        room.account = (fxl_clip_account){0, 0, 0};
+        room.stats = (fxl_clip_stats){0, 0, 0};
         fxl_screen_point screen;
         beyond += fxl_project_point(&lens, &polygon.vertices[0].position, &screen) != FXL_OK;
         if (fxl_clip_to_volume(&polygon, &volume, &room, &result) == FXL_CLIP_CUT) {
@@ -211,9 +211,9 @@ void test_planes_of_the_world(void)
     int cuts = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         static fxl_polygon polygon, other;
-        fxl_clip_polygon *const in = &room.polygons[0], *const out = &room.polygons[1];
+        fxl_varying_polygon *const in = &room.polygons[0], *const out = &room.polygons[1];
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
-        fxl_clip_account account = {0, 0, 0};
+        fxl_clip_stats account = {0, 0, 0};
         fxl_direction normal = unit_direction();
         fxl_point through = unit_point(Q16(1000));
         fxl_plane plane = fxl_plane_from_point(&through, &normal, 0);
@@ -230,7 +230,7 @@ void test_planes_of_the_world(void)
             in->vertices[k].carried[0] = vertex->u;
         }
         fxl_clip_result cut = fxl_clip_to_half_space(in, &half_space, &account, out, distances);
-        TEST_ASSERT_EQUAL(fxl_clip_to_plane(&polygon, &plane, &other, distances), cut);
+        TEST_ASSERT_EQUAL(fxl_clip_world_to_plane(&polygon, &plane, &other, distances), cut);
         for (int k = 0; cut == FXL_CLIP_CUT && k < out->count; k++) {
             const fxl_view_point *at = &out->vertices[k].position;
             const fxl_vertex *expected = &other.vertices[k];

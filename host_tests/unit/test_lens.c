@@ -22,8 +22,8 @@ void test_ninety_degrees_is_half_the_width(void)
     TEST_ASSERT_NEAR(lens.focal, Q16(160), 1);
     TEST_ASSERT_EQUAL(320, lens.width);
     TEST_ASSERT_EQUAL(240, lens.height);
-    TEST_ASSERT_EQUAL_INT32(Q16(0.0625), lens.near);
-    TEST_ASSERT_EQUAL_INT32(Q16(1000), lens.far);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.0625), lens.near_z);
+    TEST_ASSERT_EQUAL_INT32(Q16(1000), lens.far_z);
     TEST_ASSERT_EQUAL_INT32(4, lens.inset);
 }
 

@@ -4,10 +4,10 @@
 
 /* One room for all tests: some boards have 16 KB. */
 static struct {
-    fxl_clip_room room;
+    fxl_clip_workspace room;
     uint8_t guard[64];
 } guarded;
-static fxl_clip_room *const room = &guarded.room;
+static fxl_clip_workspace *const room = &guarded.room;
 
 static fxl_camera straight(void)
 {
@@ -28,10 +28,10 @@ static fxl_normalised square(void)
     return frustum;
 }
 
-static fxl_clip_result clip(const fxl_clip_polygon *polygon, const fxl_clip_polygon **result)
+static fxl_clip_result clip(const fxl_varying_polygon *polygon, const fxl_varying_polygon **result)
 {
     fxl_normalised frustum = square();
-    room->account = (fxl_clip_account){0, 0, 0};
+    room->stats = (fxl_clip_stats){0, 0, 0};
     return fxl_clip_normalised(polygon, &frustum, room, result);
 }
 
@@ -43,7 +43,7 @@ void test_ninety_degrees_change_nothing(void)
     TEST_ASSERT_EQUAL_MEMORY(&camera.up, &frustum.y.direction, sizeof camera.up);
     TEST_ASSERT_EQUAL_MEMORY(&camera.forward, &frustum.z.direction, sizeof camera.forward);
     TEST_ASSERT_EQUAL(0, frustum.x.shift + frustum.y.shift + frustum.z.shift);
-    TEST_ASSERT_TRUE(frustum.near == V(1) / 16 && frustum.far == V(1000));
+    TEST_ASSERT_TRUE(frustum.near_z == V(1) / 16 && frustum.far_z == V(1000));
     TEST_ASSERT_TRUE(frustum.x_inset == 0 && frustum.y_inset == 0);
 }
 
@@ -72,10 +72,10 @@ void test_rows_are_the_definition(void)
         expect_row(&camera.right, &frustum.x, x / largest);
         expect_row(&camera.up, &frustum.y, y / largest);
         expect_row(&camera.forward, &frustum.z, 1 / largest);
-        double near = (lens.near + lens.inset) * (double)(1 << 30) / largest;
-        double far = ((double)lens.far - lens.inset) * (double)(1 << 30) / largest;
-        TEST_ASSERT_NEAR(frustum.near, near, 0.51 + near / (1 << 30));
-        TEST_ASSERT_NEAR(frustum.far, far, 0.51 + far / (1 << 30));
+        double near = (lens.near_z + lens.inset) * (double)(1 << 30) / largest;
+        double far = ((double)lens.far_z - lens.inset) * (double)(1 << 30) / largest;
+        TEST_ASSERT_NEAR(frustum.near_z, near, 0.51 + near / (1 << 30));
+        TEST_ASSERT_NEAR(frustum.far_z, far, 0.51 + far / (1 << 30));
     }
 }
 
@@ -111,8 +111,8 @@ void test_codes_are_the_signs_of_the_distances(void)
         fxl_normalised frustum = square();
         unsigned bits = (unsigned)unit_between(2, 61);
         frustum.x_inset = unit_random() % 2 ? 0 : (int64_t)unit_random() << 14;
-        frustum.near = unit_wide(bits);
-        frustum.far = unit_wide(bits);
+        frustum.near_z = unit_wide(bits);
+        frustum.far_z = unit_wide(bits);
         fxl_view_point point = {unit_wide(bits), unit_wide(bits), unit_wide(bits)};
         if (i % 4 == 0) { /* next to a side */
             point.x = point.z + unit_between(-1, 1);
@@ -131,48 +131,48 @@ void test_codes_are_the_signs_of_the_distances(void)
 
 void test_inside_is_the_input_itself(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(-5, -5, 10, -5, 5, 10, 5, 5, 10, 5, -5, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(-5, -5, 10, -5, 5, 10, 5, 5, 10, 5, -5, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));
     TEST_ASSERT_EQUAL_PTR(&polygon, result);
     polygon = SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result)); /* on the planes */
-    TEST_ASSERT_EQUAL(0, room->account.intersections);
+    TEST_ASSERT_EQUAL(0, room->stats.intersections);
 }
 
 void test_outside_one_plane_is_rejected_by_codes(void)
 {
-    const fxl_clip_polygon *result;
+    const fxl_varying_polygon *result;
     static const int numbers[6][9] = {
         {-50, -5, 10, -50, 5, 10, -11, 0, 10}, {50, -5, 10, 50, 5, 10, 11, 0, 10},
         {-5, -50, 10, 5, -50, 10, 0, -11, 10}, {-5, 50, 10, 5, 50, 10, 0, 11, 10},
         {-5, -5, -10, 5, -5, -10, 0, 5, 0},    {-5, -5, 1001, 5, -5, 1001, 0, 5, 2000}};
     for (int i = 0; i < 6; i++) {
-        fxl_clip_polygon polygon = clip_shape(numbers[i], 3);
+        fxl_varying_polygon polygon = clip_shape(numbers[i], 3);
         TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
         TEST_ASSERT_NULL(result);
-        TEST_ASSERT_EQUAL(0, room->account.intersections);
+        TEST_ASSERT_EQUAL(0, room->stats.intersections);
     }
 }
 
 /* A square's right half hangs out; what rides along is halved as well. */
 void test_a_square_is_halved(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10);
-    fxl_clip_polygon expected = SHAPE(0, -5, 10, 0, 5, 10, 10, 5, 10, 10, -5, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10);
+    fxl_varying_polygon expected = SHAPE(0, -5, 10, 0, 5, 10, 10, 5, 10, 10, -5, 10);
     expected.vertices[2].carried[1] = Q16(1.5);
     expected.vertices[3].carried[1] = Q16(1.5);
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
-    TEST_ASSERT_EQUAL(2, room->account.intersections);
+    TEST_ASSERT_EQUAL(2, room->stats.intersections);
 }
 
 /* A wall about all of the screen becomes the screen. */
 void test_a_wall_becomes_the_screen(void)
 {
-    const fxl_clip_polygon *result;
-    fxl_clip_polygon polygon = SHAPE(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10);
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = SHAPE(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
     TEST_ASSERT_EQUAL(4, result->count);
     for (int i = 0; i < 4; i++) {
@@ -186,11 +186,11 @@ void test_a_wall_becomes_the_screen(void)
 /* Touching a plane from outside leaves a point or a line. */
 void test_what_is_left_of_a_touch_is_degenerate(void)
 {
-    const fxl_clip_polygon *result;
+    const fxl_varying_polygon *result;
     static const int numbers[2][9] = {{10, 0, 10, 20, 5, 10, 20, -5, 10},
                                       {10, -5, 10, 10, 5, 10, 20, 0, 10}};
     for (int i = 0; i < 2; i++) {
-        fxl_clip_polygon polygon = clip_shape(numbers[i], 3);
+        fxl_varying_polygon polygon = clip_shape(numbers[i], 3);
         TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, clip(&polygon, &result));
         TEST_ASSERT_NULL(result);
     }
@@ -198,13 +198,13 @@ void test_what_is_left_of_a_touch_is_degenerate(void)
 
 void test_the_capacity_is_never_overrun(void)
 {
-    const fxl_clip_polygon *result;
+    const fxl_varying_polygon *result;
     memset(guarded.guard, 0x5A, sizeof guarded.guard);
     fxl_normalised frustum = square();
     int refused = 0;
     for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count++) {
-        fxl_clip_polygon polygon = clip_saw(count, 50);
-        guarded.room.account = (fxl_clip_account){0, 0, 0};
+        fxl_varying_polygon polygon = clip_saw(count, 50);
+        guarded.room.stats = (fxl_clip_stats){0, 0, 0};
         fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, &guarded.room, &result);
         TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT, result != NULL);
         refused += cut == FXL_CLIP_CAPACITY;
@@ -216,15 +216,15 @@ void test_the_capacity_is_never_overrun(void)
 /* The sliver rule: a corner that pokes in by less than the rule minds. */
 void test_a_sliver_is_refused_where_asked(void)
 {
-    const fxl_clip_polygon *result;
+    const fxl_varying_polygon *result;
     fxl_normalised frustum = square();
     /* Second vertex one unit inside of the right plane, between two outside. */
-    fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room->account = (fxl_clip_account){0, 0, 0};
+    fxl_varying_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
+    room->stats = (fxl_clip_stats){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
-    room->account = (fxl_clip_account){V(2), 0, 0};
+    room->stats = (fxl_clip_stats){V(2), 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_normalised(&polygon, &frustum, room, &result));
-    room->account.sliver = V(1); /* not less than it minds */
+    room->stats.sliver = V(1); /* not less than it minds */
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
 }
 
@@ -232,14 +232,14 @@ void test_a_sliver_is_refused_where_asked(void)
  * after being in counts as in. */
 void test_a_barely_inside_vertex_stands_for_the_crossing(void)
 {
-    const fxl_clip_polygon *result;
+    const fxl_varying_polygon *result;
     fxl_normalised frustum = square();
-    fxl_clip_polygon polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
-    fxl_clip_polygon expected = SHAPE(9, 5, 10, 0, 0, 10, 9, -5, 10, 10, -4, 10);
-    room->account = (fxl_clip_account){V(2), 0, 0};
+    fxl_varying_polygon polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
+    fxl_varying_polygon expected = SHAPE(9, 5, 10, 0, 0, 10, 9, -5, 10, 10, -4, 10);
+    room->stats = (fxl_clip_stats){V(2), 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
     TEST_ASSERT_EQUAL(4, result->count);
-    TEST_ASSERT_EQUAL(1, room->account.intersections);
+    TEST_ASSERT_EQUAL(1, room->stats.intersections);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_EQUAL_MEMORY(&expected.vertices[i].position, &result->vertices[i].position,
                                  sizeof(fxl_view_point));
@@ -250,11 +250,11 @@ void test_a_barely_inside_vertex_stands_for_the_crossing(void)
 /* No vertex leaves the box about the input, what it carries neither, and each lies
  * on the frustum or inside: 3 units for its own plane, 3 more for each later one,
  * which moves along edges that are as far off. */
-static void expect_held(const fxl_normalised *frustum, const fxl_clip_polygon *in,
-                        const fxl_clip_polygon *out)
+static void expect_held(const fxl_normalised *frustum, const fxl_varying_polygon *in,
+                        const fxl_varying_polygon *out)
 {
     for (int i = 0; i < out->count; i++) {
-        const fxl_clip_vertex *vertex = &out->vertices[i];
+        const fxl_varying_vertex *vertex = &out->vertices[i];
         for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
             TEST_ASSERT_TRUE(fxl_normalised_distance(frustum, plane, &vertex->position) >= -9);
         }
@@ -276,10 +276,10 @@ void test_results_lie_within_the_frustum(void)
         fxl_camera camera = straight();
         fxl_lens lens = unit_any_lens();
         fxl_normalised frustum;
-        const fxl_clip_polygon *result;
+        const fxl_varying_polygon *result;
         fxl_normalised_from_camera(&camera, &lens, &frustum);
-        fxl_clip_polygon polygon = clip_random_shape((unsigned)unit_between(40, 61));
-        room->account = (fxl_clip_account){0, 0, 0};
+        fxl_varying_polygon polygon = clip_random_shape((unsigned)unit_between(40, 61));
+        room->stats = (fxl_clip_stats){0, 0, 0};
         fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, room, &result);
         TEST_ASSERT_TRUE(cut != FXL_CLIP_CAPACITY);
         if (cut == FXL_CLIP_CUT) {

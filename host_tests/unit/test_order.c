@@ -204,7 +204,7 @@ void test_distance_is_the_sum_of_squares(void)
     }
 }
 
-static uint64_t face_distance(const tiny_scene *tiny, const fxl_object *object,
+static uint64_t face_distance(const tiny_scene *tiny, const fxl_instance *object,
                               const fxl_face *face, const fxl_point *eye)
 {
     int64_t low[3], high[3], at_eye[3] = {eye->x, eye->y, eye->z};
@@ -212,7 +212,7 @@ static uint64_t face_distance(const tiny_scene *tiny, const fxl_object *object,
     for (uint32_t i = 0; i < face->count; i++) {
         const fxl_model *model = &tiny->models[object->model];
         const fxl_point *v =
-            &tiny->vertices[model->first_vertex + tiny->corners[face->first_corner + i]];
+            &tiny->vertices[model->first_vertex + tiny->corners[face->first_index + i]];
         int64_t at[3] = {(int64_t)v->x + object->centre.x, (int64_t)v->y + object->centre.y,
                          (int64_t)v->z + object->centre.z};
         for (int axis = 0; axis < 3; axis++) {
@@ -230,7 +230,7 @@ void test_face_distance_is_that_of_its_box(void)
 {
     tiny_scene *tiny = tiny_make();
     for (int i = 0; i < UNIT_REPEAT / 2; i++) {
-        fxl_object *object = &tiny->objects[i % 2];
+        fxl_instance *object = &tiny->objects[i % 2];
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
         object->centre = unit_point(FXL_COORDINATE_MAX - Q16(20));
         for (int v = 0; v < 16; v++) {
@@ -266,7 +266,7 @@ static uint32_t order_from(tiny_scene *tiny, const fxl_pose *pose, uint32_t *lef
     fxl_view_frustum frustum;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
     fxl_view_frustum_from_lens(&lens, &frustum);
-    return fxl_order_objects(&tiny->scene, &camera, &frustum, entries, left_out);
+    return fxl_order_instances(&tiny->scene, &camera, &frustum, entries, left_out);
 }
 
 static const fxl_pose before_all = {{0, 0, Q16(-5)}, 0, 0, 0};
@@ -336,7 +336,7 @@ void test_faces_that_face_the_eye_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
     fxl_point eye = {Q16(4), Q16(6), Q16(18)};
-    const fxl_object *object = &tiny->objects[1];
+    const fxl_instance *object = &tiny->objects[1];
     uint32_t count = fxl_order_faces(&tiny->scene, object, &eye, entries);
     uint64_t last = 0;
     TEST_ASSERT_EQUAL_UINT32(3, count);
@@ -355,7 +355,7 @@ void test_keys_change_nothing(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         tiny_scene *tiny = tiny_make();
-        fxl_object *object = &tiny->objects[1];
+        fxl_instance *object = &tiny->objects[1];
         object->centre = unit_point(FXL_COORDINATE_MAX - Q16(2));
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
         if (i % 2) {
@@ -366,7 +366,7 @@ void test_keys_change_nothing(void)
         }
         uint32_t count = fxl_order_faces(&tiny->scene, object, &eye, entries);
         fxl_scene bare = tiny->scene;
-        bare.keys = NULL;
+        bare.face_bounds = NULL;
         TEST_ASSERT_EQUAL_UINT32(count, fxl_order_faces(&bare, object, &eye, entries + 6));
         uint64_t last = 0;
         uint32_t front = 0;

@@ -91,7 +91,7 @@ void test_points_beside_a_plane(void)
         int64_t x = side_at(frustum.x_side, frustum.x_depth, z, frustum.inset);
         int64_t y = side_at(frustum.y_side, frustum.y_depth, z, frustum.inset);
         fxl_view_point points[] = {{x, 0, z},  {-x, 0, z}, {0, y, z},
-                                   {0, -y, z}, {x, y, z},  {x, y, frustum.near}};
+                                   {0, -y, z}, {x, y, z},  {x, y, frustum.near_z}};
         for (size_t k = 0; k < sizeof points / sizeof points[0]; k++) {
             fxl_view_point *point = &points[k];
             int64_t *moved = unit_random() % 3 == 0 ? &point->z : k < 2 ? &point->x : &point->y;
@@ -102,7 +102,7 @@ void test_points_beside_a_plane(void)
                 outside += code != 0;
             }
         }
-        fxl_view_point ends[] = {{0, 0, frustum.near}, {0, 0, frustum.far}};
+        fxl_view_point ends[] = {{0, 0, frustum.near_z}, {0, 0, frustum.far_z}};
         for (int k = 0; k < 2; k++) {
             ends[k].z += unit_between(-1, 1);
             expect_outcode(&frustum, &ends[k]);

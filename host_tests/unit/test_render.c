@@ -5,7 +5,7 @@ enum {
     WIDTH = 48,
     HEIGHT = 32,
     BACKGROUND = 200,
-    LIST_WORDS = 18 * FXL_LIST_WORDS(8) /* all faces of the scene, whole or cut */
+    LIST_WORDS = 18 * FXL_DISPLAY_LIST_WORDS(8) /* all faces of the scene, whole or cut */
 };
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
@@ -21,7 +21,8 @@ static tiny_scene *start(int which)
     const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_TRUE(tiny->scene.order_needed <= 64);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderers[which], &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&renderers[which], &tiny->scene, &lens, &memory));
     return tiny;
 }
 
@@ -126,8 +127,8 @@ void test_bands_in_any_order_count_once(void)
     fxl_pose pose = pose_number(3);
     draw_whole(&renderers[0], &pose, whole);
     fxl_counters counters = renderers[0].counters;
-    for (uint32_t words = 0; words <= LIST_WORDS; words += FXL_LIST_WORDS(4)) {
-        renderers[0].list.capacity = words;
+    for (uint32_t words = 0; words <= LIST_WORDS; words += FXL_DISPLAY_LIST_WORDS(4)) {
+        renderers[0].display_list.capacity = words;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
         TEST_ASSERT_TRUE(renderers[0].counters.in <= counters.in);
         draw_rows(&renderers[0], other, 20, 12);
@@ -241,7 +242,8 @@ void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
     const fxl_lens lens = renderer->view.lens;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(renderer, renderer->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_hidden(renderer, &fxl_hidden_sorted, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(renderer, &fxl_clipper_view, NULL, 0));
     TEST_ASSERT_EQUAL_UINT32(2, renderer->counters.refused_calls);
@@ -304,16 +306,20 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     memcpy(&before, &renderer, sizeof before);
     TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, needed);
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                      fxl_renderer_init(&renderer, &tiny->scene, &lens, &too_little));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, NULL, &lens, &memory));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, NULL, &memory));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, &no_order));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, &no_list));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &tiny->scene, &lens, &no_cache));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(NULL, &tiny->scene, &lens, &memory));
+                      fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &too_little));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init_with(&renderer, NULL, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_init_with(&renderer, &tiny->scene, NULL, &memory));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &no_order));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &no_list));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &no_cache));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init_with(NULL, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
 }
 
 void test_a_scene_that_was_not_checked_is_refused(void)
@@ -323,37 +329,38 @@ void test_a_scene_that_was_not_checked_is_refused(void)
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order[0], 64, list[0], LIST_WORDS, NULL, 0};
     tiny->scene.order_needed = 0;
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
-    tiny->scene.object_count = tiny->scene.order_needed + 1;
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny->scene.instance_count = tiny->scene.order_needed + 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
 }
 
 /* Objects may come and go as far as the order table has room beside the faces of a model. */
 void test_more_objects_than_the_order_has_room_for_are_refused(void)
 {
     static fxl_renderer renderer, before;
-    static fxl_object objects[TINY_OBJECTS + 2];
+    static fxl_instance objects[TINY_OBJECTS + 2];
     tiny_scene *tiny = tiny_make();
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_pose pose = pose_number(0);
     for (uint32_t i = 0; i < TINY_OBJECTS + 2; i++) {
-        objects[i] = tiny->scene.objects[i % TINY_OBJECTS];
+        objects[i] = tiny->scene.instances[i % TINY_OBJECTS];
     }
-    tiny->scene.objects = objects;
+    tiny->scene.instances = objects;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     const fxl_memory memory = {order[0], tiny->scene.order_needed + 1, list[0], LIST_WORDS, NULL,
                                0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
-    tiny->scene.object_count = TINY_OBJECTS + 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny->scene.instance_count = TINY_OBJECTS + 1;
     draw_whole(&renderer, &pose, whole);
     memcpy(&before, &renderer, sizeof before);
-    tiny->scene.object_count = TINY_OBJECTS + 2;
+    tiny->scene.instance_count = TINY_OBJECTS + 2;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
     before.counters.refused_calls += 1;
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
-    tiny->scene.object_count = TINY_OBJECTS;
+    tiny->scene.instance_count = TINY_OBJECTS;
     draw_whole(&renderer, &pose, whole);
 }
 

@@ -11,12 +11,12 @@ void test_a_good_image_opens(void)
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_open(image->words, image->size, &opened, &fault),
                               fault.what);
     TEST_ASSERT_EQUAL_UINT32(16, opened.scene.vertex_count);
-    TEST_ASSERT_EQUAL_UINT32(48, opened.scene.corner_count);
+    TEST_ASSERT_EQUAL_UINT32(48, opened.scene.index_count);
     TEST_ASSERT_EQUAL_UINT32(12, opened.scene.face_count);
     TEST_ASSERT_EQUAL_UINT32(2, opened.scene.model_count);
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, opened.scene.object_count);
+    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, opened.scene.instance_count);
     TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, opened.scene.order_needed);
-    TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_OBJECTS, 0, OBJECT), opened.scene.objects);
+    TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_OBJECTS, 0, OBJECT), opened.scene.instances);
     TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_PALETTE, 0, 3), opened.palette);
     TEST_ASSERT_EQUAL(48, opened.lens.width);
     TEST_ASSERT_EQUAL(32, opened.lens.height);
@@ -25,10 +25,10 @@ void test_a_good_image_opens(void)
     TEST_ASSERT_EQUAL_INT32(Q16(-5), opened.start.pose.position.z);
     TEST_ASSERT_EQUAL_INT32(0, opened.start.speed);
     TEST_ASSERT_EQUAL_UINT32(0, opened.start.clamped);
-    TEST_ASSERT_EQUAL_INT32(Q16(2), opened.gait.speed_max);
-    TEST_ASSERT_EQUAL_HEX32(DEGREES(3), opened.gait.turn);
+    TEST_ASSERT_EQUAL_INT32(Q16(2), opened.motion_limits.speed_max);
+    TEST_ASSERT_EQUAL_HEX32(DEGREES(3), opened.motion_limits.turn);
     TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_PATH, 0, POSE), opened.poses);
-    TEST_ASSERT_NULL(opened.strides);
+    TEST_ASSERT_NULL(opened.segments);
     TEST_ASSERT_EQUAL_UINT32(TINY_POSES, opened.path_count);
     TEST_ASSERT_EQUAL_UINT32(TINY_POSES, opened.frame_count);
 }
@@ -39,7 +39,7 @@ void test_a_path_of_strides_opens(void)
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_NULL(opened.poses);
-    TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_PATH, 0, STRIDE), opened.strides);
+    TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_PATH, 0, STRIDE), opened.segments);
     TEST_ASSERT_EQUAL_UINT32(TINY_STRIDES, opened.path_count);
     TEST_ASSERT_EQUAL_UINT32(7, opened.frame_count);
 }
@@ -181,7 +181,7 @@ void test_start_and_gait(void)
     for (uint32_t axis = 0; axis < 12; axis += 4) {
         expect_word(FXL_E_RANGE, AT_START + axis, (uint32_t)FXL_COORDINATE_MAX + 1);
         expect_word(FXL_E_RANGE, AT_START + axis, 0x80000000u);
-        expect_word(FXL_E_RANGE, AT_GAIT + axis, (uint32_t)FXL_GAIT_MAX + 1);
+        expect_word(FXL_E_RANGE, AT_GAIT + axis, (uint32_t)FXL_MOTION_MAX + 1);
         expect_word(FXL_E_RANGE, AT_GAIT + axis, 0xFFFFFFFFu);
     }
     expect_word(FXL_E_RANGE, AT_GAIT + 12, FXL_ANGLE_QUARTER + 1);

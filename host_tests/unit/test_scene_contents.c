@@ -82,7 +82,7 @@ void test_vertices_on_the_sphere(void)
 {
     const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
     tiny_scene *tiny = tiny_make();
-    tiny->scene.keys = NULL;
+    tiny->scene.face_bounds = NULL;
     tiny->objects[1].model = 0;
     for (int v = 8; v < 16; v++) {
         tiny->vertices[v] = (fxl_point){0, 3, 4};
@@ -110,10 +110,10 @@ void test_keys(void)
 {
     uint32_t height = (uint32_t)(((uint64_t)Q16(1) << 30) >> 32);
     expect_entry_word(FXL_OK, AT_KEYS, 5, KEY, 4, height);
-    expect_entry_word(FXL_E_KEY, AT_KEYS, 5, KEY, 4, height + 1);
+    expect_entry_word(FXL_E_FACE_BOUNDS, AT_KEYS, 5, KEY, 4, height + 1);
     for (uint32_t at = 0; at < KEY; at += 4) {
-        expect_entry_word(FXL_E_KEY, AT_KEYS, 0, KEY, at, 1);
-        expect_entry_word(FXL_E_KEY, AT_KEYS, 4, KEY, at, 0x80000000u);
+        expect_entry_word(FXL_E_FACE_BOUNDS, AT_KEYS, 0, KEY, at, 1);
+        expect_entry_word(FXL_E_FACE_BOUNDS, AT_KEYS, 4, KEY, at, 0x80000000u);
     }
     expect_entry_word(FXL_E_RESERVED, AT_MODELS, 0, MODEL, 24, 1);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 24, 1);
@@ -134,7 +134,7 @@ void test_no_keys(void)
     expect_opening(FXL_OK, image);
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
-    TEST_ASSERT_NULL(opened.scene.keys);
+    TEST_ASSERT_NULL(opened.scene.face_bounds);
     tiny_put32(tiny_entry(image, AT_MODELS, 1, MODEL) + 24, 1);
     expect_opening(FXL_E_RESERVED, image);
 }
@@ -203,7 +203,7 @@ void test_a_scene_as_tables(void)
     tiny->scene.faces = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(&tiny->scene, NULL));
     tiny = tiny_make();
-    tiny->scene.object_count = 0;
+    tiny->scene.instance_count = 0;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
 }
 
@@ -223,7 +223,7 @@ void test_the_fault_names_the_element(void)
 static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, uint32_t expected)
 {
     tiny_scene *tiny = tiny_make();
-    tiny->scene.keys = NULL;
+    tiny->scene.face_bounds = NULL;
     tiny->models[0].kind = kind0;
     tiny->models[1].kind = kind1;
     tiny->models[1].face_count = faces1;

@@ -7,7 +7,7 @@
  * the limit, 65535 x 62 is not. */
 void test_too_many_placed_vertices_are_refused(void)
 {
-    static fxl_object many[FXL_SCENE_OBJECTS_MAX];
+    static fxl_instance many[FXL_SCENE_INSTANCES_MAX];
     static fxl_point vertices[62 + 8];
     for (uint32_t extra = 61; extra <= 62; extra++) {
         tiny_scene *tiny = tiny_make();
@@ -18,8 +18,8 @@ void test_too_many_placed_vertices_are_refused(void)
         tiny->models[1].first_vertex = extra;
         tiny->scene.vertices = vertices;
         tiny->scene.vertex_count = extra + 8;
-        tiny->scene.objects = many;
-        tiny->scene.object_count = FXL_SCENE_OBJECTS_MAX;
+        tiny->scene.instances = many;
+        tiny->scene.instance_count = FXL_SCENE_INSTANCES_MAX;
         TEST_ASSERT_EQUAL(extra == 61 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
     }
 }

@@ -10,14 +10,14 @@ enum {
     NOTHING = '.'
 };
 
-static uint64_t room[FXL_SPAN_BUFFER_ROOM(HEIGHT, INTERVALS) / 8 + 1];
+static uint64_t room[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
 static uint8_t pixels[HEIGHT][WIDTH], writes[HEIGHT][WIDTH];
 static const fxl_band whole = {&pixels[0][0], WIDTH, WIDTH, 0, HEIGHT};
 static fxl_span_buffer *buffer;
 
 static void start(uint32_t intervals)
 {
-    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_ROOM(HEIGHT, intervals), HEIGHT);
+    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_BYTES(HEIGHT, intervals), HEIGHT);
     TEST_ASSERT_EQUAL_PTR(room, buffer);
     TEST_ASSERT_EQUAL(intervals, buffer->capacity);
     counted_span_buffer_begin(buffer, &whole);
@@ -150,7 +150,7 @@ void test_an_odd_width(void)
         ODD = 7
     };
     const fxl_band band = {&pixels[0][0], ODD, WIDTH, 0, 1};
-    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_ROOM_LEAST(ODD, 1), 1);
+    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
     counted_span_buffer_begin(buffer, &band);
     for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
         TEST_ASSERT_TRUE(draw_span(0, x, x + 1, 'a', &band));

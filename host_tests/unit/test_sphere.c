@@ -35,9 +35,9 @@ static wide distance(int plane, const fxl_point *point)
     wide inset = scaled(frustum.inset);
     switch (plane) {
     case FXL_PLANE_NEAR:
-        return wide_difference(scaled(at.z), scaled(frustum.near));
+        return wide_difference(scaled(at.z), scaled(frustum.near_z));
     case FXL_PLANE_FAR:
-        return wide_difference(scaled(frustum.far), scaled(at.z));
+        return wide_difference(scaled(frustum.far_z), scaled(at.z));
     case FXL_PLANE_LEFT:
         return wide_difference(wide_sum(x_along, x), inset);
     case FXL_PLANE_RIGHT:

@@ -2,15 +2,15 @@
 /* Triangles by planes and by the screen's borders: the four cases, and the pieces. */
 #include "clip_shapes.h"
 
-static fxl_triangle_room room;
-static fxl_clip_account account;
+static fxl_triangle_workspace room;
+static fxl_clip_stats account;
 
 /* Inside is x >= 0. */
 static const fxl_half_space wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
 
 static fxl_clip_triangle solid(int x0, int y0, int x1, int y1, int x2, int y2)
 {
-    fxl_clip_polygon shape = SHAPE(x0, y0, 10, x1, y1, 10, x2, y2, 10);
+    fxl_varying_polygon shape = SHAPE(x0, y0, 10, x1, y1, 10, x2, y2, 10);
     fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
     return triangle;
 }
@@ -19,7 +19,7 @@ static fxl_clip_triangle solid(int x0, int y0, int x1, int y1, int x2, int y2)
 static void expect_corners(const fxl_clip_triangle *triangle, const int *numbers)
 {
     for (int i = 0; i < 3; i++) {
-        const fxl_clip_vertex *at = &triangle->corners[i];
+        const fxl_varying_vertex *at = &triangle->corners[i];
         TEST_ASSERT_TRUE(at->position.x == V(numbers[2 * i]));
         TEST_ASSERT_NEAR(at->position.y, V(numbers[2 * i + 1]), 1);
         TEST_ASSERT_TRUE(at->position.z == V(10));
@@ -196,7 +196,7 @@ void test_pieces_lie_on_the_screen(void)
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_lens lens = unit_any_lens();
         fxl_volume volume;
-        fxl_clip_polygon shape = clip_random_shape(i % 2 ? 61 : (unsigned)unit_between(44, 61));
+        fxl_varying_polygon shape = clip_random_shape(i % 2 ? 61 : (unsigned)unit_between(44, 61));
         fxl_clip_triangle triangle = {
             {shape.vertices[0], shape.vertices[1], shape.vertices[shape.count - 1]}};
         fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
@@ -231,7 +231,7 @@ void test_a_wall_covers_the_screen(void)
 {
     fxl_lens lens = unit_lens(64, 48);
     fxl_volume volume;
-    fxl_clip_polygon shape = SHAPE(-100, -100, 10, 0, 200, 10, 100, -100, 10);
+    fxl_varying_polygon shape = SHAPE(-100, -100, 10, 0, 200, 10, 100, -100, 10);
     fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
     fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &room));

@@ -19,7 +19,7 @@ static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
         fxl_q2_30 out = f % 2 ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
         tiny.faces[6 * model + f] =
             (fxl_face){.normal = {f / 2 == 0 ? out : 0, f / 2 == 1 ? out : 0, f / 2 == 2 ? out : 0},
-                       .first_corner = 24 * model + 4 * f,
+                       .first_index = 24 * model + 4 * f,
                        .count = 4,
                        .colour = (uint8_t)(colour + f)};
     }
@@ -33,8 +33,8 @@ static void make_keys(void)
         int32_t twice = f % 2 ? Q16(2) : Q16(-2);
         uint64_t height = (uint64_t)Q16(1) << 30;
         tiny.keys[f] =
-            (fxl_face_key){(uint32_t)height, (uint32_t)(height >> 32), f / 2 == 0 ? twice : 0,
-                           f / 2 == 1 ? twice : 0, f / 2 == 2 ? twice : 0};
+            (fxl_face_bounds){(uint32_t)height, (uint32_t)(height >> 32), f / 2 == 0 ? twice : 0,
+                              f / 2 == 1 ? twice : 0, f / 2 == 2 ? twice : 0};
     }
 }
 
@@ -44,9 +44,9 @@ tiny_scene *tiny_make(void)
     make_cube(0, FXL_MODEL_CONVEX, 1);
     make_cube(1, FXL_MODEL_SORTED, 11);
     make_keys();
-    tiny.objects[0] = (fxl_object){{0, 0, 0}, 0, 0, 0};
-    tiny.objects[1] = (fxl_object){{0, 0, Q16(10)}, 1, 0, 0};
-    tiny.objects[2] = (fxl_object){{Q16(5), Q16(1), Q16(12)}, 0, 0, 0};
+    tiny.objects[0] = (fxl_instance){{0, 0, 0}, 0, 0, 0};
+    tiny.objects[1] = (fxl_instance){{0, 0, Q16(10)}, 1, 0, 0};
+    tiny.objects[2] = (fxl_instance){{Q16(5), Q16(1), Q16(12)}, 0, 0, 0};
     tiny.scene = (fxl_scene){tiny.vertices,
                              tiny.corners,
                              tiny.faces,
@@ -142,7 +142,7 @@ tiny_image *tiny_image_make(bool strides)
 {
     static const fxl_pose poses[TINY_POSES] = {{{0, 0, Q16(-5)}, 0, 0, 0},
                                                {{0, Q16(1), Q16(-4)}, DEGREES(5), 0, 0}};
-    static const fxl_stride walk[TINY_STRIDES] = {{FXL_KEY_FORWARD, 3}, {FXL_KEY_RIGHT, 4}};
+    static const fxl_path_segment walk[TINY_STRIDES] = {{FXL_KEY_FORWARD, 3}, {FXL_KEY_RIGHT, 4}};
     uint8_t palette[768];
     tiny_scene *from = tiny_make();
     for (uint32_t i = 0; i < sizeof palette; i++) {

@@ -22,8 +22,8 @@ typedef struct {
     uint16_t corners[48];
     fxl_face faces[12];
     fxl_model models[2];
-    fxl_object objects[TINY_OBJECTS];
-    fxl_face_key keys[6]; /* of the second model */
+    fxl_instance objects[TINY_OBJECTS];
+    fxl_face_bounds keys[6]; /* of the second model */
     fxl_scene scene;
 } tiny_scene;
 

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "unity.h"
 
 #if defined(__ARM_ARCH) && !defined(__linux__) && !defined(UNIT_ON_TARGET)

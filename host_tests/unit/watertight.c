@@ -196,7 +196,7 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
     return leave - enter > 0.01;
 }
 
-void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_room *room, int few,
+void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *room, int few,
                                fxl_screen_polygon *screens, int room_for)
 {
     int judged = 0, edges_cut = 0, both_cut = 0;
@@ -207,7 +207,7 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_room *roo
             uint32_t frame = view.frame;
             random_view(&view);
             view.frame += frame;
-            view.room = room;
+            view.clipper_workspace = room;
         }
         random_quad(&view.camera, corners);
         fxl_polygon first = world_triangle(corners[0], corners[1], corners[2]);

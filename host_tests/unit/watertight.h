@@ -3,7 +3,7 @@
 #ifndef WATERTIGHT_H
 #define WATERTIGHT_H
 
-#include "fixel/clipper_room.h"
+#include "fixel/extra/clippers/workspace.h"
 #include "unit.h"
 
 enum {
@@ -18,7 +18,7 @@ void watertight_expect(const fxl_screen_polygon *polygons, int first, int count)
 
 /* The same for random pairs of triangles of the world, by a clipper whose room is
  * cleared. few: how many of the pairs must be cut, both. screens has room for so many. */
-void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_room *room, int few,
+void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *room, int few,
                                fxl_screen_polygon *screens, int room_for);
 
 /* Twice the area in units of 2^-32, positive clockwise. */

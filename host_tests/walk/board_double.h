@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "fixel/record.h"
+#include "fixel/types.h"
 #include "scene_bytes.h"
 
 #define FRAMES_MAX 8

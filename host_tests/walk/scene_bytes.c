@@ -92,7 +92,7 @@ static void put_model(scene_bytes *scene)
     put32(scene, at + 20, 2 * UNIT);
 }
 
-static void put_path(scene_bytes *scene, const fxl_pose *poses, const fxl_stride *strides,
+static void put_path(scene_bytes *scene, const fxl_pose *poses, const fxl_path_segment *strides,
                      uint32_t count)
 {
     uint32_t frames = count;
@@ -117,7 +117,7 @@ static void put_path(scene_bytes *scene, const fxl_pose *poses, const fxl_stride
 }
 
 void scene_bytes_make(scene_bytes *scene, uint32_t objects, const fxl_pose *poses,
-                      const fxl_stride *strides, uint32_t count)
+                      const fxl_path_segment *strides, uint32_t count)
 {
     uint32_t at, i;
 

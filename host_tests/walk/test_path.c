@@ -3,12 +3,15 @@
 #include <string.h>
 
 #include "path.h"
+
+#include "fixel/extra/player.h"
 #include "scene_bytes.h"
 #include "unity.h"
 
 static const fxl_pose poses[3] = {
     {{65536, 0, 0}, 0, 0, 0}, {{131072, 5, 0}, 1, 2, 3}, {{0, -7, 65536}, 4, 5, 6}};
-static const fxl_stride strides[2] = {{FXL_KEY_FORWARD, 2}, {FXL_KEY_RIGHT | FXL_KEY_FORWARD, 1}};
+static const fxl_path_segment strides[2] = {{FXL_KEY_FORWARD, 2},
+                                            {FXL_KEY_RIGHT | FXL_KEY_FORWARD, 1}};
 
 static scene_bytes bytes;
 static fxl_scene_image image;
@@ -49,7 +52,7 @@ void test_poses_are_given_as_they_are(void)
 
 void test_after_the_poses_the_keys_decide(void)
 {
-    fxl_viewer expected;
+    fxl_player expected;
     int i;
 
     begin(true, false);
@@ -58,8 +61,8 @@ void test_after_the_poses_the_keys_decide(void)
     }
     expected = path.viewer;
     TEST_ASSERT_TRUE(walk_path_wants_keys(&path));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_viewer_step(&expected, FXL_KEY_LEFT | FXL_KEY_FORWARD, &image.gait, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&expected, FXL_KEY_LEFT | FXL_KEY_FORWARD,
+                                              &image.motion_limits, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, walk_path_next(&path, FXL_KEY_LEFT | FXL_KEY_FORWARD));
     assert_pose(&expected.pose);
     TEST_ASSERT_NOT_EQUAL(poses[2].position.z, path.viewer.pose.position.z);
@@ -69,38 +72,39 @@ void test_strides_walk_and_each_frame_shows_the_pose_after_its_step(void)
 {
     static const uint32_t keys[3] = {FXL_KEY_FORWARD, FXL_KEY_FORWARD,
                                      FXL_KEY_FORWARD | FXL_KEY_RIGHT};
-    fxl_viewer expected;
+    fxl_player expected;
     int i;
 
     begin(false, false);
     expected = image.start;
     for (i = 0; i < 3; i++) {
         TEST_ASSERT_FALSE(walk_path_wants_keys(&path));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_viewer_step(&expected, keys[i], &image.gait, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&expected, keys[i], &image.motion_limits, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, walk_path_next(&path, FXL_KEY_BACK));
         assert_pose(&expected.pose);
     }
     TEST_ASSERT_TRUE(walk_path_wants_keys(&path));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_viewer_step(&expected, FXL_KEY_BACK, &image.gait, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&expected, FXL_KEY_BACK, &image.motion_limits, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, walk_path_next(&path, FXL_KEY_BACK));
     assert_pose(&expected.pose);
 }
 
 void test_a_live_path_starts_with_the_keys(void)
 {
-    fxl_viewer expected;
+    fxl_player expected;
 
     begin(true, true);
     expected = image.start;
     TEST_ASSERT_TRUE(walk_path_wants_keys(&path));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_viewer_step(&expected, FXL_KEY_FORWARD, &image.gait, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_player_step(&expected, FXL_KEY_FORWARD, &image.motion_limits, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, walk_path_next(&path, FXL_KEY_FORWARD));
     assert_pose(&expected.pose);
 }
 
 void test_keys_that_do_not_exist_are_refused_and_the_viewer_stays(void)
 {
-    fxl_viewer before;
+    fxl_player before;
 
     begin(true, true);
     before = path.viewer;

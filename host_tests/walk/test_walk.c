@@ -6,14 +6,14 @@
 
 #include "board_double.h"
 #include "contract/system.h"
-#include "fixel.h"
+#include "fixel/all.h"
 #include "mock_clock.h"
 #include "mock_display.h"
 #include "mock_input.h"
 #include "mock_journal.h"
 #include "mock_store.h"
 #include "mock_system.h"
-#include "reference/viewer.h"
+#include "reference/player.h"
 #include "scene_bytes.h"
 #include "unity.h"
 #include "walk.h"
@@ -24,7 +24,7 @@
 static const fxl_pose poses[3] = {{{0, 0, 0}, 0, 0, 0},
                                   {{32768, 16384, 0}, 100000000, 50000000, 30000000},
                                   {{0, 0, -65536}, 0, 0, 0}};
-static const fxl_stride strides[1] = {{FXL_KEY_FORWARD, 2}};
+static const fxl_path_segment strides[1] = {{FXL_KEY_FORWARD, 2}};
 
 static scene_bytes scene;
 
@@ -59,7 +59,8 @@ static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
     const fxl_band band = {pixels, SCENE_WIDTH, SCENE_WIDTH, 0, SCENE_HEIGHT};
 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(scene.words, scene.size, &image, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &image.scene, &image.lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&renderer, &image.scene, &image.lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, image.background);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -135,8 +136,8 @@ void test_keys_that_change_every_frame_give_the_steps_of_the_twin(void)
                                               FXL_KEY_FORWARD | FXL_KEY_RIGHT};
     const fxl_pose *start = &poses[0];
     const ref_pose from = {{start->position.x, start->position.y, UNIT / 2}, 0, 0, 0};
-    const ref_gait gait = {1.0 / 4, 1.0 / 16, 1.0, FXL_ANGLE_QUARTER / 16};
-    ref_viewer twin = ref_viewer_at(&from);
+    const ref_motion_limits gait = {1.0 / 4, 1.0 / 16, 1.0, FXL_ANGLE_QUARTER / 16};
+    ref_player twin = ref_player_at(&from);
     uint32_t frame;
 
     board.live = true;
@@ -147,7 +148,7 @@ void test_keys_that_change_every_frame_give_the_steps_of_the_twin(void)
     for (frame = 0; frame < FRAMES_MAX; frame++) {
         const fxl_pose *pose = &board.poses[frame];
 
-        ref_viewer_step(&twin, keys[frame], &gait);
+        ref_player_step(&twin, keys[frame], &gait);
         TEST_ASSERT_EQUAL_HEX32(twin.yaw, pose->yaw);
         TEST_ASSERT_EQUAL_HEX32(twin.pitch, pose->pitch);
         TEST_ASSERT_EQUAL_HEX32(twin.roll, pose->roll);

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fixel.h"
+#include "fixel/all.h"
 #include "frames/dump.h"
 #include "path.h"
 #include "reference/wire.h"

@@ -18,7 +18,7 @@ GROUPS = {"multiply": ("multiply", "multiply add"),
           "float": ("float", "float multiply add", "float divide", "float root"), "vector": ("vector",)}
 GROUP_OF = {kind: group for group, kinds in GROUPS.items() for kind in kinds}
 INLINED = "(inlined)"
-LIBRARY = (pathlib.PurePath("lib/src"), pathlib.PurePath("lib/kernels"))
+LIBRARY = tuple(map(pathlib.PurePath, ("lib/src", "lib/extra", "lib/kernels")))
 OTHERS = "beside the library"
 STAGES = pathlib.Path(__file__).resolve().parents[2] / "bench" / "stages.toml"
 BEFORE_RETURN = 2   # bytes: an address within the call

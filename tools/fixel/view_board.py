@@ -158,7 +158,7 @@ class Board:
         return self._link.frame(self._check, waits)
 
     def hold(self, keys):
-        """Which keys are held from now on, as bits of fixel/viewer.h."""
+        """Which keys are held from now on, as bits of fixel/extra/player.h."""
         self._keys.hold(keys)
 
     def stop(self):

@@ -25,7 +25,7 @@ from fixel.view_pump import IDLE_RATE
 HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
 RATES = (30, 60, 0)     # frames a second; 0: as fast as it goes
-KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/viewer.h
+KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/extra/player.h
 WANTS_ALL = view_twin.FRAME | view_twin.OUTLINES
 UNSEEN_MAX = 2          # frames on their way to a tab
 MESSAGE_MAX = 4096      # bytes from a tab

@@ -114,7 +114,7 @@ class Window:
         return self._wait(lambda: self._word(FINISHED_AT) == wanted and self.copy(), check)
 
     def hold(self, keys):
-        """Which keys are held, as bits of fixel/viewer.h."""
+        """Which keys are held, as bits of fixel/extra/player.h."""
         self._put(KEYS_AT, keys)
 
     def close(self):

@@ -4,8 +4,9 @@
  *
  *   FXL_SMALL             few bytes of code instead of few instructions: defined or not
  *   FXL_POLYGON_CAPACITY  vertices of a polygon: a number, 12..32, 32 where it is not set
+ *   FXL_PORTABLE_KERNELS  plain C instead of a core's own kernels: defined or not (lib/kernels)
  *   FXL_ASSERT_HOOK       assertions call fxl_assert_failed, which the program then has:
- *                         for tests; defined or not (lib/src/arith.h)
+ *                         for tests; defined or not (lib/src/math/arith.h)
  */
 #ifndef FXL_CONFIG_H
 #define FXL_CONFIG_H
@@ -24,13 +25,16 @@
 
 /* Vertices of a polygon anywhere in the pipeline. It decides how large a renderer is
  * (render.h) and which faces it draws. The library and what uses it must be
- * built with the same: where they are not, fxl_renderer_init is not found by
+ * built with the same: where they are not, fxl_renderer_init_with is not found by
  * the linker, for its symbol ends in this number. Nothing but digits, therefore. */
 #ifndef FXL_POLYGON_CAPACITY
 #define FXL_POLYGON_CAPACITY 32
 #endif
 
-_Static_assert(FXL_POLYGON_CAPACITY >= 12, "faces of four vertices, clipped, must fit");
-_Static_assert(FXL_POLYGON_CAPACITY <= 32, "SPEC.md, chapter 3: faces have 24 vertices at most");
+#if FXL_POLYGON_CAPACITY < 12
+#error "FXL_POLYGON_CAPACITY is below 12: faces of four vertices, clipped, must fit"
+#elif FXL_POLYGON_CAPACITY > 32
+#error "FXL_POLYGON_CAPACITY is above 32: faces have 24 vertices at most"
+#endif
 
 #endif

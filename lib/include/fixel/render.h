@@ -3,31 +3,33 @@
 #ifndef FXL_RENDER_H
 #define FXL_RENDER_H
 
-#include "fixel/clipper.h"
-#include "fixel/hidden.h"
-#include "fixel/list.h"
-#include "fixel/order.h"
-#include "fixel/scan.h"
+#include "fixel/stage/clipper.h"
+#include "fixel/stage/visibility.h"
+#include "fixel/stage/display_list.h"
+#include "fixel/stage/fill.h"
+#include "fixel/stage/order.h"
+#include "fixel/stage/scan.h"
 
 /* Memory of the caller that a renderer works in for as long as it lives. */
 typedef struct {
-    fxl_order_entry *order;  /* at least scene->order_needed entries */
-    uint32_t order_capacity; /* entries */
-    uint32_t *list;          /* may be null where list_capacity is 0 */
-    uint32_t list_capacity;  /* words; see FXL_LIST_WORDS */
-    fxl_seen_vertex *cache;  /* may be null where cache_capacity is 0 */
-    uint32_t cache_capacity; /* entries: a power of two, or what is more lies idle */
+    fxl_order_entry *order;         /* at least scene->order_needed entries */
+    uint32_t order_capacity;        /* entries */
+    uint32_t *display_list;         /* may be null where display_list_capacity is 0 */
+    uint32_t display_list_capacity; /* words; see FXL_DISPLAY_LIST_WORDS */
+    fxl_cached_vertex *cache;       /* may be null where cache_capacity is 0 */
+    uint32_t cache_capacity;        /* entries: a power of two, or what is more lies idle */
 } fxl_memory;
 
 /* How far a walk over the scene has come: so many objects in the order of
  * drawing are done, and of the next object so many faces. */
 typedef struct {
-    uint16_t objects, faces;
-} fxl_place;
+    uint16_t instances, faces;
+} fxl_resume_point;
 
-_Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "fxl_place");
+_Static_assert(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535,
+               "fxl_resume_point");
 
-typedef struct fxl_light fxl_light;
+typedef struct fxl_beam_light fxl_beam_light;
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
  * 64 for each vertex of FXL_POLYGON_CAPACITY: 2520 where that is 32, 1240 where
@@ -35,24 +37,26 @@ typedef struct fxl_light fxl_light;
  * reading only, but for light. */
 struct fxl_renderer {
     const fxl_scene *scene;
-    fxl_order_entry *order;     /* objects; from scene->object_count on, one model's faces */
-    const fxl_clipper *clipper; /* fxl_clipper_view, or another */
-    const fxl_hidden *hidden;   /* fxl_hidden_sorted, or another */
-    const fxl_light *light;     /* null, or what splits faces; set between two frames */
-    bool ready;                 /* a frame has begun */
-    bool counted;               /* a band was drawn: what is not in the list is counted */
-    uint16_t in_sight;          /* objects in order: those that the frame looks into */
-    uint16_t sorted, front;     /* whose faces are in order, as fxl_place counts; how many */
-    fxl_list list;
-    uint32_t object_capacity; /* what scene->object_count may grow to: order has room for so many */
-    fxl_place rest;           /* where the list was full */
+    fxl_order_entry *order;           /* objects; from scene->object_count on, one model's faces */
+    const fxl_clipper *clipper;       /* fxl_clipper_view, or another */
+    const fxl_visibility *visibility; /* fxl_visibility_sorted, or another */
+    const fxl_beam_light *beam_light; /* null, or what splits faces; set between two frames */
+    bool ready;                       /* a frame has begun */
+    bool counted;                     /* a band was drawn: what is not in the list is counted */
+    uint16_t visible_count;           /* objects in order: those that the frame looks into */
+    uint16_t sorted_instance,
+        front_count; /* whose faces are in order, as fxl_resume_point counts; how many */
+    fxl_display_list display_list;
+    uint32_t
+        instance_capacity;   /* what scene->object_count may grow to: order has room for so many */
+    fxl_resume_point resume; /* where the list was full */
     fxl_counters counters;
-    void *walk_room; /* what the caller gave for hidden, in two parts */
+    void *submit_workspace; /* what the caller gave for hidden, in two parts */
     fxl_view view;
     fxl_vertex_cache cache;
-    void *paint_room;      /* the other */
-    fxl_seen_vertex spare; /* all of the cache where the caller gave none */
-    uint32_t paint_room_size;
+    void *raster_workspace;      /* the other */
+    fxl_cached_vertex own_entry; /* all of the cache where the caller gave none */
+    uint32_t raster_workspace_size;
     fxl_screen_polygon screen;
     union { /* a polygon is scanned when its clipping is over */
         fxl_clipper_work clip;
@@ -60,10 +64,10 @@ struct fxl_renderer {
     } work;
 };
 
-/* The symbols of fxl_renderer_init... end in FXL_POLYGON_CAPACITY (format.h). */
+/* The symbols of fxl_renderer_init_with... end in FXL_POLYGON_CAPACITY (format.h). */
 #define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
 #define FXL_NAME_WITH(name, capacity)     FXL_WITH_CAPACITY(name, capacity)
-#define fxl_renderer_init                 FXL_NAME_WITH(fxl_renderer_init, FXL_POLYGON_CAPACITY)
+#define fxl_renderer_init_with            FXL_NAME_WITH(fxl_renderer_init_with, FXL_POLYGON_CAPACITY)
 #define fxl_renderer_init_bare            FXL_NAME_WITH(fxl_renderer_init_bare, FXL_POLYGON_CAPACITY)
 
 /* Ties a renderer to a scene (checked by fxl_scene_open or fxl_scene_check), a
@@ -74,11 +78,11 @@ struct fxl_renderer {
  * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked: its order_needed is 0),
  * FXL_E_CAPACITY (order; or an object_count that was raised after the check): renderer
  * untouched. */
-fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
-                             const fxl_memory *memory);
+fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
+                                  const fxl_lens *lens, const fxl_memory *memory);
 
 /* The same, but with no clipper and nothing that hides what: where others are set than
- * fxl_renderer_init would, those it would are not linked. fxl_frame_begin answers
+ * fxl_renderer_init_with would, those it would are not linked. fxl_frame_begin answers
  * FXL_E_ORDER until both are set. */
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
@@ -87,15 +91,15 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
  * which it keeps hold; may be null where that is 0. Then a frame must begin anew.
  * FXL_E_ARGUMENT, FXL_E_CAPACITY (room_size): renderer untouched but for
  * refused_calls. */
-fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper, void *room,
-                                    uint32_t room_size);
+fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
+                                    void *workspace, uint32_t workspace_size);
 
 /* Sets what hides what, and room of the caller's for it, aligned to 8, of which it keeps
  * hold; may be null where the method wants none. Then a frame must begin anew.
  * FXL_E_ARGUMENT, FXL_E_CAPACITY (room_size is less than the method wants for this scene and
  * this lens): renderer untouched but for refused_calls. */
-fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hidden, void *room,
-                                   uint32_t room_size);
+fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
+                                       void *workspace, uint32_t workspace_size);
 
 /* Begins a frame: camera, frustum, order of the objects in sight; then every polygon on
  * its way to the screen, as far as the list reaches. Zeroes the counters except

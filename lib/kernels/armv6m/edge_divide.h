@@ -6,9 +6,8 @@
 
 #include <stdint.h>
 
-#include "divide.h"
-#include "divide.h"
-#include "leading_zeros.h"
+#include "../divide.h"
+#include "../leading_zeros.h"
 
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
 #define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_fill_trapezoid for ARMv6-M; the contract is lib/include/fixel/fill.h, the
+/* fxl_fill_trapezoid for ARMv6-M; the contract is lib/include/fixel/stage/fill.h, the
  * bytes are those of lib/kernels/portable.
  *
  * Both edges are kept as addresses, x added to where the row begins and stride
  * to the step: so a row's span is from one address to the other, and a step is
  * two additions an edge. What changes is in the lower registers, the steps are
  * in the upper ones. Every store is aligned. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV6M
+
 
     .syntax unified
     .thumb
@@ -194,3 +198,5 @@ fxl_fill_trapezoid:
     b       .Lrow
 
     .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+
+#endif

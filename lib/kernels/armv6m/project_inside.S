@@ -3,6 +3,10 @@
  * numbers' names, and why nothing overflows, stand in
  * lib/kernels/portable/project_inside.c; the reciprocal of 16 bits is that of
  * divide.h. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV6M
+
 
     .syntax unified
     .thumb
@@ -228,3 +232,5 @@ reciprocals:
     .byte   170, 168, 166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147
     .byte   146, 144, 143, 142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 129
     .byte   128
+
+#endif

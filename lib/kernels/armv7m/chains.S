@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_scan_next_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
- * lib/include/fixel/scan.h, the bits are those of lib/kernels/portable/chains.c. The
+ * lib/include/fixel/stage/scan.h, the bits are those of lib/kernels/portable/chains.c. The
  * arithmetic, with its bounds, is that of edge.h and armv7m/edge_divide.h. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV7M
+
 
     .syntax unified
     .thumb
@@ -69,7 +73,7 @@ fxl_scan_next_trapezoid:
     movs    r0, #0
     bx      lr
 .Lcrossings:
-    b.w     fxl_scan_next_of_crossings
+    b.w     fxl_scan_next_of_active_edges
 
     /* Down the chain to the edge that ends below the row's centre. */
 .Lbegin:
@@ -211,3 +215,5 @@ fxl_scan_next_trapezoid:
     b       .Lside_done
 
     .size fxl_scan_next_trapezoid, . - fxl_scan_next_trapezoid
+
+#endif

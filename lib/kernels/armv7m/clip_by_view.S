@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_clip_by_view for Armv7-M and Armv8-M Mainline; the contract is
- * lib/include/fixel/clipper.h, the bits are those of lib/kernels/portable/clip_by_view.c. */
+ * lib/include/fixel/stage/clipper.h, the bits are those of lib/kernels/portable/clip_by_view.c. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV7M
+
 
     .syntax unified
     .thumb
 
-/* Of fxl_placed, fxl_face, fxl_seen_vertex, fxl_screen_polygon and fxl_view, and the
+/* Of fxl_model_view, fxl_face, fxl_cached_vertex, fxl_screen_polygon and fxl_view, and the
  * results: clipper_view.c holds them against the structures. */
 #define FIRST_CORNER 12
 #define COUNT        16      /* and the colour beside it */
@@ -88,7 +92,7 @@ fxl_clip_by_view:
 .Lunknown:
     ldr     r0, [sp]
     str     vertex, [sp, #AT_VERTEX]
-    bl      fxl_look_at
+    bl      fxl_transform_vertex
     ldr     vertex, [sp, #AT_VERTEX]
     ldr     state, [vertex, #STATE]
     b       .Lknown
@@ -118,10 +122,12 @@ fxl_clip_by_view:
 
 .Loutside:
     pop     {r0-r12, lr}
-    b.w     fxl_clip_seen
+    b.w     fxl_clip_assembled
 
 .Lrange:
     movs    r0, #RANGE
     b       .Ldone
 
     .size fxl_clip_by_view, . - fxl_clip_by_view
+
+#endif

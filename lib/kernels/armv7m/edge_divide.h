@@ -52,11 +52,11 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
     int64_t product = (int64_t)(dividend * 4) * divider->reciprocal;
     int32_t high = (int32_t)(product >> 32);
     unsigned shift = divider->shift, rest_shift = 32 - shift;
-    uint32_t near = (uint32_t)high << shift | (uint32_t)product >> rest_shift;
-    uint32_t left = divider->half - near * divider->height;
+    uint32_t near_z = (uint32_t)high << shift | (uint32_t)product >> rest_shift;
+    uint32_t left = divider->half - near_z * divider->height;
     int32_t more = (int32_t)(left / divider->height) - (int32_t)((1u << shift) >> 1) + 1;
-    uint32_t sum = near + (uint32_t)more;
-    *whole = (high >> rest_shift) + (more >> 31) + (sum < near);
+    uint32_t sum = near_z + (uint32_t)more;
+    *whole = (high >> rest_shift) + (more >> 31) + (sum < near_z);
     *fraction = sum;
 }
 

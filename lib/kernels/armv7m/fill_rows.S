@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_fill_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
- * lib/include/fixel/fill.h, the bytes are those of lib/kernels/portable.
+ * lib/include/fixel/stage/fill.h, the bytes are those of lib/kernels/portable.
  *
  * Both edges are kept as addresses, x added to where the row begins and stride
  * to the step: so a row's span is from one address to the other, and a step is
  * two additions an edge. Every store is aligned. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV7M && (!FXL_KERNELS_MVE || defined FXL_ROWS_BY_VECTORS)
+
 
     .syntax unified
     .thumb
@@ -324,3 +328,5 @@ stride  .req r2
     b       .Lupright_next
 
     .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+
+#endif

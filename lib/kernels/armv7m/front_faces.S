@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_front_faces for Armv7-M and Armv8-M Mainline; the sums and their bounds stand in
- * lib/src/front_faces.h. */
+ * lib/src/view/front_faces.h. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV7M
+
 
     .syntax unified
     .thumb
 
-/* sizeof fxl_face and fxl_face_key: order.c holds them against the structures. The key is
+/* sizeof fxl_face and fxl_face_bounds: order.c holds them against the structures. The key is
  * height, low and high, and box x, y, z. */
 #define FACE    20
 #define KEY     20
@@ -55,3 +59,5 @@ fxl_front_faces:
     pop     {r4-r11, pc}
 
     .size fxl_front_faces, . - fxl_front_faces
+
+#endif

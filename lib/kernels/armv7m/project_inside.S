@@ -6,6 +6,10 @@
  * Sides are shifted by multiplication, which takes two instructions for 64 bits; half the
  * depth is what their product with F is added to. What decides the rounding is left in the
  * carry and added with the centre. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV7M
+
 
     .syntax unified
     .thumb
@@ -83,3 +87,5 @@ long_way:
     b.w     fxl_project_any
 
     .size fxl_project_inside, . - fxl_project_inside
+
+#endif

@@ -3,6 +3,10 @@
  * whose last one is cut off, which takes no more for bytes beside a word. Longer
  * ones go by multiple stores, which take half the instructions. The caller has
  * turned the vectors on, as for any code of a hard-float ABI. */
+#include "../family.h"
+
+#if FXL_KERNELS_MVE
+
     .arch   armv8.1-m.main
     .arch_extension mve
 #define FXL_ROWS_BY_VECTORS 1
@@ -12,3 +16,5 @@
     .arch_extension mve
 
 #include "../armv7m/fill_rows.S"
+
+#endif

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "chains.h"
+#include "../../src/raster/chains.h"
 
-#include "edge.h"
+#include "../../src/raster/edge.h"
+#include "../family.h"
+
+#if !FXL_KERNELS_ARMV7M
 
 /* Goes down a chain to the edge that crosses a row, and places it there. */
 static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
@@ -26,7 +29,7 @@ const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
     int32_t row = trapezoid->end_row;
     int32_t end_row = scan->end_row;
     if (FXL_IS_SMALL || row >= end_row) {
-        return scan->by_chains ? NULL : fxl_scan_next_of_crossings(scan);
+        return scan->by_chains ? NULL : fxl_scan_next_of_active_edges(scan);
     }
     for (int side = 0; side < 2; side++) {
         fxl_chain *chain = &scan->chains[side];
@@ -41,3 +44,5 @@ const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
     trapezoid->end_row = (int16_t)end_row;
     return trapezoid;
 }
+
+#endif

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/fill.h"
+#include "fixel/stage/fill.h"
 
-#include "arith.h"
-#include "fill_row.h"
+#include "../../src/math/arith.h"
+#include "../../src/raster/fill_row.h"
+#include "../family.h"
+
+#if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
 void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour)
 {
@@ -23,3 +26,5 @@ void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, ui
         row += band->stride;
     }
 }
+
+#endif

@@ -3,7 +3,7 @@
 #ifndef FXL_MULTIPLY_HIGH_H
 #define FXL_MULTIPLY_HIGH_H
 
-#include "multiply.h"
+#include "../multiply.h"
 
 /* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
  * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */

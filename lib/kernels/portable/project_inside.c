@@ -12,8 +12,11 @@
  * So e lies in (P/d - 1/2, P/d + 1/4], floor(e) is q or q - 1, and the remainder
  * P + h - floor(e) d lies in 0..2 d - 1, so that 32 bits of it say which.
  * An offset so found is below 2^27 units, which no screen's range forbids. */
-#include "arith.h"
-#include "project_any.h"
+#include "../../src/math/arith.h"
+#include "../../src/view/project_any.h"
+#include "../family.h"
+
+#if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
 /* Within one unit of 2^30 factor / depth, factor < 2^30, 2^30 <= depth <= 2^31,
  * by two divisions of 32 bits. With d = 2^15 D + f, f < 2^15, and
@@ -70,3 +73,5 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
     screen->y = projection->centre_y - offset_of(&by, view->y);
     return FXL_OK;
 }
+
+#endif

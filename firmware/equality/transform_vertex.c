@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+#include "transform_vertex.h"
+
+#include "equality.h"
+#include "sides.h"
+
+static fxl_point vertices[8];
+static fxl_view view;
+static fxl_model_view placed;
+
+static bool same(const fxl_cached_vertex *a, const fxl_cached_vertex *b)
+{
+    return a->tag == b->tag && a->clip_flags == b->clip_flags && a->screen.x == b->screen.x &&
+           a->screen.y == b->screen.y && a->position.x == b->position.x &&
+           a->position.y == b->position.y && a->position.z == b->position.z;
+}
+
+static void compare(uint32_t number)
+{
+    fxl_cached_vertex core = {0xDEADBEEFu, 0x55u, {123, 456}, {1, 2, 3}}, portable = core;
+    fxl_transform_vertex(&placed, number, &core);
+    portable_transform_vertex(&placed, number, &portable);
+    equality_case(same(&core, &portable));
+}
+
+static int32_t within(int32_t limit)
+{
+    return (int32_t)(any_32() % (2u * (uint32_t)limit + 1u)) - limit;
+}
+
+static void any_view(void)
+{
+    fxl_pose pose;
+    fxl_lens lens;
+    fxl_angle fov = FXL_FOV_MIN + any_32() % (FXL_FOV_MAX - FXL_FOV_MIN + 1u);
+    fxl_q16_16 near = FXL_NEAR_MIN << (any_32() >> 9 & 7u);
+    fxl_q16_16 inset = any_32() & 64u ? 4 : within(FXL_INSET_MAX / 2) + FXL_INSET_MAX / 2;
+    pose.position = (fxl_point){within(FXL_COORDINATE_MAX), within(FXL_COORDINATE_MAX),
+                                within(FXL_COORDINATE_MAX)};
+    pose.yaw = any_32();
+    pose.pitch = any_32();
+    pose.roll = any_32();
+    fxl_lens_from_fov((uint16_t)(1u + any_32() % 1024u), (uint16_t)(1u + any_32() % 1024u), fov,
+                      near, FXL_FAR_MAX >> (any_32() >> 9 & 7u), inset, &lens);
+    fxl_view_set_lens(&view, &lens);
+    fxl_view_set_pose(&view, &pose);
+    placed.view = &view;
+    placed.vertices = vertices;
+    placed.tag = any_32() & 0xFFFF0000u;
+    placed.planes = (fxl_planes)(any_32() >> 5 & FXL_PLANES_ALL);
+    if (any_32() & 0x300u) {
+        placed.planes = FXL_PLANES_ALL;
+    }
+    placed.offset = (fxl_point){0, 0, 0};
+}
+
+/* A vertex relative to the eye: anywhere, or within a few units of a side plane,
+ * where the upper words leave it open. */
+static fxl_point any_vertex(void)
+{
+    const fxl_camera *camera = &view.camera;
+    const fxl_view_frustum *frustum = &view.view_frustum;
+    if ((any_32() & 0x600u) == 0) {
+        int32_t limit = FXL_COORDINATE_MAX >> (any_32() >> 8 & 15u);
+        return (fxl_point){within(limit), within(limit), within(limit)};
+    }
+    bool upright = (any_32() & 32u) != 0;
+    int32_t far = (FXL_COORDINATE_MAX >> 1) >> (any_32() >> 8 & 15u);
+    /* On the plane: (depth, -side) from the eye. */
+    int32_t along = within(far), other = within(far);
+    fxl_q2_30 side = upright ? frustum->y_side : frustum->x_side;
+    fxl_q2_30 depth = upright ? frustum->y_depth : frustum->x_depth;
+    int32_t across = (int32_t)((int64_t)along * depth >> 30);
+    int32_t forward = (int32_t)((int64_t)along * side >> 30);
+    forward = any_32() & 256u ? -forward : forward;
+    const fxl_direction *axis = upright ? &camera->up : &camera->right;
+    const fxl_direction *rest = upright ? &camera->right : &camera->up;
+    fxl_point point;
+    point.x = (int32_t)(((int64_t)axis->x * across + (int64_t)rest->x * other +
+                         (int64_t)camera->forward.x * forward) >>
+                        30) +
+              within(2);
+    point.y = (int32_t)(((int64_t)axis->y * across + (int64_t)rest->y * other +
+                         (int64_t)camera->forward.y * forward) >>
+                        30) +
+              within(2);
+    point.z = (int32_t)(((int64_t)axis->z * across + (int64_t)rest->z * other +
+                         (int64_t)camera->forward.z * forward) >>
+                        30) +
+              within(2);
+    return point;
+}
+
+/* The ends of what a difference of coordinates may be. */
+static void boundaries(void)
+{
+    static const int32_t ends[] = {0,         1,          -1,         65536,      -65536,
+                                   536805376, -536805376, 1073610752, -1073610752};
+    for (uint32_t x = 0; x < 9; x++) {
+        for (uint32_t y = 0; y < 9; y++) {
+            for (uint32_t z = 0; z < 9; z++) {
+                vertices[3] = (fxl_point){ends[x], ends[y], ends[z]};
+                compare(3);
+            }
+        }
+    }
+}
+
+void test_look_at(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds / 32u + 8u; i++) {
+        any_view();
+        if (i < 8) {
+            boundaries();
+        }
+        for (uint32_t j = 0; j < 32; j++) {
+            vertices[j & 7u] = any_vertex();
+            compare(j & 7u);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/* Light beams (SPEC.md 7b), in double: points are whole numbers, as the law has them. */
+#ifndef REF_LIGHT_H
+#define REF_LIGHT_H
+
+#include "reference/scene.h"
+#include "reference/split.h"
+
+enum {
+    REF_LIT_PIECES_MAX = 256
+};
+
+typedef struct {
+    ref_piece shape;
+    bool lit;
+} ref_lit_piece;
+
+typedef struct {
+    int count;
+    ref_lit_piece pieces[REF_LIT_PIECES_MAX];
+} ref_lit_pieces;
+
+/* Whether anything of a sphere may lie in a beam of the scene. */
+bool ref_beam_light_reaches(const ref_scene *scene, const ref_lattice_point *centre,
+                            int32_t radius);
+
+/* Splits a polygon of the world that has this normal (2.30) by the scene's beams. False where
+ * it makes more pieces, or larger ones, than there is room for. */
+bool ref_beam_light_split(const ref_scene *scene, const ref_piece *polygon, const int32_t *normal,
+                          ref_lit_pieces *to);
+
+#endif

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* A tree (SPEC.md 7a), exact in 128 bits, and objects in pieces. */
+#ifndef REF_TREE_H
+#define REF_TREE_H
+
+#include "reference/split.h"
+#include "reference/scene.h"
+
+bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
+                      const ref_lattice_point *point);
+
+/* A piece of a face: at a node, or in the leaf on one side of it. */
+typedef struct {
+    uint32_t object, face, node;
+    bool in_leaf, behind;
+    ref_piece shape;
+} ref_bsp_piece;
+
+typedef struct {
+    ref_bsp_piece *pieces;
+    size_t count, capacity;
+} ref_bsp_pieces;
+
+typedef enum {
+    REF_TREE_CUT,
+    REF_TREE_WHOLE, /* a piece would have more vertices than a face may: none are kept */
+    REF_TREE_MEMORY /* is short */
+} ref_bsp_result;
+
+/* Appends an object's faces that face the eye as pieces at the root. False where memory is short.
+ */
+bool ref_bsp_faces(const ref_scene *scene, uint32_t object, const ref_lattice_point *eye,
+                   ref_bsp_pieces *pieces);
+
+/* Appends the pieces of an object's faces that face the eye, each in its leaf. */
+ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t object, const ref_lattice_point *eye,
+                           ref_bsp_pieces *pieces);
+
+#endif

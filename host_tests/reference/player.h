@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* The walk (SPEC.md 5), in double. */
+#ifndef REF_VIEWER_H
+#define REF_VIEWER_H
+
+#include "reference/record.h"
+
+enum {
+    REF_KEY_FORWARD = 1,
+    REF_KEY_BACK = 2,
+    REF_KEY_LEFT = 4,
+    REF_KEY_RIGHT = 8,
+    REF_KEY_PITCH_UP = 16,
+    REF_KEY_PITCH_DOWN = 32,
+    REF_KEY_ROLL_LEFT = 64,
+    REF_KEY_ROLL_RIGHT = 128
+};
+
+/* Per step: world units, and an angle. */
+typedef struct {
+    double acceleration, friction, speed_max;
+    ref_angle turn;
+} ref_motion_limits;
+
+/* The position is never rounded: it is what the library's walk is held to. */
+typedef struct {
+    ref_point position;
+    ref_angle yaw, pitch, roll;
+    double speed;
+    uint32_t clamped; /* steps that were held at the range's end */
+} ref_player;
+
+ref_player ref_player_at(const ref_pose *pose);
+void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *gait);
+
+#endif

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* The family's clippers, one after the other; the first two have integers of their own. */
+#ifndef FAMILY_CLIPPERS_H
+#define FAMILY_CLIPPERS_H
+
+#include "fixel/extra/clippers/workspace.h"
+#include "fixel/stage/clipper.h"
+
+enum {
+    CLIPPERS = 6
+};
+
+static const fxl_clipper *const clippers[CLIPPERS] = {
+    &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
+    &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
+
+#endif

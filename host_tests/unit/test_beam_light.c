@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: MIT */
+/* A renderer with a light: what lies in the beam is lit, all else is as before, in bands as
+ * whole, and no pixel between lit and dark is left out or drawn twice. */
+#include "tiny.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    WORDS = 700,
+    ROOM = 4608
+};
+
+static tiny_scene *tiny;
+static fxl_renderer renderer;
+static fxl_order_entry order[32];
+static uint32_t list[WORDS];
+static uint64_t room[ROOM / 8];
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], drawn[WIDTH * HEIGHT];
+static uint8_t lit[256], same[256];
+
+/* A shaft over the first cube that no face's edge runs along. */
+static const fxl_point window[] = {{Q16(-0.6), Q16(5), Q16(-0.7)},
+                                   {Q16(0.5), Q16(5), Q16(-0.8)},
+                                   {Q16(0.7), Q16(5), Q16(0.4)},
+                                   {Q16(-0.4), Q16(5), Q16(0.6)}};
+static fxl_beam beams[2];
+
+static void make(uint32_t words)
+{
+    const fxl_point lamp = {Q16(0.3), Q16(90), Q16(-3)};
+    const fxl_direction slanted = {0, Q30(-0.6), Q30(0.8)};
+    const fxl_memory memory = {order, 32, list, words, NULL, 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    tiny = tiny_make();
+    for (int i = 0; i < 256; i++) {
+        lit[i] = (uint8_t)(i + 100);
+        same[i] = (uint8_t)i;
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beams[0]));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&slanted, window, 4, &beams[1]));
+}
+
+static void light(uint32_t count, const uint8_t *colours)
+{
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_beams(&renderer, beams, count, colours, room, sizeof room));
+}
+
+static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
+{
+    memset(pixels, 0, WIDTH * HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        uint32_t left = HEIGHT - row;
+        fxl_band band = {pixels + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                         (uint16_t)(rows < left ? rows : left)};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+}
+
+/* Towards the first cube from somewhere about it. */
+static fxl_pose any_pose(void)
+{
+    const fxl_angle yaw = unit_random();
+    fxl_pose pose = {{0, 0, 0}, yaw, DEGREES(unit_between(-60, 20)), unit_random() % 2 ? 0 : yaw};
+    fxl_camera camera;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+    int32_t back = unit_between(2, 5);
+    pose.position = (fxl_point){-camera.forward.x / 16384 * back, -camera.forward.y / 16384 * back,
+                                -camera.forward.z / 16384 * back};
+    return pose;
+}
+
+static int differing(const uint8_t *a, const uint8_t *b)
+{
+    int count = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        count += a[i] != b[i];
+    }
+    return count;
+}
+
+static int lit_pixels(const uint8_t *pixels)
+{
+    int count = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        count += pixels[i] > 100;
+    }
+    return count;
+}
+
+/* From above: the lid is lit in its middle, its border is not, and dark is what was there. */
+void test_what_lies_in_the_beam_is_lit(void)
+{
+    const fxl_pose above = {{0, Q16(4), 0}, 0, DEGREES(-90), 0};
+    make(WORDS);
+    draw(whole, &above, HEIGHT);
+    light(1, lit);
+    draw(other, &above, HEIGHT);
+    int bright = lit_pixels(other);
+    TEST_ASSERT_TRUE(bright > 30 && bright < 200);
+    TEST_ASSERT_EQUAL_HEX8(104, other[HEIGHT / 2 * WIDTH + WIDTH / 2]);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        TEST_ASSERT_TRUE(other[i] == whole[i] || other[i] == lit[whole[i]]);
+    }
+    light(0, NULL);
+    draw(other, &above, HEIGHT);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+}
+
+/* Under the lid the beam passes through faces that are turned away from the lamp. */
+void test_what_is_turned_away_stays_dark(void)
+{
+    const fxl_pose below = {{0, Q16(-4), 0}, 0, DEGREES(90), 0};
+    make(WORDS);
+    light(1, lit);
+    draw(other, &below, HEIGHT);
+    TEST_ASSERT_EQUAL(0, lit_pixels(other));
+    TEST_ASSERT_EQUAL_HEX8(3, other[HEIGHT / 2 * WIDTH + WIDTH / 2]);
+}
+
+void test_bands_and_lists_give_the_same_pixels(void)
+{
+    int bright = 0;
+    for (int i = 0; i < UNIT_REPEAT / 200; i++) {
+        const fxl_pose pose = any_pose();
+        const uint32_t count = 1 + unit_random() % 2;
+        make(WORDS);
+        light(count, lit);
+        draw(whole, &pose, HEIGHT);
+        fxl_counters counters = renderer.counters;
+        make((uint32_t)unit_between(0, WORDS));
+        light(count, lit);
+        draw(other, &pose, (uint32_t)unit_between(1, HEIGHT));
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        counters.spilled = renderer.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        TEST_ASSERT_EQUAL_UINT32(counters.in, counters.backfacing + counters.outside +
+                                                  counters.degenerate + counters.refused +
+                                                  counters.drawn);
+        bright += lit_pixels(whole) > 0;
+    }
+    TEST_ASSERT_TRUE(bright > UNIT_REPEAT / 800);
+}
+
+/* Counts how often each pixel is painted. */
+static bool count_pixels(fxl_renderer *of, const fxl_screen_point *points, uint32_t count,
+                         uint8_t colour, const fxl_band *band)
+{
+    fxl_screen_polygon polygon = {.colour = colour, .count = (uint8_t)count};
+    fxl_span span;
+    memcpy(polygon.points, points, count * sizeof *points);
+    fxl_scan_begin(&polygon, band, &of->work.scan);
+    while (fxl_scan_next(&of->work.scan, &span)) {
+        for (int x = span.x0; x < span.x1; x++) {
+            drawn[span.y * WIDTH + x]++;
+        }
+    }
+    return true;
+}
+
+/* One cube alone, so that no pixel is painted twice without light. With light there may be
+ * neither gaps nor pixels painted twice, but for a centre within a hair of the cube's outline,
+ * which a crossing half a unit of 1/65536 beside it lets in or out. */
+void test_no_pixel_is_left_out_or_painted_twice(void)
+{
+    static const fxl_raster_backend counting = {.draw_polygon = count_pixels};
+    int moved = 0, pixels = 0;
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        const fxl_pose pose = any_pose();
+        make(0);
+        tiny->objects[1].centre.y = tiny->objects[2].centre.y = Q16(-7000);
+        fxl_visibility method = fxl_visibility_sorted;
+        method.backend = &counting;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
+        memset(drawn, 0, sizeof drawn);
+        draw(whole, &pose, HEIGHT);
+        memcpy(whole, drawn, sizeof whole);
+        light(1 + unit_random() % 2, lit);
+        memset(drawn, 0, sizeof drawn);
+        draw(other, &pose, HEIGHT);
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            TEST_ASSERT_TRUE(drawn[k] <= 1);
+            pixels += drawn[k];
+        }
+        moved += differing(whole, drawn);
+    }
+    TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10);
+    TEST_ASSERT_TRUE(moved <= 1);
+}
+
+void test_what_makes_no_light_is_refused(void)
+{
+    make(WORDS);
+    const uint32_t needed = fxl_beam_light_workspace_size(beams, 2);
+    TEST_ASSERT_TRUE(needed > 0 && needed <= sizeof room);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_beams(NULL, beams, 1, lit, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_beams(&renderer, NULL, 1, lit, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_beams(&renderer, beams, 1, NULL, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_beams(&renderer, beams, 1, lit, NULL, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_beams(&renderer, beams, 1, lit,
+                                                             (uint8_t *)room + 4, ROOM - 4));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_renderer_set_beams(&renderer, beams, FXL_BEAMS_MAX + 1, lit,
+                                                          room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_renderer_set_beams(&renderer, beams, 2, lit, room, needed - 1));
+    TEST_ASSERT_EQUAL_UINT32(6, renderer.counters.refused_calls);
+    TEST_ASSERT_NULL(renderer.beam_light);
+    beams[1].plane_count = 0;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT,
+                      fxl_renderer_set_beams(&renderer, beams, 2, lit, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, beams, 1, lit, room, sizeof room));
+    TEST_ASSERT_NOT_NULL(renderer.beam_light);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
+    TEST_ASSERT_NULL(renderer.beam_light);
+}
+
+/* 15 vertices and 5 planes fit, 16 and twice 5 more do not. */
+void test_a_face_of_too_many_corners_is_refused(void)
+{
+    make(WORDS);
+    TEST_ASSERT_TRUE(fxl_beams_fit(beams, 1, FXL_FACE_VERTICES_MAX - 5));
+    TEST_ASSERT_FALSE(fxl_beams_fit(beams, 1, FXL_FACE_VERTICES_MAX - 4));
+    TEST_ASSERT_TRUE(fxl_beams_fit(beams, 2, FXL_FACE_VERTICES_MAX - 15));
+    TEST_ASSERT_FALSE(fxl_beams_fit(beams, 2, FXL_FACE_VERTICES_MAX - 14));
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(beams, 0));
+#ifdef UNIT_ON_TARGET /* light.h says so */
+    static const uint8_t planes[] = {4, 5, 8};
+    static const uint32_t rooms[] = {1320, 1408, 1624};
+    for (int i = 0; i < 3; i++) {
+        beams[0].plane_count = planes[i];
+        TEST_ASSERT_EQUAL_UINT32(rooms[i], fxl_beam_light_workspace_size(beams, 1));
+    }
+#endif
+}

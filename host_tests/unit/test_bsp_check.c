@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/* What the loader refuses of a tree. */
+#include "bsp_scene.h"
+
+static bsp_scene *made;
+static fxl_scene_fault fault;
+
+void setUp(void)
+{
+    made = tree_make();
+}
+
+static void expect(fxl_status status, const char *what, uint32_t index)
+{
+    fault.what = "nothing";
+    TEST_ASSERT_EQUAL(status, fxl_scene_check_all(&made->tiny->scene, &fault));
+    if (status != FXL_OK) {
+        TEST_ASSERT_EQUAL_STRING(what, fault.what);
+        TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    }
+    made = tree_make();
+}
+
+void test_a_sound_tree(void)
+{
+    expect(FXL_OK, NULL, 0);
+    made->tiny->scene.face_bounds = NULL;
+    made->tiny->models[1].first_face_bounds = 0;
+    expect(FXL_OK, NULL, 0);
+}
+
+void test_whose_it_is(void)
+{
+    made->tiny->scene.bsp_instance = TINY_OBJECTS;
+    expect(FXL_E_INDEX, "tree", 0);
+    made->tiny->scene.bsp_instance = 0; /* its model is convex */
+    expect(FXL_E_RESERVED, "tree", 0);
+    made->tiny->objects[2].model = 1;
+    expect(FXL_E_BSP, "object", 2);
+    made->tiny->models[0].kind = FXL_MODEL_SORTED;
+    made->tiny->scene.face_bounds = NULL;
+    expect(FXL_E_BSP, "object", 0);
+    made->tiny->models[0].kind = FXL_MODEL_SORTED; /* on another layer it may be */
+    made->tiny->scene.face_bounds = NULL;
+    made->tiny->objects[0].layer = 1;
+    made->tiny->objects[2].layer = 2;
+    expect(FXL_OK, NULL, 0);
+}
+
+void test_counts(void)
+{
+    made->tiny->scene.bsp_node_count = 0;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->tiny->scene.bsp_node_count = FXL_BSP_NODES_MAX + 1;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->tiny->scene.bsp_nodes = NULL;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->tiny->scene.bsp_nodes = NULL;
+    made->tiny->scene.bsp_node_count = 0;
+    expect(FXL_E_COUNT, "node table", 0); /* but it says whose it is */
+    made->tiny->scene.bsp_nodes = NULL;
+    made->tiny->scene.bsp_node_count = 0;
+    made->tiny->scene.bsp_instance = 0;
+    expect(FXL_OK, NULL, 0);
+}
+
+void test_planes(void)
+{
+    made->nodes[3].reserved = 1;
+    expect(FXL_E_RESERVED, "tree node", 3);
+    made->nodes[3].normal.y += 8;
+    expect(FXL_E_NORMAL, "tree node", 3);
+    made->nodes[2].distance_high = 0x20000000u; /* 2^61 and the least bit more */
+    made->nodes[2].distance_low = 1;
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[2].distance_high = 0xDFFFFFFFu;
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[2].distance_high = 0x20000000u; /* 2^61 itself, and then no face is near */
+    made->nodes[2].distance_low = 0;
+    expect(FXL_E_PLANARITY, "face", 8);
+}
+
+/* 8 units of 2^-16 off is near enough, the least bit more is not. */
+void test_faces_lie_on_the_plane(void)
+{
+    const uint64_t one = (uint64_t)FXL_Q2_30_ONE * 65536u, most = (uint64_t)8 << 30;
+    const struct {
+        uint64_t distance;
+        fxl_status status;
+    } cases[] = {{one + most, FXL_OK},
+                 {one - most, FXL_OK},
+                 {one + most + 1, FXL_E_PLANARITY},
+                 {one - most - 1, FXL_E_PLANARITY}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        made->nodes[4].distance_low = (uint32_t)cases[i].distance;
+        made->nodes[4].distance_high = (uint32_t)(cases[i].distance >> 32);
+        expect(cases[i].status, "face", 10);
+    }
+}
+
+void test_spheres(void)
+{
+    made->nodes[3].radius = -1;
+    expect(FXL_E_RANGE, "tree node", 3);
+    made->nodes[0].radius = FXL_RADIUS_MAX + 1;
+    expect(FXL_E_RANGE, "tree node", 0);
+    made->nodes[2].centre.z = FXL_COORDINATE_MAX - Q16(10) + 1; /* its object stands at 10 */
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[2].centre.y = -FXL_COORDINATE_MAX - 1;
+    expect(FXL_E_RANGE, "tree node", 2);
+    made->nodes[5].radius = Q16(1.7); /* sqrt(3) is more */
+    expect(FXL_E_RADIUS, "tree node", 5);
+    made->nodes[0].radius = TINY_RADIUS - 1; /* less than that below it */
+    expect(FXL_E_RADIUS, "tree node", 1);
+    made->nodes[5].centre.x = 1; /* as large, and elsewhere */
+    expect(FXL_E_RADIUS, "tree node", 5);
+    made->nodes[5].centre.x = 3; /* 5 away from the one above, which is 5 larger */
+    made->nodes[5].centre.y = -4;
+    for (int i = 0; i < 5; i++) {
+        made->nodes[i].radius = TINY_RADIUS + 5;
+    }
+    expect(FXL_OK, NULL, 0);
+    made->nodes[5].centre.x = 3;
+    made->nodes[5].centre.y = -4;
+    for (int i = 0; i < 5; i++) {
+        made->nodes[i].radius = TINY_RADIUS + 4;
+    }
+    expect(FXL_E_RADIUS, "tree node", 5);
+}
+
+void test_every_face_has_one_node(void)
+{
+    made->nodes[1].first_face = 2;
+    expect(FXL_E_INDEX, "tree node", 1);
+    made->nodes[5].face_count = 0;
+    expect(FXL_E_COUNT, "node table", 0);
+    made->nodes[5].face_count = 2;
+    expect(FXL_E_INDEX, "tree node", 5);
+    made->nodes[5].face_count = 0xFFFF;
+    expect(FXL_E_INDEX, "tree node", 5);
+}
+
+void test_links(void)
+{
+    made->nodes[0].parent = 0;
+    expect(FXL_E_BSP, "tree node", 0);
+    made->nodes[3].back = 3; /* round and round */
+    expect(FXL_E_BSP, "tree node", 3);
+    made->nodes[3].back = 0;
+    expect(FXL_E_BSP, "tree node", 3);
+    made->nodes[3].back = 5; /* 4 hangs nowhere */
+    expect(FXL_E_BSP, "tree node", 3);
+    made->nodes[3].back = FXL_BSP_NONE;
+    expect(FXL_E_BSP, "tree node", 4);
+    made->nodes[5].front = 6; /* past the end */
+    expect(FXL_E_BSP, "tree node", 5);
+    made->nodes[5].front = 0xFFFE;
+    expect(FXL_E_BSP, "tree node", 5);
+    made->nodes[4].parent = 2;
+    expect(FXL_E_BSP, "tree node", 3);
+    made->nodes[2].front = 3; /* twice */
+    expect(FXL_E_BSP, "tree node", 2);
+    made->nodes[2].front = 3; /* in front instead of behind: sound, for this check */
+    made->nodes[2].back = FXL_BSP_NONE;
+    expect(FXL_OK, NULL, 0);
+}
+
+/* A chain of nodes without faces, behind each other: as deep as may be, and one deeper. */
+void test_depth(void)
+{
+#ifndef UNIT_ON_TARGET
+    static fxl_bsp_node chain[FXL_BSP_DEPTH_MAX + 2];
+    for (uint32_t count = FXL_BSP_DEPTH_MAX + 1; count <= FXL_BSP_DEPTH_MAX + 2; count++) {
+        for (uint32_t i = 0; i < count; i++) {
+            uint32_t own = i < TREE_NODES ? i : TREE_NODES - 1;
+            chain[i] = made->nodes[own];
+            chain[i].parent = (uint16_t)(i == 0 ? FXL_BSP_NONE : i - 1);
+            chain[i].front = FXL_BSP_NONE;
+            chain[i].back = (uint16_t)(i + 1 < count ? i + 1 : FXL_BSP_NONE);
+            if (i >= TREE_NODES) {
+                chain[i].first_face = TREE_NODES;
+                chain[i].face_count = 0;
+            }
+        }
+        made->tiny->scene.bsp_nodes = chain;
+        made->tiny->scene.bsp_node_count = count;
+        expect(count == FXL_BSP_DEPTH_MAX + 1 ? FXL_OK : FXL_E_BSP, "tree node", FXL_BSP_DEPTH_MAX);
+    }
+#endif
+}

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* The pieces of an object that a tree has cut have every vertex of their neighbours: their edges
+ * cancel, bit for bit, and one outline is left. */
+#include "bsp_scene.h"
+
+enum {
+    WIDTH = 64,
+    HEIGHT = 48,
+    EDGES = 250,
+    LIST = 100 * FXL_DISPLAY_LIST_WORDS(5),
+    PIECES = 6144
+};
+
+typedef struct {
+    fxl_point from, to;
+} edge;
+
+static edge edges[EDGES];
+static uint32_t edge_count, piece_count;
+static uint64_t room[64], pieces[PIECES / 8];
+static fxl_order_entry order[TINY_OBJECTS + 6];
+static fxl_renderer renderer;
+static uint32_t list[LIST]; /* holds all: each piece comes once */
+
+static bool same(const fxl_point *a, const fxl_point *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* Takes an edge in, or its other owner's out. */
+static void add_edge(const fxl_point *from, const fxl_point *to)
+{
+    for (uint32_t i = 0; i < edge_count; i++) {
+        if (same(&edges[i].from, to) && same(&edges[i].to, from)) {
+            edges[i] = edges[--edge_count];
+            return;
+        }
+    }
+    if (!same(from, to)) {
+        TEST_ASSERT_TRUE(edge_count < EDGES);
+        edges[edge_count].from = *from;
+        edges[edge_count++].to = *to;
+    }
+}
+
+/* A clipper that looks at pieces: they have vertices of their own, not the scene's. */
+static fxl_clip_result take_edges(const fxl_model_view *placed, const fxl_face *face,
+                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    const fxl_point *scene = renderer.scene->vertices;
+    if (placed->vertices != scene && placed->vertices != scene + 8) {
+        for (uint32_t i = 0; i < face->count; i++) {
+            add_edge(&placed->vertices[i], &placed->vertices[(i + 1u) % face->count]);
+        }
+        piece_count++;
+    }
+    return fxl_clipper_view.clip(placed, face, work, screen);
+}
+
+/* How many edges there are on the way round from the first. */
+static uint32_t way_round(void)
+{
+    fxl_point at = edges[0].to;
+    uint32_t length = 1;
+    while (!same(&at, &edges[0].from) && length <= edge_count) {
+        uint32_t i = 0;
+        while (i < edge_count && !same(&edges[i].from, &at)) {
+            i++;
+        }
+        TEST_ASSERT_TRUE(i < edge_count);
+        at = edges[i].to;
+        length++;
+    }
+    return length;
+}
+
+static fxl_q16_16 along(fxl_q2_30 right, fxl_q2_30 up, fxl_q2_30 forward, const fxl_point *v)
+{
+    return (fxl_q16_16)(((int64_t)right * v->x + (int64_t)up * v->y + (int64_t)forward * v->z +
+                         (1 << 29)) >>
+                        30);
+}
+
+/* A cube turned any way, through the tree's. */
+static bsp_scene *make_scene(void)
+{
+    bsp_scene *made = tree_make();
+    const fxl_pose pose = {{0, 0, 0}, unit_random(), unit_random(), unit_random()};
+    fxl_camera tilted;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
+    const fxl_direction *const axes[3] = {&tilted.right, &tilted.up, &tilted.forward};
+    for (uint32_t i = 0; i < 8; i++) {
+        const fxl_point from = made->tiny->vertices[i];
+        made->tiny->vertices[i] =
+            (fxl_point){along(tilted.right.x, tilted.up.x, tilted.forward.x, &from),
+                        along(tilted.right.y, tilted.up.y, tilted.forward.y, &from),
+                        along(tilted.right.z, tilted.up.z, tilted.forward.z, &from)};
+    }
+    for (uint32_t i = 0; i < 6; i++) {
+        const int32_t sign = i % 2 ? 1 : -1;
+        made->tiny->faces[i].normal =
+            (fxl_direction){axes[i / 2]->x * sign, axes[i / 2]->y * sign, axes[i / 2]->z * sign};
+    }
+    made->tiny->objects[0].centre =
+        (fxl_point){unit_between(-Q16(1.5), Q16(1.5)), unit_between(-Q16(1.5), Q16(1.5)),
+                    unit_between(Q16(8.5), Q16(11.5))};
+    made->tiny->objects[2].centre = (fxl_point){0, 0, -Q16(100)};
+    return made;
+}
+
+void test_pieces_share_every_vertex(void)
+{
+    static const fxl_clipper watching = {.clip = take_edges};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_OBJECTS + 6, list, LIST, NULL, 0};
+    uint32_t cut = 0;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 50; round++) {
+        const fxl_pose pose = {
+            {unit_between(-Q16(3), Q16(3)), unit_between(-Q16(3), Q16(3)), unit_between(0, Q16(2))},
+            0,
+            0,
+            0};
+        fxl_scene *scene = &make_scene()->tiny->scene;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, sizeof room));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &watching, NULL, 0));
+        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        tree->pieces = pieces;
+        tree->pieces_size = sizeof pieces;
+        edge_count = piece_count = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_TRUE(renderer.display_list.used > 0 &&
+                         renderer.resume.instances == renderer.visible_count);
+        TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
+        TEST_ASSERT_TRUE(edge_count >= 4);
+        TEST_ASSERT_EQUAL_UINT32(edge_count, way_round());
+        cut += piece_count > 3;
+    }
+    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 200);
+}

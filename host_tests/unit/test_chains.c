@@ -1,0 +1,325 @@
+/* SPDX-License-Identifier: MIT */
+/* Scanning between two chains: the same pixels as the walk of every crossing,
+ * which test_scan.c holds against the definition. */
+#include "src/raster/chains.h"
+#include "src/raster/edge.h"
+#include "src/raster/active_edges.h"
+#include "unit.h"
+
+/* A height: any, or next to a power of two. */
+static int32_t any_height(void)
+{
+    const int32_t highest = FXL_EDGE_HEIGHT_MAX;
+    int32_t height = 1 << unit_between(0, 25);
+    switch (unit_random() % 4) {
+    case 0:
+        return unit_between(1, highest);
+    case 1:
+        return highest - unit_between(0, 2);
+    case 2:
+        return height > 2 ? height + unit_between(-2, 2) : height;
+    default:
+        return unit_between(1, height);
+    }
+}
+
+/* Of 0..height - 1: any, or an end. */
+static uint32_t any_error(int32_t height)
+{
+    switch (unit_random() % 4) {
+    case 0:
+        return (uint32_t)height - 1;
+    case 1:
+        return 0;
+    default:
+        return (uint32_t)unit_between(0, height - 1);
+    }
+}
+
+/* Errors that make the quotient on row k whole, or miss that by the least. */
+static void set_errors(fxl_slope *slope, int32_t good)
+{
+    int32_t height = (int32_t)slope->height;
+    slope->error_step = any_error(height);
+    slope->error = any_error(height);
+    if (unit_random() % 2) {
+        uint64_t k = (uint64_t)unit_between(1, good);
+        uint64_t rest = k * slope->error_step % slope->height;
+        uint64_t error = slope->height - rest + (unit_random() % 3) + slope->height - 1;
+        slope->error = (uint32_t)(error % slope->height);
+    }
+}
+
+/* The bits that every kernel must have, by their definition. */
+static void expect_quotient(uint32_t height, int32_t dividend)
+{
+    fxl_edge_divider divider = fxl_edge_divider_of(height);
+    int32_t whole;
+    uint32_t fraction;
+    fxl_edge_divide(&divider, dividend, &whole, &fraction);
+    int64_t quotient = (int64_t)((uint64_t)(int64_t)whole << 32 | fraction);
+    int64_t left = (int64_t)dividend * 4294967296 - (quotient - 1) * (int64_t)height;
+    TEST_ASSERT_TRUE(left >= 0 && left < (int64_t)height);
+    unsigned shift = fxl_edge_divider_shift(&divider);
+    TEST_ASSERT_TRUE((uint64_t)height << shift < 4294967296u);
+    TEST_ASSERT_TRUE((uint64_t)height << (shift + 1) >= 4294967296u);
+}
+
+void test_a_quotient_is_the_next_above(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        uint32_t height = (uint32_t)any_height();
+        int32_t most = FXL_EDGE_DIVIDEND_MAX / (int32_t)height;
+        int32_t whole = unit_between(-most, most) * (int32_t)height;
+        const int32_t dividends[] = {0,
+                                     1,
+                                     -1,
+                                     whole,
+                                     whole - (whole > 0),
+                                     whole + (whole < 0),
+                                     FXL_EDGE_DIVIDEND_MAX,
+                                     -FXL_EDGE_DIVIDEND_MAX,
+                                     unit_between(-FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_DIVIDEND_MAX)};
+        for (size_t j = 0; j < sizeof dividends / sizeof dividends[0]; j++) {
+            expect_quotient(height, dividends[j]);
+        }
+    }
+}
+
+void test_an_edge_is_exact_while_it_is_good(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_slope slope = {.height = (uint32_t)any_height()};
+        fxl_edge_divider divider = fxl_edge_divider_of(slope.height);
+        int32_t good = (int32_t)(1u << fxl_edge_divider_shift(&divider) & 0x7FFFFFFF);
+        good = good == 0 || good > 1024 ? 1024 : good;
+        fxl_edge edge;
+        set_errors(&slope, good);
+        fxl_edge_divide(&divider, (int32_t)slope.error, &edge.x, &edge.fraction);
+        fxl_edge_divide(&divider, (int32_t)slope.error_step, &edge.step, &edge.step_fraction);
+        int32_t rows[] = {0, 1, good / 2, good - 1, unit_between(0, good - 1)};
+        for (size_t j = 0; j < sizeof rows / sizeof rows[0]; j++) {
+            uint64_t k = (uint64_t)(uint32_t)rows[j] % (uint64_t)(uint32_t)good;
+            uint64_t fraction = edge.fraction + k * edge.step_fraction;
+            uint64_t error = slope.error + k * slope.error_step;
+            TEST_ASSERT_EQUAL_UINT32(error / slope.height, fraction >> 32);
+        }
+    }
+}
+
+/* All at once as one by one, also where a carry leaves nothing over. */
+void test_rows_are_skipped_as_they_are_walked(void)
+{
+    for (uint32_t height = 1; height <= 9; height++) {
+        for (uint32_t errors = 0; errors < height * height; errors++) {
+            fxl_slope walked = {100, errors % height, -3, errors / height, height};
+            for (int32_t rows = 1; rows <= 20; rows++) {
+                fxl_slope skipped = {100, errors % height, -3, errors / height, height};
+                walked.error += walked.error_step;
+                walked.x += walked.step + (walked.error >= height);
+                walked.error -= walked.error >= height ? height : 0;
+                fxl_slope_skip(&skipped, rows);
+                TEST_ASSERT_EQUAL_INT32(walked.x, skipped.x);
+                TEST_ASSERT_EQUAL_UINT32(walked.error, skipped.error);
+            }
+        }
+    }
+}
+
+/* Upright edges through centres: the fraction on each row misses the next pixel by
+ * the least, and an edge walked for more rows than it is good for reaches it. */
+void test_upright_edges_stay_where_they_are(void)
+{
+    fxl_screen_polygon polygon = {.count = 4,
+                                  .points = {{Q16(10.5), -Q16(2)},
+                                             {Q16(14.5), -Q16(2)},
+                                             {Q16(14.5), Q16(1000.25)},
+                                             {Q16(10.5), Q16(1000.25)}}};
+    uint8_t pixel = 0; /* scan writes none */
+    fxl_band band = {&pixel, 20, 20, 0, 1000};
+    fxl_scan scan;
+    fxl_span span;
+    int32_t rows = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
+    while (fxl_scan_next(&scan, &span)) {
+        TEST_ASSERT_EQUAL_INT32(rows++, span.y);
+        TEST_ASSERT_EQUAL_INT32(10, span.x0);
+        TEST_ASSERT_EQUAL_INT32(14, span.x1);
+    }
+    TEST_ASSERT_EQUAL_INT32(1000, rows);
+}
+
+static int32_t compare(fxl_q16_16 a, fxl_q16_16 b)
+{
+    return (a > b) - (a < b);
+}
+
+static void sort_by_y(fxl_screen_point *points, int count, int32_t order)
+{
+    for (int i = 1; i < count; i++) {
+        for (int j = i; j > 0 && compare(points[j - 1].y, points[j].y) == order; j--) {
+            fxl_screen_point swap = points[j];
+            points[j] = points[j - 1];
+            points[j - 1] = swap;
+        }
+    }
+}
+
+/* Down one chain and up the other, either way round, beginning anywhere. */
+static void two_chains(fxl_screen_polygon *polygon, int32_t width, int32_t top, int32_t bottom)
+{
+    fxl_screen_point points[FXL_POLYGON_CAPACITY];
+    int count = unit_random() % 4 ? unit_between(3, 6) : unit_between(3, FXL_POLYGON_CAPACITY);
+    int down = unit_between(1, count - 1);
+    int first = unit_between(0, count - 1);
+    bool on_centres = unit_random() % 4 == 0;
+    for (int i = 0; i < count; i++) {
+        points[i].x = unit_between(-32767, width * 65536 + 32768);
+        points[i].y = unit_between(top, bottom);
+        if (on_centres) {
+            points[i].y = (points[i].y & ~65535) + 32768;
+        }
+    }
+    sort_by_y(points, down, 1);
+    sort_by_y(points + down, count - down, -1);
+    polygon->colour = 1;
+    polygon->count = (uint8_t)count;
+    for (int i = 0; i < count; i++) {
+        polygon->points[(i + first) % count] = points[i];
+    }
+}
+
+/* The next trapezoid's rows as spans, by their definition. */
+static bool next_of_trapezoids(fxl_scan *scan, const fxl_trapezoid **trapezoid, int32_t *row,
+                               fxl_span *span)
+{
+    for (;;) {
+        if (*trapezoid == NULL || *row == (*trapezoid)->end_row) {
+            *trapezoid = fxl_scan_next_trapezoid(scan);
+            if (*trapezoid == NULL) {
+                return false;
+            }
+            *row = (*trapezoid)->first_row;
+        }
+        int32_t x[2];
+        for (int side = 0; side < 2; side++) {
+            const fxl_edge *edge = &(*trapezoid)->edges[side];
+            uint32_t rows = (uint32_t)(*row - (*trapezoid)->first_row);
+            uint64_t fraction = edge->fraction + (uint64_t)edge->step_fraction * rows;
+            x[side] = edge->x + edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
+        }
+        *row += 1;
+        if (x[0] != x[1]) {
+            span->y = (int16_t)(*row - 1);
+            span->x0 = (int16_t)(x[0] < x[1] ? x[0] : x[1]);
+            span->x1 = (int16_t)(x[0] < x[1] ? x[1] : x[0]);
+            return true;
+        }
+    }
+}
+
+static void expect_same_span(const fxl_span *expected, const fxl_span *actual)
+{
+    TEST_ASSERT_EQUAL(expected->y, actual->y);
+    TEST_ASSERT_EQUAL(expected->x0, actual->x0);
+    TEST_ASSERT_EQUAL(expected->x1, actual->x1);
+}
+
+/* Spans and trapezoids of a polygon against the walk of every crossing. */
+static void check_polygon(const fxl_screen_polygon *polygon, const fxl_band *band, bool by_chains)
+{
+    static fxl_scan spans, trapezoids;
+    static fxl_active_edges crossings;
+    const fxl_trapezoid *trapezoid = NULL;
+    int32_t row = 0;
+    fxl_span expected, span;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(polygon, band, &spans));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(polygon, band, &trapezoids));
+    if (by_chains && !FXL_IS_SMALL) {
+        TEST_ASSERT_TRUE_MESSAGE(spans.by_chains, "the quick way was not taken");
+    }
+    fxl_active_edges_begin(&crossings, polygon->points, polygon->count, spans.outline_first,
+                           spans.outline_end, band);
+    while (fxl_active_edges_next(&crossings, &expected)) {
+        TEST_ASSERT_TRUE(fxl_scan_next(&spans, &span));
+        expect_same_span(&expected, &span);
+        TEST_ASSERT_TRUE(next_of_trapezoids(&trapezoids, &trapezoid, &row, &span));
+        expect_same_span(&expected, &span);
+    }
+    TEST_ASSERT_FALSE(fxl_scan_next(&spans, &span));
+    TEST_ASSERT_FALSE(next_of_trapezoids(&trapezoids, &trapezoid, &row, &span));
+}
+
+static fxl_band any_band(int32_t width)
+{
+    static uint8_t unused[FXL_SCREEN_MAX];
+    fxl_band band = {unused, (uint16_t)width, (uint16_t)width, 0, 0};
+    band.first_row = (uint16_t)(unit_random() % 2 ? 0 : unit_between(0, FXL_SCREEN_MAX - 1));
+    band.rows = (uint16_t)unit_between(1, FXL_SCREEN_MAX - band.first_row);
+    return band;
+}
+
+void test_small_polygons(void)
+{
+    fxl_screen_polygon polygon;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        int32_t width = unit_between(1, 40), top = unit_between(0, 30 * 65536);
+        fxl_band band = any_band(width);
+        band.first_row = (uint16_t)unit_between(0, 8);
+        band.rows = (uint16_t)unit_between(1, 40);
+        two_chains(&polygon, width, top, unit_between(top, 40 * 65536));
+        check_polygon(&polygon, &band, true);
+    }
+}
+
+/* Up to the range's ends: edges that are good for a few rows only. */
+void test_tall_polygons(void)
+{
+    fxl_screen_polygon polygon;
+    for (int i = 0; i < UNIT_REPEAT / 50 + 20; i++) {
+        int32_t width = unit_random() % 2 ? FXL_SCREEN_MAX : unit_between(1, FXL_SCREEN_MAX);
+        bool highest = unit_random() % 2;
+        int32_t top = highest ? -FXL_SCREEN_COORDINATE_MAX : unit_between(-Q16(200), Q16(800));
+        int32_t bottom = highest ? FXL_SCREEN_COORDINATE_MAX : unit_between(top, Q16(800));
+        fxl_band band = any_band(width);
+        two_chains(&polygon, width, top, bottom);
+        check_polygon(&polygon, &band, !highest);
+    }
+}
+
+/* What is not within the sides, or goes up and down, takes the other way. */
+void test_any_polygon(void)
+{
+    fxl_screen_polygon polygon;
+    for (int i = 0; i < UNIT_REPEAT / 5; i++) {
+        int32_t width = unit_between(1, 64);
+        fxl_band band = any_band(width);
+        band.first_row = (uint16_t)unit_between(0, 20);
+        band.rows = (uint16_t)unit_between(1, 40);
+        two_chains(&polygon, width, -Q16(20), Q16(60));
+        int vertex = unit_between(0, polygon.count - 1);
+        polygon.points[vertex].y += unit_random() % 2 ? unit_between(-2, 2) : Q16(5);
+        polygon.points[vertex].x += unit_random() % 2 ? unit_between(-2, 2) : Q16(15);
+        check_polygon(&polygon, &band, false);
+    }
+}
+
+void test_the_sides_of_the_band_are_where_they_are_said_to_be(void)
+{
+    fxl_screen_polygon polygon = {
+        .count = 3, .points = {{-32767, 0}, {Q16(8) + 32768, Q16(4)}, {Q16(4), Q16(8)}}};
+    fxl_band band = any_band(8);
+    fxl_scan scan;
+    band.first_row = 0;
+    band.rows = 8;
+    check_polygon(&polygon, &band, true);
+    polygon.points[0].x -= 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
+    TEST_ASSERT_FALSE(scan.by_chains);
+    check_polygon(&polygon, &band, false);
+    polygon.points[0].x += 1;
+    polygon.points[1].x += 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
+    TEST_ASSERT_FALSE(scan.by_chains);
+    check_polygon(&polygon, &band, false);
+}

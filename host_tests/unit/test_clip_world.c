@@ -1,0 +1,434 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "unit.h"
+
+static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+static fxl_clip_world_work work;
+
+/* Inside is x >= 0. */
+static const fxl_plane wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
+
+/* A polygon in the plane z = 0 from whole numbers x, y; u and v are the same
+ * numbers. */
+static fxl_polygon flat(const int *numbers, uint8_t count)
+{
+    fxl_polygon polygon = {.colour = 5, .count = count, .textured = true};
+    for (int i = 0; i < count; i++) {
+        fxl_q16_16 x = numbers[2 * i] * 65536, y = numbers[2 * i + 1] * 65536;
+        polygon.vertices[i] = (fxl_vertex){{x, y, 0}, x, y};
+    }
+    return polygon;
+}
+#define NUMBERS(...) \
+    ((const int[]){__VA_ARGS__}), (uint8_t)(sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2)
+
+/* Which vertex comes first is not laid down; their order is. */
+static void expect_same(const fxl_polygon *expected, const fxl_polygon *actual)
+{
+    int first = 0;
+    TEST_ASSERT_EQUAL(expected->colour, actual->colour);
+    TEST_ASSERT_EQUAL(expected->count, actual->count);
+    while (first + 1 < actual->count && memcmp(&actual->vertices[first], &expected->vertices[0],
+                                               sizeof expected->vertices[0]) != 0) {
+        first++;
+    }
+    for (int i = 0; i < expected->count; i++) {
+        const fxl_vertex *want = &expected->vertices[i];
+        const fxl_vertex *got = &actual->vertices[(first + i) % actual->count];
+        TEST_ASSERT_EQUAL_INT32(want->position.x, got->position.x);
+        TEST_ASSERT_EQUAL_INT32(want->position.y, got->position.y);
+        TEST_ASSERT_EQUAL_INT32(want->position.z, got->position.z);
+        TEST_ASSERT_EQUAL_INT32(want->u, got->u);
+        TEST_ASSERT_EQUAL_INT32(want->v, got->v);
+    }
+}
+
+static void expect_untouched(fxl_clip_result result, const int *numbers, uint8_t count)
+{
+    fxl_polygon polygon = flat(numbers, count), out, before;
+    memset(&out, 0x5A, sizeof out);
+    memcpy(&before, &out, sizeof before);
+    TEST_ASSERT_EQUAL(result, fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
+}
+
+static void expect_cut(const int *wanted, uint8_t wanted_count, const int *numbers, uint8_t count)
+{
+    fxl_polygon polygon = flat(numbers, count), out;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
+    polygon = flat(wanted, wanted_count);
+    expect_same(&polygon, &out);
+}
+
+static void expect_degenerate(const int *numbers, uint8_t count)
+{
+    fxl_polygon polygon = flat(numbers, count), out;
+    TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE,
+                      fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
+}
+
+void test_wholly_inside_is_left_alone(void)
+{
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(1, 0, 3, 0, 3, 2));
+}
+
+void test_wholly_outside_is_left_alone(void)
+{
+    expect_untouched(FXL_CLIP_OUTSIDE, NUMBERS(-1, 0, -3, 0, -3, 2));
+}
+
+void test_touching_from_inside_is_inside(void)
+{
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 3, 0, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 3, 2));
+    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 0, 2));
+}
+
+void test_touching_from_outside_is_degenerate(void)
+{
+    expect_degenerate(NUMBERS(0, 0, -3, 0, -3, 2));
+    expect_degenerate(NUMBERS(0, 0, 0, 2, -3, 2));
+}
+
+void test_a_square_is_halved(void)
+{
+    expect_cut(NUMBERS(0, 0, 4, 0, 4, 4, 0, 4), NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
+}
+
+void test_a_corner_is_cut_off(void)
+{
+    expect_cut(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), NUMBERS(-2, 2, 2, 4, 2, 0));
+}
+
+/* Through two vertices: each comes once. */
+void test_a_vertex_on_the_plane_is_not_repeated(void)
+{
+    expect_cut(NUMBERS(0, 4, 4, 0, 0, -4), NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
+    expect_cut(NUMBERS(0, 4, 4, 4, 0, 0), NUMBERS(0, 4, 4, 4, -4, -4));
+    expect_cut(NUMBERS(0, 0, 0, 4, 4, 4), NUMBERS(-4, 2, 0, 4, 4, 4, 0, 0));
+}
+
+void test_texture_is_cut_by_the_same_fraction(void)
+{
+    fxl_polygon polygon = flat(NUMBERS(-3, 0, 1, 0, 1, 4, -3, 4)), out;
+    polygon.vertices[0].u = Q16(10);
+    polygon.vertices[1].u = Q16(50);
+    polygon.vertices[0].v = Q16(-800);
+    polygon.vertices[1].v = Q16(800);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
+    TEST_ASSERT_EQUAL(4, out.count);
+    TEST_ASSERT_EQUAL_INT32(0, out.vertices[0].position.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(40), out.vertices[0].u);
+    TEST_ASSERT_EQUAL_INT32(Q16(400), out.vertices[0].v);
+}
+
+/* Teeth that stand out of the wall: each adds two vertices and takes one. */
+static fxl_polygon zigzag(uint8_t count)
+{
+    fxl_polygon polygon = {.colour = 1, .count = count};
+    for (int i = 0; i < count; i++) {
+        polygon.vertices[i].position = (fxl_point){i % 2 ? Q16(-9) : Q16(9), i * 65536, 0};
+    }
+    return polygon;
+}
+
+void test_more_than_the_capacity_is_refused(void)
+{
+    static struct {
+        fxl_polygon out;
+        uint8_t guard[64];
+    } room;
+    memset(room.guard, 0x5A, sizeof room.guard);
+    for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count = (uint8_t)(count + 2)) {
+        fxl_polygon polygon = zigzag(count);
+        int left = count / 2 + count;
+        fxl_clip_result result = fxl_clip_world_to_plane(&polygon, &wall, &room.out, distances);
+        if (left > FXL_POLYGON_CAPACITY) {
+            TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, result);
+        } else {
+            TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+            TEST_ASSERT_EQUAL(left, room.out.count);
+        }
+    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room.guard, sizeof room.guard);
+}
+
+static fxl_plane random_plane(fxl_q16_16 limit)
+{
+    fxl_point on = unit_point(limit);
+    fxl_direction normal = unit_direction();
+    return fxl_plane_from_point(&on, &normal, unit_between(0, FXL_INSET_MAX));
+}
+
+static fxl_vertex random_vertex(fxl_q16_16 limit)
+{
+    return (fxl_vertex){unit_point(limit), unit_between(-Q16(4096), Q16(4096)),
+                        unit_between(-Q16(4096), Q16(4096))};
+}
+
+static bool has_vertex(const fxl_polygon *polygon, const fxl_vertex *vertex)
+{
+    for (int i = 0; i < polygon->count; i++) {
+        if (memcmp(&polygon->vertices[i], vertex, sizeof *vertex) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The two neighbours walk the edge a-b in opposite directions; the vertex that
+ * neither had before must be one and the same. */
+void test_neighbours_get_the_same_vertex(void)
+{
+    int cut = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_q16_16 limit = i % 2 ? FXL_COORDINATE_MAX : Q16(1);
+        fxl_plane plane = random_plane(limit);
+        fxl_vertex a = random_vertex(limit), b = random_vertex(limit);
+        fxl_polygon first = {
+            .count = 3, .textured = true, .vertices = {a, b, random_vertex(limit)}};
+        fxl_polygon outs[2];
+        fxl_polygon second = {
+            .count = 3, .textured = true, .vertices = {b, a, random_vertex(limit)}};
+        int64_t at_a = fxl_plane_distance(&plane, &a.position);
+        int64_t at_b = fxl_plane_distance(&plane, &b.position);
+        if ((at_a < 0) == (at_b < 0) || at_a == 0 || at_b == 0) {
+            continue;
+        }
+        if (fxl_clip_world_to_plane(&first, &plane, &outs[0], distances) != FXL_CLIP_CUT ||
+            fxl_clip_world_to_plane(&second, &plane, &outs[1], distances) != FXL_CLIP_CUT) {
+            continue;
+        }
+        /* Of the first: what follows or precedes the inside end on the edge. */
+        const fxl_vertex *crossing = NULL;
+        for (int k = 0; k < outs[0].count && !crossing; k++) {
+            const fxl_vertex *here = &outs[0].vertices[k];
+            const fxl_vertex *next = &outs[0].vertices[(k + 1) % outs[0].count];
+            if (at_a > 0 && memcmp(here, &a, sizeof a) == 0) {
+                crossing = next;
+            } else if (at_b > 0 && memcmp(next, &b, sizeof b) == 0) {
+                crossing = here;
+            }
+        }
+        TEST_ASSERT_NOT_NULL(crossing);
+        TEST_ASSERT_TRUE_MESSAGE(has_vertex(&outs[1], crossing), "neighbours disagree");
+        cut++;
+    }
+    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 4);
+}
+
+/* Takes from low..high the fractions whose point of the edge lies within 0.51
+ * of the vertex in one coordinate. */
+static void narrow(double from, double to, double at, double *low, double *high)
+{
+    double span = to - from;
+    if (span == 0) {
+        *high = fabs(at - from) <= 0.51 ? *high : -1;
+        return;
+    }
+    double one = (at - 0.51 - from) / span, other = (at + 0.51 - from) / span;
+    *low = fmax(*low, fmin(one, other));
+    *high = fmin(*high, fmax(one, other));
+}
+
+/* SPEC.md, chapter 6. Doubles have 53 bits: fractions of an edge of 2^30 units
+ * come out to 2^-23 unit, and the plane's distance of 2^61 to 2^-22 unit. */
+void test_a_new_vertex_is_within_its_bounds(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        static const fxl_q16_16 limits[] = {FXL_COORDINATE_MAX, Q16(100), 3000};
+        fxl_q16_16 limit = limits[i % 3];
+        fxl_plane plane = random_plane(limit);
+        fxl_polygon polygon = {.count = 3, .textured = true}, out;
+        for (int k = 0; k < 3; k++) {
+            polygon.vertices[k] = random_vertex(limit);
+        }
+        if (fxl_clip_world_to_plane(&polygon, &plane, &out, distances) != FXL_CLIP_CUT) {
+            continue;
+        }
+        for (int k = 0; k < out.count; k++) {
+            const fxl_vertex *v = &out.vertices[k];
+            double best = 1e30;
+            for (int e = 0; e < 3 && !has_vertex(&polygon, v); e++) {
+                const fxl_vertex *a = &polygon.vertices[e], *b = &polygon.vertices[(e + 1) % 3];
+                double low = 0, high = 1;
+                narrow(a->position.x, b->position.x, v->position.x, &low, &high);
+                narrow(a->position.y, b->position.y, v->position.y, &low, &high);
+                narrow(a->position.z, b->position.z, v->position.z, &low, &high);
+                narrow(a->u, b->u, v->u, &low, &high);
+                narrow(a->v, b->v, v->v, &low, &high);
+                if (low <= high) {
+                    double dx = (double)b->position.x - a->position.x;
+                    double dy = (double)b->position.y - a->position.y;
+                    double dz = (double)b->position.z - a->position.z;
+                    best = fmin(best, sqrt(dx * dx + dy * dy + dz * dz));
+                }
+            }
+            if (best < 1e30) {
+                double off = (double)fxl_plane_distance(&plane, &v->position) / 1073741824.0;
+                TEST_ASSERT_NEAR(off, 0, best / 536870912.0 + 0.9);
+            } else {
+                TEST_ASSERT_TRUE_MESSAGE(has_vertex(&polygon, v), "a vertex off every edge");
+                TEST_ASSERT_TRUE(fxl_plane_distance(&plane, &v->position) >= 0);
+            }
+        }
+    }
+}
+
+static fxl_frustum frustum_of(fxl_lens *lens)
+{
+    fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_camera camera;
+    fxl_frustum frustum;
+    *lens = unit_lens(64, 64);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+    fxl_frustum_from_camera(&camera, lens, &frustum);
+    return frustum;
+}
+
+/* A square across the view at some depth. */
+static fxl_polygon across(fxl_q16_16 left, fxl_q16_16 bottom, fxl_q16_16 right, fxl_q16_16 top,
+                          fxl_q16_16 depth)
+{
+    return (fxl_polygon){.colour = 3,
+                         .count = 4,
+                         .vertices = {{{left, bottom, depth}, 0, 0},
+                                      {{left, top, depth}, 0, 0},
+                                      {{right, top, depth}, 0, 0},
+                                      {{right, bottom, depth}, 0, 0}}};
+}
+
+static fxl_clip_result clip(const fxl_polygon *polygon, const fxl_polygon **result)
+{
+    fxl_lens lens;
+    fxl_frustum frustum = frustum_of(&lens);
+    return fxl_clip_world_to_frustum(polygon, &frustum, &work, result);
+}
+
+void test_frustum_inside_returns_the_input(void)
+{
+    fxl_polygon polygon = across(Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(10));
+    const fxl_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));
+    TEST_ASSERT_EQUAL_PTR(&polygon, result);
+}
+
+void test_frustum_outside_returns_null(void)
+{
+    /* Left, bottom, right, top, depth. */
+    static const fxl_q16_16 squares[][5] = {{Q16(-50), Q16(-5), Q16(-20), Q16(5), Q16(10)},
+                                            {Q16(20), Q16(-5), Q16(50), Q16(5), Q16(10)},
+                                            {Q16(-5), Q16(-50), Q16(5), Q16(-20), Q16(10)},
+                                            {Q16(-5), Q16(20), Q16(5), Q16(50), Q16(10)},
+                                            {Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(-10)},
+                                            {Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(1000)}};
+    for (int i = 0; i < 6; i++) {
+        const fxl_q16_16 *at = squares[i];
+        fxl_polygon polygon = across(at[0], at[1], at[2], at[3], at[4]);
+        const fxl_polygon *result = &polygon;
+        TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
+        TEST_ASSERT_NULL(result);
+    }
+}
+
+/* Off one corner of the screen without being outside any one plane alone. */
+void test_frustum_outside_after_a_cut_returns_null(void)
+{
+    fxl_polygon polygon = {.colour = 1,
+                           .count = 3,
+                           .vertices = {{{Q16(-40), Q16(0), Q16(10)}, 0, 0},
+                                        {{Q16(0), Q16(40), Q16(10)}, 0, 0},
+                                        {{Q16(-40), Q16(40), Q16(10)}, 0, 0}}};
+    const fxl_polygon *result = &polygon;
+    fxl_clip_result outcome = clip(&polygon, &result);
+    TEST_ASSERT_TRUE(outcome == FXL_CLIP_OUTSIDE || outcome == FXL_CLIP_DEGENERATE);
+    TEST_ASSERT_NULL(result);
+}
+
+static void expect_within_frustum(const fxl_polygon *polygon, int count)
+{
+    fxl_lens lens;
+    fxl_frustum frustum = frustum_of(&lens);
+    TEST_ASSERT_EQUAL(count, polygon->count);
+    for (int i = 0; i < polygon->count; i++) {
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            fxl_q18_46 d =
+                fxl_plane_distance(&frustum.planes[plane], &polygon->vertices[i].position);
+            TEST_ASSERT_TRUE_MESSAGE(d >= -2 * ((int64_t)1 << 30), "more than 2 units outside");
+        }
+    }
+}
+
+void test_two_planes_at_once(void)
+{
+    fxl_polygon polygon = across(0, 0, Q16(50), Q16(50), Q16(10));
+    const fxl_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_TRUE(result == &work.polygons[0] || result == &work.polygons[1]);
+    TEST_ASSERT_EQUAL(3, result->colour);
+    expect_within_frustum(result, 4);
+}
+
+void test_four_planes_at_once(void)
+{
+    fxl_polygon polygon = across(Q16(-50), Q16(-50), Q16(50), Q16(50), Q16(10));
+    const fxl_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    expect_within_frustum(result, 4);
+}
+
+/* A ground under the eye is cut by both sides, by near and by far. */
+void test_a_ground_is_cut_by_sides_near_and_far(void)
+{
+    const fxl_q16_16 end = FXL_COORDINATE_MAX;
+    fxl_polygon polygon = {.colour = 1,
+                           .count = 4,
+                           .vertices = {{{-end, Q16(-1), -end}, 0, 0},
+                                        {{-end, Q16(-1), end}, 0, 0},
+                                        {{end, Q16(-1), end}, 0, 0},
+                                        {{end, Q16(-1), -end}, 0, 0}}};
+    const fxl_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    expect_within_frustum(result, 4);
+}
+
+void test_three_planes_meet_in_a_corner(void)
+{
+    fxl_polygon polygon = {.colour = 1,
+                           .count = 3,
+                           .vertices = {{{Q16(0), Q16(0), Q16(900)}, 0, 0},
+                                        {{Q16(3000), Q16(0), Q16(1100)}, 0, 0},
+                                        {{Q16(0), Q16(3000), Q16(1100)}, 0, 0}}};
+    const fxl_polygon *result = NULL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+    TEST_ASSERT_TRUE(result->count >= 4);
+    expect_within_frustum(result, result->count);
+}
+
+void test_frustum_refuses_what_exceeds_the_capacity(void)
+{
+    fxl_polygon polygon = {.colour = 1, .count = FXL_POLYGON_CAPACITY};
+    for (int i = 0; i < polygon.count; i++) {
+        polygon.vertices[i].position =
+            (fxl_point){i % 2 ? Q16(-50) : Q16(0), (i - 16) * 32768, Q16(10)};
+    }
+    const fxl_polygon *result = &polygon;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, clip(&polygon, &result));
+    TEST_ASSERT_NULL(result);
+}
+
+/* A slanted plane whose normal has two equal parts holds (-z, y, z) exactly. */
+void test_vertices_exactly_on_a_slanted_plane_stay(void)
+{
+    const fxl_plane left = {{759250125, 0, 759250125}, 0};
+    fxl_polygon polygon = across(Q16(-10), Q16(-5), Q16(5), Q16(5), Q16(10)), out;
+    TEST_ASSERT_EQUAL_INT64(0, fxl_plane_distance(&left, &polygon.vertices[0].position));
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_world_to_plane(&polygon, &left, &out, distances));
+    polygon.vertices[2].position.x = Q16(-20);
+    polygon.vertices[2].position.y = Q16(6);
+    polygon.vertices[3].position.x = Q16(-9);
+    polygon.vertices[3].position.y = Q16(9);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_world_to_plane(&polygon, &left, &out, distances));
+    TEST_ASSERT_EQUAL(4, out.count);
+}

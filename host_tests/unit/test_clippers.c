@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: MIT */
+/* The family's clippers under the treaty, face by face. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "clippers_list.h"
+#include "polygon_face.h"
+#include "unit.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    GUARD = 64,
+    PIECES = 48
+};
+
+/* Room and what must not be touched behind it. */
+static struct {
+    fxl_clipper_workspace room;
+    uint8_t guard[GUARD];
+} guarded;
+
+static bool is_kept(fxl_clip_result result)
+{
+    return result == FXL_CLIP_INSIDE || result == FXL_CLIP_CUT || result == FXL_CLIP_BETWEEN;
+}
+
+static fxl_view random_view(void)
+{
+    fxl_view view;
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(100));
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    return view;
+}
+
+/* A point of the view as one of the world, to within a unit or two. */
+static fxl_point at(const fxl_view *view, fxl_q16_16 x, fxl_q16_16 y, fxl_q16_16 z)
+{
+    const fxl_camera *camera = &view->camera;
+    const fxl_direction *r = &camera->right, *u = &camera->up, *f = &camera->forward;
+    return (fxl_point){
+        camera->position.x +
+            (fxl_q16_16)(((int64_t)r->x * x + (int64_t)u->x * y + (int64_t)f->x * z) >> 30),
+        camera->position.y +
+            (fxl_q16_16)(((int64_t)r->y * x + (int64_t)u->y * y + (int64_t)f->y * z) >> 30),
+        camera->position.z +
+            (fxl_q16_16)(((int64_t)r->z * x + (int64_t)u->z * y + (int64_t)f->z * z) >> 30)};
+}
+
+/* Flat, convex, of 3 to 6 vertices; before the eye, or partly behind it. */
+static fxl_polygon random_face(const fxl_view *view)
+{
+    static const int8_t ring[6][2] = {{8, 0}, {4, 7}, {-4, 7}, {-8, 0}, {-4, -7}, {4, -7}};
+    int step = unit_random() % 2 == 0 ? 1 : 2;
+    fxl_polygon polygon = {.colour = (uint8_t)unit_random(), .count = (uint8_t)(6 / step)};
+    fxl_q16_16 depth = unit_between(Q16(0.5), Q16(20)), size = unit_between(Q16(0.01), Q16(1));
+    fxl_q16_16 x = unit_between(-depth, depth), y = unit_between(-depth, depth);
+    int lean = unit_between(-2, 2);
+    for (int i = 0; i < polygon.count; i++) {
+        int across = ring[i * step][0], up = ring[i * step][1];
+        polygon.vertices[i].position =
+            at(view, x + across * size, y + up * size, depth + lean * (across + up) * (size / 2));
+    }
+    return polygon;
+}
+
+/* What a clipper gives for a face. */
+static fxl_screen_polygon got[PIECES];
+
+/* The face's polygons of the screen, by a cleared room; of what are more than PIECES the
+ * last. Answers how many there were. */
+static int take(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view *view,
+                fxl_clip_result *result)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    int count = 0;
+    view->clipper_workspace = &guarded.room;
+    memset(view->clipper_workspace, 0, clipper->workspace_size);
+    polygon_face_set(&face, polygon, view, (uint32_t)unit_between(1, 8));
+    *result = clipper->clip(&face.placed, &face.face, &work, &got[0]);
+    fxl_clip_result now = *result;
+    while (is_kept(now)) {
+        count++;
+        fxl_screen_polygon *screen = &got[count < PIECES ? count : PIECES - 1];
+        now = clipper->next != NULL ? clipper->next(&face.placed, &work, screen) : FXL_CLIP_OUTSIDE;
+    }
+    return count;
+}
+
+/* Twice the area, in 2^-32 square pixels: coordinates below 2^28. */
+static int64_t area_of(const fxl_screen_polygon *polygon)
+{
+    int64_t area = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        fxl_screen_point a = polygon->points[i], b = polygon->points[(i + 1) % polygon->count];
+        area += (int64_t)a.x * b.y - (int64_t)b.x * a.y;
+    }
+    return area;
+}
+
+/* What a polygon inside is for the precise clipper it is for all, but that triangles
+ * come one by one and the normalised frustum has roundings of its own. */
+void test_a_polygon_inside_is_projected(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon expected;
+    int inside = 0;
+    for (int round = 0; round < UNIT_REPEAT / 8; round++) {
+        fxl_view view = random_view();
+        fxl_polygon polygon = random_face(&view);
+        polygon_face_set(&face, &polygon, &view, 8);
+        fxl_clip_result wanted = fxl_clip_by_view(&face.placed, &face.face, &work, &expected);
+        if (wanted != FXL_CLIP_INSIDE && wanted != FXL_CLIP_BETWEEN) {
+            continue;
+        }
+        inside++;
+        for (int which = 0; which < CLIPPERS; which++) {
+            fxl_clip_result result;
+            int count = take(clippers[which], &polygon, &view, &result);
+            bool fan = clippers[which] == &fxl_clipper_triangles;
+            TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, result);
+            TEST_ASSERT_EQUAL(fan ? polygon.count - 2 : 1, count);
+            TEST_ASSERT_EQUAL(polygon.colour, got[count - 1].colour);
+            for (int i = 0; i < expected.count; i++) {
+                fxl_screen_point point = fan && i > 1   ? got[i - 2].points[2]
+                                         : fan && i > 0 ? got[0].points[1]
+                                                        : got[0].points[i];
+                TEST_ASSERT_INT32_WITHIN(which < 2 ? 1 : 0, expected.points[i].x, point.x);
+                TEST_ASSERT_INT32_WITHIN(which < 2 ? 1 : 0, expected.points[i].y, point.y);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(inside > UNIT_REPEAT / 80);
+}
+
+/* The planes of a lens as half-spaces are the planes of the view: the same bits. */
+void test_half_spaces_cut_as_the_view_does(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon expected;
+    int cut = 0;
+    for (int round = 0; round < UNIT_REPEAT / 4; round++) {
+        fxl_view view = random_view();
+        fxl_polygon polygon = random_face(&view);
+        fxl_clip_result result;
+        polygon_face_set(&face, &polygon, &view, 8);
+        fxl_clip_result wanted = fxl_clip_by_view(&face.placed, &face.face, &work, &expected);
+        take(&fxl_clipper_half_spaces, &polygon, &view, &result);
+        TEST_ASSERT_EQUAL(wanted == FXL_CLIP_BETWEEN ? FXL_CLIP_INSIDE : wanted, result);
+        if (is_kept(result)) {
+            TEST_ASSERT_EQUAL(expected.count, got[0].count);
+            TEST_ASSERT_EQUAL_MEMORY(expected.points, got[0].points,
+                                     expected.count * sizeof expected.points[0]);
+        }
+        cut += result == FXL_CLIP_CUT;
+    }
+    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 40);
+}
+
+/* The pieces of a face cover what is seen of it, no more and no less: areas add up, to
+ * within some units along every border, or what units of the world are there where a
+ * face of more vertices than three is as flat as those allow. */
+void test_triangles_add_up(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    static fxl_screen_polygon expected;
+    int cut = 0;
+    for (int round = 0; round < UNIT_REPEAT / 4; round++) {
+        fxl_view view = random_view();
+        view.view_frustum.inset = 0; /* the borders are where the screen ends */
+        fxl_polygon polygon = random_face(&view);
+        fxl_clip_result result;
+        polygon_face_set(&face, &polygon, &view, 8);
+        fxl_clip_result wanted = fxl_clip_by_view(&face.placed, &face.face, &work, &expected);
+        int count = take(&fxl_clipper_triangles, &polygon, &view, &result);
+        int64_t area = 0;
+        TEST_ASSERT_TRUE(count <= PIECES);
+        for (int i = 0; i < count; i++) {
+            TEST_ASSERT_EQUAL(3, got[i].count);
+            for (int k = 0; k < 3; k++) {
+                TEST_ASSERT_TRUE(got[i].points[k].x >= 0 && got[i].points[k].x <= WIDTH * 65536 &&
+                                 got[i].points[k].y >= 0 && got[i].points[k].y <= HEIGHT * 65536);
+            }
+            area += area_of(&got[i]);
+        }
+        int64_t whole = is_kept(wanted) ? area_of(&expected) : 0;
+        const int64_t along = 2 * (WIDTH + HEIGHT) * (polygon.count == 3 ? 4 : 400);
+        TEST_ASSERT_TRUE(llabs(area - whole) < along * 65536);
+        cut += result == FXL_CLIP_CUT;
+    }
+    TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 40);
+}
+
+/* What is beyond the sides is left to the scan while it can hold it. */
+void test_near_leaves_the_sides_alone(void)
+{
+    fxl_view view = random_view();
+    fxl_clip_result result;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, Q16(-40), 0, Q16(10));
+    polygon.vertices[1].position = at(&view, 0, Q16(40), Q16(10));
+    polygon.vertices[2].position = at(&view, Q16(40), Q16(-1), Q16(10));
+    take(&fxl_clipper_near, &polygon, &view, &result);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, result);
+    TEST_ASSERT_EQUAL(3, got[0].count);
+    TEST_ASSERT_TRUE(got[0].points[0].x < 0 && got[0].points[2].x > WIDTH * 65536);
+    take(&fxl_clipper_left, &polygon, &view, &result);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+    TEST_ASSERT_EQUAL(4, got[0].count);
+    for (int i = 0; i < got[0].count; i++) {
+        TEST_ASSERT_TRUE(got[0].points[i].x >= 0);
+    }
+    /* As far off as the world reaches, beside the eye: what a screen could not hold. */
+    polygon.vertices[2].position = at(&view, Q16(4000), Q16(-1), Q16(0.25));
+    for (int which = 0; which < CLIPPERS; which++) {
+        int count = take(clippers[which], &polygon, &view, &result);
+        TEST_ASSERT_TRUE(count > 0);
+        for (int i = 0; i < count; i++) {
+            for (int k = 0; k < got[i].count; k++) {
+                TEST_ASSERT_INT32_WITHIN(3600 * 65536, 0, got[i].points[k].x);
+                TEST_ASSERT_INT32_WITHIN(3600 * 65536, 0, got[i].points[k].y);
+            }
+        }
+    }
+}
+
+/* Before near, though between the sides: all cut it off there. */
+void test_near_is_always_cut(void)
+{
+    fxl_view view = random_view();
+    fxl_clip_result result;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, 0, 0, view.lens.near_z * 3 / 4);
+    polygon.vertices[1].position = at(&view, Q16(0.5), Q16(-0.5), Q16(2));
+    polygon.vertices[2].position = at(&view, Q16(-0.5), Q16(-0.5), Q16(2));
+    for (int which = 0; which < CLIPPERS; which++) {
+        int count = take(clippers[which], &polygon, &view, &result);
+        bool fan = clippers[which] == &fxl_clipper_triangles;
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+        TEST_ASSERT_EQUAL(fan ? 2 : 1, count);
+        TEST_ASSERT_EQUAL(fan ? 3 : 4, got[0].count);
+    }
+}
+
+/* 31 or 32 vertices, every second one behind the eye. */
+void test_the_capacity_is_never_overrun(void)
+{
+    fxl_view view = random_view();
+    fxl_polygon polygon = {.colour = 3, .count = FXL_POLYGON_CAPACITY};
+    for (int i = 0; i < FXL_POLYGON_CAPACITY; i++) {
+        polygon.vertices[i].position = at(&view, Q16(0.01) * i, 0, i % 2 ? Q16(-1) : Q16(2));
+    }
+    for (int which = 0; which < CLIPPERS; which++) {
+        fxl_clip_result result;
+        memset(guarded.guard, 0x5A, GUARD);
+        take(clippers[which], &polygon, &view, &result);
+        bool fan = clippers[which] == &fxl_clipper_triangles;
+        if (clippers[which] != &fxl_clipper_once) { /* which says nothing about such */
+            TEST_ASSERT_EQUAL(fan, is_kept(result) || result == FXL_CLIP_OUTSIDE);
+            TEST_ASSERT_TRUE(fan || result == FXL_CLIP_CAPACITY);
+        }
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, guarded.guard, GUARD);
+    }
+}
+
+/* One vertex a hundredth of a unit inside of near, between two that are outside: off, the
+ * rule leaves a sliver; on, nothing. */
+void test_the_sliver_rule_is_an_option(void)
+{
+    fxl_view view = random_view();
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon screen;
+    fxl_q16_16 near = view.lens.near_z + view.lens.inset;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, 0, Q16(0.01), near + Q16(0.01));
+    polygon.vertices[1].position = at(&view, Q16(0.01), Q16(-0.01), near - Q16(0.5));
+    polygon.vertices[2].position = at(&view, Q16(-0.01), Q16(-0.01), near - Q16(0.5));
+    for (int which = 0; which < CLIPPERS; which++) {
+        for (int on = 0; on < 2; on++) {
+            fxl_clip_stats *account = &guarded.room.stats;
+            memset(&guarded.room, 0, clippers[which]->workspace_size);
+            account->sliver = on ? (fxl_q18_46)1 << 40 : 0; /* 1/64 unit */
+            view.clipper_workspace = &guarded.room;
+            polygon_face_set(&face, &polygon, &view, 4);
+            fxl_clip_result result =
+                clippers[which]->clip(&face.placed, &face.face, &work, &screen);
+            TEST_ASSERT_EQUAL(!on, is_kept(result));
+            TEST_ASSERT_EQUAL_UINT32(on ? 0 : 2, account->intersections);
+        }
+    }
+}
+
+/* The clippers of the view and of the world count where they are given an account. */
+void test_all_count_what_they_work_out(void)
+{
+    fxl_view view = random_view();
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon screen;
+    fxl_clip_stats account = {0, 0, 0};
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = at(&view, Q16(0.25), Q16(-0.25), Q16(-2));
+    polygon.vertices[2].position = at(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    view.clipper_workspace = &account;
+    for (int which = 0; which < 2; which++) {
+        polygon_face_set(&face, &polygon, &view, 4);
+        fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(
+            &face.placed, &face.face, &work, &screen);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+        TEST_ASSERT_TRUE(account.intersections >= 2 && account.distances >= 3);
+        account = (fxl_clip_stats){0, 0, 0};
+    }
+}

@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/* The family's clippers in a renderer: whole frames. */
+#include <string.h>
+
+#include "clippers_list.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    PIXELS = WIDTH * HEIGHT,
+    BACKGROUND = 200,
+    LIST_WORDS = 40 * FXL_DISPLAY_LIST_WORDS(8),
+    GUARD = 64
+};
+
+/* Room and what must not be touched behind it. */
+static struct {
+    fxl_clipper_workspace room;
+    uint8_t guard[GUARD];
+} rooms[2];
+
+static uint8_t frames[3][PIXELS];
+static fxl_order_entry order[64];
+static uint32_t list[LIST_WORDS];
+static fxl_cached_vertex cache[9];
+static fxl_renderer renderer;
+
+static void start(uint32_t list_words, uint32_t entries)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_scene_fault fault = {"", 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, 64, list, list_words, cache, entries};
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+}
+
+static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (int row = 0; row < HEIGHT; row += rows) {
+        int left = HEIGHT - row;
+        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                         (uint16_t)(rows < left ? rows : left)};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+}
+
+/* Between and beside the cubes, where many faces are cut. */
+static fxl_pose random_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(3));
+    pose.position.z += Q16(5) * unit_between(0, 2);
+    return pose;
+}
+
+static bool is_near(const uint8_t *frame, int pixel, uint8_t colour)
+{
+    int x = pixel % WIDTH, y = pixel / WIDTH;
+    for (int j = y - 1; j <= y + 1; j++) {
+        for (int i = x - 1; i <= x + 1; i++) {
+            if (i >= 0 && i < WIDTH && j >= 0 && j < HEIGHT && frame[j * WIDTH + i] == colour) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+static void set_clipper(const fxl_clipper *clipper, void *room)
+{
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_clipper(&renderer, clipper, room, clipper->workspace_size));
+}
+
+/* Outlines are less than a hundredth of a pixel apart, so a pixel differs only on an
+ * edge, and seldom; whatever bands, list and cache there are, it is the same. */
+void test_all_draw_the_same_frames(void)
+{
+    const int rounds = UNIT_REPEAT / 100;
+    int differing = 0;
+    uint32_t clipped = 0;
+    for (int round = 0; round < rounds; round++) {
+        fxl_pose pose = random_pose();
+        start(LIST_WORDS, 0);
+        draw(&pose, HEIGHT, frames[0]);
+        uint32_t in = renderer.counters.in, backfacing = renderer.counters.backfacing;
+        for (int which = 0; which < CLIPPERS; which++) {
+            memset(&rooms[0], 0x5A, sizeof rooms[0]);
+            start(LIST_WORDS, 9);
+            set_clipper(clippers[which], &rooms[0].room);
+            draw(&pose, HEIGHT, frames[1]);
+            fxl_counters counters = renderer.counters;
+            clipped += counters.clipped;
+            TEST_ASSERT_EQUAL_UINT32(in, counters.in);
+            TEST_ASSERT_EQUAL_UINT32(backfacing, counters.backfacing);
+            TEST_ASSERT_EQUAL_UINT32(in, counters.backfacing + counters.outside +
+                                             counters.degenerate + counters.refused +
+                                             counters.drawn);
+            TEST_ASSERT_EQUAL_UINT32(0, counters.refused);
+            for (int i = 0; i < PIXELS; i++) {
+                differing += frames[0][i] != frames[1][i];
+                TEST_ASSERT_TRUE(is_near(frames[0], i, frames[1][i]));
+            }
+            start((uint32_t)unit_between(0, 60), (uint32_t)unit_between(0, 9));
+            set_clipper(clippers[which], &rooms[0].room);
+            draw(&pose, unit_between(1, HEIGHT), frames[2]);
+            TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
+            renderer.counters.spilled = counters.spilled;
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+            const uint8_t *behind = (const uint8_t *)&rooms[0] + clippers[which]->workspace_size;
+            TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, behind,
+                                        sizeof rooms[0] - clippers[which]->workspace_size);
+        }
+    }
+    TEST_ASSERT_TRUE(clipped > (uint32_t)rounds);
+    TEST_ASSERT_TRUE(differing <= 1 + rounds / 10);
+}
+
+/* Every clipper may follow every other, also in the same room. */
+void test_the_clipper_may_change_between_frames(void)
+{
+    start(LIST_WORDS, 9);
+    for (int round = 0; round < 40; round++) {
+        fxl_pose pose = random_pose();
+        int which = unit_between(0, CLIPPERS - 1), other = unit_between(0, CLIPPERS - 1);
+        set_clipper(clippers[which], &rooms[0].room);
+        draw(&pose, HEIGHT, frames[0]);
+        set_clipper(clippers[other], &rooms[1].room);
+        draw(&pose, HEIGHT, frames[1]);
+        set_clipper(clippers[which], &rooms[1].room);
+        draw(&pose, HEIGHT, frames[1]);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+    }
+}
+
+/* The planes are worked out anew for every pose, without being set again. */
+void test_every_frame_has_its_own_planes(void)
+{
+    for (int i = 0; i < 4 * CLIPPERS; i++) { /* from some poses nothing is seen */
+        const int which = i % CLIPPERS;
+        fxl_pose poses[2] = {random_pose(), random_pose()};
+        start(LIST_WORDS, 9);
+        set_clipper(clippers[which], &rooms[0].room);
+        draw(&poses[0], HEIGHT, frames[0]);
+        draw(&poses[1], HEIGHT, frames[1]);
+        draw(&poses[0], HEIGHT, frames[2]);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[2], PIXELS);
+        start(LIST_WORDS, 9);
+        set_clipper(clippers[which], &rooms[1].room);
+        draw(&poses[1], HEIGHT, frames[2]);
+        TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
+    }
+}
+
+void test_room_that_is_too_small_is_refused(void)
+{
+    start(LIST_WORDS, 9);
+    for (int which = 0; which < CLIPPERS; which++) {
+        const fxl_clipper *clipper = clippers[which];
+        TEST_ASSERT_TRUE(clipper->workspace_size > 0 &&
+                         clipper->workspace_size <= sizeof(fxl_clipper_workspace));
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_clipper(&renderer, clipper, &rooms[0],
+                                                                   clipper->workspace_size - 1));
+        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, clipper, NULL,
+                                                                   clipper->workspace_size));
+        TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
+    }
+}

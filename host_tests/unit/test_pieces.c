@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: MIT */
+/* Faces of which several polygons come: by their clipper, by their walk, by light. Counted
+ * once, and in the list wholly or not at all. */
+#include "../../lib/src/draw/submit.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    BACKGROUND = 200,
+    LIT = 100, /* is added to a colour */
+    ORDER = TINY_OBJECTS + 6,
+    LIST_WORDS = 240
+};
+
+static uint8_t frames[2][HEIGHT * WIDTH];
+static uint32_t list[LIST_WORDS];
+static fxl_order_entry order[ORDER];
+static fxl_renderer renderer;
+
+static void start(uint32_t words)
+{
+    fxl_scene_fault fault = {"", 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, ORDER, list, words, NULL, 0};
+    tiny_scene *tiny = tiny_make();
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+}
+
+/* In bands of so many rows, by what the renderer was told. */
+static fxl_counters draw(const fxl_pose *pose, uint8_t *frame, uint32_t rows)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        uint32_t left = HEIGHT - row;
+        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                         (uint16_t)(left < rows ? left : rows)};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+    return renderer.counters;
+}
+
+static fxl_pose random_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(3));
+    pose.position.z = unit_between(Q16(-6), Q16(4));
+    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-40, 40);
+    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
+    return pose;
+}
+
+static fxl_counters draw_plainly(const fxl_pose *pose)
+{
+    start(0);
+    return draw(pose, frames[0], HEIGHT);
+}
+
+static void expect_counters(const fxl_counters *expected, const fxl_counters *found)
+{
+    TEST_ASSERT_EQUAL_UINT32(expected->in, found->in);
+    TEST_ASSERT_EQUAL_UINT32(expected->backfacing, found->backfacing);
+    TEST_ASSERT_EQUAL_UINT32(expected->outside, found->outside);
+    TEST_ASSERT_EQUAL_UINT32(expected->drawn, found->drawn);
+    TEST_ASSERT_EQUAL_UINT32(expected->clipped, found->clipped);
+    TEST_ASSERT_EQUAL_UINT32(expected->refused, found->refused);
+}
+
+/* How much of the list was in use at each face's beginning. */
+static uint32_t begins[32], begin_count;
+
+static void note_begin(void)
+{
+    begins[begin_count++ % 32] = renderer.display_list.used;
+}
+
+static bool is_begin(uint32_t used)
+{
+    bool found = used == 0;
+    for (uint32_t i = 0; i < begin_count && i < 32; i++) {
+        found = found || begins[i] == used;
+    }
+    return found;
+}
+
+/* A clipper that gives a fan of triangles, one at a time. */
+static fxl_screen_polygon fan;
+static uint8_t fan_next;
+static fxl_clip_result fan_result;
+static const fxl_clip_result *spoilt; /* what it says after a face's first triangle, or null */
+
+static fxl_clip_result next_of_fan(const fxl_model_view *placed, fxl_clipper_work *work,
+                                   fxl_screen_polygon *screen)
+{
+    (void)placed;
+    memset(work, 0x5A, sizeof *work);
+    if (fan_next + 1 >= fan.count) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    if (spoilt != NULL && fan_next > 1) {
+        return *spoilt;
+    }
+    screen->colour = fan.colour;
+    screen->count = 3;
+    screen->points[0] = fan.points[0];
+    screen->points[1] = fan.points[fan_next];
+    screen->points[2] = fan.points[fan_next + 1];
+    fan_next++;
+    return fan_result;
+}
+
+static fxl_clip_result clip_into_fan(const fxl_model_view *placed, const fxl_face *face,
+                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    note_begin();
+    fan_result = fxl_clip_by_view(placed, face, work, &fan);
+    if (fan_result != FXL_CLIP_INSIDE && fan_result != FXL_CLIP_CUT) {
+        return fan_result;
+    }
+    fan_next = 1;
+    return next_of_fan(placed, work, screen);
+}
+
+static const fxl_clipper fan_clipper = {.clip = clip_into_fan, .next = next_of_fan};
+
+void test_a_clipper_may_give_several_polygons(void)
+{
+    uint32_t full = 0, several = 0;
+    spoilt = NULL;
+    for (int round = 0; round < UNIT_REPEAT / 200; round++) {
+        fxl_pose pose = random_pose();
+        fxl_counters expected = draw_plainly(&pose);
+        start(LIST_WORDS);
+        begin_count = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fan_clipper, NULL, 0));
+        fxl_counters found = draw(&pose, frames[1], HEIGHT);
+        expect_counters(&expected, &found);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        const uint32_t all = renderer.display_list.used, faces = begin_count;
+        uint32_t words = (uint32_t)unit_between(0, (int32_t)all);
+        start(words);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fan_clipper, NULL, 0));
+        found = draw(&pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
+        begin_count = faces;
+        TEST_ASSERT_TRUE(renderer.display_list.used == all || is_begin(renderer.display_list.used));
+        expect_counters(&expected, &found);
+        TEST_ASSERT_TRUE(found.spilled <= expected.spilled);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        full += found.spilled > 0;
+        several += all > found.drawn * FXL_DISPLAY_LIST_WORDS(3);
+    }
+    TEST_ASSERT_TRUE(full > UNIT_REPEAT / 1000 && several > UNIT_REPEAT / 1000);
+}
+
+/* Refused counts once, and before anything else; what has too few corners does not. */
+void test_the_worst_of_a_faces_polygons_counts(void)
+{
+    static const fxl_clip_result worst[] = {FXL_CLIP_RANGE, FXL_CLIP_CAPACITY, FXL_CLIP_DEGENERATE};
+    fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};
+    fxl_counters expected = draw_plainly(&pose);
+    TEST_ASSERT_TRUE(expected.drawn > 0 && expected.refused == 0);
+    for (int i = 0; i < 3; i++) {
+        start(i == 0 ? LIST_WORDS : 0);
+        spoilt = &worst[i];
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fan_clipper, NULL, 0));
+        fxl_counters found = draw(&pose, frames[1], HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(i < 2 ? expected.drawn : 0, found.refused);
+        TEST_ASSERT_EQUAL_UINT32(i < 2 ? 0 : expected.drawn, found.drawn);
+        TEST_ASSERT_EQUAL_UINT32(expected.in, found.in);
+        TEST_ASSERT_EQUAL_UINT32(i < 2 ? 0 : expected.spilled, found.spilled);
+    }
+    spoilt = NULL;
+}
+
+/* A walk that gives each face that faces the eye as two loose triangles and a rest. */
+static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *object,
+                           const fxl_face *face)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    const fxl_model *model = &scene->models[object->model];
+    fxl_point corners[FXL_FACE_VERTICES_MAX];
+    fxl_pieces pieces;
+    for (uint32_t i = 0; i < face->count; i++) {
+        corners[i] = scene->vertices[model->first_vertex + scene->indices[face->first_index + i]];
+        corners[i].x += object->centre.x;
+        corners[i].y += object->centre.y;
+        corners[i].z += object->centre.z;
+    }
+    fxl_pieces_begin(&pieces, on);
+    for (uint32_t i = 1; i + 1 < face->count; i++) {
+        const fxl_point triangle[] = {corners[0], corners[i], corners[i + 1]};
+        if (!fxl_submit_piece(&pieces, triangle, 3, face->colour)) {
+            break;
+        }
+    }
+    return fxl_pieces_end(&pieces);
+}
+
+static bool walk_in_pieces(const fxl_traversal *on)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    for (; on->resume->instances < on->renderer->visible_count; on->resume->instances++) {
+        const fxl_instance *object =
+            &scene->instances[on->renderer->order[on->resume->instances].index];
+        const fxl_model *model = &scene->models[object->model];
+        for (; on->resume->faces < model->face_count; on->resume->faces++) {
+            const fxl_face *face = &scene->faces[model->first_face + on->resume->faces];
+            bool front =
+                fxl_face_is_front(scene, object, face, &on->renderer->view.camera.position);
+            if (on->band == NULL) {
+                note_begin();
+            }
+            if (front && !give_in_pieces(on, object, face)) {
+                return false;
+            }
+            on->counters->in += 1;
+            on->counters->backfacing += !front;
+        }
+        on->resume->faces = 0;
+    }
+    return true;
+}
+
+void test_a_face_in_pieces_counts_once(void)
+{
+    static fxl_visibility in_pieces;
+    uint32_t full = 0;
+    in_pieces = fxl_visibility_sorted;
+    in_pieces.submit = walk_in_pieces;
+    for (int round = 0; round < UNIT_REPEAT / 200; round++) {
+        fxl_pose pose = random_pose();
+        fxl_counters expected = draw_plainly(&pose);
+        start((uint32_t)unit_between(0, LIST_WORDS));
+        begin_count = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &in_pieces, NULL, 0));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_TRUE(renderer.resume.instances == renderer.visible_count ||
+                         begins[(begin_count - 1) % 32] == renderer.display_list.used);
+        fxl_counters found = draw(&pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
+        expect_counters(&expected, &found);
+        TEST_ASSERT_TRUE(found.spilled <= expected.spilled);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        full += found.spilled > 0 && renderer.display_list.used > 0;
+    }
+    TEST_ASSERT_TRUE(full > UNIT_REPEAT / 2000);
+}
+
+/* Light on the first object alone, which it splits along a diagonal. */
+static uint32_t asked;
+
+static bool reaches(const fxl_beam_light *light, const fxl_point *centre, fxl_q16_16 radius)
+{
+    (void)light;
+    asked++;
+    TEST_ASSERT_EQUAL(TINY_RADIUS, radius);
+    return centre->z == 0;
+}
+
+static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count)
+{
+    const fxl_point first[] = {points[0], points[1], points[2]};
+    const fxl_point second[] = {points[0], points[2], points[3]};
+    TEST_ASSERT_TRUE(count == 4 && light == renderer.beam_light);
+    return fxl_submit_piece(pieces, first, 3, (uint8_t)(face->colour + LIT)) &&
+           fxl_submit_piece(pieces, second, 3, face->colour);
+}
+
+void test_light_splits_the_faces_that_it_reaches(void)
+{
+    const fxl_beam_light light = {reaches, fxl_submit_lit_face, split};
+    uint32_t lit = 0, dark = 0;
+    asked = 0;
+    for (int round = 0; round < UNIT_REPEAT / 200; round++) {
+        fxl_pose pose = random_pose();
+        fxl_counters expected = draw_plainly(&pose);
+        start((uint32_t)unit_between(0, LIST_WORDS));
+        renderer.beam_light = &light;
+        fxl_counters found = draw(&pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
+        expect_counters(&expected, &found);
+        for (uint32_t i = 0; i < HEIGHT * WIDTH; i++) {
+            bool is_lit = frames[1][i] >= LIT && frames[1][i] != BACKGROUND;
+            TEST_ASSERT_EQUAL(frames[0][i], frames[1][i] - (is_lit ? LIT : 0));
+            TEST_ASSERT_TRUE(!is_lit || frames[0][i] <= 6);
+            lit += is_lit;
+            dark += frames[1][i] <= 6;
+        }
+    }
+    TEST_ASSERT_TRUE(lit > UNIT_REPEAT / 50 && dark > UNIT_REPEAT / 50 && asked > 0);
+}
+
+/* A clipper with room: zeroed when it is set, reached by the view, in the frame's number. */
+static fxl_clip_result clip_with_room(const fxl_model_view *placed, const fxl_face *face,
+                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    uint32_t *room = placed->view->clipper_workspace;
+    TEST_ASSERT_TRUE(placed->view->frame != 0);
+    if (room[0] != placed->view->frame) {
+        room[0] = placed->view->frame;
+        room[1]++;
+    }
+    return fxl_clip_by_view(placed, face, work, screen);
+}
+
+void test_a_clippers_room(void)
+{
+    static const fxl_clipper roomy = {.clip = clip_with_room, .workspace_size = 16};
+    static uint64_t room[2];
+    uint32_t *const words = (uint32_t *)(void *)room;
+    fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};
+    fxl_counters expected = draw_plainly(&pose);
+    memset(room, 0x5A, sizeof room);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(NULL, &roomy, room, 16));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, NULL, room, 16));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &roomy, NULL, 16));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &roomy, words + 1, 16));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_clipper(&renderer, &roomy, room, 15));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room, sizeof room);
+    TEST_ASSERT_EQUAL_UINT32(5 - 1, renderer.counters.refused_calls);
+    TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &roomy, room, 16));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, room, sizeof room);
+    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
+    for (uint32_t frame = 1; frame < 4; frame++) {
+        fxl_counters found = draw(&pose, frames[1], 5);
+        expect_counters(&expected, &found);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        TEST_ASSERT_EQUAL_UINT32(frame, words[1]);
+    }
+}

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/* What hides what: front to back is back to front turned round, and the picture the same. */
+#include "counted_spans.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 16,
+    HEIGHT = 24,
+    BACKGROUND = 200,
+    ORDER = TINY_OBJECTS + 6,
+    LIST_WORDS = 9 * FXL_DISPLAY_LIST_WORDS(6),
+    INTERVALS = 80 /* more than a frame of the tests ever wants */
+};
+
+/* What a frame is drawn with. */
+typedef struct {
+    const fxl_visibility *hidden;
+    uint32_t words, intervals;
+} way;
+
+static uint64_t room[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
+static uint8_t frames[2][HEIGHT * WIDTH], writes[HEIGHT * WIDTH];
+static uint32_t list[LIST_WORDS];
+static fxl_order_entry order[ORDER];
+static fxl_renderer renderer;
+static tiny_scene *tiny;
+
+static void start(const way *by)
+{
+    fxl_scene_fault fault = {"", 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, ORDER, list, by->words, NULL, 0};
+    tiny = tiny_make();
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, by->hidden, room,
+                                                  FXL_SPAN_BUFFER_BYTES(HEIGHT, by->intervals)));
+}
+
+static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
+{
+    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+}
+
+/* In bands of so many rows. */
+static fxl_counters draw(const way *by, const fxl_pose *pose, uint8_t *frame, uint32_t rows)
+{
+    start(by);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    memset(frame, 0, HEIGHT * WIDTH);
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        draw_rows(frame, row, row + rows > HEIGHT ? HEIGHT - row : rows);
+    }
+    return renderer.counters;
+}
+
+/* The three cubes, and often one behind another. */
+static fxl_pose random_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(3));
+    pose.position.z = unit_between(Q16(-6), Q16(4));
+    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-40, 40);
+    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
+    return pose;
+}
+
+/* Counters that every method has in common. */
+static void expect_counters(const fxl_counters *a, const fxl_counters *b)
+{
+    TEST_ASSERT_EQUAL_UINT32(a->in, b->in);
+    TEST_ASSERT_EQUAL_UINT32(a->backfacing, b->backfacing);
+    TEST_ASSERT_EQUAL_UINT32(a->outside, b->outside);
+    TEST_ASSERT_EQUAL_UINT32(a->drawn, b->drawn);
+    TEST_ASSERT_EQUAL_UINT32(a->clipped, b->clipped);
+}
+
+/* Any list, any bands, any pool. */
+void test_the_span_buffer_draws_the_same_picture(void)
+{
+    static const fxl_visibility *const methods[] = {&fxl_visibility_spans,
+                                                    &fxl_visibility_spans_box};
+    const uint32_t rounds = UNIT_REPEAT / 100;
+    uint32_t split = 0, drawn = 0, spilled = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        const way sorted = {&fxl_visibility_sorted, 0, 0};
+        const way spans = {methods[round % 2],
+                           (uint32_t)unit_between(0, round % 3 ? LIST_WORDS : 30),
+                           (uint32_t)unit_between(FXL_SPAN_BUFFER_ROW(WIDTH), 12)};
+        fxl_pose pose = random_pose();
+        fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
+        fxl_counters counters = draw(&spans, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        expect_counters(&expected, &counters);
+        TEST_ASSERT_EQUAL_UINT32(0, expected.split_bands);
+        split += counters.split_bands;
+        spilled += counters.spilled > 0;
+        drawn += counters.drawn;
+    }
+    TEST_ASSERT_TRUE(split > rounds / 20 && spilled > rounds / 4 && drawn > rounds);
+}
+
+/* Counted as they are written: each covered pixel once, others never. */
+void test_each_pixel_is_written_once(void)
+{
+    const uint32_t rounds = UNIT_REPEAT / 200;
+    uint32_t covered = 0, over = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        const way sorted = {&fxl_visibility_sorted, 0, 0};
+        fxl_pose pose = random_pose();
+        (void)draw(&sorted, &pose, frames[0], HEIGHT);
+        const way spans = {counted_begin(writes, frames[1], sizeof writes),
+                           round % 2 ? LIST_WORDS : 0, INTERVALS};
+        fxl_counters counters = draw(&spans, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
+        TEST_ASSERT_EQUAL_UINT32(0, counters.split_bands);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        for (uint32_t i = 0; i < HEIGHT * WIDTH; i++) {
+            TEST_ASSERT_EQUAL(frames[0][i] != BACKGROUND, writes[i]);
+            covered += writes[i];
+        }
+        over += counters.drawn > 3;
+    }
+    TEST_ASSERT_TRUE(covered > rounds * WIDTH && over > rounds / 10);
+}
+
+/* The list of one method is the other's, backwards. */
+void test_front_to_back_is_the_exact_reverse(void)
+{
+    enum {
+        MOST = 24
+    };
+    static fxl_screen_point firsts[MOST];
+    uint32_t compared = 0;
+    for (int round = 0; round < UNIT_REPEAT / 200; round++) {
+        const way sorted = {&fxl_visibility_sorted, LIST_WORDS, 0};
+        const way spans = {&fxl_visibility_spans, LIST_WORDS, INTERVALS};
+        const fxl_rows all = {0, HEIGHT};
+        fxl_pose pose = random_pose();
+        fxl_display_list_record record;
+        uint32_t count = 0, place = 0;
+        start(&sorted);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        while (fxl_display_list_next(&renderer.display_list, all, &place, &record)) {
+            firsts[count++] = record.points[0];
+        }
+        start(&spans);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        compared += count > 1;
+        for (place = 0; fxl_display_list_next(&renderer.display_list, all, &place, &record);) {
+            TEST_ASSERT_TRUE(count > 0);
+            TEST_ASSERT_EQUAL_MEMORY(&firsts[--count], &record.points[0], sizeof firsts[0]);
+        }
+        TEST_ASSERT_EQUAL_UINT32(0, count);
+    }
+    TEST_ASSERT_TRUE(compared > UNIT_REPEAT / 400);
+}
+
+/* The least pool splits bands, a larger one fewer, and the picture stays. */
+void test_a_full_pool_splits_the_band(void)
+{
+    const way sorted = {&fxl_visibility_sorted, 0, 0};
+    const uint32_t rounds = UNIT_REPEAT / 100;
+    uint32_t split = 0, twice = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        fxl_pose pose = random_pose();
+        fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
+        uint32_t before = UINT32_MAX;
+        for (uint32_t intervals = FXL_SPAN_BUFFER_ROW(WIDTH); intervals < 2 * HEIGHT;
+             intervals *= 2) {
+            const way spans = {&fxl_visibility_spans, 0, intervals};
+            fxl_counters counters = draw(&spans, &pose, frames[1], HEIGHT);
+            TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+            TEST_ASSERT_TRUE(counters.split_bands <= before);
+            before = counters.split_bands;
+            split += before > 0;
+            twice += before > 1;
+            counters.split_bands = 0;
+            TEST_ASSERT_EQUAL_MEMORY(&expected, &counters, sizeof counters);
+        }
+    }
+    TEST_ASSERT_TRUE(split > rounds / 10 && twice > rounds / 50);
+}
+
+/* Refused: too little room, none, or at an odd place; the renderer goes on as it was. */
+void test_refusals(void)
+{
+    const way sorted = {&fxl_visibility_sorted, 0, 0};
+    const uint32_t least = FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT);
+    fxl_pose pose = random_pose();
+    fxl_counters counters = draw(&sorted, &pose, frames[0], HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_visibility(NULL, &fxl_visibility_spans, room, least));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, NULL, room, least));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, NULL, least));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
+                                                                  (uint8_t *)room + 4, least));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
+                                                                  room, least - 1));
+    counters.refused_calls = 4;
+    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+    TEST_ASSERT_TRUE(renderer.visibility == &fxl_visibility_sorted);
+    draw_rows(frames[1], 0, HEIGHT);
+    TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, room, least));
+    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    draw_rows(frames[1], 0, HEIGHT);
+    TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
+}
+
+/* Two renderers, two methods, frame about. */
+void test_two_renderers_do_not_know_of_each_other(void)
+{
+    static fxl_renderer other;
+    static fxl_order_entry others[ORDER];
+    const way spans = {&fxl_visibility_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)};
+    const fxl_memory memory = {others, ORDER, NULL, 0, NULL, 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    start(&spans);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&other, &tiny->scene, &lens, &memory));
+    for (int round = 0; round < 20; round++) {
+        fxl_pose pose = random_pose();
+        fxl_band upper = {frames[0], WIDTH, WIDTH, 0, HEIGHT / 2}, lower = upper;
+        lower.pixels += HEIGHT / 2 * WIDTH;
+        lower.first_row = HEIGHT / 2;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&other, &pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        fxl_fill_band(&upper, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&other, &upper));
+        draw_rows(frames[1], 0, HEIGHT);
+        fxl_fill_band(&lower, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&other, &lower));
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+    }
+}

@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/extra/beams/beam.h"
+
+#include <string.h>
+
+#include "../../src/math/arith.h"
+#include "fixel/stage/plane.h"
+#include "../../src/math/square_root.h"
+#include "../../src/math/unit_vector.h"
+
+/* How exactly the corners of a window say on which side of a plane they lie, in units of
+ * 2^-46: a normal's error of 2 units in each of three components, times a difference below
+ * 2^30, is below 2^33. */
+#define CORNER_TOLERANCE ((int64_t)1 << 34)
+
+fxl_plane fxl_beam_plane_at(const fxl_beam *beam, uint32_t number)
+{
+    FXL_ASSERT(number < beam->plane_count);
+    const fxl_beam_plane *stored = &beam->planes[number];
+    fxl_plane plane = {stored->normal,
+                       (fxl_q18_46)((uint64_t)stored->distance_high << 32 | stored->distance_low)};
+    return plane;
+}
+
+static fxl_direction direction_of(const fxl_beam *beam)
+{
+    fxl_direction travel = {beam->from[0], beam->from[1], beam->from[2]};
+    return travel;
+}
+
+bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl_direction *normal)
+{
+    if (beam->kind == FXL_BEAM_DIRECTION) {
+        /* Unit vectors: the sum is below 2^61. */
+        /* bug: sun-opposite */
+        return fxl_dot(normal, beam->from[0], beam->from[1], beam->from[2]) < 0;
+    }
+    return fxl_dot(normal, beam->from[0] - vertex->x, beam->from[1] - vertex->y,
+                   beam->from[2] - vertex->z) > 0;
+}
+
+/* A normal is at most 1 + 2^-29 long, so a vertex at the radius lies at most radius + 2^-14
+ * from the centre's distance: 28375 * 2^-29 < 2^-14. */
+bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius)
+{
+    const int64_t reach = ((int64_t)radius + 4) * FXL_Q2_30_ONE; /* below 2^62 */
+    for (uint32_t i = 0; i < beam->plane_count; i++) {
+        const fxl_plane plane = fxl_beam_plane_at(beam, i);
+        if (fxl_plane_distance(&plane, centre) < -reach) { /* bug: beam-reach */
+            return false;
+        }
+    }
+    return true;
+}
+
+static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam_count)
+{
+    uint32_t planes = 0;
+    for (uint32_t i = first; i < beam_count; i++) {
+        planes += beams[i].plane_count;
+    }
+    return planes;
+}
+
+/* Of a piece, each corner is one of the face's or lies on a plane's line, which meets the
+ * border of something convex twice; of the first beam's planes one cuts what the one before
+ * left, and gives each part one corner more than it takes. */
+bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
+{
+    return face_vertices + planes_from(beams, 0, beam_count) + planes_from(beams, 1, beam_count) <=
+           FXL_FACE_VERTICES_MAX;
+}
+
+/* --- a beam as a table ------------------------------------------------------- */
+
+static bool is_unused(const fxl_beam_plane *plane)
+{
+    return plane->normal.x == 0 && plane->normal.y == 0 && plane->normal.z == 0 &&
+           plane->distance_low == 0 && plane->distance_high == 0;
+}
+
+fxl_status fxl_beam_check(const fxl_beam *beam)
+{
+    if (beam->kind > FXL_BEAM_DIRECTION || beam->reserved != 0) {
+        return FXL_E_RESERVED;
+    }
+    if (beam->plane_count < 1 || beam->plane_count > FXL_BEAM_PLANES_MAX) {
+        return FXL_E_COUNT;
+    }
+    const fxl_direction travel = direction_of(beam);
+    const fxl_point light = {beam->from[0], beam->from[1], beam->from[2]};
+    if (beam->kind == FXL_BEAM_DIRECTION && !fxl_is_unit(&travel)) {
+        return FXL_E_NORMAL;
+    }
+    if (beam->kind == FXL_BEAM_POINT && !fxl_point_in_range(&light)) {
+        return FXL_E_RANGE;
+    }
+    for (uint32_t i = 0; i < FXL_BEAM_PLANES_MAX; i++) {
+        const fxl_beam_plane *plane = &beam->planes[i];
+        if (i >= beam->plane_count) {
+            if (!is_unused(plane)) {
+                return FXL_E_RESERVED;
+            }
+            continue;
+        }
+        if (!fxl_is_unit(&plane->normal)) {
+            return FXL_E_NORMAL;
+        }
+        if (!fxl_within(fxl_beam_plane_at(beam, i).distance, ((int64_t)1 << 61) - 1)) {
+            return FXL_E_RANGE;
+        }
+    }
+    return FXL_OK;
+}
+
+/* --- a beam through a window -------------------------------------------------- */
+
+/* A vector whose components are differences of two products below 2^60 each: below 2^61. */
+typedef struct {
+    int64_t x, y, z;
+} wide_vector;
+
+/* a x b; |a|, |b| <= 2^30 a component. */
+static wide_vector cross(const fxl_point *a, const fxl_point *b)
+{
+    wide_vector c = {fxl_multiply_s32(a->y, b->z) - fxl_multiply_s32(a->z, b->y),
+                     fxl_multiply_s32(a->z, b->x) - fxl_multiply_s32(a->x, b->z),
+                     fxl_multiply_s32(a->x, b->y) - fxl_multiply_s32(a->y, b->x)};
+    return c;
+}
+
+/* value * 2^up or value / 2^-up, to the nearest. */
+static int64_t shifted(int64_t value, int up)
+{
+    return up >= 0 ? value * ((int64_t)1 << up) : fxl_round_shift(value, (unsigned)-up);
+}
+
+/* To unit length; false for nothing. The longest component is brought to 30 bits: half a unit
+ * of 2^-30 at most of direction is lost. Twice the length's square is below 4 * 3 * 2^60 <
+ * 2^64; the root, of twice the length, is good to half a unit of at least 2^30, and each
+ * quotient to half a unit of 2^-30. */
+static bool normalise(const wide_vector *v, fxl_direction *unit)
+{
+    unsigned bits = fxl_bit_length(fxl_magnitude(v->x) | fxl_magnitude(v->y) | fxl_magnitude(v->z));
+    if (bits == 0) {
+        return false;
+    }
+    int up = 30 - (int)bits;
+    int64_t x = shifted(v->x, up), y = shifted(v->y, up), z = shifted(v->z, up);
+    uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
+    uint32_t twice = fxl_square_root(4 * square);
+    /* |x| <= 2^30, so the numerators are at most 2^61. */
+    unit->x = fxl_divide_round(x * ((int64_t)1 << 31), twice);
+    unit->y = fxl_divide_round(y * ((int64_t)1 << 31), twice);
+    unit->z = fxl_divide_round(z * ((int64_t)1 << 31), twice);
+    return true;
+}
+
+static fxl_point less(const fxl_point *a, const fxl_point *b)
+{
+    fxl_point difference = {a->x - b->x, a->y - b->y, a->z - b->z};
+    return difference;
+}
+
+static void turn_about(fxl_plane *plane)
+{
+    plane->normal.x = -plane->normal.x;
+    plane->normal.y = -plane->normal.y;
+    plane->normal.z = -plane->normal.z;
+    plane->distance = -plane->distance;
+}
+
+/* Turns the plane so that the window lies inside; false where it lies on both sides, or
+ * nowhere but in the plane. */
+static bool turn_to_window(fxl_plane *plane, const fxl_point *window, uint32_t count)
+{
+    fxl_q18_46 least = 0, greatest = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        fxl_q18_46 distance = fxl_plane_distance(plane, &window[i]);
+        least = distance < least ? distance : least;
+        greatest = distance > greatest ? distance : greatest;
+    }
+    if (greatest <= CORNER_TOLERANCE && least < -CORNER_TOLERANCE) {
+        turn_about(plane);
+        return true;
+    }
+    return greatest > CORNER_TOLERANCE && least >= -CORNER_TOLERANCE;
+}
+
+static void store(fxl_beam *beam, const fxl_plane *plane)
+{
+    fxl_beam_plane *stored = &beam->planes[beam->plane_count++];
+    stored->normal = plane->normal;
+    stored->distance_low = (uint32_t)plane->distance;
+    stored->distance_high = (uint32_t)((uint64_t)plane->distance >> 32);
+}
+
+/* The plane through a corner, along the way that light takes there and along a side. */
+static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t count, uint32_t i,
+                       fxl_plane *plane)
+{
+    const fxl_point *corner = &window[i], *next = &window[i + 1 == count ? 0 : i + 1];
+    fxl_point from = {beam->from[0], beam->from[1], beam->from[2]};
+    fxl_point way = beam->kind == FXL_BEAM_DIRECTION ? from : less(corner, &from);
+    fxl_point side = less(next, corner);
+    wide_vector normal = cross(&way, &side);
+    fxl_direction unit;
+    if (!normalise(&normal, &unit)) {
+        return false;
+    }
+    *plane = fxl_plane_from_point(corner, &unit, 0);
+    return turn_to_window(plane, window, count);
+}
+
+/* The window's own plane, turned away from the light. */
+static bool window_plane(const fxl_beam *beam, const fxl_point *window, fxl_plane *plane)
+{
+    fxl_point a = less(&window[1], &window[0]), b = less(&window[2], &window[0]);
+    wide_vector normal = cross(&a, &b);
+    fxl_direction unit;
+    if (!normalise(&normal, &unit)) {
+        return false;
+    }
+    *plane = fxl_plane_from_point(&window[0], &unit, 0);
+    const fxl_point from = {beam->from[0], beam->from[1], beam->from[2]};
+    fxl_q18_46 along = beam->kind == FXL_BEAM_DIRECTION ? fxl_dot(&unit, from.x, from.y, from.z)
+                                                        : -fxl_plane_distance(plane, &from);
+    if (along < 0) {
+        turn_about(plane);
+    }
+    return !fxl_within(along, CORNER_TOLERANCE);
+}
+
+static fxl_status through_window(fxl_beam *made, const fxl_point *window, uint32_t count,
+                                 fxl_beam *beam)
+{
+    if (window == NULL || beam == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (count < 3 || count > FXL_BEAM_PLANES_MAX - 1) {
+        return FXL_E_COUNT;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (!fxl_point_in_range(&window[i])) {
+            return FXL_E_RANGE;
+        }
+    }
+    fxl_plane plane;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!side_plane(made, window, count, i, &plane)) {
+            return FXL_E_DEGENERATE;
+        }
+        store(made, &plane);
+    }
+    if (!window_plane(made, window, &plane)) {
+        return FXL_E_DEGENERATE;
+    }
+    store(made, &plane);
+    *beam = *made;
+    return FXL_OK;
+}
+
+fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, uint32_t count,
+                               fxl_beam *beam)
+{
+    if (light == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!fxl_point_in_range(light)) {
+        return FXL_E_RANGE;
+    }
+    fxl_beam made;
+    memset(&made, 0, sizeof made);
+    made.kind = FXL_BEAM_POINT;
+    made.from[0] = light->x;
+    made.from[1] = light->y;
+    made.from[2] = light->z;
+    return through_window(&made, window, count, beam);
+}
+
+fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
+                                   uint32_t count, fxl_beam *beam)
+{
+    if (travel == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!fxl_is_unit(travel)) {
+        return FXL_E_RANGE;
+    }
+    fxl_beam made;
+    memset(&made, 0, sizeof made);
+    made.kind = FXL_BEAM_DIRECTION;
+    made.from[0] = travel->x;
+    made.from[1] = travel->y;
+    made.from[2] = travel->z;
+    return through_window(&made, window, count, beam);
+}

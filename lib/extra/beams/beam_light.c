@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/extra/beams/beam_light.h"
+
+#include "../../src/math/arith.h"
+#include "lit_pieces.h"
+#include "../../src/draw/submit.h"
+
+/* A renderer's light, at the beginning of the room. */
+typedef struct {
+    fxl_beam_light light;
+    const fxl_beam *beams;
+    const uint8_t *lit;
+    fxl_lit_pieces *pieces; /* behind this record, with their tables behind them */
+    fxl_point *outline;     /* of a piece; here, for small boards' stacks */
+    uint32_t beam_count;
+} lighting;
+
+static uint32_t rounded_up(size_t size)
+{
+    return ((uint32_t)size + 7u) & ~7u;
+}
+
+uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count)
+{
+    if (beam_count < 1 || beam_count > FXL_BEAMS_MAX || !fxl_beams_fit(beams, beam_count, 3)) {
+        return 0;
+    }
+    return rounded_up(sizeof(lighting)) + rounded_up(sizeof(fxl_lit_pieces)) +
+           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(fxl_point)) +
+           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(uint16_t)) +
+           rounded_up(fxl_lit_pieces_needed(beams, beam_count) * sizeof(fxl_lit_piece)) +
+           rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
+}
+
+static bool reaches(const fxl_beam_light *light, const fxl_point *centre, fxl_q16_16 radius)
+{
+    const lighting *of = (const lighting *)light;
+    for (uint32_t i = 0; i < of->beam_count; i++) {
+        if (fxl_beam_reaches(&of->beams[i], centre, radius)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Front to back the pieces come the other way round. Where rounding has used up the room, the
+ * face stays whole and dark, and counts as refused. */
+static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count)
+{
+    const lighting *of = (const lighting *)light;
+    fxl_lit_pieces *made = of->pieces;
+    if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
+        pieces->outcome |= 1u << FXL_CLIP_CAPACITY;
+        return fxl_submit_piece(pieces, points, count, face->colour);
+    }
+    const bool reverse = pieces->on->renderer->visibility->front_to_back;
+    for (uint32_t i = 0; i < made->piece_count; i++) {
+        const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
+        if (!fxl_lit_outline(made, piece, of->outline)) {
+            pieces->outcome |= 1u << FXL_CLIP_CAPACITY;
+            continue;
+        }
+        uint8_t colour = piece->is_lit ? of->lit[face->colour] : face->colour;
+        if (!fxl_submit_piece(pieces, of->outline, piece->count, colour)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Puts the record and its tables into the room. */
+static const fxl_beam_light *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,
+                                   uint8_t *workspace)
+{
+    lighting *of = (lighting *)(void *)workspace;
+    workspace += rounded_up(sizeof *of);
+    fxl_lit_pieces *pieces = (fxl_lit_pieces *)(void *)workspace;
+    workspace += rounded_up(sizeof *pieces);
+    pieces->corner_capacity = fxl_lit_corners_needed(beams, beam_count);
+    pieces->points = (fxl_point *)(void *)workspace;
+    workspace += rounded_up(pieces->corner_capacity * sizeof *pieces->points);
+    pieces->next = (uint16_t *)(void *)workspace;
+    workspace += rounded_up(pieces->corner_capacity * sizeof *pieces->next);
+    pieces->piece_capacity = fxl_lit_pieces_needed(beams, beam_count);
+    pieces->pieces = (fxl_lit_piece *)(void *)workspace;
+    workspace += rounded_up(pieces->piece_capacity * sizeof *pieces->pieces);
+    of->outline = (fxl_point *)(void *)workspace;
+    pieces->corner_count = 0;
+    pieces->piece_count = 0;
+    of->light.reaches = reaches;
+    of->light.face = fxl_submit_lit_face;
+    of->light.split = split;
+    of->beams = beams;
+    of->beam_count = beam_count;
+    of->lit = lit;
+    of->pieces = pieces;
+    return &of->light;
+}
+
+static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t beam_count)
+{
+    if (beam_count > FXL_BEAMS_MAX) {
+        return FXL_E_COUNT;
+    }
+    for (uint32_t i = 0; i < beam_count; i++) {
+        fxl_status status = fxl_beam_check(&beams[i]);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    for (uint32_t i = 0; i < scene->face_count; i++) {
+        if (!fxl_beams_fit(beams, beam_count, scene->faces[i].count)) {
+            return FXL_E_CAPACITY;
+        }
+    }
+    return FXL_OK;
+}
+
+fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
+                                  uint32_t beam_count, const uint8_t *lit, void *workspace,
+                                  uint32_t workspace_size)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (beam_count > 0) {
+        fxl_status status = FXL_E_ARGUMENT;
+        if (beams != NULL && lit != NULL && workspace != NULL && ((uintptr_t)workspace & 7u) == 0) {
+            status = check(renderer->scene, beams, beam_count);
+        }
+        if (status == FXL_OK && workspace_size < fxl_beam_light_workspace_size(beams, beam_count)) {
+            status = FXL_E_CAPACITY;
+        }
+        if (status != FXL_OK) {
+            renderer->counters.refused_calls += 1;
+            return status;
+        }
+    }
+    renderer->beam_light = beam_count > 0 ? build(beams, beam_count, lit, workspace) : NULL;
+    renderer->ready = false;
+    return FXL_OK;
+}

@@ -1,0 +1,335 @@
+/* SPDX-License-Identifier: MIT */
+#include "submit_by_bsp.h"
+
+#include "../../src/view/facing.h"
+#include "../../src/scene/bsp_node.h"
+#include "bsp_pieces.h"
+
+/* What is done of a node. */
+enum {
+    FIRST, /* nothing: what the walk comes to first is next */
+    FACES,
+    SECOND
+};
+
+/* A walk in the tree. */
+typedef struct {
+    const fxl_traversal *on;
+    const fxl_scene *scene;
+    fxl_bsp_workspace *workspace;
+    uint32_t *sides, *busy;
+    fxl_model_view *model_view; /* null: the tree's object is not in sight */
+    fxl_face_sink take;
+    fxl_point from;              /* the eye, as the tree's object sees it */
+    const fxl_bsp_node *asked;   /* whose sphere was asked last, */
+    uint32_t answer;             /* and what it said */
+    uint32_t planes;             /* those that the object's sphere may cross */
+    uint32_t inside, inside_end; /* from one to the other all nodes are inside the frustum */
+    bool reverse;                /* near to far */
+} bsp_traversal;
+
+_Static_assert(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "tree.h says so");
+
+uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
+{
+    uint32_t movers = fxl_bsp_movers(scene);
+    uint32_t size = (uint32_t)sizeof(fxl_bsp_workspace) +
+                    (scene->bsp_node_count + 31) / 32 * (uint32_t)sizeof(uint32_t);
+    if (movers > 0) {
+        size += (scene->bsp_node_count + 31) / 32 * (uint32_t)sizeof(uint32_t) +
+                2 * scene->bsp_node_count * (uint32_t)sizeof(uint16_t) +
+                movers * (uint32_t)sizeof(fxl_bsp_item);
+    }
+    return scene->bsp_nodes == NULL ? 0 : size;
+}
+
+/* The layer's entries in the order, and which of them is the tree's. */
+static void find_layer(const fxl_renderer *renderer, fxl_bsp_workspace *workspace)
+{
+    const fxl_scene *scene = renderer->scene;
+    const uint32_t layer = scene->instances[scene->bsp_instance].layer;
+    uint32_t first = 0, end;
+    while (first < renderer->visible_count && renderer->order[first].layer != layer) {
+        first++;
+    }
+    workspace->owner = FXL_ITEM_NONE;
+    for (end = first; end < renderer->visible_count && renderer->order[end].layer == layer; end++) {
+        if (renderer->order[end].index == scene->bsp_instance) {
+            workspace->owner = (uint16_t)end;
+        }
+    }
+    workspace->first = (uint16_t)first;
+    workspace->end = (uint16_t)end;
+    workspace->movers = (uint16_t)(end - first - (workspace->owner != FXL_ITEM_NONE));
+}
+
+/* On which side of a node's plane the eye is, kept for as long as the walk is below it. */
+static void find_side(const bsp_traversal *traversal, uint32_t number)
+{
+    const uint32_t bit = (uint32_t)1 << (number & 31);
+    uint32_t *word = &traversal->sides[number / 32];
+    *word = fxl_bsp_is_front(&traversal->scene->bsp_nodes[number], &traversal->from) ? *word | bit
+                                                                                     : *word & ~bit;
+}
+
+/* The number behind the last node below this one: what comes next in the list of nodes. */
+static uint32_t end_below(const fxl_bsp_node *nodes, uint32_t number, uint32_t count)
+{
+    for (uint32_t above; (above = nodes[number].parent) != FXL_BSP_NONE; number = above) {
+        if (nodes[above].front == number && nodes[above].back != FXL_BSP_NONE) {
+            return nodes[above].back;
+        }
+    }
+    return count;
+}
+
+static bool is_inside(const bsp_traversal *traversal, uint32_t number)
+{
+    return number >= traversal->inside && number < traversal->inside_end;
+}
+
+static bool same_sphere(const fxl_bsp_node *a, const fxl_bsp_node *b)
+{
+    return a->radius == b->radius && a->centre.x == b->centre.x && a->centre.y == b->centre.y &&
+           a->centre.z == b->centre.z;
+}
+
+/* Which planes a node's sphere may cross; a sphere is asked once in turn. Both coordinates are
+ * within FXL_COORDINATE_MAX together: the loader has seen to it. */
+static uint32_t planes_of(bsp_traversal *traversal, uint32_t number)
+{
+    const fxl_view *view = traversal->model_view->view;
+    const fxl_bsp_node *node = &traversal->scene->bsp_nodes[number];
+    const fxl_point *origin = &traversal->scene->instances[traversal->scene->bsp_instance].centre;
+    const fxl_point centre = {node->centre.x + origin->x, node->centre.y + origin->y,
+                              node->centre.z + origin->z};
+    if (is_inside(traversal, number)) {
+        return 0;
+    }
+    if (traversal->asked == NULL || !same_sphere(traversal->asked, node)) {
+        traversal->asked = node;
+        traversal->answer =
+            fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, node->radius);
+        if (traversal->answer != FXL_SPHERE_OUTSIDE) {
+            traversal->answer &= traversal->planes; /* the object's own sphere may be the tighter */
+        }
+    }
+    return traversal->answer;
+}
+
+/* Whether nothing from the node down is in sight: then its faces are counted. Where all of it is
+ * inside the frustum, nothing below is asked again. */
+static bool leave_out(bsp_traversal *traversal, uint32_t number)
+{
+    const fxl_scene *scene = traversal->scene;
+    const uint32_t above = scene->bsp_nodes[number].parent;
+    if (traversal->model_view == NULL || is_inside(traversal, number) ||
+        (above != FXL_BSP_NONE &&
+         same_sphere(&scene->bsp_nodes[number], &scene->bsp_nodes[above]))) {
+        return false;
+    }
+    uint32_t planes = planes_of(traversal, number);
+    if (planes != 0 && planes != FXL_SPHERE_OUTSIDE) {
+        return false;
+    }
+    uint32_t end = end_below(scene->bsp_nodes, number, scene->bsp_node_count);
+    if (planes == 0) {
+        traversal->inside = number;
+        traversal->inside_end = end;
+        return false;
+    }
+    if (traversal->workspace->movers > 0 &&
+        (traversal->busy[number / 32] >> (number & 31) & 1u) != 0) {
+        return false;
+    }
+    uint32_t faces = (end < scene->bsp_node_count
+                          ? scene->bsp_nodes[end].first_face
+                          : scene->models[scene->instances[scene->bsp_instance].model].face_count) -
+                     scene->bsp_nodes[number].first_face;
+    traversal->on->counters->in += faces;
+    traversal->on->counters->outside += faces;
+    return true;
+}
+
+/* The node's faces that face the eye, from place->index on; the others are counted. */
+static bool submit_faces(bsp_traversal *traversal, fxl_bsp_resume_point *place)
+{
+    const fxl_bsp_node *node = &traversal->scene->bsp_nodes[place->node];
+    const fxl_model *model =
+        &traversal->scene
+             ->models[traversal->scene->instances[traversal->scene->bsp_instance].model];
+    const fxl_face *faces = &traversal->scene->faces[model->first_face + node->first_face];
+    fxl_counters *counters = traversal->on->counters;
+    if (traversal->model_view == NULL || node->face_count == 0) {
+        return true;
+    }
+    uint32_t planes = planes_of(traversal, place->node);
+    if (planes == FXL_SPHERE_OUTSIDE) {
+        counters->in += node->face_count;
+        counters->outside += node->face_count;
+        return true;
+    }
+    traversal->model_view->planes = (fxl_planes)planes;
+    for (; place->index < node->face_count; place->index++) {
+        const fxl_face *face =
+            &faces[traversal->reverse ? node->face_count - 1 - place->index : place->index];
+        if (!fxl_model_view_face_is_front(traversal->model_view, face)) {
+            counters->backfacing += 1;
+        } else if (!traversal->take(traversal->on, traversal->model_view, face)) {
+            return false;
+        }
+        counters->in += 1;
+    }
+    return true;
+}
+
+/* Whether the walk comes to what is in front of a node first: far to near, what is not
+ * on the eye's side. */
+static bool begins_in_front(const bsp_traversal *traversal, uint32_t node)
+{
+    return (traversal->sides[node / 32] >> (node & 31) & 1u) ==
+           traversal->reverse; /* bug: tree-near-first */
+}
+
+static void step(fxl_bsp_resume_point *place, uint32_t node, uint32_t phase)
+{
+    place->node = (uint16_t)node;
+    place->phase = (uint16_t)phase;
+    place->index = 0;
+    place->face = 0;
+}
+
+/* Up to the next node of which something is left to do; false where there is none. */
+static bool go_up(const bsp_traversal *traversal, fxl_bsp_resume_point *place)
+{
+    uint32_t node = place->node, from;
+    do {
+        from = node;
+        node = traversal->scene->bsp_nodes[from].parent;
+        if (node == FXL_BSP_NONE) {
+            return false;
+        }
+    } while ((traversal->scene->bsp_nodes[node].front == from) != begins_in_front(traversal, node));
+    step(place, node, FACES);
+    return true;
+}
+
+/* What is to do at a node and in its leaves; false where it was stopped. Else *place is at a
+ * node below, or all is done here: then *more is false. */
+static bool work_at(bsp_traversal *traversal, fxl_bsp_resume_point *place, bool *more)
+{
+    const fxl_bsp_node *node = &traversal->scene->bsp_nodes[place->node];
+    *more = true;
+    if (place->phase == FIRST && place->index == 0 && place->face == 0) {
+        find_side(traversal, place->node);
+        if (leave_out(traversal, place->node)) {
+            *more = false;
+            return true;
+        }
+    }
+    if (place->phase == FACES) {
+        if (!submit_faces(traversal, place)) {
+            return false;
+        }
+        step(place, place->node, SECOND);
+    }
+    bool front = begins_in_front(traversal, place->node) == (place->phase == FIRST);
+    uint32_t below = front ? node->front : node->back;
+    if (below != FXL_BSP_NONE) {
+        step(place, below, FIRST);
+        return true;
+    }
+    if (traversal->workspace->movers > 0 &&
+        !fxl_submit_bsp_leaf(traversal->on, traversal->workspace, 2u * place->node + !front,
+                             place)) {
+        return false;
+    }
+    *more = place->phase == FIRST;
+    if (*more) {
+        step(place, place->node, FACES);
+    }
+    return true;
+}
+
+/* From the place to the end of the tree, without a stack: a node knows its parent. False where
+ * it was stopped. */
+static bool submit_nodes(bsp_traversal *traversal, fxl_bsp_resume_point *place)
+{
+    do {
+        bool more = true;
+        while (more) {
+            if (!work_at(traversal, place, &more)) {
+                return false;
+            }
+        }
+    } while (go_up(traversal, place));
+    return true;
+}
+
+/* The tree's layer. False where it was stopped: where the list was full, the room has the place. */
+static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
+                         const fxl_bsp_parts *parts)
+{
+    fxl_renderer *renderer = on->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_instance *instance = &scene->instances[scene->bsp_instance];
+    const fxl_point *eye = &renderer->view.camera.position;
+    fxl_model_view model_view;
+    /* Eye and centre are within FXL_COORDINATE_MAX: below 2^30. */
+    bsp_traversal traversal = {.on = on,
+                               .scene = scene,
+                               .workspace = workspace,
+                               .sides = parts->sides,
+                               .busy = parts->busy,
+                               .take = on->sink,
+                               .from = {eye->x - instance->centre.x, eye->y - instance->centre.y,
+                                        eye->z - instance->centre.z},
+                               .reverse = renderer->visibility->front_to_back};
+    if (workspace->owner != FXL_ITEM_NONE) {
+        fxl_model_view_of_instance(&model_view, scene, instance,
+                                   renderer->order[workspace->owner].planes, &renderer->view,
+                                   &renderer->cache);
+        traversal.model_view = &model_view;
+        traversal.planes = model_view.planes;
+        traversal.inside_end = traversal.planes == 0 ? scene->bsp_node_count : 0;
+        traversal.take = fxl_instance_sink(on, instance, &scene->models[instance->model]);
+    }
+    fxl_bsp_resume_point place = {0, 0, 0, FIRST};
+    if (on->resume->faces != 0) {
+        place = workspace->rest;
+    }
+    bool done = submit_nodes(&traversal, &place);
+    if (!done && on->band == NULL) {
+        workspace->rest = place; /* bug: tree-rest */
+        on->resume->faces = 1;   /* the rest is in the room */
+    }
+    return done;
+}
+
+bool fxl_submit_by_bsp(const fxl_traversal *on)
+{
+    fxl_renderer *renderer = on->renderer;
+    const uint32_t count = renderer->visible_count;
+    if (renderer->scene->bsp_nodes == NULL) {
+        return fxl_submit_by_distance(on);
+    }
+    fxl_bsp_workspace *workspace = renderer->submit_workspace;
+    fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
+    if (on->band == NULL) {
+        find_layer(renderer, workspace);
+        fxl_bsp_cut_movers(on, workspace);
+    }
+    while (on->resume->instances < count) {
+        const uint32_t number = on->resume->instances;
+        const uint32_t at = renderer->visibility->front_to_back ? count - 1 - number : number;
+        const bool by_tree = at >= workspace->first && at < workspace->end;
+        if (!(by_tree ? submit_layer(on, workspace, &parts)
+                      : fxl_submit_instance(on, &renderer->order[at]))) {
+            return false;
+        }
+        on->resume->instances =
+            (uint16_t)(number + (by_tree ? (uint32_t)(workspace->end - workspace->first) : 1u));
+        on->resume->faces = 0;
+    }
+    return true;
+}

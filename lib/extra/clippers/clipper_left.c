@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* The screen's left border by plane, so that no span begins before it; the scan
+ * shortens spans on the right and leaves out rows. */
+#include "guard_band.h"
+
+#define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR | 1u << FXL_PLANE_LEFT)
+
+static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
+                            fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    (void)work;
+    return fxl_clip_with_guard_band(model_view, face, SCREEN, screen);
+}
+
+const fxl_clipper fxl_clipper_left = {clip, NULL, sizeof(fxl_volume_workspace)};

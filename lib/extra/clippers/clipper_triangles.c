@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* A face is a fan of triangles about its first vertex; each is clipped by itself. A
+ * way between two vertices is cut from its inside end, whichever triangle it belongs
+ * to, so that neighbours of the fan meet. */
+#include "../../src/math/arith.h"
+#include "clip_common.h"
+
+#define DEPTHS (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)
+
+static fxl_fan_workspace *room_of(const fxl_model_view *model_view)
+{
+    return model_view->view->clipper_workspace;
+}
+
+/* The vertices are the ordinary cache's; one that is inside comes with its place on the
+ * screen. */
+static const fxl_cached_vertex *see(const fxl_model_view *model_view, const fxl_face *face,
+                                    uint32_t corner)
+{
+    fxl_cached_vertex *vertex =
+        fxl_fetch_vertex(model_view, model_view->indices[face->first_index + corner]);
+    if (vertex->clip_flags == FXL_VERTEX_UNPROJECTED &&
+        fxl_project_visible(&model_view->view->projection, &vertex->position, &vertex->screen) ==
+            FXL_OK) {
+        vertex->clip_flags = 0;
+    }
+    return vertex;
+}
+
+/* Whether a vertex needs no border: one inside of the frustum may still be rounded
+ * out of the screen. */
+static bool is_on_screen(const fxl_lens *lens, const fxl_cached_vertex *vertex)
+{
+    return vertex->clip_flags == 0 && (uint32_t)vertex->screen.x <= lens->width * 65536u &&
+           (uint32_t)vertex->screen.y <= lens->height * 65536u;
+}
+
+/* Differences are below 2^27, so each product is below 2^54. */
+static bool has_area(const fxl_screen_point *a, const fxl_screen_point *b,
+                     const fxl_screen_point *c)
+{
+    return (int64_t)(b->x - a->x) * (c->y - a->y) != (int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
+/* What is left of the triangle that was begun; false where nothing is. The guard band
+ * keeps all of it in range. */
+static bool next_piece(const fxl_model_view *model_view, fxl_fan_workspace *workspace,
+                       fxl_screen_polygon *screen)
+{
+    fxl_status status;
+    const fxl_screen_triangle *piece =
+        fxl_triangle_next(&workspace->volume, &model_view->view->lens, &workspace->clip, &status);
+    FXL_ASSERT(status == FXL_OK);
+    if (piece == NULL) {
+        return false;
+    }
+    screen->count = 3;
+    for (int i = 0; i < 3; i++) {
+        screen->points[i] = piece->corners[i].at;
+    }
+    return true;
+}
+
+/* Begins the fan's next triangle, or gives it at once where it is on the screen as a
+ * whole: true. */
+static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *workspace,
+                           fxl_screen_polygon *screen)
+{
+    const fxl_lens *lens = &model_view->view->lens;
+    const fxl_cached_vertex *corners[3] = {&workspace->first, &workspace->before,
+                                           see(model_view, workspace->face, workspace->corner++)};
+    const fxl_cached_vertex last = *corners[2];
+    corners[2] = &last;
+    unsigned all = DEPTHS; /* sides are asked of the face: the frustum's are inset */
+    bool whole = true;
+    for (int i = 0; i < 3; i++) {
+        all &= corners[i]->clip_flags;
+        whole = whole && is_on_screen(lens, corners[i]);
+    }
+    if (whole) {
+        screen->count = 3;
+        for (int i = 0; i < 3; i++) {
+            screen->points[i] = corners[i]->screen;
+        }
+    } else if (all == 0) {
+        fxl_clip_triangle *triangle = &workspace->clip.solids[0];
+        for (int i = 0; i < 3; i++) {
+            triangle->corners[i].position = corners[i]->position;
+        }
+        fxl_triangle_begin(triangle, 0, &workspace->volume, &workspace->clip);
+    }
+    workspace->before = last; /* bug: fan-before */
+    return whole && has_area(&screen->points[0], &screen->points[1], &screen->points[2]);
+}
+
+/* The face's next piece; false where there is none. */
+static bool next_of_fan(const fxl_model_view *model_view, fxl_screen_polygon *screen)
+{
+    fxl_fan_workspace *workspace = room_of(model_view);
+    screen->colour = workspace->face->colour;
+    for (;;) {
+        if (next_piece(model_view, workspace, screen)) {
+            return true;
+        }
+        if (workspace->corner == workspace->face->count) {
+            return false;
+        }
+        if (begin_triangle(model_view, workspace, screen)) {
+            return true;
+        }
+    }
+}
+
+static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
+                            fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    const fxl_view *view = model_view->view;
+    fxl_fan_workspace *workspace = room_of(model_view);
+    unsigned any = 0, all = FXL_PLANES_ALL;
+    (void)work;
+    if (workspace->frame != view->frame) {
+        fxl_volume_from_sides(&view->view_frustum, view->lens.focal, DEPTHS, &workspace->volume);
+        workspace->frame = view->frame;
+    }
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_cached_vertex *vertex = see(model_view, face, i);
+        any |= vertex->clip_flags;
+        all &= vertex->clip_flags;
+    }
+    if (all != 0) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    workspace->face = face;
+    workspace->first = *see(model_view, face, 0);
+    workspace->before = *see(model_view, face, 1);
+    workspace->corner = 2;
+    workspace->clip.flat_count = workspace->clip.solid_count = 0;
+    bool is_cut = (any & FXL_PLANES_ALL) != 0;
+    if (!next_of_fan(model_view, screen)) {
+        return is_cut ? FXL_CLIP_OUTSIDE : FXL_CLIP_DEGENERATE;
+    }
+    return is_cut ? FXL_CLIP_CUT : FXL_CLIP_INSIDE;
+}
+
+static fxl_clip_result next(const fxl_model_view *model_view, fxl_clipper_work *work,
+                            fxl_screen_polygon *screen)
+{
+    (void)work;
+    return next_of_fan(model_view, screen) ? FXL_CLIP_INSIDE : FXL_CLIP_OUTSIDE;
+}
+
+const fxl_clipper fxl_clipper_triangles = {clip, next, sizeof(fxl_fan_workspace)};

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* Which of two planes a way crosses first, exactly. Internal. */
+#ifndef FXL_INTERSECTION_ORDER_H
+#define FXL_INTERSECTION_ORDER_H
+
+#include "../../src/math/arith.h"
+#include "fixel/stage/frustum.h"
+
+/* A way from one point to another, and where a plane cuts it: by the distances of its
+ * ends from the plane, each below 2^63, of which one counts as inside. */
+typedef struct {
+    int plane; /* FXL_PLANE_COUNT: none */
+    fxl_q18_46 from, to;
+} fxl_plane_intersection;
+
+/* Whether the one crossing comes before the other: |from| / (|from| + |to|) as exact
+ * fractions. The sums are below 2^64, the products are taken as 128 bits, of which the lower
+ * 64 are what is left of a product that wraps. */
+static inline bool fxl_intersection_is_before(const fxl_plane_intersection *a,
+                                              const fxl_plane_intersection *b)
+{
+    uint64_t a_part = fxl_magnitude(a->from), b_part = fxl_magnitude(b->from);
+    uint64_t a_whole = a_part + fxl_magnitude(a->to), b_whole = b_part + fxl_magnitude(b->to);
+    uint64_t a_high = fxl_multiply_high(a_part, b_whole);
+    uint64_t b_high = fxl_multiply_high(b_part, a_whole);
+    return a_high < b_high || (a_high == b_high && a_part * b_whole < b_part * a_whole);
+}
+
+/* The better of two crossings, of which the former may be none: the later one, or the
+ * earlier. */
+static inline void fxl_intersection_prefer(fxl_plane_intersection *best,
+                                           const fxl_plane_intersection *one, bool later)
+{
+    if (best->plane == FXL_PLANE_COUNT ||
+        (later ? fxl_intersection_is_before(best, one) : fxl_intersection_is_before(one, best))) {
+        *best = *one;
+    }
+}
+
+#endif

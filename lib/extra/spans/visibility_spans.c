@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+#include "visibility_spans.h"
+
+uint32_t fxl_spans_workspace_size(const fxl_lens *lens)
+{
+    return FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
+}
+
+void fxl_spans_begin(fxl_renderer *renderer, const fxl_band *band)
+{
+    fxl_span_buffer *buffer = fxl_span_buffer_make(
+        renderer->raster_workspace, renderer->raster_workspace_size, renderer->view.lens.height);
+    fxl_span_buffer_begin(buffer, band);
+}
+
+static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+                  uint8_t colour, const fxl_band *band)
+{
+    fxl_span_buffer *buffer = fxl_spans_of(renderer);
+    fxl_scan *scan = &renderer->work.scan;
+    const fxl_trapezoid *trapezoid;
+    if (buffer->open_rows == 0) {
+        return true;
+    }
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        if (!fxl_span_buffer_draw(buffer, trapezoid, colour, band)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const fxl_raster_backend fxl_raster_spans = {
+    .workspace_size = fxl_spans_workspace_size,
+    .draw_band = fxl_band_split_draw,
+    .begin_band = fxl_spans_begin,
+    .draw_polygon = paint,
+};
+
+const fxl_visibility fxl_visibility_spans = {
+    .front_to_back = true,
+    .submit = fxl_submit_by_distance,
+    .backend = &fxl_raster_spans,
+};

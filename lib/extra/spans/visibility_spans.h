@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* What painters with a span buffer share. Internal. */
+#ifndef FXL_VISIBILITY_SPANS_H
+#define FXL_VISIBILITY_SPANS_H
+
+#include "fixel/extra/spans/span_buffer.h"
+#include "../../src/draw/submit.h"
+
+/* fxl_raster_backend.room and .begin: the span buffer is all of the painter's room. */
+uint32_t fxl_spans_workspace_size(const fxl_lens *lens);
+void fxl_spans_begin(fxl_renderer *renderer, const fxl_band *band);
+
+static inline fxl_span_buffer *fxl_spans_of(const fxl_renderer *renderer)
+{
+    return renderer->raster_workspace;
+}
+
+#endif

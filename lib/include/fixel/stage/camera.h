@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* The camera: three unit vectors from three angles. */
+#ifndef FXL_CAMERA_H
+#define FXL_CAMERA_H
+
+#include "fixel/types.h"
+
+/* The rows of the world-to-view rotation, and where the eye stands. */
+typedef struct {
+    fxl_point position;
+    fxl_direction right, up, forward;
+} fxl_camera;
+
+/* Sets up a camera from a pose (Listing 65.3, UpdateViewPos; SPEC.md says
+ * where sign and order of the angles follow the text and not the listing).
+ *   forward = ( cos p sin y,  sin p, cos p cos y)
+ *   right   = ( cos r cos y - sin r sin p sin y,  sin r cos p, -cos r sin y - sin r sin p cos y)
+ *   up      = (-sin r cos y - cos r sin p sin y,  cos r cos p,  sin r sin y - cos r sin p cos y)
+ * Requires |position| <= FXL_COORDINATE_MAX in each coordinate; any angles.
+ * Error: each entry within 2 units of 2^-30.
+ * FXL_E_ARGUMENT, FXL_E_RANGE: camera untouched. */
+fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
+
+#endif

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_transform_vertex for Armv6-M; the sums, their bounds and the bound of the upper
+ * words stand in lib/src/math/arith.h and lib/src/view/outside.h. A product of 32 by 32
+ * bits is made of four of 16 by 16; as one factor is at most 2^30 and the other
+ * below it, the two in the middle together fit 32 bits (multiply.h). */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV6M
+
+
+    .syntax unified
+    .thumb
+
+/* fxl_model_view, fxl_view, fxl_view_frustum, fxl_cached_vertex: placed.c. */
+#define TAG         12
+#define VERTICES    16
+#define OFFSET      24
+#define PLANES      36
+#define ROTATION    12
+#define FRUSTUM     96
+#define X_SIDE      0
+#define X_DEPTH     4
+#define Y_SIDE      8
+#define Y_DEPTH     12
+#define NEAR        16
+#define FAR         24
+#define INSET_UPPER 36
+#define STATE       4
+#define POSITION_X  16
+#define POSITION_Y  24
+#define POSITION_Z  32
+#define UNPROJECTED 0x80
+/* The stack: the vertex from the eye, x, y, z; later the inset in place of x. */
+#define FROM_EYE    0
+#define INSET       0
+#define PLACED      12
+#define ENTRY       16
+
+/* The halves of r2 and r3 multiplied: r0 lowest, r4 both in the middle, r3 highest.
+ * Uses r5. */
+    .macro  products
+    uxth    r4, r2
+    asrs    r2, r2, #16
+    uxth    r5, r3
+    asrs    r3, r3, #16
+    movs    r0, r4
+    muls    r0, r5
+    muls    r5, r2
+    muls    r4, r3
+    muls    r3, r2
+    adds    r4, r4, r5
+    .endm
+
+/* The next entry of the rotation times a coordinate: added to r7:r6. */
+    .macro  add_product coordinate
+    ldm     r1!, {r2}
+    ldr     r3, [sp, #FROM_EYE + 4 * \coordinate]
+    products
+    lsls    r5, r4, #16
+    asrs    r4, r4, #16
+    adds    r0, r0, r5
+    adcs    r3, r3, r4
+    .ifeq \coordinate
+    movs    r6, r0
+    movs    r7, r3
+    .else
+    adds    r6, r6, r0
+    adcs    r7, r7, r3
+    .endif
+    .endm
+
+    .macro  row position
+    add_product 0
+    add_product 1
+    add_product 2
+    ldr     r2, [sp, #ENTRY]
+    str     r6, [r2, #\position]
+    str     r7, [r2, #\position + 4]
+    .endm
+
+/* r0: the upper word of a normal's part times a position's upper word. */
+    .macro  upper_term part position
+    ldr     r3, [sp, #ENTRY]
+    ldr     r3, [r3, #\position + 4]
+    ldr     r2, [r1, #\part]
+    products
+    lsrs    r0, r0, #16
+    adds    r0, r0, r4
+    asrs    r0, r0, #16
+    adds    r0, r0, r3
+    .endm
+
+/* r6: the signs of a pair's distances, lowest first; to `open` where an upper
+ * distance does not decide, which 4 more by the inset make 0..7. */
+    .macro  pair side depth position
+    upper_term \side, \position
+    movs    r6, r0
+    upper_term \depth, POSITION_Z
+    ldr     r2, [sp, #INSET]
+    subs    r0, r0, r2
+    subs    r7, r0, r6
+    adds    r6, r6, r0
+    cmp     r6, #8
+    blo     open
+    cmp     r7, #8
+    blo     open
+    lsrs    r6, r6, #31
+    lsrs    r7, r7, #31
+    lsls    r7, r7, #1
+    orrs    r6, r6, r7
+    .endm
+
+    .section .text.fxl_transform_vertex, "ax", %progbits
+    .global fxl_transform_vertex
+    .type fxl_transform_vertex, %function
+    .thumb_func
+
+/* r0: placed, r1: number, r2: entry */
+fxl_transform_vertex:
+    push    {r2, r4-r7, lr}
+    sub     sp, sp, #16
+    str     r0, [sp, #PLACED]
+    ldr     r3, [r0, #TAG]
+    adds    r3, r3, r1
+    str     r3, [r2]
+    lsls    r3, r1, #1
+    adds    r1, r1, r3
+    lsls    r1, r1, #2
+    ldr     r3, [r0, #VERTICES]
+    adds    r1, r1, r3
+    ldm     r1!, {r3-r5}
+    ldr     r6, [r0]                        /* view */
+    adds    r0, r0, #OFFSET
+    ldm     r0!, {r1, r2, r7}
+    adds    r3, r3, r1
+    adds    r4, r4, r2
+    adds    r5, r5, r7
+    movs    r1, r6
+    adds    r1, r1, #ROTATION
+    mov     r6, sp
+    stm     r6!, {r3-r5}
+    row     POSITION_X
+    row     POSITION_Y
+    row     POSITION_Z
+
+    movs    r6, #0
+    ldr     r0, [sp, #PLACED]
+    adds    r0, r0, #PLANES
+    ldrb    r0, [r0]
+    cmp     r0, #0
+    bne     some_planes
+decided:
+    movs    r0, #UNPROJECTED
+    orrs    r6, r6, r0
+    str     r6, [r2, #STATE]
+    add     sp, sp, #20
+    pop     {r4-r7, pc}
+
+open:
+    movs    r0, r1
+    ldr     r1, [sp, #PLACED]
+    adds    r1, r1, #PLANES
+    ldrb    r1, [r1]
+    ldr     r2, [sp, #ENTRY]
+    adds    r2, r2, #POSITION_X
+    bl      fxl_outcode
+    movs    r6, r0
+    ldr     r2, [sp, #ENTRY]
+    b       decided
+
+some_planes:
+    adds    r1, r1, #FRUSTUM - ROTATION - 36
+    ldr     r0, [r1, #INSET_UPPER]
+    asrs    r0, r0, #2
+    subs    r0, r0, #4
+    str     r0, [sp, #INSET]
+    pair    X_SIDE, X_DEPTH, POSITION_X
+    mov     r12, r6
+    pair    Y_SIDE, Y_DEPTH, POSITION_Y
+    lsls    r6, r6, #2
+    mov     r7, r12
+    orrs    r6, r6, r7
+    ldr     r2, [sp, #ENTRY]
+    ldr     r3, [r2, #POSITION_Z]
+    ldr     r4, [r2, #POSITION_Z + 4]
+    ldr     r0, [r1, #FAR]
+    ldr     r5, [r1, #FAR + 4]
+    subs    r0, r0, r3
+    sbcs    r5, r5, r4
+    lsrs    r5, r5, #31
+    lsls    r6, r6, #1
+    orrs    r6, r6, r5
+    ldr     r0, [r1, #NEAR]
+    ldr     r5, [r1, #NEAR + 4]
+    subs    r3, r3, r0
+    sbcs    r4, r4, r5
+    lsrs    r4, r4, #31
+    lsls    r6, r6, #1
+    orrs    r6, r6, r4
+    ldr     r0, [sp, #PLACED]
+    adds    r0, r0, #PLANES
+    ldrb    r0, [r0]
+    ands    r6, r6, r0
+    b       decided
+
+    .size fxl_transform_vertex, . - fxl_transform_vertex
+
+#endif

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_transform_vertex for Armv7-M and Armv8-M Mainline; the sums, their bounds and the
+ * bound of the upper words stand in lib/src/math/arith.h and lib/src/view/outside.h.
+ *
+ * Products go where sums are wanted, loads by several words. A point that the
+ * upper words leave open is measured by fxl_outcode. */
+#include "../family.h"
+
+#if FXL_KERNELS_ARMV7M
+
+
+    .syntax unified
+    .thumb
+
+/* Of fxl_view, fxl_view_frustum and fxl_cached_vertex: placed.c holds them against
+ * the structures, and the beginning of fxl_model_view: view, entries, mask, tag,
+ * vertices, corners, offset, planes. */
+#define ROTATION    12      /* three rows of three */
+#define FRUSTUM     96      /* side and depth of x, of y; near, far, inset */
+#define INSET_UPPER 36
+#define STATE       4
+#define POSITION    16
+#define UNPROJECTED 0x80
+
+entry       .req r2
+view        .req r3         /* then what comes after what was read of it */
+planes      .req lr         /* in the lowest byte */
+
+    .section .text.fxl_transform_vertex, "ax", %progbits
+    .global fxl_transform_vertex
+    .type fxl_transform_vertex, %function
+    .thumb_func
+
+/* r0: placed, r1: number, r2: entry */
+fxl_transform_vertex:
+    push    {r3-r11, lr}
+    ldm     r0!, {r3-r7}                    /* view, -, -, tag, vertices */
+    add     r6, r6, r1
+    str     r6, [entry]
+    add     r1, r1, r1, lsl #1
+    add     r7, r7, r1, lsl #2
+    ldm     r7, {r7-r9}
+    ldm     r0, {r1, r4-r6, lr}             /* -, offset, planes */
+    add     r7, r7, r4
+    add     r8, r8, r5
+    add     r9, r9, r6
+
+    adds    view, view, #ROTATION
+    ldm     view!, {r4-r6}
+    smull   r10, r11, r4, r7
+    smlal   r10, r11, r5, r8
+    smlal   r10, r11, r6, r9
+    strd    r10, r11, [entry, #POSITION]
+    ldm     view!, {r4-r6}
+    smull   r10, r12, r4, r7
+    smlal   r10, r12, r5, r8
+    smlal   r10, r12, r6, r9
+    strd    r10, r12, [entry, #POSITION + 8]
+    ldm     view!, {r4-r6}
+    smull   r10, r0, r4, r7
+    smlal   r10, r0, r5, r8
+    smlal   r10, r0, r6, r9
+    strd    r10, r0, [entry, #POSITION + 16]
+
+    lsls    r1, planes, #24
+    beq     decided                         /* inside of all planes */
+    adds    view, view, #FRUSTUM - ROTATION - 36
+    ldm     view, {r4-r7}
+    ldr     r9, [view, #INSET_UPPER]
+    asr     r9, r9, #2
+    subs    r9, r9, #4                      /* makes distances 4 larger: open is 0..7 */
+    smull   r1, r4, r4, r11
+    smull   r1, r5, r5, r0
+    subs    r5, r5, r9
+    add     r8, r5, r4                      /* left */
+    sub     r11, r5, r4                     /* right */
+    smull   r1, r6, r6, r12
+    smull   r1, r7, r7, r0
+    subs    r7, r7, r9
+    add     r12, r7, r6                     /* bottom */
+    sub     r9, r7, r6                      /* top */
+
+    cmp     r8, #8
+    ittt    hs
+    cmphs   r11, #8
+    cmphs   r12, #8 /* bug: v7m-outcode */
+    cmphs   r9, #8
+    blo     open
+
+    ldrd    r4, r5, [view, #16]             /* near, far */
+    ldrd    r6, r7, [view, #24]
+    subs    r4, r10, r4
+    sbc     r5, r0, r5
+    subs    r6, r6, r10
+    sbc     r7, r7, r0
+    lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; where none
+                                               is open, 4 more change none */
+    lsrs    r7, r7, #31
+    orr     r1, r1, r7, lsl #1
+    lsr     r8, r8, #31
+    orr     r1, r1, r8, lsl #2
+    lsr     r11, r11, #31
+    orr     r1, r1, r11, lsl #3
+    lsr     r12, r12, #31
+    orr     r1, r1, r12, lsl #4
+    lsr     r9, r9, #31
+    orr     r1, r1, r9, lsl #5
+    and     r1, r1, planes
+
+decided:
+    orr     r1, r1, #UNPROJECTED
+    str     r1, [entry, #STATE]
+    pop     {r3-r11, pc}
+
+open:
+    mov     r4, entry
+    mov     r0, view
+    uxtb    r1, planes
+    add     r2, entry, #POSITION
+    bl      fxl_outcode
+    orr     r0, r0, #UNPROJECTED
+    str     r0, [r4, #STATE]
+    pop     {r3-r11, pc}
+
+    .size fxl_transform_vertex, . - fxl_transform_vertex
+
+#endif

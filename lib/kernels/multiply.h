@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: MIT */
+/* The inline kernel of this core's family. */
+#include "family.h"
+#if FXL_CORE_ARMV6M
+#include "armv6m/multiply.h"
+#else
+#include "portable/multiply.h"
+#endif

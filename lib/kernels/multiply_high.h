@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+/* The inline kernel, the same for every family. */
+#include "portable/multiply_high.h"

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/stage/model_view.h"
+
+#include "../../src/view/outside.h"
+#include "../../src/view/rotate.h"
+#include "../family.h"
+
+#if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
+
+void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
+                          fxl_cached_vertex *entry)
+{
+    const fxl_view *view = model_view->view;
+    fxl_point from_eye = fxl_model_view_vertex(model_view, number);
+    fxl_view_point seen;
+    fxl_rotate(&view->camera, &from_eye, &seen);
+    entry->position = seen;
+    entry->tag = model_view->tag + number;
+    unsigned outside = 0;
+    if (model_view->planes != 0) {
+        outside = FXL_IS_SMALL
+                      ? fxl_outcode(&view->view_frustum, model_view->planes, &entry->position)
+                      : fxl_outside(&view->view_frustum, model_view->planes, &entry->position);
+    }
+    entry->clip_flags = outside | FXL_VERTEX_UNPROJECTED;
+}
+
+#endif

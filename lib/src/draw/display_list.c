@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/stage/display_list.h"
+
+#include <string.h>
+
+#include "../math/arith.h"
+
+/* A record: first row and, above it, end row, 16 bits each; colour and, above
+ * it, count, 8 bits each; then x and y of each point. Points are read where
+ * they lie. */
+_Static_assert(sizeof(fxl_screen_point) == 2 * sizeof(uint32_t), "two words a point");
+_Static_assert(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
+
+static bool meet(fxl_rows a, fxl_rows b)
+{
+    return a.first < b.end && b.first < a.end; /* bug: list-last-row */
+}
+
+bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *polygon,
+                             fxl_rows rows)
+{
+    FXL_ASSERT(polygon->count >= 3 && polygon->count <= FXL_POLYGON_CAPACITY);
+    FXL_ASSERT(rows.first < rows.end && list->used <= list->capacity);
+    uint32_t words = FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count);
+    if (list->capacity - list->used < words) { /* bug: list-past-end */
+        return false;
+    }
+    uint32_t *to = list->words + list->used;
+    to[0] = (uint32_t)rows.end << 16 | rows.first; /* bug: list-row-end */
+    to[1] = (uint32_t)polygon->count << 8 | polygon->colour;
+    memcpy(to + 2, polygon->points, polygon->count * sizeof polygon->points[0]);
+    list->used += words;
+    return true;
+}
+
+bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t *place,
+                           fxl_display_list_record *record)
+{
+    while (*place < list->used) {
+        const uint32_t *from = list->words + *place;
+        fxl_rows reached = {(uint16_t)from[0], (uint16_t)(from[0] >> 16)};
+        uint8_t count = (uint8_t)(from[1] >> 8);
+        *place += FXL_DISPLAY_LIST_WORDS((uint32_t)count);
+        if (meet(reached, rows)) {
+            record->rows = reached;
+            record->colour = (uint8_t)from[1];
+            record->count = count;
+            record->points = (const fxl_screen_point *)(const void *)(from + 2);
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+#include "../math/arith.h"
+#include "submit.h"
+
+void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on)
+{
+    pieces->on = on;
+    pieces->planes = FXL_PLANES_ALL;
+    pieces->outcome = 0;
+    pieces->used = on->renderer->display_list.used;
+}
+
+bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour)
+{
+    fxl_renderer *renderer = pieces->on->renderer;
+    const fxl_face face = {.count = (uint8_t)count, .colour = colour};
+    fxl_model_view model_view;
+    FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
+    fxl_model_view_of_polygon(&model_view, points, pieces->planes, &renderer->view,
+                              &renderer->cache);
+    pieces->outcome |= fxl_submit_polygons(pieces->on, &model_view, &face);
+    return pieces->outcome < FXL_OUTCOME_FULL;
+}
+
+bool fxl_pieces_end(fxl_pieces *pieces)
+{
+    return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);
+}
+
+bool fxl_submit_lit_face(const fxl_traversal *on, const fxl_model_view *model_view,
+                         const fxl_face *face)
+{
+    const fxl_beam_light *light = on->renderer->beam_light;
+    const fxl_point *eye = &model_view->view->camera.position;
+    const uint16_t *corners = model_view->indices + face->first_index;
+    fxl_point points[FXL_FACE_VERTICES_MAX];
+    fxl_pieces pieces;
+    for (uint32_t i = 0; i < face->count; i++) {
+        /* A vertex of the world again: within FXL_COORDINATE_MAX. */
+        points[i] = fxl_model_view_vertex(model_view, corners[i]);
+        points[i].x += eye->x;
+        points[i].y += eye->y;
+        points[i].z += eye->z;
+    }
+    fxl_pieces_begin(&pieces, on);
+    pieces.planes = model_view->planes;
+    (void)light->split(light, &pieces, face, points, face->count);
+    return fxl_pieces_end(&pieces);
+}

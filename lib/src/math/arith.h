@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* The integer kernels that every stage shares. Each says why it cannot
+ * overflow and what its rounding costs. Not part of the public interface. */
+#ifndef FXL_ARITH_H
+#define FXL_ARITH_H
+
+#include "../../kernels/divide.h"
+#include "divide_wide.h"
+#include "fixel/types.h"
+#include "../../kernels/leading_zeros.h"
+#include "../../kernels/multiply.h"
+#include "../../kernels/multiply_high.h"
+
+/* One assertion for our own bugs: a test build lets it abort, a proof takes it
+ * as a goal, a shipped build leaves it out. */
+#ifdef FXL_ASSERT_HOOK
+void fxl_assert_failed(const char *file, int line);
+#define FXL_ASSERT(condition) \
+    do { \
+        if (!(condition)) { \
+            fxl_assert_failed(__FILE__, __LINE__); \
+        } \
+    } while (0)
+#else
+#define FXL_ASSERT(condition) ((void)0)
+#endif
+
+/* Right shifts of negative numbers are arithmetic on every compiler that we
+ * build with; the standard leaves it open. */
+_Static_assert((-3 >> 1) == -2, "needs arithmetic right shift");
+
+/* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
+ * in int or unsigned. */
+_Static_assert(sizeof(int) >= 4, "needs an int of at least 32 bits");
+
+/* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow
+ * for |value| <= 2^62. Costs half a unit of the result. */
+static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
+{
+    return (value + ((int64_t)1 << (shift - 1))) >> shift;
+}
+
+/* floor(numerator / denominator), denominator > 0 and the quotient below 2^31. Downward, that of
+ * -1 - n is -1 less that of n. */
+static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
+{
+    FXL_ASSERT(denominator > 0);
+    uint32_t rest;
+    int64_t sign = numerator >> 63;
+    return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &rest) ^
+           (int32_t)sign;
+}
+
+/* floor(numerator / denominator + 1/2) under the same conditions: of an odd denominator the
+ * half that is cut off decides nothing. Costs half a unit. */
+static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
+{
+    return fxl_divide_down(numerator + (denominator >> 1), denominator);
+}
+
+/* floor(numerator / denominator) and what is left, denominator > 0. */
+static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
+{
+    FXL_ASSERT(denominator > 0);
+    bool negative = numerator < 0;
+    uint32_t magnitude = negative ? 0u - (uint32_t)numerator : (uint32_t)numerator;
+    uint32_t rest;
+    int32_t quotient = (int32_t)fxl_divide_u32(magnitude, (uint32_t)denominator, &rest);
+    if (negative) {
+        quotient = -quotient - (rest != 0);
+        rest = rest != 0 ? (uint32_t)denominator - rest : 0;
+    }
+    *remainder = (int32_t)rest;
+    return quotient;
+}
+
+/* How many bits a number needs; 0 for 0. */
+static inline unsigned fxl_bit_length(uint64_t value)
+{
+    uint32_t high = (uint32_t)(value >> 32);
+    uint32_t low = (uint32_t)value;
+    if (high != 0) {
+        return 64u - fxl_leading_zeros(high);
+    }
+    return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
+}
+
+static inline uint64_t fxl_magnitude(int64_t value)
+{
+    return value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value;
+}
+
+static inline bool fxl_within(int64_t value, int64_t limit)
+{
+    return value >= -limit && value <= limit;
+}
+
+static inline bool fxl_point_in_range(const fxl_point *point)
+{
+    return fxl_within(point->x, FXL_COORDINATE_MAX) && fxl_within(point->y, FXL_COORDINATE_MAX) &&
+           fxl_within(point->z, FXL_COORDINATE_MAX);
+}
+
+/* direction . (x, y, z), exact, in units of 2^-46.
+ * |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28: by Cauchy-Schwarz the sum
+ * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61, and so is every partial sum of
+ * it: a partial sum is the product with the same vector, some components 0. */
+static inline fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+{
+    return fxl_multiply_s31(direction->x, x) + fxl_multiply_s31(direction->y, y) +
+           fxl_multiply_s31(direction->z, z);
+}
+
+#endif

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+#include "divide_wide.h"
+
+#include "arith.h"
+#include "../../kernels/divide.h"
+
+#ifdef FXL_SMALL
+
+/* Long division, a bit at a time: 268 bytes less on a Cortex-M3. The quotient comes into the lower
+ * word as the numerator goes out. */
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
+{
+    uint32_t left = (uint32_t)(numerator >> 32), lower = (uint32_t)numerator;
+    FXL_ASSERT(left < denominator);
+    if (left == 0) {
+        return fxl_divide_u32(lower, denominator, rest);
+    }
+    /* The quotient's bits are 0 while what is left is shorter than the denominator: all of
+     * these but the last are skipped. */
+    unsigned bits = fxl_leading_zeros(left) - fxl_leading_zeros(denominator);
+    bits -= bits != 0;
+    left = left << bits | lower >> 1 >> (31 - bits);
+    lower <<= bits;
+    for (bits = 32 - bits; bits != 0; bits--) {
+        bool carry = left >> 31 != 0;
+        left = left << 1 | lower >> 31;
+        lower <<= 1;
+        if (carry || left >= denominator) {
+            left -= denominator;
+            lower |= 1u;
+        }
+    }
+    *rest = left;
+    return lower;
+}
+
+uint64_t fxl_fraction(uint64_t part, uint64_t whole)
+{
+    FXL_ASSERT(part < whole && whole >> 63 == 0);
+    uint64_t fraction = 0;
+    for (unsigned bits = 64; bits != 0; bits--) {
+        part <<= 1;
+        fraction <<= 1;
+        if (part >= whole) {
+            part -= whole;
+            fraction |= 1u;
+        }
+    }
+    return fraction;
+}
+
+#else
+
+/* A digit of 16 bits of 2^16 rest / whole, rest < whole, 2^31 <= whole < 2^32,
+ * with the numerator's next half; *rest becomes what is left (Knuth, algorithm
+ * D). The estimate from the upper half of whole is too large by two at most. */
+static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
+{
+    uint32_t upper = whole >> 16, lower = whole & 0xFFFFu;
+    uint32_t digit = fxl_divide_half(*rest, upper);
+    uint32_t left = *rest - digit * upper;
+    /* bug: digit-once */
+    while (left <= 0xFFFFu && (digit > 0xFFFFu || digit * lower > (left << 16 | half))) {
+        digit -= 1;
+        left += upper;
+    }
+    /* The true remainder is below 2^32, so what wraps on the way cancels. */
+    *rest = (*rest << 16 | half) - digit * whole;
+    return digit;
+}
+
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
+{
+    FXL_ASSERT(numerator >> 32 < denominator);
+    if (numerator >> 32 == 0) {
+        return fxl_divide_u32((uint32_t)numerator, denominator, rest);
+    }
+    unsigned shift = fxl_leading_zeros(denominator);
+    uint32_t whole = denominator << shift;
+    /* Below 2^32 denominator, so nothing is shifted out. */
+    uint64_t shifted = numerator << shift;
+    uint32_t left = (uint32_t)(shifted >> 32), lower = (uint32_t)shifted;
+    uint32_t upper_digit = divide_digit(&left, whole, lower >> 16);
+    uint32_t lower_digit = divide_digit(&left, whole, lower & 0xFFFFu);
+    *rest = left >> shift;
+    return upper_digit << 16 | lower_digit;
+}
+
+/* At most 2^60 / value, and less by 2^-27 of itself at the most, for
+ * 2^30 < value <= 2^31. A reciprocal r of 16 bits, too small by less than 2^-14
+ * of itself (its divisor is rounded up, itself downward), and a step after
+ * Newton, 2 r - r^2 v, which squares that; the two units are for its cuts.
+ * r is below 2^16. */
+static uint32_t reciprocal_below(uint32_t value)
+{
+    uint32_t rough = fxl_divide_half(0x7FFFFFFFu, ((value - 1u) >> 15) + 1u);
+    /* bug: reciprocal-high */
+    return (rough << 15) - (uint32_t)(fxl_multiply_u32(rough * rough, value) >> 32) - 2u;
+}
+
+/* `bits` (22 at most) bits more of a fraction: floor(2^bits rest / whole);
+ * *rest becomes what is left. 2^62 <= whole < 2^63, rest < whole.
+ * The estimate is at most that, and less by 2^22 (2^-27 + 2^-29 + 2^-31) at the
+ * most, and by 1 for being cut off: so the rest is below 2 whole. */
+static uint32_t fraction_digit(uint64_t *rest, uint64_t whole, uint32_t reciprocal, unsigned bits)
+{
+    /* rest 2^-31 times 2^92 / whole. */
+    uint64_t product = fxl_multiply_u32((uint32_t)(*rest >> 31), reciprocal);
+    uint32_t digit = (uint32_t)(product >> 32) >> (29u - bits);
+    /* Below 2^64, so what wraps on the way cancels. */
+    uint64_t left = (*rest << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -
+                    ((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);
+    if (left >= whole) { /* bug: fraction-digit */
+        left -= whole;
+        digit += 1;
+    }
+    *rest = left;
+    return digit;
+}
+
+uint64_t fxl_fraction(uint64_t part, uint64_t whole)
+{
+    FXL_ASSERT(part < whole && whole >> 63 == 0);
+    unsigned shift = 63u - fxl_bit_length(whole);
+    uint64_t rest = part << shift;
+    whole <<= shift;
+    uint32_t reciprocal = reciprocal_below((uint32_t)(whole >> 32) + 1u);
+    uint64_t upper = fraction_digit(&rest, whole, reciprocal, 22);
+    uint32_t middle = fraction_digit(&rest, whole, reciprocal, 21);
+    uint32_t lower = fraction_digit(&rest, whole, reciprocal, 21);
+    return upper << 42 | (uint64_t)middle << 21 | lower;
+}
+
+#endif

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* The grid of pixel centres. Internal. */
+#ifndef FXL_PIXEL_CENTRE_H
+#define FXL_PIXEL_CENTRE_H
+
+#include "fixel/types.h"
+
+#define FXL_HALF_PIXEL 32768
+
+/* The first row (or column) whose centre is at or past a coordinate below
+ * 2^30. */
+static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
+{
+    return (coordinate + FXL_HALF_PIXEL - 1) >> 16; /* bug: tie-top */
+}
+
+#endif

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/* On each row every edge is looked at, and divided anew where it crosses the row: an outline
+ * that is scanned so has few edges, and nothing is to be set up or kept from row to row. */
+#include "active_edges.h"
+
+#include "edge.h"
+
+/* Where the edge crosses the row, it goes among the crossings, by x. An edge is always taken
+ * from its top, so its owner does not matter. */
+static void take_edge(fxl_active_edges *crossings, const fxl_screen_point *from,
+                      const fxl_screen_point *to)
+{
+    const bool down = from->y < to->y;
+    const fxl_screen_point *top = down ? from : to, *bottom = down ? to : from;
+    int32_t rows = crossings->row - fxl_first_centre_from(top->y);
+    if (rows < 0 || fxl_first_centre_from(bottom->y) <= crossings->row) {
+        return;
+    }
+    int32_t dx = bottom->x - top->x, height = bottom->y - top->y, start = top->x - FXL_HALF_PIXEL;
+    /* fxl_slope_set's, below 2^30, and dx more a row: fewer than 2^13 rows, so below 2^43. */
+    int64_t dividend =
+        fxl_edge_first_dividend(start, dx, height, top->y) + fxl_multiply_s32(dx, rows);
+    int32_t x = (start >> 16) + 1 + fxl_divide_down(dividend, (uint32_t)height);
+    fxl_crossing *place = &crossings->found[crossings->found_count++];
+    for (; place > crossings->found && place[-1].x > x; place--) {
+        *place = place[-1];
+    }
+    place->x = x;
+    place->winding = down ? 1 : -1;
+}
+
+void fxl_active_edges_begin(fxl_active_edges *crossings, const fxl_screen_point *points,
+                            uint32_t count, int32_t first_row, int32_t end_row,
+                            const fxl_band *band)
+{
+    int32_t band_end = band->first_row + band->rows;
+    crossings->points = points;
+    crossings->count = (uint8_t)count;
+    crossings->found_count = 0;
+    crossings->next = 0;
+    crossings->width = (int16_t)band->width;
+    crossings->row = (int16_t)((first_row < band->first_row ? band->first_row : first_row) - 1);
+    crossings->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
+}
+
+/* Begins the next row; false below the last. */
+static bool next_row(fxl_active_edges *crossings)
+{
+    const fxl_screen_point *points = crossings->points;
+    const fxl_screen_point *before = &points[crossings->count - 1];
+    if (crossings->row + 1 >= crossings->end_row) {
+        return false;
+    }
+    crossings->row = (int16_t)(crossings->row + 1);
+    crossings->found_count = 0;
+    crossings->next = 0;
+    for (uint32_t left = crossings->count; left != 0; left--) {
+        take_edge(crossings, before, points);
+        before = points++;
+    }
+    return true;
+}
+
+/* The row's next stretch of pixels with a winding number other than 0: crossings at the same
+ * place count together. A closed outline's windings add up to 0 on every row. */
+static void next_stretch(fxl_active_edges *crossings, int32_t *x0, int32_t *x1)
+{
+    const fxl_crossing *crossing = &crossings->found[crossings->next];
+    int32_t winding = 0;
+    *x0 = crossing->x;
+    do {
+        *x1 = crossing->x;
+        winding += crossing->winding;
+        crossing++;
+        crossings->next += 1;
+    } while (crossings->next < crossings->found_count && (winding != 0 || crossing->x == *x1));
+    FXL_ASSERT(winding == 0);
+}
+
+bool fxl_active_edges_next(fxl_active_edges *crossings, fxl_span *span)
+{
+    do {
+        while (crossings->next < crossings->found_count) {
+            int32_t x0, x1;
+            next_stretch(crossings, &x0, &x1);
+            x0 = x0 < 0 ? 0 : x0;
+            x1 = x1 > crossings->width ? crossings->width : x1;
+            if (x0 < x1) {
+                span->y = crossings->row;
+                span->x0 = (int16_t)x0;
+                span->x1 = (int16_t)x1;
+                return true;
+            }
+        }
+    } while (next_row(crossings));
+    return false;
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* Edges on the grid of pixel centres: what both ways of scanning share.
+ * Internal. */
+#ifndef FXL_EDGE_H
+#define FXL_EDGE_H
+
+#include "../math/arith.h"
+#include "../math/pixel_centre.h"
+#include "../../kernels/edge_divide.h"
+#include "../../kernels/multiply.h"
+
+/* An edge's slope as whole numbers, and its place on its first row. */
+typedef struct {
+    int32_t x;           /* first pixel whose centre is not left of the edge */
+    uint32_t error;      /* what is left over, < height */
+    int32_t step;        /* whole pixels a row */
+    uint32_t error_step; /* what is left over, < height */
+    uint32_t height;     /* in 1/65536 pixel */
+} fxl_slope;
+
+/* What is divided by the height for the first pixel of an edge's first row: the
+ * first whose centre is at or below the top, which is t < 65536 above it.
+ *
+ * The edge's x there is top.x + dx t / height, and the first pixel is
+ * ceil(x - 1/2). With start = top.x - 1/2 = 65536 whole + part (0 <= part <
+ * 65536) that is
+ *   whole + ceil((part height + dx t) / (65536 height)),
+ * and ceil(n / m) = floor((n - 1) / m) + 1, and a floor of a floor is the floor
+ * of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
+ * below 2^46 and, without its low 16 bits, below 2^30. Exact. */
+static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
+                                              int32_t top_y)
+{
+    int32_t t = (FXL_HALF_PIXEL - top_y) & 65535;
+    uint32_t part = (uint32_t)start & 65535;
+    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
+    return (int32_t)((sum - 1) >> 16);
+}
+
+/* The edge from top to bottom on its first row. A row further down adds 65536
+ * dx to the sum above, so dx to what is divided by height. Exact. */
+static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
+                                 fxl_slope *slope)
+{
+    int32_t dx = bottom->x - top->x;
+    int32_t height = bottom->y - top->y;
+    int32_t start = top->x - FXL_HALF_PIXEL;
+    FXL_ASSERT(height > 0);
+    int32_t error, error_step;
+    int32_t quotient =
+        fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &error);
+    slope->x = (start >> 16) + quotient + 1;
+    slope->error = (uint32_t)error;
+    slope->step = fxl_divide_floor(dx, height, &error_step);
+    slope->error_step = (uint32_t)error_step;
+    slope->height = (uint32_t)height;
+}
+
+/* Moves the place down by 0 < rows < 2^13 rows at once: the carries that single
+ * steps would have made are floor((error + rows error_step) / height), found
+ * by long division, as they are fewer than 2^13. The sum is below 2^43. */
+static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
+{
+    FXL_ASSERT(rows > 0 && rows < 8192);
+    uint64_t error = slope->error + fxl_multiply_u32((uint32_t)rows, slope->error_step);
+    int32_t carries = 0;
+    for (int32_t bit = 4096; bit != 0; bit >>= 1) {
+        uint64_t part = fxl_multiply_u32(slope->height, (uint32_t)bit);
+        if (error >= part) { /* bug: band-carry */
+            error -= part;
+            carries += bit;
+        }
+    }
+    slope->x += rows * slope->step + carries;
+    slope->error = (uint32_t)error;
+}
+
+/* Places the edge from top to bottom on `row`, which it crosses, for that and
+ * the rows - 1 below it; answers for how many of these it is good, 1 at least.
+ * Requires a height of FXL_EDGE_HEIGHT_MAX and |dx| <= 1025 pixels at most.
+ *
+ * Row k's first pixel is x + k step + floor((error + k error_step) / height), as
+ * in fxl_slope. That quotient's fraction is 1 - 1/height at most, and the
+ * edge's is larger by at most (k + 1) 2^-32; so the floors are the same while
+ * (k + 1) height is below 2^32, k + 1 <= 2^shift. */
+int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
+                         int32_t rows, fxl_edge *edge);
+
+/* Moves an edge down by 0 <= rows <= FXL_SCREEN_MAX rows. */
+static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
+{
+    uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);
+    edge->fraction = (uint32_t)fraction;
+    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
+}
+
+/* The dividends are dx, for a step, and fxl_slope_set's, for the first row;
+ * that is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. Of an edge that
+ * crosses one row alone nothing but that row's first pixel is asked. */
+static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
+                                   int32_t row, int32_t rows, fxl_edge *edge)
+{
+    int32_t dx = bottom->x - top->x;
+    int32_t height = bottom->y - top->y;
+    int32_t start = top->x - FXL_HALF_PIXEL;
+    int32_t above = row - fxl_first_centre_from(top->y);
+    FXL_ASSERT(height > 0 && height <= FXL_EDGE_HEIGHT_MAX && above >= 0 && rows > 0);
+    FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
+    if (above + rows == 1) {
+        int32_t left;
+        edge->x =
+            (start >> 16) + 1 +
+            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &left);
+        edge->fraction = 0;
+        edge->step = 0;
+        edge->step_fraction = 0;
+        return 1;
+    }
+    fxl_edge_divider divider = fxl_edge_divider_of((uint32_t)height);
+    if ((uint32_t)(above + rows - 1) >> fxl_edge_divider_shift(&divider) != 0) {
+        return fxl_edge_set_far(top, bottom, row, rows, edge);
+    }
+    int32_t x;
+    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x,
+                    &edge->fraction);
+    edge->x = (start >> 16) + x + 1;
+    fxl_edge_divide(&divider, dx, &edge->step, &edge->step_fraction);
+    if (above > 0) {
+        fxl_edge_advance(edge, (uint32_t)above);
+    }
+    return rows;
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* Filling in plain C, for those that fill a row at a time, and an edge's way from row to
+ * row. Internal. */
+#ifndef FXL_FILL_ROW_H
+#define FXL_FILL_ROW_H
+
+#include "fixel/types.h"
+
+typedef uint32_t __attribute__((may_alias)) fxl_word;
+
+/* Pixels from *pixel to before *end; four of the colour in `four`. */
+static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
+{
+    while (pixel != end && ((uintptr_t)pixel & 3u) != 0) {
+        *pixel++ = (uint8_t)four;
+    }
+    for (; end - pixel >= 16; pixel += 16) {
+        fxl_word *words = (fxl_word *)(void *)pixel;
+        words[0] = four;
+        words[1] = four;
+        words[2] = four;
+        words[3] = four;
+    }
+    for (; end - pixel >= 4; pixel += 4) {
+        *(fxl_word *)(void *)pixel = four;
+    }
+    while (pixel != end) {
+        *pixel++ = (uint8_t)four;
+    }
+}
+
+/* The next row's x; the fraction's carry is a pixel. */
+static inline void fxl_edge_step(fxl_edge *edge)
+{
+    uint64_t fraction = (uint64_t)edge->fraction + edge->step_fraction;
+    edge->fraction = (uint32_t)fraction;
+    edge->x += edge->step + (int32_t)(fraction >> 32);
+}
+
+#endif

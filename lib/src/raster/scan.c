@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/stage/scan.h"
+
+#include "chains.h"
+#include "edge.h"
+#include "active_edges.h"
+
+/* As the kernels of lib/kernels read it where pointers have 32 bits. */
+#ifdef __arm__
+_Static_assert(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4 &&
+                   offsetof(fxl_scan, by_chains) == 5 && offsetof(fxl_scan, end_row) == 6 &&
+                   offsetof(fxl_scan, chains) == 8 && offsetof(fxl_scan, trapezoid) == 20 &&
+                   sizeof(fxl_chain) == 4 && offsetof(fxl_chain, onward) == 1 &&
+                   offsetof(fxl_chain, end_row) == 2,
+               "chains.S");
+#endif
+
+/* What a look at every vertex tells of an outline. */
+typedef struct {
+    uint32_t top;    /* a vertex that none is above */
+    int32_t top_row; /* the first row whose centre is at or below it */
+    int32_t end_row; /* the same of the lowest vertex: no row from here on is crossed */
+    bool by_chains;  /* as survey says */
+} outline;
+
+static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
+{
+    if (polygon->count < 3) {
+        return FXL_E_DEGENERATE;
+    }
+    if (polygon->count > FXL_POLYGON_CAPACITY) {
+        return FXL_E_CAPACITY;
+    }
+    if (band->width < 1 || band->width > FXL_SCREEN_MAX || band->rows < 1 ||
+        band->first_row + band->rows > FXL_SCREEN_MAX) {
+        return FXL_E_RANGE;
+    }
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        if (!fxl_within(polygon->points[i].x, FXL_SCREEN_COORDINATE_MAX) ||
+            !fxl_within(polygon->points[i].y, FXL_SCREEN_COORDINATE_MAX)) {
+            return FXL_E_RANGE;
+        }
+    }
+    return FXL_OK;
+}
+
+/* An outline is scanned between two chains where
+ * - the rows that it walks downward add up to its height: it never goes down
+ *   again after going up. Then each row between its top and its bottom is
+ *   crossed by two edges only, one of either chain, and with opposite windings:
+ *   what is covered lies between the two;
+ * - every edge's x is within 0..width on every row. An edge's first pixel
+ *   ceil(x - 1/2) lies between its ends' own, so that of x in
+ *   -1/2 < x <= width + 1/2 will do: these are the x for which x + 1/2 - 2^-16
+ *   is in 0..width + 1 - 2^-16;
+ * - no edge is higher than FXL_EDGE_HEIGHT_MAX: rows that are 1022 apart have
+ *   centres that are, and vertices less than 2 pixels more. */
+static void survey(const fxl_screen_point *points, uint32_t count, int32_t width, outline *found)
+{
+    const uint32_t places = (uint32_t)(width + 1) << 16;
+    int32_t top_row = INT16_MAX, end_row = INT16_MIN, down = 0;
+    int32_t before = fxl_first_centre_from(points[count - 1].y);
+    uint32_t farthest = 0;
+    found->top = 0;
+    uint32_t i = 0;
+    do {
+        FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
+                   fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
+        uint32_t place = (uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1));
+        int32_t row = fxl_first_centre_from(points[i].y);
+        farthest = place > farthest ? place : farthest;
+        if (row < top_row) {
+            top_row = row;
+            found->top = i;
+        }
+        end_row = row > end_row ? row : end_row;
+        if (row > before) {
+            down += row - before;
+        }
+        before = row;
+        i += 1;
+    } while (i < count);
+    found->top_row = top_row;
+    found->end_row = end_row;
+    found->by_chains = !FXL_IS_SMALL && down == end_row - top_row && farthest < places &&
+                       down < FXL_EDGE_HEIGHT_MAX >> 16;
+}
+
+static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *band)
+{
+    int32_t first_row = found->top_row > band->first_row ? found->top_row : band->first_row;
+    int32_t end_row = band->first_row + band->rows;
+    /* Seen from the front an outline goes round clockwise: its left chain is
+     * the way back from the top. */
+    scan->chains[0].onward = (uint8_t)(scan->count - 1);
+    scan->chains[1].onward = 1;
+    for (int side = 0; side < 2; side++) {
+        scan->chains[side].vertex = (uint8_t)found->top;
+        scan->chains[side].end_row = (int16_t)first_row;
+    }
+    scan->trapezoid.first_row = (int16_t)first_row;
+    scan->trapezoid.end_row = (int16_t)first_row;
+    scan->row = (int16_t)first_row;
+    scan->end_row = (int16_t)(found->end_row < end_row ? found->end_row : end_row);
+}
+
+/* No rows: no pixels. */
+static void clear(fxl_scan *scan)
+{
+    scan->by_chains = false;
+    scan->trapezoid.end_row = 0;
+    scan->end_row = INT16_MIN;
+    scan->crossings.end_row = INT16_MIN;
+    scan->crossings.found_count = 0;
+    scan->crossings.next = 0;
+}
+
+void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                      fxl_scan *scan)
+{
+    FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
+    outline found;
+    survey(points, count, band->width, &found);
+    scan->points = points;
+    scan->count = (uint8_t)count;
+    scan->by_chains = found.by_chains;
+    scan->outline_first = (int16_t)found.top_row;
+    scan->outline_end = (int16_t)found.end_row;
+    if (scan->by_chains) {
+        begin_chains(scan, &found, band);
+    } else {
+        scan->end_row = INT16_MIN;
+        fxl_active_edges_begin(&scan->crossings, points, count, found.top_row, found.end_row, band);
+    }
+}
+
+fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan)
+{
+    if (scan == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    fxl_status status = polygon == NULL || band == NULL ? FXL_E_ARGUMENT : check(polygon, band);
+    if (status == FXL_OK) {
+        fxl_scan_outline(polygon->points, polygon->count, band, scan);
+    } else {
+        clear(scan);
+    }
+    return status;
+}
+
+static uint16_t row_held(int32_t row, uint16_t height)
+{
+    return row < 0 ? 0 : row > height ? height : (uint16_t)row;
+}
+
+fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
+{
+    fxl_q16_16 top = polygon->points[0].y, bottom = top;
+    for (uint32_t i = 1; i < polygon->count; i++) {
+        fxl_q16_16 y = polygon->points[i].y;
+        top = y < top ? y : top;
+        bottom = y > bottom ? y : bottom;
+    }
+    fxl_rows rows = {row_held(fxl_first_centre_from(top), height),
+                     row_held(fxl_first_centre_from(bottom), height)};
+    return rows;
+}
+
+/* A span as a trapezoid of one row. */
+const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)
+{
+    fxl_span span;
+    if (!fxl_active_edges_next(&scan->crossings, &span)) {
+        return NULL;
+    }
+    scan->trapezoid.first_row = span.y;
+    scan->trapezoid.end_row = (int16_t)(span.y + 1);
+    scan->trapezoid.edges[0] = (fxl_edge){span.x0, 0, 0, 0};
+    scan->trapezoid.edges[1] = (fxl_edge){span.x1, 0, 0, 0};
+    return &scan->trapezoid;
+}
+
+/* Rows are taken off the trapezoid's top, so that it is what is left of it. */
+static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
+{
+    fxl_trapezoid *trapezoid = &scan->trapezoid;
+    for (;;) {
+        if (scan->row < trapezoid->end_row) {
+            fxl_edge_advance(&trapezoid->edges[0], 1);
+            fxl_edge_advance(&trapezoid->edges[1], 1);
+            trapezoid->first_row = scan->row;
+        } else if (fxl_scan_next_trapezoid(scan) == NULL) {
+            return false;
+        }
+        scan->row = (int16_t)(trapezoid->first_row + 1);
+        int32_t a = trapezoid->edges[0].x, b = trapezoid->edges[1].x;
+        if (a != b) {
+            span->y = trapezoid->first_row;
+            span->x0 = (int16_t)(a < b ? a : b);
+            span->x1 = (int16_t)(a < b ? b : a);
+            return true;
+        }
+    }
+}
+
+bool fxl_scan_next(fxl_scan *scan, fxl_span *span)
+{
+    return !FXL_IS_SMALL && scan->by_chains ? next_row_of_chains(scan, span)
+                                            : fxl_active_edges_next(&scan->crossings, span);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/stage/lens.h"
+
+#include "../math/arith.h"
+#include "../math/sine.h"
+
+static bool screen_in_range(uint16_t width, uint16_t height)
+{
+    return width >= 1 && width <= FXL_SCREEN_MAX && height >= 1 && height <= FXL_SCREEN_MAX;
+}
+
+static bool depth_in_range(fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset)
+{
+    return near_z >= FXL_NEAR_MIN && far_z <= FXL_FAR_MAX && inset >= 0 && inset <= FXL_INSET_MAX &&
+           (int64_t)near_z + 2 * (int64_t)inset < far_z;
+}
+
+fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
+                             fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens)
+{
+    if (lens == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!screen_in_range(width, height) || fov < FXL_FOV_MIN || fov > FXL_FOV_MAX ||
+        !depth_in_range(near_z, far_z, inset)) {
+        return FXL_E_RANGE;
+    }
+    /* 1 / tan(fov / 2) = (1 + cos fov) / sin fov, which takes fov as it is. Width
+     * is below 2^11, so the product is below 2^(11 + 15 + 32) = 2^58; the sine
+     * of 10..150 degrees is above 2^28. */
+    int64_t numerator =
+        fxl_multiply_s64((int32_t)width * 32768, ((int64_t)1 << 31) + fxl_cos_q31(fov));
+    lens->width = width;
+    lens->height = height;
+    lens->focal = fxl_divide_round(numerator, (uint32_t)fxl_sin_q31(fov));
+    lens->near_z = near_z;
+    lens->far_z = far_z;
+    lens->inset = inset;
+    return FXL_OK;
+}

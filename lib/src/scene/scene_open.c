@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT */
+/* Opens a scene image (SPEC.md, chapter 8) in place. */
+#include <string.h>
+
+#include "../math/arith.h"
+#include "crc.h"
+#include "fixel/scene.h"
+#include "fixel/stage/lens.h"
+#include "motion_limits.h"
+
+typedef struct {
+    uint32_t offset, count;
+} table;
+
+/* The header, byte for byte. */
+typedef struct {
+    uint32_t magic;
+    uint16_t version, header_size;
+    uint32_t image_size, crc;
+    uint16_t width, height;
+    uint32_t fov;
+    int32_t near_z, far_z, inset;
+    uint8_t background, path_kind;
+    uint16_t reserved;
+    fxl_pose start;
+    int32_t acceleration, friction, speed_max;
+    uint32_t turn;
+    table palette, vertices, corners, faces, models, instances, path;
+    uint32_t frame_count;
+    table keys, nodes;
+    uint32_t bsp_instance;
+} header;
+
+/* What follows it where a scene has beams. */
+typedef struct {
+    table beams;
+    uint32_t lit; /* offset of 256 bytes */
+    uint32_t reserved;
+} lit_header;
+
+_Static_assert(sizeof(header) == 160, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, start) == 40, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, palette) == 80, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, frame_count) == 136, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_point) == 12, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_face) == 20, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_model) == 28, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_instance) == 16, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_face_bounds) == 20, "SPEC.md, chapter 8");
+_Static_assert(offsetof(header, nodes) == 148, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_bsp_node) == 48, "SPEC.md, chapter 8");
+_Static_assert(sizeof(lit_header) == 16, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_beam) == 176, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
+_Static_assert(sizeof(fxl_path_segment) == 4, "SPEC.md, chapter 8");
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
+
+#define MAGIC           0x534C5846u /* "FXLS" */
+#define VERSION         2u
+#define VERSION_MORE    3u /* may have a tree, and beams */
+#define PALETTE_ENTRIES 256u
+
+enum {
+    PATH_POSES = 0,
+    PATH_STRIDES = 1
+};
+
+static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
+{
+    if (fault != NULL) {
+        fault->what = what;
+        fault->index = index;
+    }
+    return status;
+}
+
+/* Null where the scene has no beams. */
+static const lit_header *lit_of(const header *head)
+{
+    return head->header_size > sizeof *head ? (const lit_header *)(const void *)(head + 1) : NULL;
+}
+
+/* The larger header says nothing but with beams. */
+static bool header_size_is_known(const header *head)
+{
+    return head->header_size == sizeof *head ||
+           (head->version != VERSION && head->header_size == sizeof *head + sizeof(lit_header));
+}
+
+static fxl_status check_envelope(const header *head, size_t size)
+{
+    if (size < sizeof *head) {
+        return FXL_E_SIZE;
+    }
+    if (head->magic != MAGIC) {
+        return FXL_E_MAGIC;
+    }
+    if (head->version != VERSION && head->version != VERSION_MORE) {
+        return FXL_E_VERSION;
+    }
+    if (!header_size_is_known(head) || head->image_size < head->header_size ||
+        head->image_size > FXL_SCENE_IMAGE_MAX || head->image_size % 4 != 0 ||
+        head->image_size > size) {
+        return FXL_E_SIZE;
+    }
+    const uint8_t *bytes = (const uint8_t *)head;
+    if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
+        return FXL_E_CRC;
+    }
+    if (head->reserved != 0 || head->path_kind > PATH_STRIDES) {
+        return FXL_E_RESERVED;
+    }
+    if (lit_of(head) != NULL && lit_of(head)->reserved != 0) {
+        return FXL_E_RESERVED;
+    }
+    bool tree = (head->nodes.offset | head->nodes.count | head->bsp_instance) != 0;
+    if (tree && head->version == VERSION) {
+        return FXL_E_RESERVED;
+    }
+    /* One scene, one way to say it: the larger version where there is more. */
+    return head->version == VERSION || tree || lit_of(head) != NULL ? FXL_OK : FXL_E_VERSION;
+}
+
+/* Lens, start pose and motion limits. */
+static fxl_status check_settings(const header *head, fxl_scene_image *opened,
+                                 fxl_scene_fault *fault)
+{
+    fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
+                                          head->far_z, head->inset, &opened->lens);
+    if (status != FXL_OK) {
+        return fail(fault, "lens", 0, status);
+    }
+    opened->background = head->background;
+    opened->start.pose = head->start;
+    opened->start.speed = 0;
+    opened->start.clamped = 0;
+    opened->motion_limits.acceleration = head->acceleration;
+    opened->motion_limits.friction = head->friction;
+    opened->motion_limits.speed_max = head->speed_max;
+    opened->motion_limits.turn = head->turn;
+    if (!fxl_point_in_range(&head->start.position)) {
+        return fail(fault, "start pose", 0, FXL_E_RANGE);
+    }
+    if (!fxl_motion_limits_in_range(&opened->motion_limits)) {
+        return fail(fault, "motion limits", 0, FXL_E_RANGE);
+    }
+    return FXL_OK;
+}
+
+/* One table: aligned, behind the header, within the image. A count times at
+ * most 48 bytes is below 2^37. */
+static fxl_status check_table(const header *head, const table *entry, uint32_t entry_size,
+                              uint32_t count_max, const char *what, fxl_scene_fault *fault)
+{
+    if (entry->count == 0 || entry->count > count_max) {
+        return fail(fault, what, 0, FXL_E_COUNT);
+    }
+    if (entry->offset % 4 != 0) {
+        return fail(fault, what, 0, FXL_E_ALIGNMENT);
+    }
+    uint64_t bytes = (uint64_t)entry->count * entry_size;
+    if (entry->offset < head->header_size || entry->offset > head->image_size ||
+        bytes > head->image_size - entry->offset) {
+        return fail(fault, what, 0, FXL_E_OFFSET);
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
+{
+    uint32_t path_entry =
+        head->path_kind == PATH_POSES ? sizeof(fxl_pose) : sizeof(fxl_path_segment);
+    const struct {
+        const table *entry;
+        uint32_t entry_size, count_max;
+        const char *what;
+    } tables[] = {
+        {&head->palette, 3, PALETTE_ENTRIES, "palette table"},
+        {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
+        {&head->corners, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "corner table"},
+        {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
+        {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
+        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "object table"},
+        {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
+        {&head->keys, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "key table"},
+        {&head->nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "node table"},
+    };
+    const size_t count = sizeof tables / sizeof tables[0];
+    if (head->palette.count != PALETTE_ENTRIES) {
+        return fail(fault, "palette table", 0, FXL_E_COUNT);
+    }
+    for (size_t i = 0; i < count; i++) {
+        /* The last two need not be: without sorted models there are no keys. */
+        if (i >= count - 2 && tables[i].entry->count == 0) {
+            if (tables[i].entry->offset != 0) {
+                return fail(fault, tables[i].what, 0, FXL_E_OFFSET);
+            }
+            continue;
+        }
+        fxl_status status = check_table(head, tables[i].entry, tables[i].entry_size,
+                                        tables[i].count_max, tables[i].what, fault);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    if (lit_of(head) == NULL) {
+        return FXL_OK;
+    }
+    const table lit = {lit_of(head)->lit, PALETTE_ENTRIES};
+    fxl_status status = check_table(head, &lit_of(head)->beams, sizeof(fxl_beam), FXL_BEAMS_MAX,
+                                    "beam table", fault);
+    return status == FXL_OK
+               ? check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault)
+               : status;
+}
+
+static const void *at(const header *head, uint32_t offset)
+{
+    return (const uint8_t *)head + offset;
+}
+
+static void point_to_tables(const header *head, fxl_scene_image *opened)
+{
+    opened->palette = at(head, head->palette.offset);
+    opened->scene.vertices = at(head, head->vertices.offset);
+    opened->scene.indices = at(head, head->corners.offset);
+    opened->scene.faces = at(head, head->faces.offset);
+    opened->scene.models = at(head, head->models.offset);
+    opened->scene.instances = at(head, head->instances.offset);
+    opened->scene.face_bounds = head->keys.count > 0 ? at(head, head->keys.offset) : NULL;
+    opened->scene.face_bounds_count = head->keys.count;
+    opened->scene.bsp_nodes = head->nodes.count > 0 ? at(head, head->nodes.offset) : NULL;
+    opened->scene.bsp_node_count = head->nodes.count;
+    opened->scene.bsp_instance = head->bsp_instance;
+    if (lit_of(head) != NULL) {
+        opened->scene.beams = at(head, lit_of(head)->beams.offset);
+        opened->scene.beam_count = lit_of(head)->beams.count;
+        opened->scene.lit = at(head, lit_of(head)->lit);
+    }
+    opened->scene.vertex_count = head->vertices.count;
+    opened->scene.index_count = head->corners.count;
+    opened->scene.face_count = head->faces.count;
+    opened->scene.model_count = head->models.count;
+    opened->scene.instance_count = head->instances.count;
+    opened->poses = head->path_kind == PATH_POSES ? at(head, head->path.offset) : NULL;
+    opened->segments = head->path_kind == PATH_STRIDES ? at(head, head->path.offset) : NULL;
+    opened->path_count = head->path.count;
+    opened->frame_count = head->frame_count;
+}
+
+static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fault)
+{
+    uint64_t frames = 0; /* at most 10^6 entries of 16 bits */
+    for (uint32_t i = 0; i < opened->path_count; i++) {
+        if (opened->poses != NULL) {
+            if (!fxl_point_in_range(&opened->poses[i].position)) {
+                return fail(fault, "pose", i, FXL_E_RANGE);
+            }
+            frames += 1;
+            continue;
+        }
+        const fxl_path_segment *stride = &opened->segments[i];
+        if ((stride->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
+            return fail(fault, "stride", i, FXL_E_RESERVED);
+        }
+        if (stride->frames == 0) {
+            return fail(fault, "stride", i, FXL_E_COUNT);
+        }
+        frames += stride->frames;
+    }
+    if (frames != opened->frame_count || frames > FXL_SCENE_PATH_MAX) {
+        return fail(fault, "path table", 0, FXL_E_COUNT);
+    }
+    return FXL_OK;
+}
+
+fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
+                          fxl_scene_fault *fault)
+{
+    if (image == NULL || opened == NULL) {
+        return fail(fault, "image", 0, FXL_E_ARGUMENT);
+    }
+    if ((uintptr_t)image % 4 != 0) {
+        return fail(fault, "image", 0, FXL_E_ALIGNMENT);
+    }
+    const header *head = image;
+    fxl_status status = check_envelope(head, size);
+    if (status != FXL_OK) {
+        return fail(fault, "image", 0, status);
+    }
+    fxl_scene_image found;
+    memset(&found, 0, sizeof found);
+    status = check_settings(head, &found, fault);
+    if (status != FXL_OK) {
+        return status;
+    }
+    status = check_tables(head, fault);
+    if (status != FXL_OK) {
+        return status;
+    }
+    point_to_tables(head, &found);
+    status = fxl_scene_check_all(&found.scene, fault);
+    if (status != FXL_OK) {
+        return status;
+    }
+    status = check_path(&found, fault);
+    if (status == FXL_OK) {
+        *opened = found;
+    }
+    return status;
+}

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/* Facing, for who asks it of every face of an object. Internal. */
+#ifndef FXL_FACING_H
+#define FXL_FACING_H
+
+#include "../math/arith.h"
+#include "fixel/stage/model_view.h"
+
+/* fxl_face_is_front of a placed object's face, its first vertex relative to the
+ * eye: normal . (eye - vertex) > 0. Exact. */
+static inline bool fxl_model_view_face_is_front(const fxl_model_view *model_view,
+                                                const fxl_face *face)
+{
+    fxl_point first = fxl_model_view_vertex(model_view, model_view->indices[face->first_index]);
+    return fxl_dot(&face->normal, first.x, first.y, first.z) < 0;
+}
+
+#endif

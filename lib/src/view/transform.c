@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/stage/transform.h"
+
+#include "rotate.h"
+
+void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view)
+{
+    FXL_ASSERT(fxl_point_in_range(point));
+    /* Both within FXL_COORDINATE_MAX, so each difference is below 2^30. */
+    const fxl_point *eye = &camera->position;
+    fxl_point difference = {point->x - eye->x, point->y - eye->y, point->z - eye->z};
+    fxl_rotate(camera, &difference, view);
+}
+
+void fxl_transform_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
+                           fxl_view_polygon *view)
+{
+    view->colour = polygon->colour;
+    view->count = polygon->count;
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        const fxl_vertex *vertex = &polygon->vertices[i];
+        fxl_transform_point(camera, &vertex->position, &view->vertices[i].position);
+    }
+}
