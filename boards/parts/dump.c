@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A panel that is a frame dump (chapter 9 of SPEC.md), written to a sink as it
+/* A panel that is a frame dump (docs/formats.md, section 2), written to a sink as it
  * comes. It gets its tail only where every frame came and every byte was taken,
  * so nobody can take another for whole. */
 #include <stddef.h>

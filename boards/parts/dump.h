@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The frame dump of chapter 9 of SPEC.md as a panel. It takes every size. The
+/* The frame dump of docs/formats.md, section 2, as a panel. It takes every size. The
  * board has a parts/sink.h for it. */
 #ifndef BOARD_DUMP_H
 #define BOARD_DUMP_H

@@ -9,7 +9,7 @@
 #define WEIGHT_GREEN 183u
 #define WEIGHT_BLUE  19u
 
-/* How far a pixel is from the next level, at most 127: 127 - 2 B of SPEC.md,
+/* How far a pixel is from the next level, at most 127: 127 - 2 B of docs/formats.md,
  * so that a level is reached from its threshold 2 B + 1 on. */
 #define T(b) (127u - 2u * (b))
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Colours on a display of few greys (chapter 9b of SPEC.md): luma, and an
+/* Colours on a display of few greys (docs/formats.md, section 4): luma, and an
  * ordered dither of 8 x 8 pixels. Integers only, no state: a pixel's level
  * depends on its colour and its place in the frame and on nothing else. */
 #ifndef BOARD_GREY_H

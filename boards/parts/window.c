@@ -6,13 +6,13 @@
 
 #include "contract/system.h"
 
-/* The layout of SPEC.md 9a. */
-_Static_assert(offsetof(window_header, finished) == 20, "SPEC.md 9a");
-_Static_assert(offsetof(window_header, invitation) == 32, "SPEC.md 9a");
-_Static_assert(offsetof(window_header, palette) == 48, "SPEC.md 9a");
-_Static_assert(offsetof(window_frame, pose) == 16, "SPEC.md 9a");
-_Static_assert(offsetof(window_frame, counters) == 40, "SPEC.md 9a");
-_Static_assert(sizeof(window_frame) == 80, "SPEC.md 9a");
+/* The layout of docs/formats.md, section 3. */
+_Static_assert(offsetof(window_header, finished) == 20, "docs/formats.md, section 3");
+_Static_assert(offsetof(window_header, invitation) == 32, "docs/formats.md, section 3");
+_Static_assert(offsetof(window_header, palette) == 48, "docs/formats.md, section 3");
+_Static_assert(offsetof(window_frame, pose) == 16, "docs/formats.md, section 3");
+_Static_assert(offsetof(window_frame, counters) == 40, "docs/formats.md, section 3");
+_Static_assert(sizeof(window_frame) == 80, "docs/formats.md, section 3");
 _Static_assert(sizeof(window_header) <= WINDOW_FIRST_SLOT, "the header reaches into a slot");
 
 /* What was written before a word is stored, whoever loads it sees too: on the

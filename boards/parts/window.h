@@ -2,7 +2,7 @@
 /* A panel that is memory which a viewer on the host shares: a header and two
  * buffers. The board draws into the one that the viewer is not told of, and
  * tells of it once it is whole; so a frame is never seen half drawn. Little-endian,
- * as SPEC.md 9a says.
+ * as docs/formats.md, section 3, says.
  *
  * A viewer's side of it, in this order:
  *   1. Before power-on: write invitation. (Without it the panel stays out.)

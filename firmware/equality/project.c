@@ -78,7 +78,7 @@ static int64_t any_depth(void)
 
 static uint32_t any_focal(void)
 {
-    /* 8780 to 5852.2 pixels: SPEC.md, chapter 3. */
+    /* 8780 to 5852.2 pixels: SPEC.md, section 3. */
     uint32_t focal = any_32() >> (3u + (any_32() >> 9) % 16u);
     return focal < 8780u ? 8780u + focal : focal > 383529779u ? 383529779u : focal;
 }

@@ -17,7 +17,7 @@ typedef struct {
 
 typedef struct {
     const char *clipper;
-    double claimed;           /* largest distance of outlines that SPEC.md allows */
+    double claimed;           /* largest distance of outlines in docs/extras/clippers.md */
     uint64_t cut;             /* polygons that a plane cut and that are seen */
     uint64_t beyond;          /* of those, outlines further apart than claimed */
     uint64_t parallel;        /* of those beyond: nearly parallel to a plane that cut them */

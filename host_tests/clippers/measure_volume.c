@@ -63,7 +63,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, uint32_t scree
     fxl_volume_from_lens(&of->lens, screen, &volume);
     ref_volume_from_lens(&lens, planes);
     for (int i = 0; i < REF_PLANE_COUNT; i++) {
-        if ((screen >> i & 1) == 0) { /* by SPEC.md: focal |x| <= 3500 z */
+        if ((screen >> i & 1) == 0) { /* by docs/extras/clippers.md: focal |x| <= 3500 z */
             bool upright = i >= REF_PLANE_BOTTOM;
             double across = i == REF_PLANE_LEFT || i == REF_PLANE_BOTTOM ? lens.focal : -lens.focal;
             planes[i] = (ref_half_space){upright ? 0 : across, upright ? across : 0, 3500, 0};

@@ -21,7 +21,7 @@ typedef struct {
     uint64_t missed;   /* faces of which something is seen where the clipper says nothing, or the
                         * other way round: more than 2/65536 pixel of it */
     double error;      /* largest distance of outlines, in 1/65536 pixel, where no plane that
-                        * cuts is nearly parallel to the face (SPEC.md, chapter 6a) */
+                        * cuts is nearly parallel to the face (docs/accuracy.md, section 3) */
     double error_at_all;
     uint64_t beyond; /* outlines of error that are more than 1.25 apart */
     int vertices;    /* the most of a polygon on the screen */

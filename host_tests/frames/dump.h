@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Frame dumps (SPEC.md 9), written on the host. */
+/* Frame dumps (docs/formats.md, section 2), written on the host. */
 #ifndef FRAMES_DUMP_H
 #define FRAMES_DUMP_H
 

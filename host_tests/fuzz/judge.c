@@ -142,7 +142,7 @@ void judge_plane_distance(const fxl_plane *plane, const fxl_point *point, fxl_q1
 }
 
 /* +1, 0 or -1: what the edge a -> b adds to the winding number about a centre.
- * Chapter 4a of SPEC.md, in products below 2^60. */
+ * SPEC.md, section 5, in products below 2^60. */
 static int edge_winding(const fxl_screen_point *a, const fxl_screen_point *b, int64_t cx,
                         int64_t cy)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Frame dumps (SPEC.md 9): reading one whole, writing the twin's. */
+/* Frame dumps (docs/formats.md, section 2): reading one whole, writing the twin's. */
 #ifndef JUDGE_DUMP_H
 #define JUDGE_DUMP_H
 

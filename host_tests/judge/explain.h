@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Why a pixel may differ from the twin's (SPEC.md 10). */
+/* Why a pixel may differ from the twin's (docs/accuracy.md, section 4). */
 #ifndef JUDGE_EXPLAIN_H
 #define JUDGE_EXPLAIN_H
 
@@ -29,7 +29,8 @@ double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y
  * the first that is always in.
  *
  * doubt: what near and far leave of a polygon may be anything from its least to its most
- * (SPEC.md 10). Then it is in for nothing where its most is, else at the distance of an edge
+ * (docs/accuracy.md, section 4).
+ * Then it is in for nothing where its most is, else at the distance of an edge
  * of its most; it is out for nothing where its least is out, else at the distance of an edge
  * of its least. */
 double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t count,

@@ -8,7 +8,7 @@
 typedef struct {
     uint32_t frames;
     double max_error; /* of a coordinate, in units of 1/65536 */
-    double max_bound; /* what SPEC.md 6 allows at the last frame, same unit */
+    double max_bound; /* what docs/accuracy.md allows at the last frame, same unit */
     uint32_t frames_beyond_bound;
 } judge_walk;
 

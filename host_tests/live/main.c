@@ -3,7 +3,7 @@
  *
  * Draws with the double-precision twin, pose by pose. A request on standard
  * input is 32 bytes, an answer on standard output a head of 16 bytes and what
- * the request asked for; all little-endian, as in SPEC.md 8:
+ * the request asked for; all little-endian, as in docs/formats.md, section 1:
  *
  *   request  bytes A S K S; u8 wants (1 frame, 2 outlines); u8 x 3, 0; pose
  *   answer   bytes T W I N; u32 number of the request, from 0; u32 bytes of the

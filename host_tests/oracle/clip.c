@@ -194,7 +194,7 @@ static void start(const oracle_space *space, const fxl_polygon *polygon, exact_p
 void oracle_clip(const oracle_space *space, const fxl_polygon *polygon, oracle_outline *outline)
 {
     static exact_polygon polygons[2];
-    /* SPEC.md 4.2. Of a polygon that is not quite flat the order changes what is left. */
+    /* SPEC.md, section 4.3. Of a polygon that is not quite flat the order changes what is left. */
     static const int order[] = {FXL_PLANE_NEAR,  FXL_PLANE_FAR,    FXL_PLANE_LEFT,
                                 FXL_PLANE_RIGHT, FXL_PLANE_BOTTOM, FXL_PLANE_TOP};
     exact_polygon *current = &polygons[0], *other = &polygons[1];

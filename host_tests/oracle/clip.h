@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping and projection in exact rational arithmetic (SPEC.md 4.5 to 4.7):
+/* Clipping and projection in exact rational arithmetic (SPEC.md, sections 4.7 and 4.8):
  * Sutherland-Hodgman in the view on homogeneous big integers, with the planes
  * that the space's integers state. From the vertices there on nothing is rounded until the
  * result is written down at 2^-48 pixel. */

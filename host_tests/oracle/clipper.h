@@ -21,7 +21,7 @@ oracle_space oracle_clipper_space(const fxl_view *view);
 fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
                                     fxl_screen_polygon *screens, int room_for, int *count);
 
-/* How far the chosen one's outlines may be off, in 1/65536 pixel (SPEC.md 6b). */
+/* How far the chosen one's outlines may be off, in 1/65536 pixel (docs/extras/clippers.md). */
 double oracle_clipper_bound(const fxl_lens *lens);
 
 /* Whether that holds for triangles alone: of a face that is not quite flat it makes others. */

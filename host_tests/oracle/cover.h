@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Exact coverage by SPEC.md 4a, row by row: each edge's crossing is one exact
+/* Exact coverage by SPEC.md, section 5, row by row: each edge's crossing is one exact
  * quotient a row. */
 #ifndef ORACLE_COVER_H
 #define ORACLE_COVER_H
@@ -22,7 +22,7 @@ enum {
 void oracle_cover_row(const oracle_spot *points, int count, int bits, int y, int width,
                       uint8_t *row);
 
-/* The winding number about one centre by the text of SPEC.md 4a, and nothing
+/* The winding number about one centre by the text of SPEC.md, section 5, and nothing
  * else: the check of the above. */
 int oracle_winding(const oracle_spot *points, int count, int bits, int x, int y);
 

@@ -125,7 +125,7 @@ void oracle_to_world(const oracle_input *input, const double view[3], double wor
 
 static int64_t dot(const fxl_direction *row, const int64_t d[3])
 {
-    /* Below 2^61: SPEC.md 3. */
+    /* Below 2^61: SPEC.md, section 3. */
     return (int64_t)((oracle_wide)row->x * d[0] + (oracle_wide)row->y * d[1] +
                      (oracle_wide)row->z * d[2]);
 }

@@ -21,10 +21,10 @@ typedef struct {
     int64_t x_scale, y_scale;   /* pixels of 1/65536 for side / depth = 1 */
 } oracle_space;
 
-/* SPEC.md, chapters 4 and 5. */
+/* SPEC.md, sections 4.6 to 4.8. */
 oracle_space oracle_space_of_view(const fxl_view *view);
 
-/* SPEC.md 6b: the field of view folded into the matrix. */
+/* docs/extras/clippers.md, section 2.2: the field of view folded into the matrix. */
 oracle_space oracle_space_of_normalised(const fxl_view *view);
 
 #endif

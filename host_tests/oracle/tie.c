@@ -25,7 +25,7 @@ typedef struct {
     factor roll, pitch, yaw;
 } product;
 
-/* SPEC.md 1.3. */
+/* SPEC.md, section 1.3. */
 static const product products[] = {
     {0, 0, 1, COSINE, ONE, COSINE},   {0, 0, -1, SINE, SINE, SINE},   {0, 1, 1, SINE, COSINE, ONE},
     {0, 2, -1, COSINE, ONE, SINE},    {0, 2, -1, SINE, SINE, COSINE}, {1, 0, -1, SINE, ONE, COSINE},

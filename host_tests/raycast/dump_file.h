@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame dump (SPEC.md, chapter 9). */
+/* A frame dump (docs/formats.md, section 2). */
 #ifndef RAYCAST_DUMP_FILE_H
 #define RAYCAST_DUMP_FILE_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The third judge (SPEC.md, chapter 10): casts a ray through every pixel of
+/* The third judge (docs/accuracy.md, section 4): casts a ray through every pixel of
  * the twin's frames and says where the nearest polygon is another one. */
 #define _DEFAULT_SOURCE
 #include <errno.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene image (SPEC.md, chapter 8) as the polygons of a world. */
+/* A scene image (docs/formats.md, section 1) as the polygons of a world. */
 #ifndef RAYCAST_SCENE_FILE_H
 #define RAYCAST_SCENE_FILE_H
 

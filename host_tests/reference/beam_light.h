@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Light beams (SPEC.md 7b), in double: points are whole numbers, as the law has them. */
+/* Light beams (docs/extras/beams.md), in double: points are whole numbers, as the law has them. */
 #ifndef REF_LIGHT_H
 #define REF_LIGHT_H
 

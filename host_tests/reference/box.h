@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Boxes against the frustum (SPEC.md 4.3). */
+/* Boxes against the frustum (docs/extras/clippers.md, section 8). */
 #ifndef REF_BOX_H
 #define REF_BOX_H
 

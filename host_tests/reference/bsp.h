@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A tree (SPEC.md 7a), exact in 128 bits, and objects in pieces. */
+/* A tree (docs/extras/bsp.md), exact in 128 bits, and objects in pieces. */
 #ifndef REF_TREE_H
 #define REF_TREE_H
 

@@ -5,7 +5,7 @@
 
 /* The three axes of a view that starts as the world's axes and is turned step
  * by step about its own axes: each turn replaces two of them by combinations
- * of themselves. This is the definition in words of SPEC.md 1.3, so that the
+ * of themselves. This is the definition in words of SPEC.md, section 1.3, so that the
  * table of products there is checked rather than copied. */
 
 /* Turns a towards b by an angle whose sine and cosine are given. */

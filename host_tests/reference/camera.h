@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera (SPEC.md 1.3), in double. */
+/* The camera (SPEC.md, section 1.3), in double. */
 #ifndef REF_CAMERA_H
 #define REF_CAMERA_H
 

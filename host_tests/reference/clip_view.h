@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping in the view (SPEC.md 4.5): the frustum of SPEC.md 4.2 before it is
+/* Clipping in the view (SPEC.md, section 4.7): the frustum of 4.3 before it is
  * turned into the world. Each plane's normal has two components there. */
 #ifndef REF_CLIP_VIEW_H
 #define REF_CLIP_VIEW_H

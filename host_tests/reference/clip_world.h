@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping in world space (SPEC.md 4.5), in double. */
+/* Clipping in world space (docs/extras/clippers.md, section 5), in double. */
 #ifndef REF_CLIP_H
 #define REF_CLIP_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the library's clippers leave to the scan (SPEC.md 6b), by their names. */
+/* What the library's clippers leave to the scan (docs/extras/clippers.md), by their names. */
 #ifndef REF_CLIPPER_H
 #define REF_CLIPPER_H
 

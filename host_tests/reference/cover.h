@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is covered of a band, pixel by pixel (SPEC.md 4c). */
+/* What is covered of a band, pixel by pixel (docs/extras/spans.md). */
 #ifndef REF_COVER_H
 #define REF_COVER_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* By how much a depth of the library may differ from the exact one, and the frustum with
- * near and far moved by so much (SPEC.md 6 and 10). */
+ * near and far moved by so much (docs/accuracy.md, sections 1 and 4). */
 #ifndef REF_DEPTH_H
 #define REF_DEPTH_H
 

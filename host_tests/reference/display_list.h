@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The list of a frame's polygons (SPEC.md 4b), in double and without end. */
+/* The list of a frame's polygons (SPEC.md, section 7), in double and without end. */
 #ifndef REF_LIST_H
 #define REF_LIST_H
 
@@ -12,7 +12,8 @@ typedef struct {
     ref_rows rows;
     uint32_t object, face; /* numbers in the scene and in the model */
 
-    /* Whether the rounding of depths may decide what near and far leave of it (SPEC.md 10).
+    /* Whether the rounding of depths may decide what near and far leave of it
+     * (docs/accuracy.md, section 4).
      * Then least and most are what they leave at the least and at the most; either may have
      * no points. Asked only where the renderer says so. */
     bool in_doubt;

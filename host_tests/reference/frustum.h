@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The view frustum (SPEC.md 4.2), in double. */
+/* The view frustum (SPEC.md, section 4.3), in double. */
 #ifndef REF_FRUSTUM_H
 #define REF_FRUSTUM_H
 
@@ -23,7 +23,7 @@ typedef struct {
 ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens);
 
 /* The same, but for the sides without a bit in cuts: those lie at so many pixels from
- * the screen's centre, without an inset (SPEC.md 6b, the guard band). */
+ * the screen's centre, without an inset (docs/extras/clippers.md, section 2.3). */
 ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *lens, unsigned cuts,
                                    double pixels);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The lens (SPEC.md 4.2), in double. */
+/* The lens (SPEC.md, section 4.2), in double. */
 #ifndef REF_LENS_H
 #define REF_LENS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The order of drawing (SPEC.md 7), exact in 128 bits. */
+/* The order of drawing (SPEC.md, section 6), exact in 128 bits. */
 #ifndef REF_ORDER_H
 #define REF_ORDER_H
 

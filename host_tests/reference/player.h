@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The walk (SPEC.md 5), in double. */
+/* The walk (docs/extras/player.md), in double. */
 #ifndef REF_VIEWER_H
 #define REF_VIEWER_H
 

@@ -236,7 +236,8 @@ static void count_left_out(ref_renderer *renderer)
 }
 
 /* The planes that cut. The sides are those of the screen, without the inset: what an inset
- * takes from the picture is a fault of the scene's, which a judge is to see (SPEC.md 10). */
+ * takes from the picture is a fault of the scene's, which a judge is to see
+ * (docs/accuracy.md, section 4). */
 static void set_frusta(ref_renderer *renderer)
 {
     ref_lens screen = renderer->lens;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The frame loop (SPEC.md 4), in double. */
+/* The frame loop (SPEC.md, section 4), in double. */
 #ifndef REF_RENDER_H
 #define REF_RENDER_H
 

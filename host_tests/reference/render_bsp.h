@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame in the order of a tree (SPEC.md 7a), and what it shares with other orders. */
+/* A frame in the order of a tree (docs/extras/bsp.md), and what it shares with other orders. */
 #ifndef REF_RENDER_TREE_H
 #define REF_RENDER_TREE_H
 

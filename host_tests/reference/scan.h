@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The fill rule (SPEC.md 4a): every pixel centre is tested by itself against
+/* The fill rule (SPEC.md, section 5): every pixel centre is tested by itself against
  * the whole outline. */
 #ifndef REF_SCAN_H
 #define REF_SCAN_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene image (SPEC.md 8), read byte by byte into tables of the twin's own. */
+/* A scene image (docs/formats.md, section 1), read byte by byte into tables of the twin's own. */
 #ifndef REF_SCENE_H
 #define REF_SCENE_H
 
@@ -31,7 +31,7 @@ typedef struct {
 
 #define REF_NODE_NONE 65535u
 
-/* Of a tree (SPEC.md 7a), relative to its object's centre. */
+/* Of a tree (docs/extras/bsp.md), relative to its object's centre. */
 typedef struct {
     int32_t normal[3]; /* 2.30 */
     int64_t distance;  /* 18.46 */

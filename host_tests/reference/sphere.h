@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spheres against the frustum (SPEC.md 4.3). */
+/* Spheres against the frustum (SPEC.md, section 4.4). */
 #ifndef REF_SPHERE_H
 #define REF_SPHERE_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Splitting polygons of the world by planes (SPEC.md 7b), in double. */
+/* Splitting polygons of the world by planes (docs/extras/clippers.md, section 9), in double. */
 #ifndef REF_SPLIT_H
 #define REF_SPLIT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From the world into the view (SPEC.md 4.6). */
+/* From the world into the view (SPEC.md, section 4.6). */
 #ifndef REF_TRANSFORM_H
 #define REF_TRANSFORM_H
 

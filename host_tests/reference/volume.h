@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping to a convex volume (SPEC.md 6b): what every clipper of the family is to
+/* Clipping to a convex volume (docs/extras/clippers.md): what every clipper of the family is to
  * give, whichever way it goes about it. */
 #ifndef REF_VOLUME_H
 #define REF_VOLUME_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Wireframes (SPEC.md 4d), in double. */
+/* Wireframes (docs/extras/wire.md), in double. */
 #ifndef REF_WIRE_H
 #define REF_WIRE_H
 

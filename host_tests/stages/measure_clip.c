@@ -65,7 +65,7 @@ static void compare_vertex(stages_tally *tally, const ref_view_plane *plane,
     stages_extra(tally, FROM_PLANE, from_plane);
 }
 
-/* Walks the input's edges as SPEC.md 4.5 does, to know which vertices of the
+/* Walks the input's edges as SPEC.md, section 4.7, does, to know which vertices of the
  * result are new and from which edge. */
 static void compare_cut(stages_tally *tally, const ref_view_plane *plane,
                         const ref_view_polygon *in, const ref_view_polygon *fixed,

@@ -66,7 +66,7 @@ static void compare_vertex(stages_tally *tally, const ref_plane *plane, const re
                  REF_ONE * fmax(fabs(fixed->u - exact->u), fabs(fixed->v - exact->v)));
 }
 
-/* Walks the input's edges as SPEC.md 4.5 does, to know which vertices of the
+/* Walks the input's edges as SPEC.md, section 4.7, does, to know which vertices of the
  * result are new and from which edge. */
 static void compare_cut(stages_tally *tally, const ref_plane *plane, const ref_polygon *in,
                         const ref_polygon *fixed, const ref_polygon *exact)

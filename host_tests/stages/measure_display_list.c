@@ -62,7 +62,7 @@ void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons
 {
     fxl_display_list list = {malloc(words * sizeof(uint32_t) + 1), words, 0};
     ref_display_list twin = {0};
-    uint32_t left = words; /* SPEC.md 4b: two words and two for each point */
+    uint32_t left = words; /* SPEC.md, section 7: two words and two for each point */
     int sound = list.words != NULL, fits = 1;
     for (uint32_t i = 0; i < count && sound && fits; i++) {
         ref_drawn drawn = {0};

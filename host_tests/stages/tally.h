@@ -21,7 +21,7 @@ typedef struct {
     const char *unit, *measure, *bound;
     uint64_t samples;
     double max, sum;
-    uint64_t beyond_bound; /* samples that SPEC.md 6 does not allow */
+    uint64_t beyond_bound; /* samples that docs/accuracy.md does not allow */
     uint64_t mismatched;   /* the two sides gave results of another kind */
     uint64_t bins[TALLY_BINS];
     const char *extra_names[TALLY_EXTRAS]; /* further maxima; null where none */

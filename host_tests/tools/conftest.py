@@ -24,7 +24,7 @@ COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 
 
 def dump_bytes(frames, palette=None, promised=None, version=2, reserved=0, instructions=1000):
-    """A frame dump of SPEC.md chapter 9, written here from that chapter alone."""
+    """A frame dump of docs/formats.md, section 2, written here from that section alone."""
     height, width = frames[0].shape
     palette = bytes(range(256)) * 3 if palette is None else palette
     count = len(frames) if promised is None else promised

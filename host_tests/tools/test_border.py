@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The frustum's inset and the border of the screen: what an inset takes from the picture is told (SPEC.md, 10)."""
+"""The frustum's inset and the border of the screen: what an inset takes from the picture is told (docs/accuracy.md, section 4.1)."""
 
 import json
 import subprocess

@@ -140,7 +140,7 @@ def test_faces_keep_to_their_sides_and_an_image_of_them_is_sound(drawn):
 
 
 def in_order(nodes, faces, eye):
-    """The numbers of the faces far to near, as chapter 7a says."""
+    """The numbers of the faces far to near, as docs/extras/bsp.md says."""
     order = []
 
     def visit(number):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every clipper draws every scene as double does, whole and in bands (SPEC.md, chapter 6b)."""
+"""Every clipper draws every scene as double does, whole and in bands (docs/extras/clippers.md)."""
 
 import json
 import math
@@ -16,7 +16,7 @@ from fixel import image
 
 CLIPPERS = ("view", "world", "normalised", "once", "half-spaces", "triangles", "near", "near-box", "left")
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "adversarial", "beam")
-DISTANCE = 1 / 8192                                 # that explains a pixel (SPEC.md, chapter 10)
+DISTANCE = 1 / 8192                                 # that explains a pixel (docs/accuracy.md, section 4)
 SPOT = CHECKOUT.parent / "shared" / "models" / "spot.obj"
 HEAD, BEFORE_PIXELS, AFTER_PIXELS = 784, 32, 48     # of a dump, of a frame
 
@@ -51,7 +51,7 @@ def drawn(build, scene, clipper, out, *options):
 
 
 def bound(scene, clipper):
-    """Pixels: the world's clipper is off by two units of the world where near is (SPEC.md, chapter 6)."""
+    """Pixels: the world's clipper is off by two units of the world where near is (docs/extras/clippers.md, section 5)."""
     if clipper != "world":
         return DISTANCE
     opened = image.load(scene)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The family of clippers against the twin, given the same polygons (SPEC.md, chapter 6b)."""
+"""The family of clippers against the twin, given the same polygons (docs/extras/clippers.md)."""
 
 import json
 import subprocess
@@ -25,7 +25,7 @@ def fixture_found(build):
 
 @pytest.mark.parametrize("clipper", CLAIMED)
 def test_outlines_are_within_their_bound(found, clipper):
-    """A rare polygon beyond is nearly parallel to a plane that cuts it (SPEC.md 6a)."""
+    """A rare polygon beyond is nearly parallel to a plane that cuts it (docs/accuracy.md, section 3)."""
     row = found[clipper]
     assert row["cut"] > SAMPLES / 10
     assert row["beyond"] <= row["cut"] / 10_000

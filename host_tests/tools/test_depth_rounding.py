@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Faces that lie in the near or the far plane to within the rounding of the camera's matrix (SPEC.md, 6 and 10)."""
+"""Faces that lie in the near or the far plane to within the rounding of the camera's matrix (docs/accuracy.md, section 4.3)."""
 
 import json
 import subprocess

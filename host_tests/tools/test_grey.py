@@ -17,7 +17,7 @@ EVEN = numpy.repeat(numpy.arange(256, dtype=numpy.uint8)[:, None], 3, 1)
 def test_the_matrix():
     matrix = grey.matrix()
     assert sorted(matrix.ravel()) == list(range(64))
-    assert list(matrix[0]) == [0, 32, 8, 40, 2, 34, 10, 42]     # as SPEC.md has it
+    assert list(matrix[0]) == [0, 32, 8, 40, 2, 34, 10, 42]     # as docs/formats.md has it
 
 
 def test_luma():

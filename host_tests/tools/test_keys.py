@@ -142,7 +142,7 @@ def turned(before, after, turn, plus, minus):
 
 @dataclasses.dataclass
 class Walker:
-    """Keys from poses: SPEC.md, chapter 5, backwards."""
+    """Keys from poses: docs/extras/player.md, backwards."""
     gait: tuple
     speed: float = 0.0
 

@@ -134,7 +134,7 @@ def test_ring_turns_its_copies(tmp_path):
 
 
 def test_an_object_turned_like_a_camera_looks_where_the_camera_looks():
-    # Chapter 1: yaw turns +z towards +x, pitch raises it, roll lifts the right side.
+    # SPEC.md, section 1: yaw turns +z towards +x, pitch raises it, roll lifts the right side.
     def axes(*rotation):
         rows = toml_object.matrix((1, 1, 1), [Fraction(a) for a in rotation])
         return [tuple(row[i] for row in rows) for i in range(3)]

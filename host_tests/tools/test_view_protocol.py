@@ -19,7 +19,7 @@ PALETTE = bytes((5 * i) & 255 for i in range(768))
 
 
 class FakeBoard:
-    """The board's side of a window, from SPEC.md 9a alone, on the file that a board would share."""
+    """The board's side of a window, from docs/formats.md, section 3, alone, on the file that a board would share."""
 
     def __init__(self, path):
         self.memory = numpy.memmap(path, numpy.uint8, "r+")

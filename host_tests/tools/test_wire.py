@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wireframes of whole paths: both line clippers, bands, and the twin (SPEC.md, chapter 4d)."""
+"""Wireframes of whole paths: both line clippers, bands, and the twin (docs/extras/wire.md)."""
 
 import json
 

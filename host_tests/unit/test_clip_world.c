@@ -232,7 +232,7 @@ static void narrow(double from, double to, double at, double *low, double *high)
     *high = fmin(*high, fmax(one, other));
 }
 
-/* SPEC.md, chapter 6. Doubles have 53 bits: fractions of an edge of 2^30 units
+/* docs/accuracy.md, section 1. Doubles have 53 bits: fractions of an edge of 2^30 units
  * come out to 2^-23 unit, and the plane's distance of 2^61 to 2^-22 unit. */
 void test_a_new_vertex_is_within_its_bounds(void)
 {

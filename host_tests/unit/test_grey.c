@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The greys that displays show, against chapter 9b of SPEC.md. */
+/* The greys that displays show, against docs/formats.md, section 4. */
 #include "parts/grey.h"
 #include "unit.h"
 #include "unity.h"

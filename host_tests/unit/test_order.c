@@ -9,7 +9,7 @@
 
 static fxl_order_entry entries[MANY];
 
-/* The definition (SPEC.md, chapter 7): whether a is drawn before b. */
+/* The definition (SPEC.md, section 6): whether a is drawn before b. */
 static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
     if (a->layer != b->layer) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "unit.h"
 
-/* Each product is below 2^60 and each sum below 2^61, see SPEC.md chapter 3. */
+/* Each product is below 2^60 and each sum below 2^61, see SPEC.md, section 3. */
 static int64_t dot(fxl_direction n, fxl_point p)
 {
     return (int64_t)n.x * p.x + (int64_t)n.y * p.y + (int64_t)n.z * p.z;

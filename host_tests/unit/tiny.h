@@ -31,7 +31,7 @@ typedef struct {
  * 2 (model 0) at (5, 1, 12). Not checked yet. */
 tiny_scene *tiny_make(void);
 
-/* Byte offsets of a scene image's header (SPEC.md, chapter 8). */
+/* Byte offsets of a scene image's header (docs/formats.md, section 1). */
 enum {
     AT_MAGIC = 0,
     AT_VERSION = 4,

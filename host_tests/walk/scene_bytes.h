@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A small scene image (chapter 8 of SPEC.md), made in memory. */
+/* A small scene image (docs/formats.md, section 1), made in memory. */
 #ifndef SCENE_BYTES_H
 #define SCENE_BYTES_H
 

@@ -5,7 +5,7 @@ import json
 
 from fixel import clippers_run
 
-CLAIM_BEYOND = 1e-4     # of outlines may be beyond the claim: SPEC.md 6b says why
+CLAIM_BEYOND = 1e-4     # of outlines may be beyond the claim: docs/extras/clippers.md says why
 
 
 def row(plan, core, combination, scene, host, drawn, text_bytes):

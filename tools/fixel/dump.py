@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads a frame dump (SPEC.md, chapter 9): everything is checked before anything is handed out."""
+"""Reads a frame dump (docs/formats.md, section 2): everything is checked before anything is handed out."""
 
 import dataclasses
 import hashlib

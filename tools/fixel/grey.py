@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a display of few greys must show of a frame: written from SPEC.md, chapter 9b, alone.
+"""What a display of few greys must show of a frame: written from docs/formats.md, section 4, alone.
 
 The boards' own is boards/parts/grey.c; neither was made from the other.
 """
@@ -11,7 +11,7 @@ WEIGHTS = (54, 183, 19)
 
 
 def matrix():
-    """B(x, y) of SPEC.md as an array B[y, x]."""
+    """B(x, y) of docs/formats.md as an array B[y, x]."""
     y, x = numpy.indices((SIZE, SIZE))
     total = numpy.zeros((SIZE, SIZE), numpy.int64)
     for k in range(3):

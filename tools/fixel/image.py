@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Scene images: written, read and checked as chapters 3 and 8 of SPEC.md say."""
+"""Scene images: written, read and checked as SPEC.md, section 3, and docs/formats.md, section 1, say."""
 
 from dataclasses import dataclass, field
 from math import isqrt

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The beams of a scene image: their planes from windows, and what the loader asks of them
-(SPEC.md, chapters 7b and 8)."""
+(docs/extras/beams.md; docs/formats.md, section 1)."""
 
 from dataclasses import dataclass
 from math import isqrt

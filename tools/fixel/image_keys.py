@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The keys of a scene image: what ordering asks of a sorted model's faces (SPEC.md, chapter 8)."""
+"""The keys of a scene image: what ordering asks of a sorted model's faces (docs/formats.md, section 1)."""
 
 import struct
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tree of a scene image: its nodes, and what the loader asks of them (SPEC.md, chapter 8)."""
+"""The tree of a scene image: its nodes, and what the loader asks of them (docs/formats.md, section 1)."""
 
 from dataclasses import dataclass
 import struct

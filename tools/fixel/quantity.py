@@ -80,7 +80,7 @@ def vector(value, where):
 
 
 def position(value, where):
-    """A point of the world, each coordinate within the range of chapter 3."""
+    """A point of the world, each coordinate within the range of SPEC.md, section 3."""
     point = vector(value, where)
     for i, item in enumerate(point):
         in_range(item, -COORDINATE_MAX, COORDINATE_MAX, f"{where}[{i}]", "world units")

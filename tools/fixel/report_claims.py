@@ -33,7 +33,7 @@ CLAIMS = (
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is made 4, 16 or 64 times as "
           "large, camera and all; and it may cost at most 10 % more or fewer instructions."),
 )
-# Samples that a claim is about; fewer do not bear it out (SPEC.md, chapter 6a).
+# Samples that a claim is about; fewer do not bear it out (docs/accuracy.md, section 3).
 FEWEST = {**{kind.what: kind.samples(report_shards.SAMPLES) for kind in report_shards.CLAIMS},
           "frame": 500, "scale": 4}
 INSTRUCTIONS_PERCENT = 10

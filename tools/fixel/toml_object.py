@@ -47,7 +47,7 @@ def _turn(angle):
 def matrix(scale, rotation):
     """Scale, then turn: an object turned by yaw, pitch and roll looks where a
     camera turned so would look. Its columns are the camera's rows (SPEC.md,
-    chapter 1)."""
+    section 1)."""
     (sy, cy), (sp, cp), (sr, cr) = (_turn(a) for a in rotation)
     right = (cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy)
     up = (-sr * cy - cr * sp * sy, cr * cp, sr * sy - cr * sp * cy)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A tree over the faces of a layer (SPEC.md, chapter 7a): objects merged into one model, their
+"""A tree over the faces of a layer (docs/extras/bsp.md): objects merged into one model, their
 faces cut by splitting planes, and what the cuts made of edges given to all who have them.
 
 Everything is decided in integers on rounded vertices, as in fixel.mesh. A face is a ring of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The viewer's side of the live window (SPEC.md 9a): memory that an emulated board shares.
+"""The viewer's side of the live window (docs/formats.md, section 3): memory that an emulated board shares.
 
 check(waited) is asked while nothing comes, with the seconds waited so far: it
 raises where the board has ended or hangs, and answers False where nobody wants

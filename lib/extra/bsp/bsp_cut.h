@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts an object to the leaves of a tree (SPEC.md, chapter 7a, 4). Internal. */
+/* Cuts an object to the leaves of a tree (docs/extras/bsp.md, section 3). Internal. */
 #ifndef FXL_BSP_CUT_H
 #define FXL_BSP_CUT_H
 

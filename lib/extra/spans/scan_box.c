@@ -37,7 +37,7 @@ void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fx
     scan->column = scan->left;
 }
 
-/* The winding number about a centre, edge by edge (SPEC.md 4a). A crossing counts where
+/* The winding number about a centre, edge by edge (SPEC.md, section 5). A crossing counts where
  * the edge's x at the centre's height is not beyond the centre: with t the way down from
  * the upper end, (x - upper.x) height >= (lower.x - upper.x) t. Coordinates are below
  * 2^28 and a centre below 2^27, so the products are below 2^58. */

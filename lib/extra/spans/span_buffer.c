@@ -6,7 +6,7 @@
 #include "../../src/math/arith.h"
 #include "../../src/raster/fill_row.h"
 
-_Static_assert(sizeof(fxl_covered) == 6, "SPEC.md, chapter 4c");
+_Static_assert(sizeof(fxl_covered) == 6, "docs/extras/spans.md");
 _Static_assert(FXL_SCREEN_MAX < FXL_COVERED_END, "a pixel fits, and every row can be counted");
 _Static_assert(FXL_SPAN_BUFFER_ROW(FXL_SCREEN_MAX) < FXL_COVERED_END, "a row fits a pool");
 

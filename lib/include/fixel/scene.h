@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes: models, objects and a path, used in place from a scene image. The
- * byte layout of an image is chapter 8 of SPEC.md; these structures are that
+ * byte layout of an image is docs/formats.md, section 1; these structures are that
  * layout, so a scene may also be written as C tables. */
 #ifndef FXL_SCENE_H
 #define FXL_SCENE_H
@@ -75,7 +75,7 @@ typedef struct {
     uint8_t reserved; /* 0 */
 } fxl_instance;
 
-/* A node of a tree over the faces of one object (SPEC.md, chapter 7a): a plane,
+/* A node of a tree over the faces of one object (docs/extras/bsp.md): a plane,
  * relative to the object's centre, the faces on it, and what is in front of it
  * and behind. Nodes are listed as one comes upon them: root, front, back. */
 typedef struct {
@@ -105,7 +105,7 @@ enum {
     FXL_BEAM_DIRECTION = 1 /* light travels along a direction */
 };
 
-/* A beam. The order of its planes is that in which they cut (SPEC.md, chapter 7b). */
+/* A beam. The order of its planes is that in which they cut (docs/extras/beams.md). */
 typedef struct {
     int32_t from[3]; /* the point in 16.16, or the direction in 2.30 */
     uint8_t kind;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Opens a scene image (SPEC.md, chapter 8) in place. */
+/* Opens a scene image (docs/formats.md, section 1) in place. */
 #include <string.h>
 
 #include "../math/arith.h"
@@ -38,21 +38,21 @@ typedef struct {
     uint32_t reserved;
 } lit_header;
 
-_Static_assert(sizeof(header) == 160, "SPEC.md, chapter 8");
-_Static_assert(offsetof(header, start) == 40, "SPEC.md, chapter 8");
-_Static_assert(offsetof(header, palette) == 80, "SPEC.md, chapter 8");
-_Static_assert(offsetof(header, frame_count) == 136, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_point) == 12, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_face) == 20, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_model) == 28, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_instance) == 16, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_face_bounds) == 20, "SPEC.md, chapter 8");
-_Static_assert(offsetof(header, nodes) == 148, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_bsp_node) == 48, "SPEC.md, chapter 8");
-_Static_assert(sizeof(lit_header) == 16, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_beam) == 176, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_pose) == 24, "SPEC.md, chapter 8");
-_Static_assert(sizeof(fxl_path_segment) == 4, "SPEC.md, chapter 8");
+_Static_assert(sizeof(header) == 160, "docs/formats.md, section 1");
+_Static_assert(offsetof(header, start) == 40, "docs/formats.md, section 1");
+_Static_assert(offsetof(header, palette) == 80, "docs/formats.md, section 1");
+_Static_assert(offsetof(header, frame_count) == 136, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_point) == 12, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_face) == 20, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_model) == 28, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
+_Static_assert(offsetof(header, nodes) == 148, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
+_Static_assert(sizeof(lit_header) == 16, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
+_Static_assert(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
 #define MAGIC           0x534C5846u /* "FXLS" */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What hides what, by a tree (SPEC.md, chapter 7a): exact for what stands still, and for
+/* What hides what, by a tree (docs/extras/bsp.md): exact for what stands still, and for
  * convex objects that move about in it, which are cut to the tree's leaves. Source: chapter
  * 65 (A14). */
 #ifndef FXL_BSP_H

@@ -46,7 +46,7 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
  * band that is not of this screen): band untouched. */
 fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
 
-/* One line, by the rule of SPEC.md, chapter 4d. Exact, so that it is the same walked either
+/* One line, by the rule of docs/extras/wire.md. Exact, so that it is the same walked either
  * way. Requires points within FXL_SCREEN_COORDINATE_MAX and a band within 0..FXL_SCREEN_MAX. */
 void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
                    const fxl_band *band);

@@ -44,7 +44,7 @@ extern const fxl_clipper fxl_clipper_world; /* fxl_clip_by_world */
 /* Both work without room; given an fxl_clip_stats, they count in it. */
 
 /* Transform, then clip on exact sums: the precise way. Outline on the screen within 1.25/65536
- * pixel of the exact one, but for what SPEC.md, chapter 6a, excepts. */
+ * pixel of the exact one, but for what docs/accuracy.md, section 3, excepts. */
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen);
 
@@ -54,7 +54,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_fac
 fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_face *face,
                                   fxl_clipper_work *work, fxl_screen_polygon *screen);
 
-/* The family's clippers (SPEC.md, chapter 6b), each with room of its own (clipper_room.h). */
+/* The family's clippers (docs/extras/clippers.md), each with room of its own (clipper_room.h). */
 extern const fxl_clipper fxl_clipper_normalised; /* planes at x = +-z: codes without a product */
 extern const fxl_clipper fxl_clipper_once;       /* all planes in one pass */
 extern const fxl_clipper

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The records of the family of clippers (SPEC.md, chapter 6b): a polygon whose
+/* The records of the family of clippers (docs/extras/clippers.md): a polygon whose
  * vertices carry numbers of any meaning along. */
 #ifndef FXL_CLIP_RECORD_H
 #define FXL_CLIP_RECORD_H
