@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Fixel: every command. Each installs what it lacks (tools/setup.sh) and says so.
+# Fixel: every command. A command first calls tools/setup.sh, which installs what the command
+# lacks and says so; then a make of its own builds the files that it needs; then it runs a tool.
 
 BUILD    := build
 HOSTCC   ?= gcc
@@ -20,11 +21,12 @@ export CROSS HOSTCC
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
-# Quiet unless V=1: of a recipe for the host only the file that it makes is named.
+# Quiet unless V=1: a recipe for the host names the file that it makes.
 ifndef V
 .SILENT:
-SHELL = $(if $(filter-out $(MADE),$(filter $(BUILD)/host/%,$@)),$(eval MADE := $@)$(info $()  HOST $@))/bin/sh
 endif
+HOST_SAY = @printf '  HOST %s\n' $@
+MAKEFLAGS += --no-print-directory
 
 # --- boards ------------------------------------------------------------------
 
@@ -35,29 +37,13 @@ endif
 
 # --- set-up ------------------------------------------------------------------
 
-# What the goals of this command line need. It runs while make reads this, so
-# that set-up is over before the first compiler starts, also under -j. Where
-# nothing is missing it takes a few hundredths of a second.
-NEEDS_run    := run view flash boot size screen bench profile equality
-NEEDS_report := report wire all clippers
-NEEDS_test   := test boards seeded-bugs pictures
-NEEDS_lib    := lib
-NEEDS_format := format
-NEEDS_fuzz   := fuzz
-NEEDS_tools  := compare bench-diff bench-baseline clippers-accept
-NEEDS_gdb    := gdb
-NEEDS_probe  := $(if $(PROBE),$(if $(DRY_RUN),,flash))
-SETUP := $(strip $(foreach what,run report test lib format fuzz tools gdb probe,\
-    $(if $(filter $(NEEDS_$(what)),$(MAKECMDGOALS)),$(what))))
-
-# Once: not again in a make that this one started.
-ifeq ($(FIXEL_SETUP),)
-ifneq ($(SETUP),)
-ifneq ($(shell tools/setup.sh $(SETUP) >&2 && echo done),done)
-$(error set-up is not complete; see above)
-endif
-export FIXEL_SETUP := $(SETUP)
-endif
+# The commands. Those of one command line run one after the other, so that no two makes build the
+# same file at a time. What a command builds is built in parallel with -j, after its set-up. lib
+# calls no make of its own.
+COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
+    clippers-accept bench-diff bench-baseline profile equality fuzz seeded-bugs size format clean
+ifneq ($(filter-out lib,$(filter $(COMMANDS),$(MAKECMDGOALS))),)
+.NOTPARALLEL:
 endif
 
 # --- the parts ---------------------------------------------------------------
@@ -79,24 +65,31 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help all run view flash boot gdb compare report screen pictures wire lib test boards bench \
-    clippers clippers-accept bench-diff bench-baseline profile equality fuzz seeded-bugs size format clean
+.PHONY: FORCE help test-programs set-up-lib $(COMMANDS)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
 	    while IFS=@ read -r name what; do printf '  %-14s %s\n' "$$name" "$$what"; done
 	@echo "Boards: $(BOARDS)"
 
-all: $(WALK) $(HOST_WALK) $(HOST_TOOLS) ## build everything and run nothing
+all: ## build everything and run nothing
+	@tools/setup.sh report
+	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: $(WALK) $(HOST_WALK) $(BUILD)/host/judge ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+run: ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+	@tools/setup.sh run
+	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
 
-view: $(WALK) $(BUILD)/host/live ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= SCREEN= PORT= OPEN=1]
+view: ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= SCREEN= PORT= OPEN=1]
+	@tools/setup.sh view
+	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
 	    $(SCREEN_OPTION) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
-flash: $(WALK) ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
+flash: ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
+	@tools/setup.sh $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
+	@$(MAKE) $(WALK)
 ifeq ($(filter %.fxls,$(SCENE)),)
 	@mkdir -p $(BUILD)/scenes
 	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION) $(SCREEN_OPTION)
@@ -106,11 +99,15 @@ endif
 	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
 	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
 
-boot: $(WALK) ## power a board on from its flash image [BOARD=]
+boot: ## power a board on from its flash image [BOARD=]
+	@tools/setup.sh run
+	@$(MAKE) $(WALK)
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
 	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
 
-gdb: $(WALK) ## a debugger on the walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+gdb: ## a debugger on the walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+	@tools/setup.sh gdb
+	@$(MAKE) $(WALK)
 	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
 	    $(if $(GDB_COMMANDS),--commands '$(GDB_COMMANDS)')
 
@@ -119,40 +116,54 @@ ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: $(HOST_WALK) $(WALK) $(HOST_TOOLS) ## every claim measured, naive 16.16 and float beside: an HTML page, JSON [SAMPLES= SCENE= SEED=]
+report: ## every claim measured, naive 16.16 and float beside: an HTML page, JSON [SAMPLES= SCENE= SEED=]
+	@tools/setup.sh report
+	@$(MAKE) $(HOST_WALK) $(WALK) $(HOST_TOOLS)
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
-wire: $(BUILD)/host/wire ## a scene's path as wireframes, drawn here and compared with double [SCENE= SCREEN= FRAMES= OUT=]
+wire: ## a scene's path as wireframes, drawn here and compared with double [SCENE= SCREEN= FRAMES= OUT=]
+	@tools/setup.sh run
+	@$(MAKE) $(BUILD)/host/wire
 	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) \
 	    --out '$(if $(filter file,$(origin OUT)),$(BUILD)/wire,$(OUT))'
 
 PICTURE ?= $(BUILD)/screen/$(BOARD).png
 
-screen: $(WALK) ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
+screen: ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
+	@tools/setup.sh run
+	@$(MAKE) $(WALK)
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
 
-pictures: $(WALK) $(BUILD)/host/live ## the README's pictures anew, from make run, make report and make view
+pictures: ## the README's pictures anew, from make run, make report and make view
+	@tools/setup.sh test
+	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
-	@$(MAKE) --no-print-directory screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
+	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
-	@$(MAKE) --no-print-directory run SCENE=scenes/beam.toml OUT=$(BUILD)/beam
+	@$(MAKE) run SCENE=scenes/beam.toml OUT=$(BUILD)/beam
 	@$(PY) tools/pictures.py --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
-	@$(MAKE) --no-print-directory wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
+	@$(MAKE) wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
 	@$(PY) tools/pictures.py --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
+# lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
 lib: ## the library and its headers for your own firmware [CORE=cortex-m3 SIZE=1]
+$(BUILD)/lib/$(CORE)/flags: | set-up-lib
+set-up-lib:
+	@tools/setup.sh lib
 
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
 
-size: $(WALK) ## flash, RAM and worst stack; proof that the library has no float and no heap
+size: ## flash, RAM and worst stack; proof that the library has no float and no heap
+	@tools/setup.sh run
+	@$(MAKE) $(WALK)
 	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
-	    $(MAKE) --no-print-directory lib CORE=$$core >/dev/null || exit; done
+	    $(MAKE) lib CORE=$$core >/dev/null || exit; done
 	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
 	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
@@ -170,49 +181,70 @@ TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
 UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
     $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
 
-test: $(TEST_PROGRAMS) ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
+test-programs: $(TEST_PROGRAMS)
+
+test: ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
+	@tools/setup.sh test
+	@$(MAKE) test-programs
 	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
 
-boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board))) ## every board: memory, stack, speed, frames equal to the host's, unit tests
+boards: ## every board: memory, stack, speed, frames equal to the host's, unit tests
+	@tools/setup.sh units
+	@$(MAKE) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
-bench: $(BENCH_BUILT) ## executed instructions of the workloads and kernels on four cores, the chapter's listing beside
+bench: ## executed instructions of the workloads and kernels on four cores, the chapter's listing beside
+	@tools/setup.sh report
+	@$(MAKE) bench-programs
 	@$(PY) tools/bench.py --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
-clippers: $(CLIPPERS_BUILT) $(HOST_WALK) ## every clipper times every hidden-surface method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
+clippers: ## every clipper times every hidden-surface method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
+	@tools/setup.sh report
+	@$(MAKE) $(CLIPPERS_BUILT) $(HOST_WALK)
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
 	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
 
 clippers-accept: ## the last make clippers into docs/clipping.md and bench/clippers.json
+	@tools/setup.sh report
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --accept
 
 bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
+	@tools/setup.sh tools
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')
 
 bench-baseline: ## the last make bench as the new baseline, and the tables of docs/performance.md anew
+	@tools/setup.sh tools
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json --accept
 
 # CORE here is one of the bench's; the default of the other commands is none.
 PROFILE_CORE := $(if $(filter file,$(origin CORE)),m3,$(CORE))
 PROFILE_RENDERER := $(or $(RENDERER),fixel)
-profile: $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE))) ## where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
+profile: ## where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
+	@tools/setup.sh run
+	@$(MAKE) $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
 	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
 
-equality: $(EQUALITY_PROGRAMS) ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
+equality: ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
+	@tools/setup.sh run
+	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)') $(if $(JOBS),--jobs '$(JOBS)') \
 	    $(if $(KEEP),--keep '$(KEEP)')
 
-fuzz: $(FUZZ_PROGRAMS) ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
+fuzz: ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
+	@tools/setup.sh fuzz
+	@$(MAKE) $(FUZZ_PROGRAMS)
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
 seeded-bugs: ## break the library on purpose, one place at a time: the tests must see each
+	@tools/setup.sh units
 	@$(PY) tools/seeded_bugs.py --build $(BUILD)
 
 format: ## lay out the C sources with clang-format
+	@tools/setup.sh format
 	@find lib boards firmware host_tests bench -name '*.[ch]' -exec clang-format -i {} +
 
 clean: ## remove what was built (keeps .venv)

@@ -29,6 +29,7 @@ BENCH_COUNTER := $(BUILD)/host/bench_counter.so
 
 $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -fPIC -shared -fvisibility=hidden $(filter %.c,$^) -o $@
 
 # --- programs --------------------------------------------------------------------

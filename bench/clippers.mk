@@ -70,21 +70,26 @@ COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/
 
 $(COMPARISON_OUT)/%.o: host_tests/comparison/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(COMPARISON_CC) -c $< -o $@
 $(COMPARISON_OUT)/%.o: bench/firmware/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(COMPARISON_CC) -c $< -o $@
 $(COMPARISON_OUT)/path.o: firmware/walk/path.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(COMPARISON_CC) -c $< -o $@
 
 # $(1): a clipper, $(2): what hides what.
 define COMPARISON_RULES
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o: bench/firmware/combination.c $(CLIPPERS_PLAN)
 	@mkdir -p $$(@D)
+	$$(HOST_SAY)
 	$$(COMPARISON_CC) $(call CLIPPERS_DEFINES,$(1),$(2)) -c $$< -o $$@
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o \
         $(COMPARISON_OUT)/$(call CLIPPERS_PREPARE,$(2)).o $(COMPARISON_OBJECTS) $(call BOARD_PARTS_OF,host) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$$(HOST_SAY)
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 
 endef

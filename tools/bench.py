@@ -1,9 +1,14 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Counts what drawing the workloads and the library's kernels take, in executed instructions.
 
 Writes bench.json, bench.md, and plots. Two runs give the same numbers. Exit: 0 all was measured,
 1 a program of the bench failed or drew a wrong picture, 2 it could not be run.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import os

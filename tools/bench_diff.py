@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What became slower or faster, larger or smaller, since the baseline; and a new baseline.
 
@@ -5,6 +6,10 @@ Exit: 0 nothing of Fixel's became worse by more than the threshold, 1 something 
 2 there is nothing to compare. With --accept the run becomes the baseline, and the document's tables
 are made anew from it.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Every board beside the others: sizes, stack, speed, and whether its frames equal the host's.
 
@@ -6,6 +7,10 @@ on every one; a board without room for another says why. Exit: 0 if all frames
 that were drawn equal the host's and no unit test failed; 1 if not; 2 if there
 was nothing to compare with.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import collections

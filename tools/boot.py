@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Powers a board on from its flash image and fetches its frame dump."""
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 
 from fixel.emulator import run

@@ -1,9 +1,14 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Every clipper times everything that hides what: drawn on emulated cores, judged against double.
 
 Writes clippers.json and clippers.html (one self-contained page). Exit: 0 all is explained and every
 core drew what the host draws; 1 if not; 2 if it could not be run.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib

@@ -21,6 +21,7 @@ else
 include $(VERDICT)
 $(VERDICT): FORCE
 	@mkdir -p $(@D)
+	@tools/setup.sh tools
 	@code=0; $(PY) tools/compare.py --a '$(A)' --b '$(B)' --tolerance '$(if $(filter undefined,$(origin TOLERANCE)),0,$(TOLERANCE))' \
 	    --out '$(COMPARE_OUT)' $(if $(JSON),--json) || code=$$?; \
 	case $$code in 0) equal=yes ;; 1) equal=no ;; *) exit $$code ;; esac; \

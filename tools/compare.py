@@ -1,8 +1,13 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares two sets of frames: PNGs, folders of PNGs, or frame dumps, in any combination.
 
 Exit: 0 equal, 1 different, 2 cannot be compared.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import contextlib

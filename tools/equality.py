@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares each core's kernels with the portable ones, on the emulated core itself.
 
@@ -6,6 +7,10 @@ they differ. Prints a line for each kernel as it ends; exit 1 where any differed
 kept in a journal beside the programs: a kernel that this very program has compared already, with
 as many inputs, is not compared again.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -22,7 +27,7 @@ from fixel import ending as endings
 from fixel import emulator, firmware, output, qemu
 from fixel.errors import ToolError, run_main
 
-TIMEOUT = 3600.0    # seconds for a kernel
+TIMEOUT = 3600.0    # seconds of CPU time for a kernel
 THOUSANDS_MAX = 1000000
 KERNEL_SHIFT = 20   # as in firmware/equality/main.c
 LINE = re.compile(r"^equality: (\S+) (\d+)\nequality: differences (\d+)$", re.MULTILINE)

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Writes a program and a scene to a board: to its persistent flash image, or by a debug probe to the real one."""
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 import itertools
 

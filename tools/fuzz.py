@@ -9,6 +9,10 @@ Inputs that the run found stay under DIR/fuzz/corpus and begin the next run.
 Exit: 0 nothing found, 1 findings (each kept as a file), 2 could not run.
 """
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 import dataclasses
 import json

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Opens a debugger on a board's program, powered on from its flash image and stopped at main."""
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 
 from boot import positive

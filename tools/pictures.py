@@ -1,5 +1,10 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Makes a page's picture anew from the frames of `make run` or `make wire`, some of them side by side."""
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib

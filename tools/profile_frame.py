@@ -1,8 +1,13 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Where the instructions of a workload go: by function, by line, and as a flame graph.
 
 Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.toml).
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The precision report: every claim measured, and Fixel beside naive 16.16 and float32.
 
@@ -5,6 +6,10 @@ Writes report.json and report.html (one self-contained page). The same seed and
 number of samples give the same report on every machine. Exit: 0 if every claim
 holds and the third judge agrees; 1 if not; 2 if the report could not be made.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib

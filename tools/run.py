@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Walks a scene on a board, fetches the frames, and compares them with the host's and with double.
 
@@ -6,6 +7,10 @@ that differs from double is explained; 1 if not; 2 if the run could not be made;
 the program's own code where it failed (boards/contract/system.h), 124 where it
 hung, 134 where the core locked up.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -25,7 +30,7 @@ from fixel.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
-BOARD_TIMEOUT = 60.0    # seconds without a new frame
+BOARD_TIMEOUT = 60.0    # seconds of CPU time without a new frame
 
 
 def elf_of(board, build):

@@ -6,6 +6,10 @@
         SCENE is a .toml or an .obj; LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
     scene.py info OUT.fxls [--json]"""
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 import json
 import os

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: MIT
 """A picture of an emulated board's screen, as it is when the last frame was drawn."""
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 import pathlib
 import tempfile

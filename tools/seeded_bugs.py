@@ -2,12 +2,18 @@
 # SPDX-License-Identifier: MIT
 """Tests the tests: puts one known bug after the other into a copy of the library.
 
-    seeded_bugs.py [--build DIR] [--only WORD]
+    seeded_bugs.py [--build DIR] [--only WORD | --sample N]
 
 Each bug of host_tests/seeded_bugs/bugs.toml must make a test fail; without a
-bug none may. Works on copies under DIR/seeded_bugs and never in the checkout.
+bug none may. --sample tries N bugs, chosen by what the library and its tests
+hold, so that the same sources give the same sample and other sources another.
+Works on copies under DIR/seeded_bugs and never in the checkout.
 Exit: 0 all caught, 1 a bug survived (or a test fails without one), 2 could not run.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -19,83 +25,31 @@ import shutil
 import subprocess
 import sys
 import threading
-import tomllib
 
 import equality
+from fixel import bugs as records
+from fixel import limits
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
-BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
 # What make needs to build the library's tests.
 COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests")
-TEST_TIMEOUT = 120      # seconds; a bug that never ends is caught too
+# What make has built of them in the checkout, which it need not build again.
+COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3")
+TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught too
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
 EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small")
 EQUALITY_THOUSANDS = 20
-FIELDS = {"name": str, "kind": str, "file": str, "find": str, "replace": str, "why": str,
-          "tests": list}
-
-
-@dataclasses.dataclass
-class Bug:
-    """A line as it is, the same line with a mistake, and which tests are likeliest to see it."""
-    name: str
-    kind: str
-    file: str
-    find: str
-    replace: str
-    why: str
-    tests: list
 
 
 @dataclasses.dataclass
 class Verdict:
     """Which test failed with a bug, and its first words; None where the bug survived."""
-    bug: Bug
+    bug: records.Bug
     caught_by: str | None
     words: str = ""
-
-
-# --- the records -------------------------------------------------------------
-
-def read_bugs(root):
-    """The bugs, checked against the library as it is."""
-    path = pathlib.Path(root) / BUGS
-    try:
-        records = tomllib.loads(path.read_text(encoding="utf-8")).get("bug", [])
-    except (OSError, tomllib.TOMLDecodeError) as error:
-        raise ToolError(f"{path}: cannot be read: {error}") from error
-    bugs = [_bug(record, number, path) for number, record in enumerate(records)]
-    if not bugs:
-        raise ToolError(f"{path}: holds no [[bug]]")
-    for bug in bugs:
-        seeded_text(root, bug)
-    return bugs
-
-
-def _bug(record, number, path):
-    for field, kind in FIELDS.items():
-        if not isinstance(record.get(field), kind):
-            raise ToolError(f"{path}: bug {number}: '{field}' is missing or no {kind.__name__}")
-    if set(record) != set(FIELDS):
-        raise ToolError(f"{path}: bug {number}: unknown {', '.join(set(record) - set(FIELDS))}")
-    return Bug(**record)
-
-
-def seeded_text(root, bug):
-    """The bug's file with the bug in it."""
-    path = pathlib.Path(root) / bug.file
-    try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise ToolError(f"bug '{bug.name}': {bug.file} cannot be read: {error.strerror}") from error
-    count = text.count(bug.find)
-    if count != 1:
-        raise ToolError(f"bug '{bug.name}': its text is in {bug.file} {count} times, not once; "
-                        f"bring {BUGS} up to date with the library")
-    return text.replace(bug.find, bug.replace)
 
 
 # --- a copy, built and run -----------------------------------------------------
@@ -120,6 +74,10 @@ def make_copy(root, folder):
             shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("corpus"))
         else:
             shutil.copy2(source, folder / name)
+    for name in COPIED_BUILT:   # with their times, by which make sees what is new enough
+        source = pathlib.Path(root) / "build" / name
+        if source.is_dir():
+            shutil.copytree(source, folder / "build" / name)
 
 
 def build_tests(folder, tests, jobs):
@@ -136,13 +94,11 @@ def build_tests(folder, tests, jobs):
 def run_test(folder, test):
     """None if the program passes, else its first words of failure."""
     if test in EQUALITY:
-        return equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_TIMEOUT)
+        return equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
     try:
-        done = subprocess.run([target(test)], cwd=folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              errors="replace", timeout=TEST_TIMEOUT, check=False)
-    except subprocess.TimeoutExpired:
-        return f"still running after {TEST_TIMEOUT} s"
+        done = limits.run([str(folder / target(test))], TEST_CPU, merge=True, text=True, cwd=folder)
+    except limits.LimitError as error:
+        return str(error)
     if done.returncode == 0:
         return None
     lines = done.stdout.splitlines()
@@ -154,7 +110,7 @@ def try_bug(folder, bug, tests, jobs):
     """Seeds a bug in a copy, runs tests until one fails, takes the bug out again."""
     file = folder / bug.file
     good = file.read_text(encoding="utf-8")
-    file.write_text(seeded_text(folder, bug), encoding="utf-8")
+    file.write_text(bug.seed(good), encoding="utf-8")
     try:
         likely = [test for test in bug.tests if test in tests]
         for group in (likely, [test for test in tests if test not in likely]):
@@ -221,16 +177,19 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", default="build", help="the build folder")
     parser.add_argument("--root", default=str(CHECKOUT), help="the checkout to copy from")
-    parser.add_argument("--only", default="", help="only bugs with this in their name or kind")
+    parser.add_argument("--only", default="", help="only bugs with this in their marker, name or kind")
+    parser.add_argument("--sample", type=int, default=0, help="so many of the bugs (all)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(argv)
-    bugs = [bug for bug in read_bugs(options.root) if options.only in f"{bug.name} {bug.kind}"]
+    bugs = [bug for bug in records.read(options.root) if options.only in f"{bug.marker} {bug.name} {bug.kind}"]
     if not bugs:
-        raise ToolError(f"no bug has '{options.only}' in its name or kind")
+        raise ToolError(f"no bug has '{options.only}' in its marker, name or kind")
+    if options.sample:
+        bugs = records.sample(options.root, bugs, options.sample)
     tests = all_tests(options.root)
     unknown = {test for bug in bugs for test in bug.tests} - set(tests)
     if unknown:
-        raise ToolError(f"{BUGS}: there is no {', '.join(sorted(unknown))}")
+        raise ToolError(f"{records.BUGS}: there is no {', '.join(sorted(unknown))}")
     scratch = pathlib.Path(options.build).resolve() / "seeded_bugs"
     copies = [scratch / str(number) for number in range(max(1, min(options.jobs, len(bugs))))]
     print("seeded bugs: building the tests as they are", file=sys.stderr, flush=True)

@@ -2,21 +2,23 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools|gdb|probe...
+# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|gdb|probe...
 #
-#   run     cross compiler, QEMU, Python packages
-#   report  the same, and GMP
-#   test    the same, Ruby with CMock, Chromium, which opens the report, GDB and OpenOCD
+#   run     cross compiler, QEMU, Python packages for running boards
+#   view    the same, and Python packages for a web page
+#   report  the same as run, GMP, and Python packages for plots
+#   units   the same as run, and Ruby with CMock
+#   test    all of these, Chromium, which opens the report, GDB and OpenOCD, pytest
 #   lib     cross compiler
 #   format  clang-format
-#   fuzz    clang with its sanitizers and coverage tools, Python packages
-#   tools   Python packages
+#   fuzz    clang with its sanitizers and coverage tools, Python packages as for run
+#   tools   Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
 #
-# Debian packages come from this machine's own apt sources; Python packages go
-# into .venv, and nowhere else. Where nothing is missing it says nothing and
-# takes a few hundredths of a second. Exit: 0 all there, 1 something is missing.
+# Debian packages come from this machine's own apt sources. Python packages are those of
+# requirements/*.txt and go into .venv. Where nothing is missing, set-up says nothing and
+# takes less than a second. Exit: 0 all there, 1 something is missing.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -43,6 +45,7 @@ need_cross_compiler() {
     compiles "${cross}gcc" string.h || need libnewlib-arm-none-eabi
 }
 need_emulator() { has qemu-system-arm || need qemu-system-arm; }
+need_board() { need_host_compiler; need_cross_compiler; need_emulator; need_python run; }
 need_cmock() {
     has ruby || need ruby
     [ -f "$cmock_home/lib/cmock.rb" ] || need cmock
@@ -64,38 +67,51 @@ find_clang() {
     done
     return 1
 }
-need_venv() { wants_venv=yes; }
+# The groups of requirements/ that are wanted.
+need_python() {
+    for group in "$@"; do
+        case " $python_groups " in *" $group "*) ;; *) python_groups="$python_groups $group" ;; esac
+    done
+}
 
-# The venv's stamp: the requirements and the interpreter that it was made for.
+# The venv's stamp: the interpreter that it was made for, and where.
 venv_key() {
-    { cat requirements.txt; python3 -c 'import sys; print(sys.version, sys.executable)'; pwd; } |
-        sha256sum | cut -d' ' -f1
+    { python3 -c 'import sys; print(sys.version, sys.executable)'; pwd; } | sha256sum | cut -d' ' -f1
 }
-venv_is_ready() {
-    [ -x "$venv/bin/python" ] && [ "$(cat "$venv/.ready" 2>/dev/null)" = "$(venv_key)" ]
+venv_is_made() {
+    [ -x "$venv/bin/python" ] && [ "$(cat "$venv/.made" 2>/dev/null)" = "$(venv_key)" ]
 }
+# A group's stamp is a copy of its requirements.
+missing_groups() {
+    for group in $python_groups; do
+        cmp -s "requirements/$group.txt" "$venv/.ready-$group" || printf '%s ' "$group"
+    done
+}
+venv_is_ready() { venv_is_made && [ -z "$(missing_groups)" ]; }
 
 find_missing() {
     packages=
-    wants_venv=
+    python_groups=
     for what in "$@"; do
         case $what in
-        run) need_host_compiler; need_cross_compiler; need_emulator; need_venv ;;
-        report) need_host_compiler; need_cross_compiler; need_emulator; need_gmp; need_venv ;;
+        run) need_board ;;
+        view) need_board; need_python view ;;
+        report) need_board; need_gmp; need_python report ;;
+        units) need_board; need_cmock ;;
         test)
-            need_host_compiler; need_cross_compiler; need_emulator; need_gmp
-            need_cmock; need_browser; need_debugger; need_openocd; need_venv ;;
+            need_board; need_gmp; need_cmock; need_browser; need_debugger; need_openocd
+            need_python view report test ;;
         lib) need_cross_compiler ;;
-        fuzz) need_host_compiler; need_fuzzer; need_venv ;;
+        fuzz) need_host_compiler; need_fuzzer; need_python run ;;
         format) has clang-format || need clang-format ;;
-        tools) need_host_compiler; need_venv ;;
-        gdb) need_host_compiler; need_cross_compiler; need_emulator; need_debugger; need_venv ;;
-        probe) need_host_compiler; need_cross_compiler; need_emulator; need_openocd; need_venv ;;
-        *) die "unknown set-up '$what': run, report, test, lib, format, fuzz, tools, gdb or probe" ;;
+        tools) need_python run ;;
+        gdb) need_board; need_debugger ;;
+        probe) need_board; need_openocd ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, tools, gdb or probe" ;;
         esac
     done
     has python3 || need python3
-    if [ -n "$wants_venv" ] && ! venv_is_ready; then
+    if [ -n "$python_groups" ] && ! venv_is_made; then
         python3 -c 'import venv, ensurepip' 2>/dev/null || need python3-venv
     fi
 }
@@ -196,31 +212,36 @@ unknown() { for package in $packages; do candidate "$package" || printf '%s ' "$
 # --- Python packages ---------------------------------------------------------
 
 make_venv() {
-    say "making .venv with the Python packages of requirements.txt (about 40 MB to fetch, 200 MB on disk)"
-    rm -f "$venv/.ready"
+    say "making .venv"
     python3 -m venv --clear "$venv" || die "python3 -m venv failed; its words are above"
+    venv_key >"$venv/.made"
+}
+# $1: a group.
+install_group() {
+    say "fetching the Python packages of requirements/$1.txt into .venv"
+    rm -f "$venv/.ready-$1"
     {
         code=0
         "$venv/bin/python" -m pip install --disable-pip-version-check --no-input --no-color \
-            --progress-bar off -r requirements.txt 2>&1 </dev/null || code=$?
+            --progress-bar off -r "requirements/$1.txt" 2>&1 </dev/null || code=$?
         echo "$code" >"$scratch/pip.exit"
     } | tee "$scratch/pip.log" | sed -u -n 's/^Collecting \([^ ]*\).*/setup:   \1/p; s/^Installing collected.*/setup:   installing/p' >&2
     [ "$(cat "$scratch/pip.exit")" -eq 0 ] || {
         tail -n 10 "$scratch/pip.log" >&2
-        die "pip could not install requirements.txt; its words are above"
+        die "pip could not install requirements/$1.txt; its words are above"
     }
-    venv_key >"$venv/.ready"
+    cp "requirements/$1.txt" "$venv/.ready-$1"
 }
 
 # --- all together ------------------------------------------------------------
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|report|test|lib|format|fuzz|tools|gdb|probe..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|gdb|probe..."
 
 is_ready() {
     find_missing "$@"
-    [ -z "$packages" ] && { [ -z "$wants_venv" ] || [ -n "$packages_only" ] || venv_is_ready; }
+    [ -z "$packages" ] && { [ -z "$python_groups" ] || [ -n "$packages_only" ] || venv_is_ready; }
 }
 is_ready "$@" && exit 0
 
@@ -231,5 +252,8 @@ is_ready "$@" && exit 0
 [ -z "$packages" ] || install_packages "$@"
 find_missing "$@"
 [ -z "$packages" ] || die "still missing after installing:$packages. Is PATH set as usual?"
-if [ -n "$wants_venv" ] && [ -z "$packages_only" ] && ! venv_is_ready; then make_venv; fi
+if [ -n "$python_groups" ] && [ -z "$packages_only" ]; then
+    venv_is_made || make_venv
+    for group in $(missing_groups); do install_group "$group"; done
+fi
 say "ready"

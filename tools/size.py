@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Flash, RAM and worst stack of the firmware and of the library for each core.
 
@@ -5,6 +6,10 @@ Also proves on the Cortex-M0 build that the library draws in neither floating
 point nor a heap: by its undefined symbols, and by linking all of it with
 nothing but the compiler's own helpers. Exit 1 where that proof fails.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib

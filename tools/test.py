@@ -1,10 +1,16 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs every test: units on the host, the same units on each emulated board, the tools.
 
 Prints a line for each suite as it ends and failures whole, and which tests were
 left out because a board has no room for them. The last line is "N passed, N
 failed" (", N skipped" where some were); exit 1 if any failed or nothing ran.
+Limits are on CPU time and on sleep (fixel.limits), not on wall time.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -12,20 +18,19 @@ import dataclasses
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import threading
 import time
 import xml.etree.ElementTree
 
-from fixel import emulator
+from fixel import emulator, limits
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured
 
-HOST_TIMEOUT = 300      # seconds for one program
-BOARD_TIMEOUT = 300
-PYTEST_TIMEOUT = 600
+HOST_CPU = 300          # seconds of CPU time for one program
+BOARD_CPU = 300
+PYTEST_CPU = 1800       # and for all that the tests of a file start
 QUIET = 20.0            # seconds without a line after which the one running is named
 TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests" / "tools"
 
@@ -55,14 +60,12 @@ def run_host(program):
     # A path of its own: "x" alone would be looked for in PATH.
     command = [str(pathlib.Path(program).resolve())]
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=HOST_TIMEOUT, check=False)
+        done = limits.run(command, HOST_CPU, merge=True, text=True)
     except OSError as error:
         return Outcome(failed=1, output=f"{program}: {error.strerror}")
-    except subprocess.TimeoutExpired as error:
-        text = (error.stdout or b"").decode(errors="replace")
-        return Outcome(failed=1, output=f"{text}\n{program}: still running after {HOST_TIMEOUT} s")
-    text = done.stdout.decode(errors="replace")
+    except limits.LimitError as error:
+        return Outcome(failed=1, output=f"{error.output}\n{error}")
+    text = done.stdout
     passed, failed, skipped = count_unity(text)
     summary = re.search(r"^(\d+) Tests (\d+) Failures (\d+) Ignored", text, re.MULTILINE)
     if not summary or [int(n) for n in summary.groups()] != [passed + failed + skipped, failed, skipped]:
@@ -77,7 +80,7 @@ def run_host(program):
 def run_board(elf):
     """A Unity program on its emulated board."""
     try:
-        passed, failed, text = emulator.run_unit(elf, BOARD_TIMEOUT)
+        passed, failed, text = emulator.run_unit(elf, BOARD_CPU)
     except ToolError as error:
         return Outcome(failed=1, output=str(error))
     return Outcome(passed, failed, count_unity(text)[2], text)
@@ -91,12 +94,10 @@ def run_pytest(file):
                    "-rs", "-p", "no:cacheprovider", f"--junitxml={report}",
                    f"--basetemp={folder}/tmp"]
         try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, timeout=PYTEST_TIMEOUT, check=False)
-        except subprocess.TimeoutExpired:
-            return Outcome(failed=1, output=f"{file}: still running after {PYTEST_TIMEOUT} s")
-        text = done.stdout.decode(errors="replace")
-        return _pytest_outcome(report, done.returncode, text)
+            done = limits.run(command, PYTEST_CPU, merge=True, text=True)
+        except limits.LimitError as error:
+            return Outcome(failed=1, output=f"{error.output}\n{error}")
+        return _pytest_outcome(report, done.returncode, done.stdout)
 
 
 def _pytest_outcome(report, code, text):

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Starts a board and shows its frames live on a web page of this machine.
 
@@ -5,6 +6,10 @@ Keys go from the page to the firmware; the page shows the double twin beside it.
 Ctrl-C ends everything. Exit: 0 after Ctrl-C; else the board ended by itself,
 with the exit code of its program, or 2 where it could not be started.
 """
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
 
 import argparse
 import asyncio

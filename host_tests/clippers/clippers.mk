@@ -6,12 +6,14 @@ HOST_TOOLS += $(BUILD)/host/clipper_errors
 
 $(BUILD)/host/objects/clippers/%.o: host_tests/clippers/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
 	    -MMD -MP -c $< -o $@
 
 $(BUILD)/host/clipper_errors: $(CLIPPERS_OBJECTS) \
         $(addprefix $(BUILD)/host/objects/stages/,bridge.o random.o tally.o) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
 
 -include $(CLIPPERS_OBJECTS:.o=.d)

@@ -7,9 +7,11 @@ HOST_TOOLS += $(BUILD)/host/designs
 # Contraction and excess precision would make float32 what it is not.
 $(BUILD)/host/objects/designs/%.o: host_tests/designs/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 
 $(BUILD)/host/designs: $(DESIGNS_OBJECTS) $(BUILD)/host/libfixel.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
 
 -include $(DESIGNS_OBJECTS:.o=.d)

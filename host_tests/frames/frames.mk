@@ -9,13 +9,16 @@ FRAMES_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ilib/include -Ifirm
 
 $(BUILD)/host/objects/frames/%.o: host_tests/frames/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(FRAMES_CC) $< -o $@
 
 $(BUILD)/host/objects/frames/path.o: firmware/walk/path.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(FRAMES_CC) $< -o $@
 
 $(BUILD)/host/frames: $(FRAMES_OBJECTS) $(BUILD)/host/libfixel.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -o $@
 
 -include $(FRAMES_OBJECTS:.o=.d)

@@ -26,12 +26,14 @@ FUZZ_LIB := $(LIB_NAMES)
 define FUZZ_ASAN_RULE
 $(FUZZ_OUT)/asan/lib/%.o: $(1) host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk
 	@mkdir -p $$(@D)
+	$$(HOST_SAY)
 	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) -O1 $$(FUZZ_SANITIZERS) $$(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_ASAN_RULE,$(pattern))))
 
 $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) -c $< -o $@
 
 # --- branches: the library as it is shipped, without assertions ----------------
@@ -39,12 +41,14 @@ $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 define FUZZ_COVER_RULE
 $(FUZZ_OUT)/cover/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
 	@mkdir -p $$(@D)
+	$$(HOST_SAY)
 	$$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_COVER_RULE,$(pattern))))
 
 $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 -fsanitize=fuzzer-no-link -c $< -o $@
 
 # --- replay --------------------------------------------------------------------
@@ -55,23 +59,28 @@ FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanit
 define FUZZ_REPLAY_RULE
 $(FUZZ_OUT)/replay/lib/%.o: $(1) host_tests/fuzz/fuzz.mk
 	@mkdir -p $$(@D)
+	$$(HOST_SAY)
 	$$(HOSTCC) $$(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call FUZZ_REPLAY_RULE,$(pattern))))
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -c $< -o $@
 
 define FUZZ_PROGRAM
 $(FUZZ_OUT)/fuzz_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/asan/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/asan/lib/%.o)
+	$$(HOST_SAY)
 	$$(FUZZ_CLANG) -fsanitize=address,undefined,fuzzer $$^ -o $$@
 
 $(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/cover/lib/%.o)
+	$$(HOST_SAY)
 	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
 
 $(FUZZ_OUT)/replay_$(1): $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
         $(FUZZ_LIB:%=$(FUZZ_OUT)/replay/lib/%.o)
+	$(HOST_SAY)
 	$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
 endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))

@@ -10,17 +10,21 @@ HIDDEN_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ilib/include $(call LIB_FAMILY_C
 
 $(BUILD)/host/objects/hidden/%.o: host_tests/hidden/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/objects/hidden/%.o: host_tests/unit/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/objects/hidden/%.o: firmware/walk/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/hidden: $(HIDDEN_OBJECTS) $(BUILD)/host/libfixel.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -o $@
 
 -include $(HIDDEN_OBJECTS:.o=.d)

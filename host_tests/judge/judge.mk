@@ -7,10 +7,12 @@ HOST_TOOLS += $(BUILD)/host/judge
 # POSIX: threads, and whether stderr is a terminal.
 $(BUILD)/host/objects/judge/%.o: host_tests/judge/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -pthread \
 	    -Ihost_tests -MMD -MP -c $< -o $@
 
 $(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/libreference.a $(BUILD)/host/liboracle.a
+	$(HOST_SAY)
 	$(HOSTCC) -pthread $^ -lm -o $@
 
 -include $(JUDGE_OBJECTS:.o=.d)

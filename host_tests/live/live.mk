@@ -6,9 +6,11 @@ HOST_TOOLS += $(BUILD)/host/live
 
 $(BUILD)/host/objects/live/%.o: host_tests/live/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -MMD -MP -c $< -o $@
 
 $(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/judge/dump.o $(BUILD)/host/libreference.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
 
 -include $(LIVE_OBJECTS:.o=.d)

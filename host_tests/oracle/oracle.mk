@@ -10,6 +10,7 @@ HOST_TOOLS += $(BUILD)/host/oracle
 
 $(BUILD)/host/objects/oracle/%.o: host_tests/oracle/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
 	    -MMD -MP -c $< -o $@
 
@@ -19,6 +20,7 @@ $(ORACLE_LIBRARY): $(BUILD)/host/objects/oracle/tie.o
 
 $(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(ORACLE_BRIDGE) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -lgmp -lm -o $@
 
 # --- the oracle's own tests ----------------------------------------------------
@@ -29,16 +31,19 @@ UNITY_TESTS += $(ORACLE_UNIT)/test_tie $(ORACLE_UNIT)/test_exact
 
 $(ORACLE_UNIT)/unity.o: $(ORACLE_UNIT_UNITY)/src/unity.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) -std=c11 -O1 -w -c $< -o $@
 
 $(ORACLE_UNIT)/test_%.o: host_tests/oracle/unit/test_%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O1 -g -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests \
 	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
 
 $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
         $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(ORACLE_BRIDGE) $(BUILD)/host/libfixel.a \
         $(BUILD)/host/libreference.a
+	$(HOST_SAY)
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
 
 -include $(ORACLE_OBJECTS:.o=.d) $(wildcard $(ORACLE_UNIT)/*.d)

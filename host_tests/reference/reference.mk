@@ -10,10 +10,12 @@ REFERENCE_CFLAGS := -std=c11 -O2 -ffp-contract=off -Ihost_tests
 
 $(BUILD)/host/objects/reference/%.o: host_tests/reference/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) $(REFERENCE_CFLAGS) -MMD -MP -c $< -o $@
 
 $(REFERENCE_LIBRARY): $(REFERENCE_OBJECTS)
 	rm -f $@
+	$(HOST_SAY)
 	$(HOSTAR) rcs $@ $^
 
 -include $(REFERENCE_OBJECTS:.o=.d)

@@ -6,10 +6,12 @@ HOST_TOOLS += $(BUILD)/host/stage_errors
 
 $(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include $(call LIB_FAMILY_CFLAGS,portable) \
 	    -MMD -MP -c $< -o $@
 
 $(BUILD)/host/stage_errors: $(STAGES_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
 
 -include $(STAGES_OBJECTS:.o=.d)

@@ -2,6 +2,7 @@
 """Boards' programs for the tests of flashing and booting."""
 
 import fcntl
+import functools
 import os
 import pathlib
 import shutil
@@ -16,8 +17,9 @@ EVERY_BOARD = sorted(path.parent.name for path in (ROOT / "boards").glob("*/boar
                      if path.parent.name != "host")
 
 
+@functools.cache
 def made(target, *settings):
-    """A file of this make, made if it is not new enough."""
+    """A file of this make, made if it is not new enough: once in a process, which sees no sources change."""
     (ROOT / "build").mkdir(exist_ok=True)
     with open(ROOT / "build" / ".board-tests.lock", "w", encoding="ascii") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # several test files run at a time

@@ -45,21 +45,22 @@ def random_frames(count, height=24, width=32, seed=1):
 def environment(**changes):
     """The environment of a user's own command, not of one under make test."""
     kept = {name: value for name, value in os.environ.items()
-            if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES", "FIXEL_SETUP")}
+            if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
     return {**kept, **changes}
 
 
-def run_cli(verb, *arguments, timeout=300, **changes):
-    """tools/VERB.py as a finished process, run in the checkout."""
+def run_cli(verb, *arguments, **changes):
+    """tools/VERB.py as a finished process, run in the checkout. Without a limit of its own: tools/test.py
+    limits the CPU time and the sleep of the tests of a file and all that they start."""
     return subprocess.run([sys.executable, str(TOOLS / f"{verb}.py"), *map(str, arguments)],
                           cwd=CHECKOUT, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          timeout=timeout, check=False, env=environment(**changes))
+                          check=False, env=environment(**changes))
 
 
-def run_make(*arguments, timeout=600, **changes):
+def run_make(*arguments, **changes):
     """make in the checkout as a finished process."""
     return subprocess.run(["make", *map(str, arguments)], cwd=CHECKOUT, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, timeout=timeout, check=False,
+                          capture_output=True, text=True, check=False,
                           env=environment(**changes))
 
 

@@ -12,7 +12,7 @@ from elftools.elf.elffile import ELFFile
 
 import bench as bench_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, link_map
+from fixel import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, link_map
 from fixel.errors import ToolError
 
 BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performance.md"
@@ -33,24 +33,33 @@ def baseline():
 
 @pytest.fixture(scope="module")
 def measured(tmp_path_factory):
-    """bench.json of two runs on the M3, and the first one's folder."""
-    folder = tmp_path_factory.mktemp("bench")
-    texts = []
-    for name in ("first", "second"):
-        done = run_cli("bench", "--cores", "m3", "--left-out", "m0", "m4f", "m55", "--out", folder / name)
-        assert done.returncode == 0, done.stderr
-        texts.append((folder / name / "bench.json").read_text())
-    return texts, folder / "first", done.stdout
+    """bench.json of a run on the M3, its folder, and what it printed."""
+    folder = tmp_path_factory.mktemp("bench") / "out"
+    done = run_cli("bench", "--cores", "m3", "--left-out", "m0", "m4f", "m55", "--out", folder)
+    assert done.returncode == 0, done.stderr
+    return (folder / "bench.json").read_text(), folder, done.stdout
 
 
 # --- a run --------------------------------------------------------------------------
 
-def test_two_runs_write_the_same_bytes(measured):
-    assert measured[0][0] == measured[0][1]
+def test_a_second_run_counts_the_same(measured, plan, tmp_path):
+    """Of one workload by each renderer that draws it, and of all kernels."""
+    result = json.loads(measured[0])
+    workload = plan.workloads["w1"]
+    image, scene = bench_plan.compile_scene(workload, tmp_path)
+    again = [bench_rows.frame_row("m3", workload, renderer, bench_run.draw(plan, "m3", renderer, image),
+                                  bench_plan.units_of(workload, scene))
+             for core, name, renderer in plan.runs(["m3"]) if name == "w1"]
+    kernels, limits = bench_rows.split_kernels(plan, "m3", bench_run.kernels(plan, "m3"))
+    counted = ("core", "workload", "renderer", "instructions", "frame", "per_unit", "unit")
+    figures = [[row[key] for key in counted] for row in result["rows"]]
+    assert len(again) >= 2 and len(kernels) >= 10
+    assert all([row[key] for key in counted] in figures for row in [*again, *kernels])
+    assert limits == result["limits"]
 
 
 def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
-    (text, _), folder, printed = measured
+    text, folder, printed = measured
     assert {path.name for path in folder.iterdir()} == set(bench_tool.PATTERNS)
     assert (folder / "bench.png").read_bytes()[:4] == b"\x89PNG"
     goals = json.loads(text)["goals"]
@@ -86,7 +95,7 @@ def check_rows(rows, plan, cores):
 
 
 def test_rows_of_a_run(measured, plan):
-    result = json.loads(measured[0][0])
+    result = json.loads(measured[0])
     check_rows(result["rows"], plan, ["m3"])
     assert result["left_out"] == ["m0", "m4f", "m55"]
 
@@ -97,7 +106,7 @@ def test_rows_of_the_baseline(baseline, plan):
 
 
 def test_the_stages_and_functions_add_up_to_the_frames(measured, plan):
-    result = json.loads(measured[0][0])
+    result = json.loads(measured[0])
     for workload in plan.stages["workloads"]:
         stages = [row for row in result["stages"] if row["workload"] == workload]
         (row,) = [row for row in result["rows"] if row["workload"] == workload and row["renderer"] == "fixel"]

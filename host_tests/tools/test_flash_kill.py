@@ -79,7 +79,7 @@ def flash_command(walk, scene, image):
 def killed(driver, at, walk, scene, image):
     """A flash with a driver from above: its exit code."""
     return subprocess.run([sys.executable, "-c", driver, str(at), *flash_command(walk, scene, image)], cwd=ROOT,
-                          stdin=subprocess.DEVNULL, capture_output=True, env=environment(), timeout=60,
+                          stdin=subprocess.DEVNULL, capture_output=True, env=environment(),
                           check=False).returncode
 
 
@@ -144,12 +144,12 @@ def test_two_at_a_time_leave_each_other_alone(image, walk, scenes, tmp_path):
                                        'exec "$REAL" "$@"')
     slow = subprocess.Popen([sys.executable, ROOT / "tools" / "flash.py", *flash_command(walk, scenes[0], image)],
                             env={**os.environ, "PATH": path}, stdout=subprocess.DEVNULL)
-    deadline = time.monotonic() + 20
-    while not (tmp_path / "started").exists() and time.monotonic() < deadline:
+    while not (tmp_path / "started").exists():
+        assert slow.poll() is None
         time.sleep(0.02)
     flash.flash(BOARD, walk, scenes[1], image)
     assert boots_with(image, walk, tmp_path) == 3
     go.touch()
-    assert slow.wait(30) == 0
+    assert slow.wait() == 0
     assert boots_with(image, walk, tmp_path) == 2
     assert [path.name for path in image.parent.iterdir()] == [image.name]

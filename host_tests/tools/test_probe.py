@@ -109,11 +109,11 @@ def test_an_interrupt_says_what_the_board_is_left_with(scene, image, tmp_path):
     process = subprocess.Popen([sys.executable, ROOT / "tools" / "flash.py", *words(scene, image)],
                                env=environment(PATH=fake_openocd(tmp_path / "bin", script)), text=True,
                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
-    deadline = time.monotonic() + 20
-    while not (tmp_path / "started").exists() and time.monotonic() < deadline:
+    while not (tmp_path / "started").exists():
+        assert process.poll() is None
         time.sleep(0.02)
     os.killpg(process.pid, 2)  # SIGINT, as a terminal does
-    _, text = process.communicate(timeout=30)
+    _, text = process.communicate()
     assert process.returncode == 1
     assert "half written" in text and "Traceback" not in text
 
@@ -149,7 +149,7 @@ def test_openocd_knows_the_configuration(scene, board):
     command = probe.command(firmware.load(built(f"{board}/walk.elf")), scene)
     first = command.index("-c")
     command[first:first] = ["-c", "adapter serial fixel-none"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, cwd=ROOT)
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
     assert done.returncode == 1
     assert "** OpenOCD init failed **" in done.stderr, done.stderr
     for wrong in ("Can't find", "invalid command", "wrong # args", "Unexpected command line"):

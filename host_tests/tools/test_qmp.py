@@ -5,7 +5,6 @@ import signal
 import struct
 import subprocess
 import threading
-import time
 
 import pytest
 from PIL import Image
@@ -25,7 +24,7 @@ def qemu():
                                         "-serial", "null", "-monitor", "none", *options, *channel.options],
                                        pass_fds=channel.fds, stdin=subprocess.DEVNULL)
             started.append(process)
-            return process, channel.connect()
+            return process, channel.connect(process.pid)
 
     yield start
     for process in started:
@@ -39,7 +38,7 @@ def test_a_command_and_its_answer(qemu):
         assert machine.execute("query-status")["running"] is False
         assert "R15=" in machine.monitor("info registers")
         machine.quit()
-    assert process.wait(10) == 0
+    assert process.wait() == 0
 
 
 def test_a_refusal_names_the_command(qemu):
@@ -60,20 +59,18 @@ def test_a_machine_that_is_frozen(qemu):
     process, machine = qemu()
     with machine:
         process.send_signal(signal.SIGSTOP)
-        started = time.monotonic()
-        with pytest.raises(ToolError, match="did not answer 'query-status' within 0.3 s"):
+        with pytest.raises(ToolError, match="did not answer 'query-status': it slept for 0.3 s"):
             machine.execute("query-status", timeout=0.3)
-        assert time.monotonic() - started < 5
         process.send_signal(signal.SIGCONT)
         assert machine.execute("query-version")["qemu"]["major"] >= 7
 
 
 def test_a_qemu_that_never_speaks():
     with qmp.Channel() as channel:
-        process = subprocess.Popen(["sleep", "20"], pass_fds=channel.fds)
+        process = subprocess.Popen(["sleep", "600"], pass_fds=channel.fds)
         try:
-            with pytest.raises(ToolError, match="did not answer 'greeting' within 0.2 s"):
-                channel.connect(timeout=0.2)
+            with pytest.raises(ToolError, match="did not answer 'greeting': it slept for 0.2 s"):
+                channel.connect(process.pid, timeout=0.2)
         finally:
             process.kill()
             process.wait()
@@ -83,7 +80,7 @@ def test_a_qemu_that_does_not_start():
     with qmp.Channel() as channel:
         process = subprocess.Popen(["true"], pass_fds=channel.fds)
         with pytest.raises(ToolError, match="gone before it answered 'greeting'"):
-            channel.connect()
+            channel.connect(process.pid)
         process.wait()
 
 

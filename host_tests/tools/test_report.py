@@ -337,7 +337,7 @@ def test_page_opens_in_a_browser(result, tmp_path):
         [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
          f"--user-data-dir={tmp_path / 'profile'}", "--virtual-time-budget=5000", "--dump-dom",
          (result[0] / "out/report.html").as_uri()],
-        capture_output=True, text=True, timeout=120, check=False,
+        capture_output=True, text=True, check=False,
         env={**os.environ, "HOME": str(tmp_path)})
     assert done.returncode == 0, done.stderr
     assert "How precise is Fixel?" in done.stdout and "Everything that Fixel claims holds" in done.stdout

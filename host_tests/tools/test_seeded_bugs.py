@@ -1,18 +1,88 @@
 # SPDX-License-Identifier: MIT
-"""A test of the tests: bugs put into the library on purpose must each be seen."""
+"""A test of the tests: bugs put into the library on purpose must each be seen. make seeded-bugs tries
+all of them, these tests a sample."""
 
-import tomllib
-
+import pytest
 from conftest import CHECKOUT, run_cli
 
-BUGS = tomllib.loads((CHECKOUT / "host_tests/seeded_bugs/bugs.toml").read_text(encoding="utf-8"))["bug"]
+from fixel import bugs
+from fixel.errors import ToolError
+
+SAMPLE = 5
 
 
 def test_there_are_bugs_of_every_kind():
-    assert {"rounding", "sign", "carry", "fill rule", "shift"} <= {bug["kind"] for bug in BUGS}
+    assert {"rounding", "sign", "carry", "fill rule", "shift"} <= {bug.kind for bug in bugs.read(CHECKOUT)}
 
 
-def test_every_seeded_bug_is_caught():
-    done = run_cli("seeded_bugs", timeout=600)
+def test_each_marker_stands_once_and_has_a_bug():
+    """read() refuses anything else, as the next tests show."""
+    marked = bugs.markers(CHECKOUT)
+    assert all(len(places) == 1 for places in marked.values())
+    assert sorted(marked) == sorted(bug.marker for bug in bugs.read(CHECKOUT) if bug.marker)
+
+
+@pytest.fixture
+def root(tmp_path):
+    """A library of one file, and its bug."""
+    (tmp_path / "lib").mkdir()
+    (tmp_path / "host_tests" / "seeded_bugs").mkdir(parents=True)
+    write(tmp_path, "    x = 1; /* bug: one */\n")
+    return tmp_path
+
+
+def write(root, text, becomes="x = 2;", marker="one"):
+    (root / "lib" / "a.c").write_text(f"/* Line. */\n{text}    y = 1;\n")
+    (root / bugs.BUGS).write_text(f'[[bug]]\nmarker = "{marker}"\nname = "n"\nkind = "k"\nwhy = "w"\n'
+                                  f'becomes = """{becomes}"""\ntests = []\n')
+
+
+def seeded(root):
+    [bug] = bugs.read(root)
+    return bug.seed((root / "lib" / "a.c").read_text())
+
+
+@pytest.mark.parametrize("text, becomes, result", [
+    ("    x = 1; /* bug: one */\n", "x = 2;", "    x = 2;\n"),
+    ("    x = 1; /* bug: one */\n", "x = 2;\nz = 3;", "    x = 2;\n    z = 3;\n"),
+    ("    x = 1; /* bug: one */\n", "", ""),
+    ("    x = 1; /* why */ /* bug: one */\n", "x = 2;", "    x = 2;\n"),
+    ("    /* bug: one */\n    x = 1;\n", "x = 2;", "    /* bug: one */\n    x = 2;\n"),
+    ("    x = 1; /* bug: one */ \\\n", "x = 2; \\\\", "    x = 2; \\\n"),
+])
+def test_a_marked_line_becomes_another(root, text, becomes, result):
+    write(root, text, becomes)
+    assert seeded(root) == f"/* Line. */\n{result}    y = 1;\n"
+
+
+@pytest.mark.parametrize("text, marker, words", [
+    ("    x = 1;\n", "one", "its marker is in lib/ 0 times, not once"),
+    ("    x = 1; /* bug: one */\n    x = 1; /* bug: one */\n", "one", "its marker is in lib/ 2 times, not once: lib/a.c, lib/a.c"),
+    ("    x = 1; /* bug: one */\n    x = 1; /* bug: two */\n", "one", "marker 'two' has no bug"),
+    ("    /* bug: one */ x = 1;\n", "one", "no line that ends with its marker"),
+])
+def test_markers_that_do_not_fit_are_refused(root, text, marker, words):
+    write(root, text, marker=marker)
+    with pytest.raises(ToolError, match=words):
+        bugs.read(root)
+
+
+def test_a_sample_depends_on_the_sources_alone():
+    every = bugs.read(CHECKOUT)
+    first, again = (bugs.sample(CHECKOUT, every, SAMPLE) for _ in range(2))
+    assert first == again and len({bug.name for bug in first}) == SAMPLE
+
+
+def test_samples_reach_every_bug(root):
+    """Over many states of the sources."""
+    every, found = list(range(20)), set()
+    for number in range(60):
+        write(root, f"    x = {number}; /* bug: one */\n")
+        found.update(bugs.sample(root, every, SAMPLE))
+    assert found == set(every)
+
+
+def test_a_sample_of_seeded_bugs_is_caught(tmp_path):
+    done = run_cli("seeded_bugs", "--sample", SAMPLE, "--build", tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert f"{len(BUGS)} of {len(BUGS)} bugs caught" in done.stdout + done.stderr
+    assert f"{SAMPLE} of {SAMPLE} bugs caught" in done.stdout + done.stderr

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Set-up: what it says and does where something is missing, without installing anything."""
 
+import itertools
 import os
 import pathlib
+import re
 import shutil
 import stat
 import subprocess
+import sys
 
 import pytest
-from conftest import CHECKOUT, environment
+from conftest import CHECKOUT, environment, run_make
 
 import apt_mirror
 
@@ -92,7 +95,7 @@ def test_no_mirror_is_said(tmp_path, capsys):
 
 
 def test_no_mirror_is_written_down_in_the_project():
-    for file in (CHECKOUT / "Makefile", CHECKOUT / "requirements.txt", CHECKOUT / "tools" / "setup.sh",
+    for file in (CHECKOUT / "Makefile", *(CHECKOUT / "requirements").iterdir(), CHECKOUT / "tools" / "setup.sh",
                  CHECKOUT / "tools" / "apt_mirror.py"):
         assert "://" not in file.read_text().replace("SPDX", ""), file
 
@@ -107,8 +110,9 @@ def machine(tmp_path):
     """A checkout and a PATH with everything but QEMU and sudo, with an apt that is only played."""
     root = tmp_path / "checkout"
     (root / "tools").mkdir(parents=True)
-    for name in ("tools/setup.sh", "tools/apt_mirror.py", "requirements.txt"):
+    for name in ("tools/setup.sh", "tools/apt_mirror.py"):
         shutil.copy(CHECKOUT / name, root / name)
+    shutil.copytree(CHECKOUT / "requirements", root / "requirements")
     commands = tmp_path / "bin"
     commands.mkdir()
     for folder in os.environ["PATH"].split(os.pathsep):
@@ -130,7 +134,7 @@ def play(commands, name, script):
 
 def setup(machine, *what):
     return subprocess.run([str(machine / "checkout" / "tools" / "setup.sh"), *what],
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True,
                           check=False, env=environment(PATH=str(machine / "bin")))
 
 
@@ -201,6 +205,100 @@ def test_no_apt_at_all(machine):
 
 def test_unknown_set_up(machine):
     assert "unknown set-up 'everything'" in setup(machine, "everything").stderr
+
+
+# --- Python packages ----------------------------------------------------------
+
+PYTHON = """case "$*" in
+*"-m venv --clear "*) mkdir -p .venv/bin; ln -sf {bin}/python3 .venv/bin/python ;;
+*"-m pip install "*) echo "$*" >>{log}; echo "Collecting numpy==1" ;;
+*) exec {real} "$@" ;;
+esac"""
+
+
+@pytest.fixture
+def pip(machine):
+    """The machine with QEMU, and a Python whose pip is only played; the log of what pip was told."""
+    log = machine / "pip.txt"
+    play(machine / "bin", "qemu-system-arm", "exit 0")
+    (machine / "bin" / "python3").unlink()
+    play(machine / "bin", "python3", PYTHON.format(bin=machine / "bin", log=log, real=sys.executable))
+    return log
+
+
+def groups(log):
+    return re.findall(r"requirements/(\w+)\.txt", log.read_text()) if log.exists() else []
+
+
+def test_a_run_installs_the_packages_of_a_run_alone(machine, pip):
+    done = setup(machine, "run")
+    assert done.returncode == 0 and groups(pip) == ["run"], done.stderr
+    assert "setup:   numpy==1" in done.stderr
+    assert setup(machine, "tools").stderr == "" and groups(pip) == ["run"]
+
+
+def test_another_command_adds_what_is_missing(machine, pip):
+    setup(machine, "run")
+    setup(machine, "view")
+    assert groups(pip) == ["run", "view"]
+    (machine / "checkout" / "requirements" / "run.txt").write_text("numpy==2\n")
+    setup(machine, "view")
+    assert groups(pip) == ["run", "view", "run"]
+
+
+def test_groups_are_whole_and_pin_alike():
+    pins = [re.fullmatch(r"([\w.-]+)==([\w.]+)", line) for file in (CHECKOUT / "requirements").glob("*.txt")
+            for line in file.read_text().splitlines() if line and not line.startswith("#")]
+    assert pins and all(pins)
+    assert len(dict(pin.groups() for pin in pins)) == len({pin.group() for pin in pins})
+
+
+@pytest.mark.parametrize("tool", sorted(file.name for file in (CHECKOUT / "tools").glob("*.py")
+                                        if file.name != "apt_mirror.py"))
+def test_a_tool_runs_by_the_python_of_the_venv(tool, tmp_path):
+    """Called as the documents do, by whatever Python there is; and says what to do where there is no venv."""
+    env = environment(PATH="/usr/bin:/bin")
+    done = subprocess.run([CHECKOUT / "tools" / tool, "--help"], env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "usage" in done.stdout, done.stderr
+    shutil.copytree(CHECKOUT / "tools", tmp_path / "tools")
+    done = subprocess.run([tmp_path / "tools" / tool, "--help"], env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and "tools/setup.sh tools" in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+# --- make -----------------------------------------------------------------------
+
+ALONE = {"help", "clean"}   # commands that need nothing
+
+
+def commands():
+    text = (CHECKOUT / "Makefile").read_text()
+    return sorted(set(re.findall(r"^([a-z-]+):.* ## ", text, re.MULTILINE)) - ALONE)
+
+
+@pytest.mark.parametrize("command", [name for name in commands() if name != "compare"])
+def test_each_command_begins_with_set_up(command, tmp_path):
+    """Nothing is built or run before it, and reading the Makefile installs nothing."""
+    done = run_make("-n", command, f"BUILD={tmp_path}")
+    assert done.returncode == 0, done.stderr
+    assert re.match(r"tools/setup\.sh [a-z]+\n", done.stdout), done.stdout[:500]
+
+
+@pytest.mark.parametrize("goals", [["run"], ["lib"], ["wire", "lib"], ["compare"]])
+def test_set_up_is_over_before_anything_starts(goals, tmp_path):
+    """In a fresh clone and with many jobs."""
+    root, log, commands = tmp_path / "checkout", tmp_path / "log.txt", tmp_path / "bin"
+    shutil.copytree(CHECKOUT, root, ignore=shutil.ignore_patterns("build", ".venv", ".git", "corpus"))
+    (root / "tools" / "setup.sh").write_text(f"#!/bin/sh\nsleep 0.3\necho set-up >>{log}\n")
+    commands.mkdir()
+    for name in ("gcc", "ar", "arm-none-eabi-gcc", "arm-none-eabi-ar"):
+        play(commands, name, f'echo compile >>{log}; for each; do file=$each; done; touch "$file"')
+    (root / ".venv" / "bin").mkdir(parents=True)
+    play(root / ".venv" / "bin", "python", f"echo tool >>{log}")
+    done = subprocess.run(["make", "-C", root, "-j8", *goals], capture_output=True, text=True, check=False,
+                          env=environment(PATH=f"{commands}:{os.environ['PATH']}"))
+    steps = [step for step, _ in itertools.groupby(log.read_text().split())]
+    assert steps[0] == "set-up" and len(steps) >= 2, done.stdout + done.stderr
 
 
 def test_help_lists_every_command():

@@ -70,7 +70,7 @@ def test_a_lockup_names_the_function(faults):
 def test_a_hang_names_the_function(faults):
     hung = run(faults, "hang", timeout=0.5)
     words = ending.describe(hung)
-    assert words.startswith("nothing new came for 0.5 s: it hangs\n  pc  0x")
+    assert words.startswith("nothing new came while it used 0.5 s of CPU time: it hangs\n  pc  0x")
     assert re.search(rf"^  pc  0x[0-9a-f]{{8}}  in hang\+0x\d \({ENDLESS}:\d+\)$", words, re.MULTILINE), words
     assert re.search(r"^  lr  0x[0-9a-f]{8}  in main\+0x", words, re.MULTILINE), words
 

@@ -48,7 +48,7 @@ class Bench:
     async def tab(self, **headers):
         """A page's websocket, greeted."""
         socket = await self.session.ws_connect(f"{self.base}/live", headers=headers)
-        assert await socket.receive_json(timeout=5) == HELLO
+        assert await socket.receive_json(timeout=None) == HELLO
         await settled()
         return socket
 
@@ -59,7 +59,7 @@ async def settled():
 
 
 async def read_frame(socket):
-    data = await socket.receive_bytes(timeout=5)
+    data = await socket.receive_bytes(timeout=None)
     (length,) = struct.unpack_from("<I", data)
     told = json.loads(data[4:4 + length])
     parts, at = [], 4 + length
@@ -127,7 +127,7 @@ async def test_what_makes_no_sense_ends_the_tab(bench):
                   '{"type": "rate", "rate": 31}', '{"type": "wants", "wants": 4}', '{"type": "what"}'):
         socket = await bench.tab()
         await socket.send_str(words)
-        assert (await socket.receive(timeout=5)).type == aiohttp.WSMsgType.CLOSE, words
+        assert (await socket.receive(timeout=None)).type == aiohttp.WSMsgType.CLOSE, words
         assert socket.close_code == 1008
     await settled()
     assert not bench.hub.tabs and not any(bench.held)
@@ -271,8 +271,8 @@ def test_every_tab_is_told_why_it_ended():
             assert bench.hub.ended.is_set()
             closing = asyncio.create_task(bench.server.close())
             for tab in tabs:
-                assert await tab.receive_json(timeout=5) == {"type": "ended", "message": "the board fell over"}
-                assert (await tab.receive(timeout=5)).type == aiohttp.WSMsgType.CLOSE
+                assert await tab.receive_json(timeout=None) == {"type": "ended", "message": "the board fell over"}
+                assert (await tab.receive(timeout=None)).type == aiohttp.WSMsgType.CLOSE
             await closing
     asyncio.run(asyncio.wait_for(run(), 20))
 
@@ -302,9 +302,10 @@ def test_the_pump_keeps_time():
     board = Drawn(1000)
     started = time.monotonic()
     pump = Pump(board, 50, lambda one: shown.append(time.monotonic() - started), failed.append)
-    time.sleep(1)
+    while len(shown) < 30 and not failed:   # later on a busy machine, but never sooner
+        time.sleep(0.01)
     pump.close()
-    assert not failed and 30 <= len(shown) <= 52, len(shown)    # not more than asked for; fewer on a busy machine
+    assert not failed and shown[29] >= 28 / 50, shown
     assert all(board.waits)
 
 
@@ -313,8 +314,7 @@ def test_the_pump_as_fast_as_it_goes():
     pump = Pump(board, 1, lambda one: None, failed.append)
     time.sleep(0.1)
     pump.set_rate(0)    # at once, not after the second that it waits
-    deadline = time.monotonic() + 10
-    while not failed and time.monotonic() < deadline:
+    while not failed:
         time.sleep(0.01)
     pump.close()
     assert len(failed) == 1 and board.waits[0] and not board.waits[-1]

@@ -13,7 +13,6 @@ from board_programs import ROOT, built
 
 BOARDS = ("mps2-an385", "lm3s6965evb")
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
-PATIENCE = 60               # seconds for anything to happen: the machine may be busy
 
 
 def ready(board, build):
@@ -71,9 +70,8 @@ def runs(number):
 
 
 def assert_gone(numbers):
-    deadline = time.monotonic() + PATIENCE
+    """Waits until none of them runs any more."""
     while any(map(runs, numbers)):
-        assert time.monotonic() < deadline, "something still runs"
         time.sleep(0.05)
 
 
@@ -84,4 +82,4 @@ def assert_started(found):
 
 def assert_refuses(address):
     with pytest.raises(ConnectionRefusedError):
-        socket.create_connection(("127.0.0.1", port_of(address)), PATIENCE)
+        socket.create_connection(("127.0.0.1", port_of(address)))

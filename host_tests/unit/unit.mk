@@ -20,27 +20,33 @@ UNIT_PROGRAMS := $(patsubst host_tests/unit/%.c,$(UNIT_OUT)/%,$(wildcard host_te
 define UNIT_LIB_RULE
 $(UNIT_OUT)/lib/%.o: $(1)
 	@mkdir -p $$(@D)
+	$$(HOST_SAY)
 	$$(HOSTCC) $$(UNIT_CFLAGS) -c $$< -o $$@
 endef
 $(foreach pattern,$(call LIB_PATTERNS,portable),$(eval $(call UNIT_LIB_RULE,$(pattern))))
 
 $(UNIT_OUT)/parts/%.o: boards/parts/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 $(UNIT_OUT)/%.o: host_tests/unit/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 $(UNIT_OUT)/%_runner.c: host_tests/unit/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	ruby -W0 $(UNITY_DIR)/auto/generate_test_runner.rb $< $@
 
 $(UNIT_OUT)/%_runner.o: $(UNIT_OUT)/%_runner.c
+	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -c $< -o $@
 
 $(UNIT_OUT)/unity.o: $(UNITY_DIR)/src/unity.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -c $< -o $@
 
 # Archives, so that a test links the stages that it names and what they use.
@@ -53,6 +59,7 @@ $(UNIT_OUT)/libhelpers.a $(UNIT_OUT)/libfixel.a $(UNIT_OUT)/libparts.a:
 
 $(UNIT_PROGRAMS): $(UNIT_OUT)/test_%: $(UNIT_OUT)/test_%.o $(UNIT_OUT)/test_%_runner.o \
         $(UNIT_OUT)/unity.o $(UNIT_OUT)/libhelpers.a $(UNIT_OUT)/libfixel.a $(UNIT_OUT)/libparts.a
+	$(HOST_SAY)
 	$(HOSTCC) -fsanitize=address,undefined $^ -o $@ -lm
 
 UNITY_TESTS += $(UNIT_PROGRAMS)

@@ -7,9 +7,11 @@ HOST_TOOLS += $(BUILD)/host/wire
 
 $(BUILD)/host/objects/wire/%.o: host_tests/wire/%.c
 	@mkdir -p $(@D)
+	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
 
 $(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
 
 -include $(WIRE_OBJECTS:.o=.d)

@@ -48,7 +48,7 @@ static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
     uint32_t quotient = fxl_divide_u64(magnitude, denominator, &rest);
     if (negative) {
         /* -(quotient + rest / denominator), a half upward: towards 0. */
-        return -(int32_t)(quotient + (rest > denominator - rest));
+        return -(int32_t)(quotient + (rest > denominator - rest)); /* bug: half-up */
     }
     return (int32_t)(quotient + (rest >= denominator - rest));
 }

@@ -25,6 +25,7 @@ static inline fxl_seen_vertex *fxl_beyond_see(const fxl_placed *placed, uint32_t
         if ((entry->state & FXL_PLANES_ALL & ~screen) != 0) {
             fxl_volume_room *room = fxl_beyond_room(placed);
             room->clip.account.distances += FXL_PLANE_COUNT;
+            /* bug: beyond-unasked */
             if ((fxl_volume_code(&room->volume, &entry->position) & ~screen) != 0) {
                 entry->state |= FXL_FAMILY_BEYOND;
             }

@@ -36,7 +36,7 @@ fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera)
     camera->position = pose->position;
     camera->right.x = entry(cr, cy, sr, up_x);
     camera->right.y = entry(sr, cp, 0, 0);
-    camera->right.z = entry(cr, -sy, sr, up_z);
+    camera->right.z = entry(cr, -sy, sr, up_z); /* bug: camera-yaw-sign */
     camera->up.x = entry(-sr, cy, cr, up_x);
     camera->up.y = entry(cr, cp, 0, 0);
     camera->up.z = entry(sr, sy, cr, up_z);

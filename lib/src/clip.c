@@ -20,7 +20,7 @@ static fxl_q1_31 crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
         whole >>= bits - 32;
     }
     uint32_t rest;
-    return fxl_divide_u64(part << 31, (uint32_t)whole, &rest);
+    return fxl_divide_u64(part << 31, (uint32_t)whole, &rest); /* bug: fraction-27 */
 }
 
 /* from + (to - from) * fraction, rounded once. |to - from| is below 2^31, so

@@ -77,7 +77,7 @@ static bool find_crossings(const pass *on, uint32_t from, uint32_t to, fxl_plane
         }
         fxl_plane_crossing one = {plane, distance(on, plane, from), distance(on, plane, to)};
         if ((from_code >> plane & 1u) != 0) {
-            fxl_crossing_prefer(enter, &one, true);
+            fxl_crossing_prefer(enter, &one, true); /* bug: once-first-plane */
         } else {
             fxl_crossing_prefer(leave, &one, false);
         }
@@ -168,7 +168,7 @@ static fxl_plane_crossing find_leave(const pass *on, const fxl_clip_vertex *at,
                                      const fxl_clip_vertex *end, uint32_t met)
 {
     fxl_plane_crossing leave = {FXL_PLANE_COUNT, 0, 0}, hidden = {FXL_PLANE_COUNT, 1, 0};
-    fxl_q18_46 least = HIDDEN;
+    fxl_q18_46 least = HIDDEN; /* bug: once-corner */
     for (int other = 0; on->any >> other != 0; other++) {
         if (((on->any & ~met) >> other & 1u) == 0) {
             continue;
@@ -276,7 +276,7 @@ static bool find_part(const pass *on, int plane, const fxl_clip_vertex *from,
         }
         if (one.from < 0) {
             fxl_crossing_prefer(enter, &one, true);
-        } else if (one.from <= HIDDEN && one.from < one.to) {
+        } else if (one.from <= HIDDEN && one.from < one.to) { /* bug: once-wall */
             enter_hidden = other;
         }
     }
@@ -372,7 +372,7 @@ fxl_clip_result fxl_clip_once(const fxl_clip_polygon *in, const fxl_normalised *
     }
     uint32_t start = find_exit(&on);
     if (start == in->count) {
-        append_corners_alone(&on);
+        append_corners_alone(&on); /* bug: once-whole-screen */
     } else {
         fxl_plane_crossing enter, leave;
         find_crossings(&on, start, next_of(&on, start), &enter, &leave);

@@ -118,7 +118,7 @@ static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum 
         const fxl_view_point *point = &polygon->vertices[i].position;
         distances[i] =
             is_side ? side_distance(&side, point) : fxl_view_distance(frustum, plane, point);
-        inside_count += distances[i] >= 0;
+        inside_count += distances[i] >= 0; /* bug: plane-is-out */
     }
     return inside_count;
 }
@@ -154,7 +154,7 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
         return true;
     }
     uint32_t inside = current_inside ? current : next;
-    uint32_t outside = current_inside ? next : current;
+    uint32_t outside = current_inside ? next : current; /* bug: cut-from-first */
     if (distances[inside] == 0) {
         return true;
     }
@@ -220,7 +220,7 @@ fxl_clip_result fxl_cut_view_by_planes(const fxl_view_polygon *in, const fxl_vie
         }
     }
     *result = current;
-    return all;
+    return all; /* bug: cut-twice-whole */
 }
 
 fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,

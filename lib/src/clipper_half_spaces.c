@@ -43,6 +43,7 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in,
                            const fxl_clip_polygon **result)
 {
     fxl_volume_room *room = room_of(placed);
+    /* bug: half-spaces-four */
     return fxl_cut_by_volume(in, any & FXL_PLANES_ALL, &room->volume, &room->clip, result);
 }
 

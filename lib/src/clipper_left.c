@@ -20,7 +20,7 @@ static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_
                             fxl_screen_polygon *screen)
 {
     static const fxl_way way = {see, fxl_beyond_project, fxl_beyond_input, cut,
-                                SCREEN | FXL_FAMILY_BEYOND};
+                                SCREEN | FXL_FAMILY_BEYOND}; /* bug: left-to-scan */
     (void)work;
     fxl_beyond_set_up(placed, SCREEN);
     return fxl_family_take(placed, face, screen, &way);

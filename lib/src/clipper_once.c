@@ -14,7 +14,7 @@ static fxl_seen_vertex *see(const fxl_placed *placed, uint32_t number)
 static fxl_status project(const fxl_placed *placed, const fxl_view_point *point,
                           fxl_screen_point *screen)
 {
-    return fxl_normalised_project(&room_of(placed)->frustum, point, screen);
+    return fxl_normalised_project(&room_of(placed)->frustum, point, screen); /* bug: once-project */
 }
 
 static fxl_clip_polygon *input(const fxl_placed *placed)

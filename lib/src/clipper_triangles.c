@@ -84,7 +84,7 @@ static bool begin_triangle(const fxl_placed *placed, fxl_fan_room *room, fxl_scr
         }
         fxl_triangle_begin(triangle, 0, &room->volume, &room->clip);
     }
-    room->before = last;
+    room->before = last; /* bug: fan-before */
     return whole && has_area(&screen->points[0], &screen->points[1], &screen->points[2]);
 }
 

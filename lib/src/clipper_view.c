@@ -35,7 +35,7 @@ fxl_clip_result fxl_clip_seen(const fxl_placed *placed, const fxl_face *face,
     const fxl_view *view = placed->view;
     fxl_view_polygon *seen = &work->polygons[0];
     const fxl_view_polygon *clipped;
-    unsigned of_any = 0, of_all = FXL_PLANES_ALL;
+    unsigned of_any = 0, of_all = FXL_PLANES_ALL; /* bug: unprojected-out */
     for (uint32_t i = 0; i < face->count; i++) {
         const fxl_seen_vertex *vertex = fxl_see(placed, corners[i]);
         of_any |= vertex->state;

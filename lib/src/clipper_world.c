@@ -42,7 +42,7 @@ fxl_clip_result fxl_clip_by_world(const fxl_placed *placed, const fxl_face *face
         result = fxl_cut_world_by_planes(polygon, fxl_view_world_frustum(view), placed->planes,
                                          &work->by_world, view->room, &clipped);
     }
-    if (result == FXL_CLIP_INSIDE) {
+    if (result == FXL_CLIP_INSIDE) { /* bug: world-in-place */
         return fxl_family_take_whole(placed, face, screen, &way, 0);
     }
     if (clipped == NULL) {

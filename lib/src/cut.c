@@ -23,7 +23,7 @@ uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46
     uint32_t before = start;
     for (uint32_t left = count - 1; left > 0; left--) {
         uint32_t at = before + 1 == count ? 0 : before + 1;
-        if (distances[at] < sliver && (bits >> before & 1u) == 0) {
+        if (distances[at] < sliver && (bits >> before & 1u) == 0) { /* bug: sliver-alone */
             bits &= ~((uint32_t)1 << at);
         }
         before = at;

@@ -15,7 +15,7 @@ void fxl_draw_in_parts(fxl_renderer *renderer, const fxl_band *band)
             part.pixels += (size_t)part.rows * part.stride;
         } else {
             FXL_ASSERT(part.rows > 1);
-            renderer->counters = before;
+            renderer->counters = before; /* bug: begun-again */
             renderer->counters.split_bands += 1;
             rows = (uint16_t)((part.rows + 1) / 2);
         }

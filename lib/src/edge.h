@@ -14,7 +14,7 @@
  * 2^30. */
 static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
 {
-    return (coordinate + FXL_HALF_PIXEL - 1) >> 16;
+    return (coordinate + FXL_HALF_PIXEL - 1) >> 16; /* bug: tie-top */
 }
 
 /* An edge's slope as whole numbers, and its place on its first row. */
@@ -74,7 +74,7 @@ static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
     int32_t carries = 0;
     for (int32_t bit = 4096; bit != 0; bit >>= 1) {
         uint64_t part = fxl_multiply_u32(slope->height, (uint32_t)bit);
-        if (error >= part) {
+        if (error >= part) { /* bug: band-carry */
             error -= part;
             carries += bit;
         }

@@ -56,6 +56,7 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
             return false;
         }
         if (moves_from) {
+            /* bug: line-end */
             move(&line->to, &line->from, to, from, line->carried, intersections);
             from_moved |= (uint32_t)1 << plane;
         } else {

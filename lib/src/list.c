@@ -13,7 +13,7 @@ _Static_assert(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
 
 static bool meet(fxl_rows a, fxl_rows b)
 {
-    return a.first < b.end && b.first < a.end;
+    return a.first < b.end && b.first < a.end; /* bug: list-last-row */
 }
 
 bool fxl_list_append(fxl_list *list, const fxl_screen_polygon *polygon, fxl_rows rows)
@@ -21,11 +21,11 @@ bool fxl_list_append(fxl_list *list, const fxl_screen_polygon *polygon, fxl_rows
     FXL_ASSERT(polygon->count >= 3 && polygon->count <= FXL_POLYGON_CAPACITY);
     FXL_ASSERT(rows.first < rows.end && list->used <= list->capacity);
     uint32_t words = FXL_LIST_WORDS((uint32_t)polygon->count);
-    if (list->capacity - list->used < words) {
+    if (list->capacity - list->used < words) { /* bug: list-past-end */
         return false;
     }
     uint32_t *to = list->words + list->used;
-    to[0] = (uint32_t)rows.end << 16 | rows.first;
+    to[0] = (uint32_t)rows.end << 16 | rows.first; /* bug: list-row-end */
     to[1] = (uint32_t)polygon->count << 8 | polygon->colour;
     memcpy(to + 2, polygon->points, polygon->count * sizeof polygon->points[0]);
     list->used += words;

@@ -23,7 +23,7 @@ static inline int32_t fxl_upper_term(fxl_q2_30 side, fxl_q18_46 across)
 /* Whether an upper distance leaves the sign open. */
 static inline bool fxl_is_open(int32_t distance)
 {
-    return (uint32_t)distance + 4u < 8u;
+    return (uint32_t)distance + 4u < 8u; /* bug: outcode-soon */
 }
 
 /* A pair of side planes, at distances depth +- across (less the inset, which

@@ -49,7 +49,7 @@ static uint32_t count_up(fxl_vertex_cache *cache)
 {
     cache->count += TAG_OBJECT;
     if (cache->count == 0) {
-        forget_all(cache);
+        forget_all(cache); /* bug: cache-wrap */
         cache->count = TAG_OBJECT;
     }
     return cache->count;

@@ -28,7 +28,7 @@ typedef struct {
 static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;
-    scaled.shift = fxl_bit_length((uint64_t)z) - 31u;
+    scaled.shift = fxl_bit_length((uint64_t)z) - 31u; /* bug: depth-24 */
     scaled.depth = (uint32_t)fxl_round_shift(z, scaled.shift);
     return scaled;
 }
@@ -61,7 +61,7 @@ static bool offset_from_centre(fxl_q16_16 focal, fxl_q18_46 side, const scaled_d
         product > fxl_multiply_su32(high, scaled->depth)) {
         return false;
     }
-    *offset = fxl_divide_round(product, scaled->depth);
+    *offset = fxl_divide_round(product, scaled->depth); /* bug: project-cut */
     return true;
 }
 
@@ -81,7 +81,7 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
         return FXL_E_RANGE;
     }
     screen->x = centre_x + x;
-    screen->y = centre_y - y;
+    screen->y = centre_y - y; /* bug: screen-y-up */
     return FXL_OK;
 }
 
@@ -112,6 +112,7 @@ fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_poi
     int32_t upper = (int32_t)(view->z >> 32);
     /* With m < 2 z of upper words, |X| <= 2^32 (m + 1) <= 2 Z. */
     if (upper < projection->depth_min ||
+        /* bug: side-range */
         (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {
         return fxl_project_any(projection, view, screen);
     }

@@ -135,9 +135,10 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     uint32_t refused_calls = renderer->counters.refused_calls;
     memset(&renderer->counters, 0, sizeof renderer->counters);
     renderer->counters.refused_calls = refused_calls;
-    renderer->counters.in = left_out;
+    renderer->counters.in = left_out; /* bug: left-out-count */
     renderer->counters.outside = left_out;
     renderer->list.used = 0;
+    /* bug: sorted-stale */
     renderer->sorted = UINT16_MAX; /* no object's place: those are below in_sight */
     renderer->rest.objects = 0;
     renderer->rest.faces = 0;
@@ -152,7 +153,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 bool fxl_draw_part(fxl_renderer *renderer, const fxl_band *part)
 {
     const fxl_hidden *hidden = renderer->hidden;
-    fxl_place place = renderer->rest;
+    fxl_place place = renderer->rest; /* bug: rest-face-late */
     fxl_counters uncounted = {0};
     const fxl_walk on = {renderer, part, &place,
                          renderer->counted ? &uncounted : &renderer->counters,
@@ -163,7 +164,7 @@ bool fxl_draw_part(fxl_renderer *renderer, const fxl_band *part)
     if (!fxl_walk_list(&on) || !hidden->walk(&on)) {
         return false;
     }
-    renderer->counted = true;
+    renderer->counted = true; /* bug: counted-again */
     return true;
 }
 

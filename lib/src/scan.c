@@ -83,6 +83,7 @@ static void survey(const fxl_screen_point *points, uint32_t count, int32_t width
     found->top_row = top_row;
     found->end_row = end_row;
     found->by_chains =
+        /* bug: two-chains */
         down == end_row - top_row && farthest < places && down < FXL_EDGE_HEIGHT_MAX >> 16;
 }
 

@@ -9,7 +9,7 @@ static void step_row(fxl_crossing_edge *edge)
     edge->error += edge->error_step;
     if (edge->error >= edge->height) {
         edge->error -= edge->height;
-        edge->x += 1;
+        edge->x += 1; /* bug: edge-no-carry */
     }
     edge->row = (int16_t)(edge->row + 1);
 }
@@ -154,7 +154,7 @@ static bool next_stretch(fxl_crossings *crossings, int32_t *x0, int32_t *x1)
         if (winding == 0) {
             continue;
         }
-        while (winding != 0) {
+        while (winding != 0) { /* bug: even-odd */
             FXL_ASSERT(crossings->next_crossing < crossings->crossing_count);
             winding = take_winding(crossings, winding, x1);
         }

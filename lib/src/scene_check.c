@@ -183,7 +183,7 @@ static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
             const fxl_point *vertex = &scene->vertices[number];
             int64_t square = (int64_t)vertex->x * vertex->x + (int64_t)vertex->y * vertex->y +
                              (int64_t)vertex->z * vertex->z;
-            if (square > (int64_t)model->radius * model->radius) {
+            if (square > (int64_t)model->radius * model->radius) { /* bug: radius-plus */
                 return fail(fault, "vertex", number, FXL_E_RADIUS);
             }
         }
@@ -233,7 +233,7 @@ static bool is_key_of(const fxl_scene *scene, const fxl_model *model, const fxl_
     const uint16_t *corners = &scene->corners[face->first_corner];
     fxl_point box = fxl_face_box(vertices, corners, face->count);
     return fxl_face_key_height(key) == fxl_face_height(vertices, corners, face) &&
-           key->box_x == box.x && key->box_y == box.y && key->box_z == box.z;
+           key->box_x == box.x && key->box_y == box.y && key->box_z == box.z; /* bug: key-box */
 }
 
 /* Sorted models take the keys in turn. */

@@ -23,7 +23,7 @@ static inline fxl_seen_vertex *fxl_see_normalised(const fxl_placed *placed, uint
 static inline void fxl_normalised_set_up(const fxl_view *view, uint32_t *frame,
                                          fxl_normalised *frustum)
 {
-    if (*frame != view->frame) {
+    if (*frame != view->frame) { /* bug: normalised-stale */
         fxl_normalised_from_camera(&view->camera, &view->lens, frustum);
         *frame = view->frame;
     }

@@ -24,7 +24,7 @@
 
 #include "arith.h"
 
-#define SLACK 9
+#define SLACK 9 /* bug: sphere-slack */
 
 /* The upper word of a product. */
 static int32_t scaled(fxl_q2_30 part, int32_t size)
@@ -41,7 +41,7 @@ static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int
     int32_t apart = scaled(side, across);
     int32_t ahead = scaled(depth, along) - inset;
     int32_t from_low = ahead + apart;
-    int32_t from_high = ahead - apart;
+    int32_t from_high = ahead - apart; /* bug: sphere-swap */
     if (from_low + reach < 0 || from_high + reach < 0) {
         return FXL_SPHERE_OUTSIDE;
     }
@@ -67,7 +67,7 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
     int32_t z = along_axis(&camera->forward, dx, dy, dz);
     int32_t from_near = (z >> 2) - (int32_t)(frustum->near >> 34);
     int32_t from_far = (int32_t)(frustum->far >> 34) - (z >> 2);
-    if (from_near + reach < 0 || from_far + reach < 0) {
+    if (from_near + reach < 0 || from_far + reach < 0) { /* bug: sphere-far */
         return FXL_SPHERE_OUTSIDE;
     }
     uint32_t planes = (uint32_t)(from_near < reach) << FXL_PLANE_NEAR | (uint32_t)(from_far < reach)

@@ -74,6 +74,7 @@ fxl_split_result fxl_split_piece(const fxl_piece *in, const fxl_plane *plane, fx
         fxl_q18_46 distance = fxl_plane_distance(plane, to);
         if ((before > 0 && distance < 0) || (before < 0 && distance > 0)) {
             fxl_point crossing = before > 0 ? fxl_split_edge(from, to, before, distance)
+                                            /* bug: split-way */
                                             : fxl_split_edge(to, from, distance, before);
             if (!append_point(&crossing, 0, front, back)) {
                 return FXL_SPLIT_CAPACITY;

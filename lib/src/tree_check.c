@@ -59,6 +59,7 @@ static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_fa
         const fxl_point *vertex = &vertices[scene->corners[face->first_corner + i]];
         int64_t height = fxl_dot(&node->normal, vertex->x, vertex->y, vertex->z);
         if (!fxl_within(height - fxl_tree_distance(node),
+                        /* bug: tree-planarity */
                         (int64_t)FXL_TREE_PLANARITY_MAX * FXL_Q2_30_ONE)) {
             return false;
         }
@@ -140,6 +141,7 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
         }
         first += node->face_count;
     }
+    /* bug: tree-faces */
     return first == model->face_count ? FXL_OK : fail(fault, "node table", 0, FXL_E_COUNT);
 }
 
@@ -157,6 +159,7 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
     for (;;) {
         uint32_t below = front_done ? nodes[at].back : nodes[at].front;
         if (below != FXL_TREE_NONE) {
+            /* bug: tree-parent */
             if (below != next || next >= scene->node_count || nodes[below].parent != at ||
                 depth == FXL_TREE_DEPTH_MAX) {
                 return fail(fault, "tree node", at, FXL_E_TREE);

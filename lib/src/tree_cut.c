@@ -140,6 +140,7 @@ static bool share(fxl_tree_cutter *cutter, uint32_t node, const fxl_point *a, co
 {
     for (uint32_t i = cutter->first_item; i < cutter->item_count; i++) {
         fxl_tree_item *item = &cutter->parts->items[i];
+        /* bug: leaf-unshared */
         if (item->where != node && !share_with(cutter, item, a, b, crossing)) {
             return false;
         }
@@ -172,6 +173,7 @@ static bool divide(fxl_tree_cutter *cutter, const knife *by, const fxl_tree_item
             i + 1u == item->count ? first : fxl_tree_vertex_of(cutter->parts, next)->point;
         const fxl_q18_46 here_height = height(by, &here), there_height = height(by, &there);
         if (!append(cutter, &parts[here_height < 0], at) ||
+            /* bug: plane-in-front */
             (here_height == 0 && !append(cutter, &parts[1], new_vertex(cutter, &here)))) {
             return false;
         }

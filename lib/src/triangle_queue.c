@@ -17,7 +17,7 @@ static void cut_flats(fxl_triangle_room *room, int border, uint16_t extent)
                                                 extent, room->carried, &account, cut);
         room->flat_first += 1;
         room->flat_count -= 1;
-        for (uint32_t i = 0; i < made; i++) {
+        for (uint32_t i = 0; i < made; i++) { /* bug: queue-one-of-two */
             FXL_ASSERT(room->flat_count < FXL_TRIANGLE_QUEUE);
             room->flats[(room->flat_first + room->flat_count++) & MASK] = cut[i];
         }

@@ -68,6 +68,7 @@ fxl_status fxl_viewer_step(fxl_viewer *viewer, uint32_t keys, const fxl_gait *ga
 
     /* A unit vector times at most 2^24 is below 2^55. */
     int64_t move_x = fxl_round_shift(fxl_multiply_s32(camera.forward.x, viewer->speed), 30);
+    /* bug: viewer-cut */
     int64_t move_z = fxl_round_shift(fxl_multiply_s32(camera.forward.z, viewer->speed), 30);
     bool held = false;
     pose->position.x = held_within(pose->position.x + move_x, FXL_COORDINATE_MAX, &held);

@@ -17,7 +17,7 @@ static bool walk_convex(const fxl_walk *on, const fxl_placed *placed, const fxl_
                         fxl_face_taker take)
 {
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->hidden->front_to_back;
+    const bool reverse = on->renderer->hidden->front_to_back; /* bug: reverse-rising */
     const uint32_t first = on->place->faces, step = reverse ? UINT32_MAX : 1;
     uint32_t at = reverse ? model->face_count - 1 - first : first;
     uint32_t number, backfacing = 0;

@@ -16,6 +16,7 @@ static inline fxl_fate deliver(const fxl_walk *on)
         return 0;
     }
     if (on->band == NULL) {
+        /* bug: list-drop */
         return fxl_list_append(&renderer->list, screen, rows) ? 0 : FXL_FATE_NO_ROOM;
     }
     return renderer->hidden->painter->paint(renderer, screen->points, screen->count, screen->colour,
@@ -36,7 +37,7 @@ fxl_fate fxl_walk_polygons(const fxl_walk *on, const fxl_placed *placed, const f
             break;
         }
         cut = clipper->next(placed, &renderer->work.clip, &renderer->screen);
-        fate |= (fxl_fate)1 << cut;
+        fate |= (fxl_fate)1 << cut; /* bug: last-polygon */
     }
     return fate;
 }
@@ -45,7 +46,7 @@ bool fxl_walk_account(const fxl_walk *on, fxl_fate fate, uint32_t used)
 {
     fxl_counters *counters = on->counters;
     if (fate >= FXL_FATE_NO_ROOM) {
-        on->renderer->list.used = used;
+        on->renderer->list.used = used; /* bug: full-list-keeps */
         return false;
     }
     if (fate & (1u << FXL_CLIP_CAPACITY | 1u << FXL_CLIP_RANGE)) {

@@ -183,7 +183,7 @@ static bool walk_faces(tree_walk *walk, fxl_tree_place *place)
  * on the eye's side. */
 static bool begins_in_front(const tree_walk *walk, uint32_t node)
 {
-    return (walk->sides[node / 32] >> (node & 31) & 1u) == walk->reverse;
+    return (walk->sides[node / 32] >> (node & 31) & 1u) == walk->reverse; /* bug: tree-near-first */
 }
 
 static void step(fxl_tree_place *place, uint32_t node, uint32_t phase)
@@ -292,7 +292,7 @@ static bool walk_layer(const fxl_walk *on, fxl_tree_room *room, const fxl_tree_p
     }
     bool done = walk_nodes(&walk, &place);
     if (!done && on->band == NULL) {
-        room->rest = place;
+        room->rest = place;   /* bug: tree-rest */
         on->place->faces = 1; /* the rest is in the room */
     }
     return done;

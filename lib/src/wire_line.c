@@ -13,7 +13,7 @@ typedef struct {
  * (included) to b (not included) are first_centre(a) .. first_centre(b) - 1. */
 static int32_t first_centre(int32_t coordinate)
 {
-    return (coordinate + 32767) >> 16; /* ceil(c / 2^16 - 1/2) */
+    return (coordinate + 32767) >> 16; /* ceil(c / 2^16 - 1/2) */ /* bug: wire-tie */
 }
 
 /* The pixel across at the centre of pixel `along`, and what is left: in units of 1/2^16 of
@@ -63,7 +63,7 @@ static void walk(const way *line, int32_t first, int32_t end, bool upright, uint
             left -= pixel;
             across++;
         } else if (left < 0) {
-            left += pixel;
+            left += pixel; /* bug: wire-remainder */
             across--;
         }
     }

@@ -13,7 +13,7 @@ from fixel.debug_lines import DebugLines
 from fixel.errors import ToolError
 from fixel.machine_code import MachineCode
 
-TIMEOUT = 300.0     # seconds without a new frame; kernels print nothing on the way
+TIMEOUT = 300.0     # seconds of CPU time without a new frame; kernels print nothing on the way
 CLEAR_OF_VIEW = 200 * 65536     # 16.16: farther from W1's eye than its far plane
 HARDLY_MOVED = 64               # 16.16: a thousandth of a unit
 

@@ -12,12 +12,12 @@ import tempfile
 import threading
 import time
 
-from fixel import emulator, firmware, qemu
+from fixel import emulator, firmware, limits, qemu
 from fixel.errors import ToolError
 from fixel.execute import kill
 
 GDB = "gdb-multiarch"
-CONNECT = 60.0  # seconds that GDB may take to read the symbols
+CONNECT = 60.0  # seconds of CPU time that GDB may take to read the symbols
 LINGER = 0.5  # seconds that GDB has to thank for the last message
 
 
@@ -40,13 +40,14 @@ def gdb_command(program, address, commands):
 def accept(listener, debugger):
     """The connection that the debugger makes; None where it ended before."""
     listener.settimeout(0.05)
-    deadline = time.monotonic() + CONNECT
+    limit = limits.Watch(debugger.pid, CONNECT, CONNECT)
     while debugger.poll() is None:
         try:
             return listener.accept()[0]
         except TimeoutError:
-            if time.monotonic() > deadline:
-                raise ToolError(f"{GDB} did not connect within {CONNECT:g} s", exit_code=1) from None
+            passed = limit.check()
+            if passed:
+                raise ToolError(f"{GDB} did not connect: {passed}", exit_code=1) from None
     return None
 
 

@@ -42,7 +42,7 @@ def emulate(program, options, directory, timeout, watch=None):
     with qmp.Channel() as channel:
         command = qemu.command(program, *options, *channel.options)
         ending = execute(command, directory, timeout, watch, channel.fds,
-                         lambda: qemu.where(channel, program))
+                         lambda process: qemu.where(channel, program, process))
     return dataclasses.replace(ending, output=Symbols(program.path).name_faults(ending.output))
 
 
@@ -92,8 +92,8 @@ def power_on(program, image, frames, timeout, live, extra, directory, watch):
 def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=False, extra=()):
     """Powers a board on from its flash image and fetches its frame dump.
 
-    frames: how many, None or 0 for the whole path. timeout: seconds without
-    anything new in the dump after which the board counts as hung.
+    frames: how many, None or 0 for the whole path. timeout: seconds of CPU
+    time, or of sleep, without anything new in the dump after which the board counts as hung.
     progress(done, total) is called as frames come. extra: more words for the
     program. Answers a RunResult, or raises ToolError and leaves the dump as it
     was before.

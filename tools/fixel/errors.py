@@ -7,7 +7,7 @@ What exit codes mean, for every tool:
           the emulator ended without the program's code
   2       refused: an argument, a file, a missing program; nothing was changed
   10..50  a board's program ended with that code (boards/contract/system.h)
-  124     a board's program hung: nothing new came for the time-out
+  124     a board's program hung: nothing new came within its limit of CPU time
   130     interrupted
   134     the core locked up
 """

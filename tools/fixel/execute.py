@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import time
 
+from fixel import limits
 from fixel.ending import Ending
 from fixel.errors import ToolError
 
@@ -28,33 +29,35 @@ def start(command, directory, output, inherited):
 
 
 def execute(command, directory, timeout, watch=None, inherited=(), where=None):
-    """Runs a command in a directory until it ends, or until timeout seconds
-    passed without news, or until watch objects; an Ending.
+    """Runs a command in a directory until it ends, or until it used timeout seconds of CPU time
+    or slept so long without news, or until watch objects; an Ending.
 
     watch() answers (news, objection): something that changes as long as the
     program gets on, and a sentence or None. inherited: file descriptors for the
-    command. where() is asked before a program is stopped: lines that say where
-    it is.
+    command. where(process) is asked before a program is stopped: lines that say
+    where it is.
     """
     log = pathlib.Path(directory) / "output.txt"
-    started = last = time.monotonic()
+    started = time.monotonic()
     seen, why, hung = None, "", False
     with log.open("wb") as output:
         process = start(command, directory, output, inherited)
+        limit = limits.Watch(process.pid, timeout, timeout)
         try:
             while process.poll() is None and not why:
                 time.sleep(POLL)
                 news, why = watch() if watch else (None, None)
-                now = time.monotonic()
                 if news != seen:
-                    seen, last = news, now
-                if not why and now - last > timeout:
-                    why, hung = f"nothing new came for {timeout:g} s: it hangs", True
+                    seen = news
+                    limit.renew()
+                passed = limit.check()
+                if not why and passed:
+                    why, hung = f"nothing new came while {passed}: it hangs", True
                 if not why and log.stat().st_size > OUTPUT_MAX:
                     why = "it prints without end"
             stopped = process.poll() is None
             if stopped and where:
-                why = f"{why}\n{where()}"
+                why = f"{why}\n{where(process.pid)}"
         finally:
             kill(process)
     with log.open("rb") as output:

@@ -11,8 +11,8 @@ from elftools.elf.elffile import ELFFile
 from fixel import dump, emulator, firmware, flash
 from fixel.errors import ToolError
 
-TIMEOUT = 60.0          # seconds without a new frame
-UNIT_TIMEOUT = 300.0    # seconds for one program of unit tests
+TIMEOUT = 60.0          # seconds of CPU time without a new frame
+UNIT_TIMEOUT = 300.0    # seconds of CPU time for one program of unit tests
 STACK = re.compile(r"^stack: (\d+) of (\d+) bytes\b", re.MULTILINE)
 RAM_SYMBOLS = ("fxl_stack_limit", "fxl_ram_free", "fxl_ram_end")    # RAM begins with the stack
 

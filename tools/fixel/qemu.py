@@ -12,7 +12,7 @@ from fixel.errors import ToolError
 from fixel.symbols import Symbols
 
 QEMU = "qemu-system-arm"
-ANSWER = 3.0  # seconds that a program that hangs may take to answer
+ANSWER = 10.0  # seconds of CPU time that a program that hangs may take to answer
 
 
 def find_qemu():
@@ -43,10 +43,10 @@ def semihosting(arguments):
     return ["-semihosting-config", f"enable=on,target=native{words}"]
 
 
-def where(channel, program):
+def where(channel, program, process):
     """Where the core of a running QEMU is, as lines of text; it is stopped there."""
     try:
-        with channel.connect(ANSWER) as machine:
+        with channel.connect(process, ANSWER) as machine:
             machine.execute("stop", timeout=ANSWER)
             text = machine.monitor("info registers")
     except ToolError as error:
@@ -68,7 +68,7 @@ def read_memory(program, image, timeout=30.0):
                 command(program, "-S", *channel.options, *loader(program, image)), pass_fds=channel.fds,
                 stdin=subprocess.DEVNULL, stdout=words, stderr=subprocess.STDOUT)
             try:
-                with channel.connect(timeout) as machine:
+                with channel.connect(process.pid, timeout) as machine:
                     # As the core sees it: not every bus behind it is the system's.
                     machine.execute("memsave", timeout, val=program.flash_base, size=program.flash_size,
                                     filename=str(folder / "memory.bin"))

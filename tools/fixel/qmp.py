@@ -3,7 +3,7 @@
 
     with qmp.Channel() as channel:
         process = subprocess.Popen([*command, *channel.options], pass_fds=channel.fds)
-        with channel.connect(timeout=10) as machine:
+        with channel.connect(process.pid) as machine:
             machine.key("up", down=True)
             machine.screendump("screen.png")
             machine.quit()
@@ -11,7 +11,8 @@
 A channel is a pair of connected sockets, one of which QEMU inherits: there is no
 address at which anybody else could reach it, and nothing to clean up. The
 protocol is the package qemu.qmp's, whose interface is asynchronous; here every
-call waits for its answer, has a time-out, and may come from any thread.
+call waits for its answer, has a limit, and may come from any thread. The limit is CPU time or
+sleep of QEMU (fixel.limits).
 """
 
 import asyncio
@@ -23,9 +24,11 @@ import threading
 
 from qemu.qmp import ExecuteError, QMPClient, QMPError
 
+from fixel import limits
 from fixel.errors import ToolError
 
 TIMEOUT = 10.0  # seconds for an answer
+POLL = 0.05
 
 # The package logs what it also raises.
 logging.getLogger("qemu.qmp").addHandler(logging.NullHandler())
@@ -55,11 +58,11 @@ class Channel:
         """What QEMU must be told."""
         return ["-chardev", f"socket,id=qmp,fd={self._theirs.fileno()}", "-mon", "chardev=qmp,mode=control"]
 
-    def connect(self, timeout=TIMEOUT):
-        """The Machine at the other end. To be called once, after QEMU was started."""
+    def connect(self, process, timeout=TIMEOUT):
+        """The Machine at the other end. To be called once, after QEMU was started as that process."""
         self._theirs.close()  # QEMU has its own: when it ends, we see it
         connection, self._ours = self._ours, None
-        return Machine(connection, timeout)
+        return Machine(connection, process, timeout)
 
     def close(self):
         for end in (self._ours, self._theirs):
@@ -76,8 +79,9 @@ class Channel:
 class Machine:
     """A running QEMU. What goes wrong is a ToolError that names the command."""
 
-    def __init__(self, connection, timeout=TIMEOUT):
+    def __init__(self, connection, process, timeout=TIMEOUT):
         self.timeout = timeout
+        self._process = process
         self._loop = asyncio.new_event_loop()
         self._loop.set_exception_handler(_complain)
         self._thread = threading.Thread(target=self._loop.run_forever, name="qmp", daemon=True)
@@ -98,11 +102,12 @@ class Machine:
 
     def _wait(self, what, coroutine, timeout):
         """The outcome of a coroutine, which runs in the thread of the loop."""
-        future = asyncio.run_coroutine_threadsafe(asyncio.wait_for(coroutine, timeout), self._loop)
+        future = asyncio.run_coroutine_threadsafe(coroutine, self._loop)
         try:
+            limits.wait_for(future, self._process, timeout)
             return future.result()
-        except (TimeoutError, asyncio.TimeoutError) as error:
-            raise ToolError(f"QEMU did not answer '{what}' within {timeout:g} s", exit_code=1) from error
+        except limits.LimitError as error:
+            raise ToolError(f"QEMU did not answer '{what}': {error}", exit_code=1) from error
         except ExecuteError as error:
             raise ToolError(f"QEMU refuses '{what}': {error}", exit_code=1) from error
         except (QMPError, OSError, EOFError, concurrent.futures.CancelledError) as error:

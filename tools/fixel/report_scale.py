@@ -9,7 +9,7 @@ from fixel.progress import Progress
 
 SCENE = "scenes/w1.toml"
 SCALES = (1, 4, 16, 64)
-TIMEOUT = 120.0     # seconds without a new frame
+TIMEOUT = 120.0     # seconds of CPU time without a new frame
 
 
 def scaled(scene, factor):

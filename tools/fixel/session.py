@@ -7,13 +7,12 @@
 """
 
 import pathlib
-import subprocess
 import time
 
 import numpy
 from PIL import Image
 
-from fixel import execute, qemu, qmp
+from fixel import execute, limits, qemu, qmp
 from fixel.ending import Ending, describe, last_lines
 from fixel.errors import ToolError
 
@@ -33,7 +32,7 @@ class Session:
             self._process = execute.start(qemu.command(program, *told, *channel.options), self.folder,
                                           output, channel.fds)
             try:
-                self.machine = channel.connect()
+                self.machine = channel.connect(self._process.pid)
             except ToolError as error:
                 self.close()
                 raise ToolError(f"{error}{last_lines(self.text())}", exit_code=1) from error
@@ -46,8 +45,9 @@ class Session:
         return (self.folder / OUTPUT).read_text(encoding="utf-8", errors="replace")
 
     def wait_until(self, condition, timeout, what):
-        """Waits for condition() to be true; ToolError where the board ends first or time runs out."""
-        until = time.monotonic() + timeout
+        """Waits for condition() to be true; ToolError where the board ends first, or uses timeout
+        seconds of CPU time, or sleeps so long."""
+        limit = limits.Watch(self._process.pid, timeout, timeout)
         while True:
             code = self._process.poll()     # before the condition: its last words count
             answer = condition()
@@ -57,8 +57,9 @@ class Session:
                 ending = Ending(code, self.text(), "", 0)
                 raise ToolError(f"board {self.program.board} ended before {what}: "
                                 f"{describe(ending)}{last_lines(ending.output)}", exit_code=1)
-            if time.monotonic() > until:
-                raise ToolError(f"board {self.program.board}: no {what} within {timeout:g} s"
+            passed = limit.check()
+            if passed:
+                raise ToolError(f"board {self.program.board}: no {what}: {passed}"
                                 f"{last_lines(self.text())}", exit_code=1)
             time.sleep(POLL)
 
@@ -68,11 +69,14 @@ class Session:
 
     def wait_for_end(self, timeout=60.0):
         """The exit code with which the board's program ends by itself."""
-        try:
-            return self._process.wait(timeout)
-        except subprocess.TimeoutExpired as error:
-            raise ToolError(f"board {self.program.board} did not end within {timeout:g} s"
-                            f"{last_lines(self.text())}", exit_code=1) from error
+        limit = limits.Watch(self._process.pid, timeout, timeout)
+        while self._process.poll() is None:
+            passed = limit.check()
+            if passed:
+                raise ToolError(f"board {self.program.board} did not end: {passed}"
+                                f"{last_lines(self.text())}", exit_code=1)
+            time.sleep(POLL)
+        return self._process.returncode
 
     def screen(self, device=None):
         """What a screen of the board shows, as an array of colours (height x width x 3). device: the

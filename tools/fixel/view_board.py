@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import time
 
-from fixel import emulator, qemu, qmp
+from fixel import emulator, limits, qemu, qmp
 from fixel.ending import Ending, describe, exit_status, last_lines
 from fixel.errors import ToolError
 from fixel.execute import OUTPUT_MAX, kill
@@ -21,7 +21,7 @@ from fixel.view_stream import KEYS_NAME, KeyFile, Stream
 from fixel.view_window import Window
 
 ENDLESS = 0xFFFFFFFF    # frames
-HANG = 20.0             # seconds for a frame
+HANG = 20.0             # seconds of CPU time, or of sleep, for a frame
 PRESSED_MIN = 0.35      # seconds: a tap that a board at 30 frames a second does not take for a bounce
 SETTLING = 20           # frames until a board has seen that its buttons are up, and that it is no bounce
 OUTPUT = "output.txt"
@@ -121,14 +121,15 @@ class Board:
                                                  start_new_session=True)
             except OSError as error:
                 raise ToolError(f"cannot start {command[0]}: {error.strerror}") from error
+            self._limit = limits.Watch(self._process.pid, HANG, HANG)
             try:
-                self._machine = channel.connect()
+                self._machine = channel.connect(self._process.pid)
             except ToolError as error:
                 raise ToolError(f"{error}{last_lines(self.text())}", exit_code=1) from error
 
     # --- while it runs --------------------------------------------------------------
 
-    def _check(self, waited):
+    def _check(self, _waited):
         """Whether a frame is still wanted; raises where none will come."""
         if self._closing:
             return False
@@ -139,8 +140,9 @@ class Board:
                             exit_status(ending))
         if getattr(self._keys, "error", None):
             raise self._keys.error
-        if waited > HANG:
-            raise ToolError(f"board {self.program.board} hangs: no frame came within {HANG:g} s"
+        passed = self._limit.check()
+        if passed:
+            raise ToolError(f"board {self.program.board} hangs: no frame came: {passed}"
                             f"{last_lines(self.text())}", exit_code=1)
         return True
 
@@ -152,6 +154,7 @@ class Board:
 
     def frame(self, waits=True):
         """The next frame; None once the board is being stopped. waits: as in view_window.py."""
+        self._limit.renew()
         return self._link.frame(self._check, waits)
 
     def hold(self, keys):

@@ -76,7 +76,7 @@ void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *ent
 static inline fxl_seen_vertex *fxl_see(const fxl_placed *placed, uint32_t number)
 {
     fxl_seen_vertex *entry = &placed->entries[number & placed->mask];
-    if (entry->tag != placed->tag + number) {
+    if (entry->tag != placed->tag + number) { /* bug: cache-tag */
         fxl_look_at(placed, number, entry);
     }
     return entry;

@@ -27,7 +27,7 @@ typedef struct {
 } fxl_span_buffer;
 
 /* Intervals that are always enough for one row of so many pixels. */
-#define FXL_SPAN_BUFFER_ROW(width) (((uint32_t)(width) + 1u) / 2u)
+#define FXL_SPAN_BUFFER_ROW(width) (((uint32_t)(width) + 1u) / 2u) /* bug: pool-odd */
 
 /* Bytes of memory for bands of so many rows and a pool of so many intervals. */
 #define FXL_SPAN_BUFFER_ROOM(rows, intervals) \

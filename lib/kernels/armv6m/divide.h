@@ -62,7 +62,7 @@ static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
         rest += (int32_t)denominator;
         quotient -= 1;
     }
-    while (rest >= (int32_t)denominator) {
+    while (rest >= (int32_t)denominator) { /* bug: m0-estimate */
         rest -= (int32_t)denominator;
         quotient += 1;
     }

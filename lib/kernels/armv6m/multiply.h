@@ -31,7 +31,7 @@
         uint32_t fxl_spare; \
         __asm__(".syntax unified\n\tlsls %[s], %[m], #16\n\t" SHIFT " %[m], %[m], #16\n\t" \
                 "adds %[l], %[l], %[s]\n\t" \
-                "adcs %[h], %[m]" \
+                "adcs %[h], %[m]" /* bug: m0-middle-carry */ \
                 : [l] "+l"(low), [h] "+l"(high), [m] "+l"(middle), [s] "=&l"(fxl_spare) \
                 : \
                 : "cc"); \

@@ -142,7 +142,7 @@ fxl_fill_trapezoid:
     strh    colour, [right, #-2]
     .endif
     .if     \length & 1
-    strb    colour, [right, #-1]
+    strb    colour, [right, #-1] /* bug: v7m-span-tail */
     .endif
     b       .Lnext
     .endm

@@ -79,7 +79,7 @@ fxl_look_at:
     cmp     r8, #8
     ittt    hs
     cmphs   r11, #8
-    cmphs   r12, #8
+    cmphs   r12, #8 /* bug: v7m-outcode */
     cmphs   r9, #8
     blo     open
 

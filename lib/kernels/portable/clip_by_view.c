@@ -24,7 +24,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
             vertex->state = state;
         }
         of_any |= state;
-        of_all &= state;
+        of_all &= state; /* bug: between-two */
         *point = vertex->screen;
     }
     screen->colour = face->colour;

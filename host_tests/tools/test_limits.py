@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""Limits of programs: CPU time and sleep, never wall time."""
+
+import subprocess
+import sys
+import time
+
+import pytest
+from viewers import runs
+
+from fixel import limits
+
+BURN = "while :; do :; done"
+HOUR = 3600.0
+
+
+def shell(script, cpu=HOUR, asleep=HOUR, **options):
+    return limits.run(["sh", "-c", script], cpu, asleep, text=True, **options)
+
+
+def test_a_program_that_ends():
+    done = shell("echo out; echo err >&2; exit 3")
+    assert (done.returncode, done.stdout, done.stderr) == (3, "out\n", "err\n")
+    assert shell("echo out; echo err >&2", merge=True).stdout == "out\nerr\n"
+
+
+@pytest.mark.parametrize("script", [BURN, f"({BURN}) & wait", f"while :; do {sys.executable} -c 'sum(range(10**6))'; done"])
+def test_cpu_time_of_all_that_it_starts_is_limited(script):
+    """Of itself, of a child, and of children that ended."""
+    with pytest.raises(limits.LimitError, match="sh: it used 0.6 s of CPU time") as raised:
+        shell(f"echo before; {script}", cpu=0.6)
+    assert raised.value.output == "before\n"
+
+
+def test_sleep_is_limited():
+    with pytest.raises(limits.LimitError, match="it slept for 0.6 s"):
+        shell("sleep 600", asleep=0.6)
+
+
+def test_output_is_no_sleep():
+    assert shell("for i in 1 2 3 4 5 6 7 8; do echo $i; sleep 0.2; done", asleep=0.8).returncode == 0
+
+
+def test_work_is_no_sleep():
+    assert shell("i=0; while [ $i -lt 400000 ]; do i=$((i + 1)); done", asleep=0.3).returncode == 0
+
+
+def test_wall_time_is_no_limit():
+    """A process that gets a small part of a processor only, as on a busy machine."""
+    child = subprocess.Popen(["sh", "-c", BURN])
+    others = [subprocess.Popen(["sh", "-c", BURN]) for _ in range(6)]
+    try:
+        subprocess.run(["renice", "19", str(child.pid)], check=True, capture_output=True)
+        watch, begun = limits.Watch(child.pid, HOUR, 0.5), time.monotonic()
+        while time.monotonic() - begun < 2:
+            assert watch.check() is None
+            time.sleep(0.05)
+        assert watch.used < 2
+    finally:
+        for each in (child, *others):
+            each.kill()
+            each.wait()
+
+
+def test_news_renew_both_limits():
+    child = subprocess.Popen(["sh", "-c", BURN])
+    try:
+        watch, begun = limits.Watch(child.pid, 0.5), time.monotonic()
+        while watch.used < 1.5:
+            assert watch.check() is None
+            watch.renew()
+            time.sleep(0.02)
+            assert time.monotonic() - begun < HOUR
+        while not (why := watch.check()):
+            time.sleep(0.02)
+        assert why == "it used 0.5 s of CPU time"
+    finally:
+        child.kill()
+        child.wait()
+
+
+def test_nothing_is_left_behind():
+    with pytest.raises(limits.LimitError) as raised:
+        shell("sleep 600 & echo $!; wait", asleep=0.5)
+    number = int(raised.value.output)
+    while runs(number):
+        time.sleep(0.01)

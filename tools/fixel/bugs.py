@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""The bugs that tools/seeded_bugs.py puts into the library, and the lines that they stand on.
+
+A line of the library is marked by a comment at its end, or by one alone on the line before:
+
+    screen->y = centre_y - y; /* bug: screen-y-up */
+
+host_tests/seeded_bugs/bugs.toml says what the line becomes. A bug of a file that is about to be
+replaced may name the file, a text that it holds once, and what that becomes.
+"""
+
+import dataclasses
+import hashlib
+import pathlib
+import random
+import re
+import tomllib
+
+from fixel.errors import ToolError
+
+BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
+LIBRARY = pathlib.Path("lib")
+SAMPLED = ("lib", "host_tests/unit", "host_tests/seeded_bugs")     # what a sample depends on
+SOURCES = (".c", ".h", ".S")
+MARKER = re.compile(r"/\* bug: (\S+) \*/")
+# A whole line: its indentation, the code, the marker, and what goes on with a macro.
+MARKED = r"^(?P<indent>[ \t]*)(?P<code>[^\n]*?)[ \t]*/\* bug: {} \*/(?P<macro>[ \t]*\\?)\n"
+COMMON = {"name": str, "kind": str, "why": str, "tests": list}
+BY_MARKER = {**COMMON, "marker": str, "becomes": str}
+BY_TEXT = {**COMMON, "file": str, "find": str, "replace": str}
+
+
+@dataclasses.dataclass
+class Bug:
+    """A line and the same line with a mistake, and which tests are likeliest to see it."""
+    name: str
+    kind: str
+    why: str
+    tests: list
+    file: str
+    marker: str = ""
+    becomes: str = ""
+    find: str = ""
+    replace: str = ""
+
+    def seed(self, text):
+        """The text of the bug's file with the bug in it."""
+        if not self.marker:
+            if text.count(self.find) != 1:
+                raise ToolError(f"bug '{self.name}': its text is in {self.file} {text.count(self.find)} times, "
+                                f"not once; bring {BUGS} up to date with the library")
+            return text.replace(self.find, self.replace)
+        match = re.search(MARKED.format(re.escape(self.marker)), text, re.MULTILINE)
+        if not match:
+            raise ToolError(f"bug '{self.marker}': {self.file} has no line that ends with its marker")
+        begin, end = match.span()
+        if not match["code"]:   # the marker stands alone, and marks the next line
+            begin, end = end, text.index("\n", end) + 1
+        lines = "".join(f"{match['indent']}{line}\n" for line in self.becomes.splitlines())
+        return text[:begin] + lines + text[end:]
+
+
+def markers(root):
+    """{marker: [file]} of all markers in the library."""
+    found = {}
+    for path in sorted((pathlib.Path(root) / LIBRARY).rglob("*")):
+        if path.suffix in SOURCES:
+            for name in MARKER.findall(path.read_text(encoding="utf-8")):
+                found.setdefault(name, []).append(path.relative_to(root).as_posix())
+    return found
+
+
+def read(root):
+    """The bugs. Each must have its place in the library as it is, and each marker there its bug."""
+    path = pathlib.Path(root) / BUGS
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8")).get("bug", [])
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise ToolError(f"{path}: cannot be read: {error}") from error
+    marked = markers(root)
+    bugs = [_bug(entry, number, path, marked) for number, entry in enumerate(entries)]
+    if not bugs:
+        raise ToolError(f"{path}: holds no [[bug]]")
+    names = [bug.marker for bug in bugs if bug.marker]
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        raise ToolError(f"{path}: two bugs have the marker '{name}'")
+    for name in sorted(set(marked) - set(names)):
+        raise ToolError(f"{', '.join(marked[name])}: marker '{name}' has no bug in {BUGS}")
+    for bug in bugs:
+        _check_place(root, bug)
+    return bugs
+
+
+def _bug(entry, number, path, marked):
+    fields = BY_MARKER if "marker" in entry else BY_TEXT
+    for field, kind in fields.items():
+        if not isinstance(entry.get(field), kind):
+            raise ToolError(f"{path}: bug {number}: '{field}' is missing or no {kind.__name__}")
+    if set(entry) != set(fields):
+        raise ToolError(f"{path}: bug {number}: unknown {', '.join(set(entry) - set(fields))}")
+    if "marker" not in entry:
+        return Bug(**entry)
+    places = marked.get(entry["marker"], [])
+    if len(places) != 1:
+        where = f": {', '.join(places)}" if places else ""
+        raise ToolError(f"bug '{entry['marker']}': its marker is in {LIBRARY}/ {len(places)} times, not once{where}")
+    return Bug(file=places[0], **entry)
+
+
+def _check_place(root, bug):
+    try:
+        text = (pathlib.Path(root) / bug.file).read_text(encoding="utf-8")
+    except OSError as error:
+        raise ToolError(f"bug '{bug.name}': {bug.file} cannot be read: {error.strerror}") from error
+    if bug.seed(text) == text:
+        raise ToolError(f"bug '{bug.name}': it changes nothing in {bug.file}")
+
+
+def sample(root, bugs, count):
+    """So many of the bugs, chosen by a hash of the library and its unit tests."""
+    digest = hashlib.sha256()
+    for folder in SAMPLED:
+        for path in sorted((pathlib.Path(root) / folder).rglob("*")):
+            if path.is_file():
+                digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
+    return random.Random(digest.digest()).sample(bugs, min(count, len(bugs)))
