@@ -60,7 +60,7 @@ void kernel_inputs_make(kernel_inputs *inputs)
 {
     fxl_pose pose = {{-23592, -1966, 19660}, 0x23456789u, 0xF3456789u, 0};
     fxl_lens lens;
-    fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, FXL_INSET_DEFAULT, &lens);
+    fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, 4, &lens);
     fxl_view_set_lens(&inputs->view, &lens);
     fxl_view_set_pose(&inputs->view, &pose);
     inputs->placed.view = &inputs->view;

@@ -34,8 +34,7 @@ static void any_view(void)
     fxl_lens lens;
     fxl_angle fov = FXL_FOV_MIN + any_32() % (FXL_FOV_MAX - FXL_FOV_MIN + 1u);
     fxl_q16_16 near = FXL_NEAR_MIN << (any_32() >> 9 & 7u);
-    fxl_q16_16 inset =
-        any_32() & 64u ? FXL_INSET_DEFAULT : within(FXL_INSET_MAX / 2) + FXL_INSET_MAX / 2;
+    fxl_q16_16 inset = any_32() & 64u ? 4 : within(FXL_INSET_MAX / 2) + FXL_INSET_MAX / 2;
     pose.position = (fxl_point){within(FXL_COORDINATE_MAX), within(FXL_COORDINATE_MAX),
                                 within(FXL_COORDINATE_MAX)};
     pose.yaw = any_32();

@@ -89,8 +89,8 @@ static void any_view(void)
     any_pose(&pose);
     fxl_angle fov = FXL_FOV_MIN + any_32() % (FXL_FOV_MAX - FXL_FOV_MIN + 1u);
     fxl_lens_from_fov((uint16_t)(1u + any_32() % 1024u), (uint16_t)(1u + any_32() % 1024u), fov,
-                      FXL_NEAR_MIN << (any_32() >> 9 & 7u), FXL_FAR_MAX >> (any_32() >> 9 & 7u),
-                      FXL_INSET_DEFAULT, &lens);
+                      FXL_NEAR_MIN << (any_32() >> 9 & 7u), FXL_FAR_MAX >> (any_32() >> 9 & 7u), 4,
+                      &lens);
     fxl_view_set_lens(&view, &lens);
     fxl_view_set_pose(&view, &pose);
 }

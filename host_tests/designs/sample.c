@@ -53,8 +53,8 @@ static void sample_view(const designs_plan *plan, designs_random *random, design
     double fov = degrees * (4294967296.0 / 360);
     fov = fov < FXL_FOV_MIN ? FXL_FOV_MIN : fov > FXL_FOV_MAX ? FXL_FOV_MAX : fov;
     (void)fxl_lens_from_fov(320, 240, (fxl_angle)fov,
-                            (fxl_q16_16)(between(random, plan->near) * 65536), FXL_FAR_MAX,
-                            FXL_INSET_DEFAULT, &input->lens);
+                            (fxl_q16_16)(between(random, plan->near) * 65536), FXL_FAR_MAX, 4,
+                            &input->lens);
 }
 
 /* The world's nearest point to a place of the view; false where it lies outside

@@ -18,10 +18,13 @@ static bool check_scene(fxl_scene *scene)
 {
     fxl_scene_fault fault = {NULL, 0};
     scene->order_needed = UINT32_MAX;
-    fxl_status status = fxl_scene_check(scene, &fault);
+    fxl_status status = fxl_scene_check_all(scene, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
-    DEMAND(fxl_scene_check(scene, NULL) == status);
+    DEMAND(fxl_scene_check_all(scene, NULL) == status);
+    bool bare = scene->nodes == NULL && scene->node_count == 0 && scene->tree_object == 0 &&
+                scene->beam_count == 0;
+    DEMAND(bare ? fxl_scene_check(scene, NULL) == status : fxl_scene_check(scene, NULL) != FXL_OK);
     return status == FXL_OK;
 }
 

@@ -51,25 +51,41 @@ double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y
     return nearest;
 }
 
+static const ref_screen_polygon *judge_least(const ref_drawn *drawn, bool doubt)
+{
+    return doubt && drawn->in_doubt ? &drawn->least : &drawn->polygon;
+}
+
+static const ref_screen_polygon *judge_most(const ref_drawn *drawn, bool doubt)
+{
+    return doubt && drawn->in_doubt ? &drawn->most : &drawn->polygon;
+}
+
+judge_box judge_box_of_drawn(const ref_drawn *drawn)
+{
+    return judge_box_of(judge_most(drawn, true));
+}
+
 double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t count,
-                     uint8_t background, double cx, double cy, uint8_t colour)
+                     uint8_t background, double cx, double cy, uint8_t colour, bool doubt)
 {
     double best = INFINITY;
     double uncovered = 0; /* what it costs to put every later polygon out */
     for (size_t i = count; i-- > 0 && uncovered < best;) {
-        const ref_screen_polygon *polygon = &drawn[i].polygon;
-        bool wanted = polygon->colour == colour;
+        const ref_screen_polygon *least = judge_least(&drawn[i], doubt);
+        const ref_screen_polygon *most = judge_most(&drawn[i], doubt);
+        bool wanted = most->colour == colour;
         bool near = box_holds(&boxes[i], cx, cy);
         if (!near && (!wanted || box_is_beyond(&boxes[i], cx, cy, best))) {
             continue;
         }
-        bool in = near && ref_scan_covers(polygon, cx, cy);
         if (wanted) {
-            double cost = in ? 0 : judge_edge_distance(polygon, cx, cy);
+            bool in = near && ref_scan_covers(most, cx, cy);
+            double cost = in ? 0 : judge_edge_distance(most, cx, cy);
             best = fmin(best, fmax(uncovered, cost));
         }
-        if (in) {
-            uncovered = fmax(uncovered, judge_edge_distance(polygon, cx, cy));
+        if (near && ref_scan_covers(least, cx, cy)) {
+            uncovered = fmax(uncovered, judge_edge_distance(least, cx, cy));
         }
     }
     return background == colour ? fmin(best, uncovered) : best;

@@ -83,9 +83,9 @@ static void say_frame(report *out, uint32_t number, const judge_frame *frame)
 {
     say(out,
         "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_tied\": %u, "
-        "\"pixels_unexplained\": %u, ",
+        "\"pixels_near_far\": %u, \"pixels_unexplained\": %u, ",
         (unsigned)number, (unsigned)frame->differing, (unsigned)frame->tied,
-        (unsigned)frame->unexplained);
+        (unsigned)frame->near_far, (unsigned)frame->unexplained);
     say_distance(out, "max_edge_distance_px", frame->max_distance);
     if (frame->unexplained > 0) {
         say(out, ",\n     \"first_unexplained\": [");
@@ -107,11 +107,12 @@ static void say_all(report *out, const options *wanted, const session *run)
 {
     uint32_t count = run->dump.frame_count;
     uint64_t pixels = (uint64_t)run->dump.width * (uint64_t)run->dump.height * count;
-    uint64_t differing = 0, tied = 0, unexplained = 0, inexplicable = 0;
+    uint64_t differing = 0, tied = 0, near_far = 0, unexplained = 0, inexplicable = 0;
     double farthest = -1;
     for (uint32_t i = 0; i < count; i++) {
         differing += run->frames[i].differing;
         tied += run->frames[i].tied;
+        near_far += run->frames[i].near_far;
         unexplained += run->frames[i].unexplained;
         inexplicable += run->frames[i].inexplicable;
         farthest = fmax(farthest, run->frames[i].max_distance);
@@ -119,6 +120,7 @@ static void say_all(report *out, const options *wanted, const session *run)
     say(out, "{\n  \"distance\": %.9g,\n  \"pixels\": %llu,\n  \"pixels_differing\": %llu,\n",
         wanted->distance, (unsigned long long)pixels, (unsigned long long)differing);
     say(out, "  \"pixels_tied\": %llu,\n", (unsigned long long)tied);
+    say(out, "  \"pixels_near_far\": %llu,\n", (unsigned long long)near_far);
     say(out, "  \"pixels_unexplained\": %llu,\n  \"pixels_inexplicable\": %llu,\n  ",
         (unsigned long long)unexplained, (unsigned long long)inexplicable);
     say_distance(out, "max_edge_distance_px", farthest);

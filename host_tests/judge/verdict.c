@@ -36,7 +36,7 @@ static judge_box *boxes_of(const ref_renderer *renderer)
 {
     judge_box *boxes = malloc((renderer->list.count + 1) * sizeof *boxes);
     for (size_t i = 0; boxes && i < renderer->list.count; i++) {
-        boxes[i] = judge_box_of(&renderer->list.drawn[i].polygon);
+        boxes[i] = judge_box_of_drawn(&renderer->list.drawn[i]);
     }
     return boxes;
 }
@@ -55,6 +55,25 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
         }
         frame->unexplained++;
     }
+}
+
+/* Sets the pixel's distance. True where near and far, moved by the bound on depths, were
+ * needed for it. */
+static bool explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
+                    judge_sample *pixel)
+{
+    for (int doubt = 0; doubt < 2; doubt++) {
+        double distance = judge_explain(renderer->list.drawn, boxes, renderer->list.count,
+                                        work->image->background, pixel->x + 0.5, pixel->y + 0.5,
+                                        pixel->board, doubt);
+        if (doubt == 0 || distance <= work->distance) {
+            pixel->distance = distance;
+        }
+        if (distance <= work->distance) {
+            return doubt;
+        }
+    }
+    return false;
 }
 
 static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
@@ -124,8 +143,7 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
                 return false;
             }
             judge_sample pixel = {x, y, *board, *twin, 0};
-            pixel.distance = judge_explain(renderer->list.drawn, boxes, renderer->list.count,
-                                           work->image->background, x + 0.5, y + 0.5, *board);
+            frame->near_far += explain(work, renderer, boxes, &pixel);
             count_pixel(frame, &pixel, work->distance);
             frame->tied += is_tied(work, renderer, boxes, &view, x, y);
         }
@@ -173,6 +191,7 @@ static void *run_worker(void *argument)
     bool sound = pixels && ready;
     renderer.cuts = work->cuts;
     renderer.by_tree = work->by_tree;
+    renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
         uint32_t number = work->next++;

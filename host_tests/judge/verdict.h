@@ -19,6 +19,7 @@ typedef struct {
 typedef struct {
     uint32_t differing;
     uint32_t tied;         /* of those differing: centres exactly on an edge */
+    uint32_t near_far;     /* of those differing: explained with near and far moved */
     uint32_t unexplained;  /* explained only beyond the distance, or not at all */
     uint32_t inexplicable; /* not at all */
     double max_distance;   /* the largest finite one; negative where nothing differs */

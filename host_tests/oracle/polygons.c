@@ -320,7 +320,7 @@ static void make_on_centres(maker *m)
     n[2] = FXL_ANGLE_QUARTER;
     n[3] = 65536;
     n[4] = FXL_FAR_MAX;
-    n[5] = oracle_below(m->random, 2) ? 0 : FXL_INSET_DEFAULT;
+    n[5] = oracle_below(m->random, 2) ? 0 : 4;
     int off = oracle_below(m->random, 4) == 0; /* by some 2^-32 of a turn */
     for (int i = 9; i < 12; i++) {
         n[i] &= 0xC0000000;

@@ -56,7 +56,7 @@ static int64_t field_of_view(oracle_random *random)
 static void generate_depths(oracle_random *random, oracle_input *input)
 {
     static const int32_t nears[] = {FXL_NEAR_MIN, FXL_NEAR_MIN, 4096, 16384, 65536, 262144};
-    static const int32_t insets[] = {FXL_INSET_DEFAULT, FXL_INSET_DEFAULT, FXL_INSET_DEFAULT, 0, 0};
+    static const int32_t insets[] = {4, 4, 4, 0, 0};
     uint32_t which = oracle_below(random, 12);
     int64_t near =
         which < 6 ? nears[which] : (int64_t)oracle_spread(random, FXL_NEAR_MIN, 64 * 65536.0);

@@ -8,9 +8,15 @@
 /* A polygon that was drawn: its outline as the twin has it, the rows that it
  * reaches, and where it came from. */
 typedef struct {
-    ref_screen_polygon polygon;
+    ref_screen_polygon polygon; /* no points: the twin leaves it out, but see below */
     ref_rows rows;
     uint32_t object, face; /* numbers in the scene and in the model */
+
+    /* Whether the rounding of depths may decide what near and far leave of it (SPEC.md 10).
+     * Then least and most are what they leave at the least and at the most; either may have
+     * no points. Asked only where the renderer says so. */
+    bool in_doubt;
+    ref_screen_polygon least, most;
 } ref_drawn;
 
 /* In the order of drawing. Unlike the library's, it keeps the polygons that

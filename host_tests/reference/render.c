@@ -7,6 +7,7 @@
 #include "reference/clip.h"
 #include "reference/cull.h"
 #include "reference/camera.h"
+#include "reference/depth.h"
 #include "reference/fill.h"
 #include "reference/light.h"
 #include "reference/project.h"
@@ -43,49 +44,87 @@ void ref_renderer_close(ref_renderer *renderer)
 
 /* Whether all vertices lie outside of one plane of the view: such a face is left out by
  * every clipper, also by one that leaves that plane's side to the scan. */
-static bool is_outside(const ref_renderer *renderer, const ref_polygon *polygon)
+static bool is_outside(const ref_camera *camera, const ref_view_frustum *frustum,
+                       const ref_polygon *polygon)
 {
     unsigned all = REF_CUT_ALL;
     for (int i = 0; i < polygon->count; i++) {
-        ref_view_point seen =
-            ref_transform_point(&renderer->camera, &polygon->vertices[i].position);
-        all &= ref_outcode(&renderer->view_frustum, &seen);
+        ref_view_point seen = ref_transform_point(camera, &polygon->vertices[i].position);
+        all &= ref_outcode(frustum, &seen);
     }
     return all != 0;
+}
+
+/* What the frustum leaves of a polygon, on the screen; near and far are moved apart by so
+ * much. No points unless something is left. */
+static ref_clip_result put_on_screen(const ref_renderer *renderer, const ref_polygon *whole,
+                                     double moved, ref_screen_polygon *screen)
+{
+    ref_frustum frustum = renderer->frustum;
+    ref_view_frustum view_frustum = renderer->view_frustum;
+    ref_polygon clipped;
+    ref_view_polygon view;
+    ref_depth_move_frustum(&frustum, moved);
+    ref_depth_move_view_frustum(&view_frustum, moved);
+    *screen = (ref_screen_polygon){.colour = whole->colour};
+    if (renderer->cuts != REF_CUT_ALL && is_outside(&renderer->camera, &view_frustum, whole)) {
+        return REF_CLIP_OUTSIDE;
+    }
+    ref_clip_result result = ref_clip_to_frustum(whole, &frustum, &clipped);
+    if (result == REF_CLIP_CUT || result == REF_CLIP_INSIDE) {
+        ref_transform_polygon(&renderer->camera, &clipped, &view);
+        ref_project_polygon(&renderer->lens, &view, screen);
+    }
+    return result;
+}
+
+static void count(ref_clip_result result, ref_counters *counters)
+{
+    switch (result) {
+    case REF_CLIP_OUTSIDE:
+        counters->outside++;
+        break;
+    case REF_CLIP_DEGENERATE:
+        counters->degenerate++;
+        break;
+    case REF_CLIP_CAPACITY:
+        counters->refused++;
+        break;
+    case REF_CLIP_CUT:
+        counters->clipped++;
+        counters->drawn++;
+        break;
+    case REF_CLIP_INSIDE:
+        counters->drawn++;
+        break;
+    }
+}
+
+/* What the rounding of depths may make of the polygon, if anything. */
+static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, ref_drawn *drawn)
+{
+    double bound = ref_depth_bound(whole, &renderer->camera.position, &renderer->lens);
+    if (ref_depth_is_in_doubt(&renderer->view_frustum, &renderer->camera, whole, bound)) {
+        drawn->in_doubt = true;
+        put_on_screen(renderer, whole, -bound, &drawn->least);
+        put_on_screen(renderer, whole, bound, &drawn->most);
+    }
 }
 
 bool ref_take_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t object,
                       uint32_t face, ref_counters *counters)
 {
-    ref_polygon clipped;
-    if (renderer->cuts != REF_CUT_ALL && is_outside(renderer, whole)) {
-        counters->outside++;
-        return true;
-    }
-    switch (ref_clip_to_frustum(whole, &renderer->frustum, &clipped)) {
-    case REF_CLIP_OUTSIDE:
-        counters->outside++;
-        return true;
-    case REF_CLIP_DEGENERATE:
-        counters->degenerate++;
-        return true;
-    case REF_CLIP_CAPACITY:
-        counters->refused++;
-        return true;
-    case REF_CLIP_CUT:
-        counters->clipped++;
-        break;
-    case REF_CLIP_INSIDE:
-        break;
-    }
-    counters->drawn++;
+    ref_drawn drawn = {.object = object, .face = face};
+    count(put_on_screen(renderer, whole, 0, &drawn.polygon), counters);
     if (face == REF_NO_FACE) {
         return true;
     }
-    ref_view_polygon view;
-    ref_drawn drawn = {.object = object, .face = face};
-    ref_transform_polygon(&renderer->camera, &clipped, &view);
-    ref_project_polygon(&renderer->lens, &view, &drawn.polygon);
+    if (renderer->keeps_doubt) {
+        note_doubt(renderer, whole, &drawn);
+    }
+    if (drawn.polygon.count == 0 && drawn.most.count == 0) {
+        return true;
+    }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_list_append(&renderer->list, &drawn);
 }
@@ -196,15 +235,30 @@ static void count_left_out(ref_renderer *renderer)
     renderer->counters.in = faces;
 }
 
+/* The planes that cut. The sides are those of the screen, without the inset: what an inset
+ * takes from the picture is a fault of the scene's, which a judge is to see (SPEC.md 10). */
+static void set_frusta(ref_renderer *renderer)
+{
+    ref_lens screen = renderer->lens;
+    screen.inset = 0;
+    ref_view_frustum view_sides = ref_view_frustum_from_lens(&screen);
+    ref_frustum sides =
+        ref_frustum_with_guard(&renderer->camera, &screen, renderer->cuts, REF_GUARD_PIXELS);
+    renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
+    renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
+    for (int plane = REF_PLANE_LEFT; plane <= REF_PLANE_TOP; plane++) {
+        renderer->view_frustum.planes[plane] = view_sides.planes[plane];
+        renderer->frustum.planes[plane] = sides.planes[plane];
+    }
+}
+
 bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
 {
     renderer->eye = pose->position;
     renderer->camera = ref_camera_from_pose(pose);
-    renderer->frustum = ref_frustum_with_guard(&renderer->camera, &renderer->lens, renderer->cuts,
-                                               REF_GUARD_PIXELS);
+    set_frusta(renderer);
     renderer->counters = (ref_counters){0};
     renderer->list.count = 0;
-    renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
     uint32_t count = ref_order_objects(renderer->scene, &renderer->eye, &renderer->camera,
                                        &renderer->view_frustum, renderer->objects);
     const bool by_tree = renderer->by_tree && renderer->scene->nodes;

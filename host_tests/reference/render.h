@@ -19,6 +19,7 @@ typedef struct {
     unsigned cuts; /* of the planes, those that cut: REF_CUT_ALL unless set between frames */
     ref_counters counters;
     ref_list list;    /* the frame's polygons */
+    bool keeps_doubt; /* set before a frame: the list tells what depends on rounding */
     bool by_tree;     /* set before a frame: what hides what is the scene's tree, if it has one */
     uint32_t unsplit; /* objects of the frame that were not cut to the tree */
 } ref_renderer;

@@ -83,7 +83,7 @@ fxl_lens stages_random_lens(stages_random *random)
         fxl_angle fov = FXL_FOV_MIN + stages_random_below(random, FXL_FOV_MAX - FXL_FOV_MIN + 1);
         fxl_q16_16 near = (fxl_q16_16)spread(random, FXL_NEAR_MIN, 8 * 65536.0);
         fxl_q16_16 far = (fxl_q16_16)spread(random, 16 * 65536.0, FXL_FAR_MAX);
-        fxl_q16_16 inset = FXL_INSET_DEFAULT;
+        fxl_q16_16 inset = 4;
         if (stages_random_below(random, 4) == 0) {
             inset = (fxl_q16_16)stages_random_below(random, FXL_INSET_MAX + 1);
         }

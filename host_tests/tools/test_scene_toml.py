@@ -33,7 +33,7 @@ def refused(tmp_path, text, *parts):
 
 def test_least_scene_uses_the_defaults(tmp_path):
     scene, notes = build(tmp_path, BOX + PATH)
-    assert (scene.width, scene.height, scene.inset) == (320, 240, 4)
+    assert (scene.width, scene.height, scene.inset) == (320, 240, 0)
     assert len(scene.models[0].faces) == 6 and scene.objects[0].centre == (0, 0, 5 << 16)
     assert scene.models[0].kind == image.CONVEX and scene.frames == 1 and not notes
     assert image.unpack(image.pack(scene)) == scene

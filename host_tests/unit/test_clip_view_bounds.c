@@ -257,6 +257,9 @@ static void expect_on_screen(const fxl_lens *lens, const fxl_view_frustum *frust
     int32_t half_width = lens->width * 32768, half_height = lens->height * 32768;
     int32_t off_x = off_screen(half_width, frustum->x_side, frustum->x_depth);
     int32_t off_y = off_screen(half_height, frustum->y_side, frustum->y_depth);
+    /* Without an inset too: no centre of a pixel lies there, and no coordinate leaves the
+     * range of the scan between two chains. */
+    TEST_ASSERT_TRUE(off_x < 128 && off_y < 128);
     for (int i = 0; i < polygon->count; i++) {
         const fxl_view_point *point = &polygon->vertices[i].position;
         fxl_screen_point screen;

@@ -24,7 +24,7 @@ void test_ninety_degrees_is_half_the_width(void)
     TEST_ASSERT_EQUAL(240, lens.height);
     TEST_ASSERT_EQUAL_INT32(Q16(0.0625), lens.near);
     TEST_ASSERT_EQUAL_INT32(Q16(1000), lens.far);
-    TEST_ASSERT_EQUAL_INT32(FXL_INSET_DEFAULT, lens.inset);
+    TEST_ASSERT_EQUAL_INT32(4, lens.inset);
 }
 
 void test_focal_is_within_its_bound(void)

@@ -316,6 +316,47 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
 }
 
+void test_a_scene_that_was_not_checked_is_refused(void)
+{
+    static fxl_renderer renderer;
+    tiny_scene *tiny = tiny_make();
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order[0], 64, list[0], LIST_WORDS, NULL, 0};
+    tiny->scene.order_needed = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    tiny->scene.object_count = tiny->scene.order_needed + 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+}
+
+/* Objects may come and go as far as the order table has room beside the faces of a model. */
+void test_more_objects_than_the_order_has_room_for_are_refused(void)
+{
+    static fxl_renderer renderer, before;
+    static fxl_object objects[TINY_OBJECTS + 2];
+    tiny_scene *tiny = tiny_make();
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_pose pose = pose_number(0);
+    for (uint32_t i = 0; i < TINY_OBJECTS + 2; i++) {
+        objects[i] = tiny->scene.objects[i % TINY_OBJECTS];
+    }
+    tiny->scene.objects = objects;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    const fxl_memory memory = {order[0], tiny->scene.order_needed + 1, list[0], LIST_WORDS, NULL,
+                               0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny->scene, &lens, &memory));
+    tiny->scene.object_count = TINY_OBJECTS + 1;
+    draw_whole(&renderer, &pose, whole);
+    memcpy(&before, &renderer, sizeof before);
+    tiny->scene.object_count = TINY_OBJECTS + 2;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
+    before.counters.refused_calls += 1;
+    TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
+    tiny->scene.object_count = TINY_OBJECTS;
+    draw_whole(&renderer, &pose, whole);
+}
+
 /* Frozen: every core and every compiler draws these frames, bit for bit. If a
  * change to the law makes them differ, look at the pictures before writing
  * down a new number. */

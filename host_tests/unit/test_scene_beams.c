@@ -122,13 +122,15 @@ void test_faces_must_fit_the_beams(void)
     tiny->scene.beams = beams;
     tiny->scene.lit = lit;
     tiny->scene.beam_count = 2;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("beam table", fault.what);
     tiny->scene.beam_count = 3;
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_scene_check_all(&tiny->scene, &fault));
     TEST_ASSERT_EQUAL_STRING("face", fault.what);
     tiny->scene.beam_count = FXL_BEAMS_MAX + 1;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check_all(&tiny->scene, &fault));
     tiny->scene.beam_count = 1;
     tiny->scene.lit = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check_all(&tiny->scene, &fault));
 }

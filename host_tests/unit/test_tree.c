@@ -30,7 +30,7 @@ static void start_with(uint32_t words, const fxl_hidden *hidden, uint32_t pieces
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_scene *scene = &made->tiny->scene;
     const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words, NULL, 0};
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_hidden(&renderer, hidden, room, sizeof room));
     if (hidden->walk_room != NULL && scene->nodes != NULL) {

@@ -13,7 +13,7 @@ void setUp(void)
 static void expect(fxl_status status, const char *what, uint32_t index)
 {
     fault.what = "nothing";
-    TEST_ASSERT_EQUAL(status, fxl_scene_check(&made->tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(status, fxl_scene_check_all(&made->tiny->scene, &fault));
     if (status != FXL_OK) {
         TEST_ASSERT_EQUAL_STRING(what, fault.what);
         TEST_ASSERT_EQUAL_UINT32(index, fault.index);

@@ -121,7 +121,7 @@ void test_pieces_share_every_vertex(void)
             0,
             0};
         fxl_scene *scene = &make_scene()->tiny->scene;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, scene, &lens, &memory));
         TEST_ASSERT_EQUAL(FXL_OK,
                           fxl_renderer_set_hidden(&renderer, &fxl_hidden_tree, room, sizeof room));

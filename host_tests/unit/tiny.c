@@ -126,7 +126,7 @@ static void put_header(bool strides)
     tiny_put32(tiny_at(&image, AT_FOV), FXL_ANGLE_QUARTER);
     tiny_put32(tiny_at(&image, AT_NEAR), (uint32_t)Q16(0.0625));
     tiny_put32(tiny_at(&image, AT_FAR), (uint32_t)Q16(1000));
-    tiny_put32(tiny_at(&image, AT_INSET), FXL_INSET_DEFAULT);
+    tiny_put32(tiny_at(&image, AT_INSET), 4);
     *tiny_at(&image, AT_BACKGROUND) = 200;
     *tiny_at(&image, AT_PATH_KIND) = strides;
     tiny_put32(tiny_at(&image, AT_START + 8), (uint32_t)Q16(-5));

@@ -69,7 +69,7 @@ fxl_lens unit_lens(uint16_t width, uint16_t height)
 {
     fxl_lens lens;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(width, height, FXL_ANGLE_QUARTER, Q16(0.0625),
-                                                Q16(1000), FXL_INSET_DEFAULT, &lens));
+                                                Q16(1000), 4, &lens));
     return lens;
 }
 

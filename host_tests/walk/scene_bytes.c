@@ -129,7 +129,7 @@ void scene_bytes_make(scene_bytes *scene, uint32_t objects, const fxl_pose *pose
     put16(scene, 16, SCENE_WIDTH);
     put16(scene, 18, SCENE_HEIGHT);
     put32(scene, 20, FXL_ANGLE_QUARTER);
-    put_point(scene, 24, UNIT / 4, 100 * UNIT, FXL_INSET_DEFAULT);
+    put_point(scene, 24, UNIT / 4, 100 * UNIT, 4);
     bytes(scene)[36] = SCENE_BACKGROUND;
     put_point(scene, 40, 0, 0, UNIT / 2);
     put_point(scene, 64, UNIT / 4, UNIT / 16, UNIT);

@@ -29,6 +29,10 @@ void fxl_assert_failed(const char *file, int line);
  * build with; the standard leaves it open. */
 _Static_assert((-3 >> 1) == -2, "needs arithmetic right shift");
 
+/* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
+ * in int or unsigned. */
+_Static_assert(sizeof(int) >= 4, "needs an int of at least 32 bits");
+
 /* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow
  * for |value| <= 2^62. Costs half a unit of the result. */
 static inline int64_t fxl_round_shift(int64_t value, unsigned shift)

@@ -6,7 +6,7 @@
 #include "walk.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 464 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 472 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
@@ -34,7 +34,10 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
         (memory->cache == NULL && memory->cache_capacity > 0)) {
         return FXL_E_ARGUMENT;
     }
-    if (memory->order_capacity < scene->order_needed) {
+    if (scene->order_needed == 0) {
+        return FXL_E_ORDER;
+    }
+    if (memory->order_capacity < scene->order_needed || scene->order_needed < scene->object_count) {
         return FXL_E_CAPACITY;
     }
     renderer->scene = scene;
@@ -46,6 +49,9 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     renderer->paint_room = NULL;
     renderer->paint_room_size = 0;
     renderer->order = memory->order;
+    /* What is needed beyond the objects is for the faces of one model. */
+    renderer->object_capacity =
+        memory->order_capacity - (scene->order_needed - scene->object_count);
     renderer->list.words = memory->list;
     renderer->list.capacity = memory->list_capacity;
     renderer->list.used = 0;
@@ -123,6 +129,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     }
     if (renderer->clipper == NULL || renderer->hidden == NULL) {
         return refuse(renderer, FXL_E_ORDER);
+    }
+    if (renderer->scene->object_count > renderer->object_capacity) {
+        return refuse(renderer, FXL_E_CAPACITY);
     }
     fxl_status status = fxl_view_set_pose(&renderer->view, pose);
     if (status != FXL_OK) {

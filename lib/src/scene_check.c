@@ -6,7 +6,7 @@
 
 #include "arith.h"
 #include "face_key.h"
-#include "tree_check.h"
+#include "scene_check.h"
 #include "unit_vector.h"
 
 static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
@@ -266,31 +266,6 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
 }
 
 /* One entry for each object, and for each face of the largest sorted model. */
-static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
-{
-    if (scene->beam_count == 0) {
-        return FXL_OK;
-    }
-    if (scene->beams == NULL || scene->lit == NULL) {
-        return fail(fault, "beam table", 0, FXL_E_ARGUMENT);
-    }
-    if (scene->beam_count > FXL_BEAMS_MAX) {
-        return fail(fault, "beam table", 0, FXL_E_COUNT);
-    }
-    for (uint32_t i = 0; i < scene->beam_count; i++) {
-        fxl_status status = fxl_beam_check(&scene->beams[i]);
-        if (status != FXL_OK) {
-            return fail(fault, "beam", i, status);
-        }
-    }
-    for (uint32_t i = 0; i < scene->face_count; i++) {
-        if (!fxl_beams_fit(scene->beams, scene->beam_count, scene->faces[i].count)) {
-            return fail(fault, "face", i, FXL_E_CAPACITY);
-        }
-    }
-    return FXL_OK;
-}
-
 static uint32_t order_needed(const fxl_scene *scene)
 {
     uint32_t faces = 0;
@@ -303,12 +278,11 @@ static uint32_t order_needed(const fxl_scene *scene)
     return scene->object_count + faces;
 }
 
-fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
+fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_scene_checker *more)
 {
-    static fxl_status (*const checks[])(const fxl_scene *, fxl_scene_fault *) = {
+    static fxl_scene_checker *const checks[] = {
         check_counts,   check_faces, check_models,  check_objects, check_placed_vertices,
-        check_vertices, check_radii, check_normals, check_keys,    fxl_tree_check,
-        check_beams,
+        check_vertices, check_radii, check_normals, check_keys,
     };
     if (scene == NULL || scene->vertices == NULL || scene->corners == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->objects == NULL) {
@@ -320,6 +294,22 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
             return status;
         }
     }
-    scene->order_needed = order_needed(scene);
-    return FXL_OK;
+    fxl_status status = more(scene, fault);
+    if (status == FXL_OK) {
+        scene->order_needed = order_needed(scene);
+    }
+    return status;
+}
+
+static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (scene->nodes != NULL || scene->node_count != 0 || scene->tree_object != 0) {
+        return fail(fault, "node table", 0, FXL_E_ARGUMENT);
+    }
+    return scene->beam_count == 0 ? FXL_OK : fail(fault, "beam table", 0, FXL_E_ARGUMENT);
+}
+
+fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
+{
+    return fxl_scene_check_with(scene, fault, check_bare);
 }

@@ -296,7 +296,7 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
         return status;
     }
     point_to_tables(head, &found);
-    status = fxl_scene_check(&found.scene, fault);
+    status = fxl_scene_check_all(&found.scene, fault);
     if (status != FXL_OK) {
         return status;
     }

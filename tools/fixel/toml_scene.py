@@ -36,7 +36,7 @@ def _lens(top):
     fov = min(max(quantity.angle(fov), image.FOV_MIN), image.FOV_MAX)
     near = view.number("near", Fraction(1, 4), Fraction(1, 256), 32767, "world units")
     far = view.number("far", 256, Fraction(1, 256), 32767, "world units")
-    inset = view.number("inset", Fraction(4, 65536), 0, 1, "world units")
+    inset = view.number("inset", 0, 0, 1, "world units")
     near, far, inset = quantity.q16(near), quantity.q16(far), quantity.q16(inset)
     if near + 2 * inset >= far:
         raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "

@@ -46,8 +46,11 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 #define FXL_NEAR_MIN  ((fxl_q16_16)256)
 #define FXL_FAR_MAX   ((fxl_q16_16)(32767 * 65536))
 #define FXL_INSET_MAX FXL_Q16_16_ONE
-/* The chapter's epsilon is 0.0001; this is 4/65536 = 0.00006. */
-#define FXL_INSET_DEFAULT ((fxl_q16_16)4)
+/* The chapter's epsilon is 0.0001. None is needed: without it a vertex that the clipper made
+ * lies less than 128/65536 pixel beyond the screen's border by any lens, less than 3/65536
+ * by one of a usual aspect. An inset leaves a border of background where
+ * focal * inset * sqrt(1 + (width / 2 focal)^2) / near is above 1/2 pixel. */
+#define FXL_INSET_DEFAULT ((fxl_q16_16)0)
 
 /* Screen coordinates that project gives and scan takes: |c| <= 4095 pixels.
  * A vertex inside the frustum lies on the screen; the rest is room for the

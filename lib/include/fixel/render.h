@@ -29,8 +29,8 @@ _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "
 
 typedef struct fxl_light fxl_light;
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 464 bytes and
- * 80 for each vertex of FXL_POLYGON_CAPACITY: 3024 where that is 32, 1424 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
+ * 80 for each vertex of FXL_POLYGON_CAPACITY: 3032 where that is 32, 1432 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only, but for light. */
 struct fxl_renderer {
@@ -44,7 +44,8 @@ struct fxl_renderer {
     uint16_t in_sight;          /* objects in order: those that the frame looks into */
     uint16_t sorted, front;     /* whose faces are in order, as fxl_place counts; how many */
     fxl_list list;
-    fxl_place rest; /* where the list was full */
+    uint32_t object_capacity; /* what scene->object_count may grow to: order has room for so many */
+    fxl_place rest;           /* where the list was full */
     fxl_counters counters;
     void *walk_room; /* what the caller gave for hidden, in two parts */
     fxl_view view;
@@ -70,7 +71,9 @@ struct fxl_renderer {
  * A list that holds every polygon of a frame lets bands be drawn without a look
  * at the scene; one that is full leaves the rest to every band, and without one
  * every band walks the scene. The pixels are the same.
- * FXL_E_ARGUMENT, FXL_E_CAPACITY (order): renderer untouched. */
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked: its order_needed is 0),
+ * FXL_E_CAPACITY (order; or an object_count that was raised after the check): renderer
+ * untouched. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
                              const fxl_memory *memory);
 
@@ -97,9 +100,11 @@ fxl_status fxl_renderer_set_hidden(fxl_renderer *renderer, const fxl_hidden *hid
 /* Begins a frame: camera, frustum, order of the objects in sight; then every polygon on
  * its way to the screen, as far as the list reaches. Zeroes the counters except
  * refused_calls, and counts the polygons that it came to. Then draw the frame
- * whole or in bands.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, or nothing that hides what), FXL_E_RANGE (pose):
- * the frame before stays current; counted in refused_calls. */
+ * whole or in bands. scene->object_count may change between the last band of a frame and
+ * fxl_frame_begin, as far as the order table has room.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, or nothing that hides what), FXL_E_RANGE (pose),
+ * FXL_E_CAPACITY (scene->object_count has grown beyond the order table): the frame before
+ * stays current; counted in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared

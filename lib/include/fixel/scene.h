@@ -144,8 +144,13 @@ typedef struct {
  * written only on FXL_OK; *fault (may be null) only on an error. FXL_E_ARGUMENT, _COUNT, _INDEX,
  * _RANGE, _RADIUS, _NORMAL, _PLANARITY, _KEY, _TREE,
  * _RESERVED; _CAPACITY for a face of more than
- * FXL_FACE_VERTICES_MAX vertices, which a build with a larger FXL_POLYGON_CAPACITY would draw. */
+ * FXL_FACE_VERTICES_MAX vertices, which a build with a larger FXL_POLYGON_CAPACITY would draw.
+ * A scene that has a tree or beams is refused (FXL_E_ARGUMENT): fxl_scene_check_all checks those
+ * too. A program that does not call it links neither check. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
+
+/* The same for a scene that may have a tree and beams, which it checks. */
+fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Opens a scene image of size bytes in memory aligned to four bytes, on a
  * little-endian machine. Checks everything before anything is used: magic,

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""The frustum's inset and the border of the screen: what an inset takes from the picture is told (SPEC.md, 10)."""
+
+import json
+import subprocess
+
+import pytest
+
+import scene as scene_tool
+
+WIDTH, HEIGHT, FRAMES = 320, 240, 3
+ROOM = """
+screen = { width = 320, height = 240 }
+view = { fov = 75, near = "1/256", far = 100, INSET }
+background = "#102030"
+[[objects]]
+solid = "box"
+inside = true
+scale = ["1/50", "1/50", "1/50"]
+colours = ["#806040", "#608040", "#406080", "#804060", "#604080", "#408060"]
+[path]
+keys = [{ position = [0, 0, 0], yaw = 0, frames = FRAMES }, { position = [0, 0, 0], yaw = 60, pitch = 10 }]
+"""
+
+
+def judged(build, folder, inset, clipper="view"):
+    """A room so small that its walls are where near is, drawn with such an inset: (frames' pixels of background,
+    the judge's verdict)."""
+    source, compiled, dump, verdict = (folder / f"room.{end}" for end in ("toml", "fxls", "fxld", "json"))
+    source.write_text(ROOM.replace(", INSET", inset).replace("FRAMES", str(FRAMES)), encoding="utf-8")
+    scene_tool.build(source, compiled)
+    subprocess.run([build / "host" / "frames", compiled, dump, "--clipper", clipper], check=True, capture_output=True,
+                   timeout=60)
+    subprocess.run([build / "host" / "judge", compiled, dump, "--clipper", clipper, "--json", verdict], check=True,
+                   capture_output=True, timeout=60)
+    data, frame = dump.read_bytes(), 32 + WIDTH * HEIGHT + 48
+    pixels = [data[784 + i * frame + 32:784 + i * frame + 32 + WIDTH * HEIGHT] for i in range(FRAMES)]
+    return [each.count(0) for each in pixels], json.loads(verdict.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("clipper", ["view", "world", "once"])
+def test_a_border_of_background_is_told(build, tmp_path, clipper):
+    background, verdict = judged(build, tmp_path, ', inset = "4/65536"', clipper)
+    assert min(background) > 1000
+    for empty, frame in zip(background, verdict["frames"]):
+        assert frame["pixels_unexplained"] > 0.9 * empty
+
+
+@pytest.mark.parametrize("clipper", ["view", "normalised", "once", "half-spaces", "triangles", "near"])
+def test_the_default_leaves_no_border(build, tmp_path, clipper):
+    background, verdict = judged(build, tmp_path, "", clipper)
+    assert background == [0] * FRAMES
+    assert verdict["pixels_unexplained"] == 0

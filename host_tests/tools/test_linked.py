@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""What a program does not name it does not link."""
+
+import subprocess
+
+import pytest
+
+PROGRAM = """
+#include <fixel.h>
+int main(void)
+{
+    static fxl_scene scene;
+    return NAME != FXL_E_ARGUMENT;
+}
+"""
+TREES_AND_BEAMS = {"fxl_tree_check", "fxl_beam_check", "fxl_beams_fit"}
+
+
+@pytest.mark.parametrize("call, linked", [("fxl_scene_check(&scene, NULL)", set()),
+                                          ("fxl_scene_check_all(&scene, NULL)", TREES_AND_BEAMS),
+                                          ("fxl_scene_open(NULL, 0, NULL, NULL)", TREES_AND_BEAMS)])
+def test_a_scene_without_tree_and_beams_links_neither_check(build, tmp_path, call, linked):
+    source, program = tmp_path / "check.c", tmp_path / "check"
+    source.write_text("#include <stddef.h>\n" + PROGRAM.replace("NAME", call), encoding="utf-8")
+    subprocess.run(["gcc", "-std=c11", "-I", build.parent / "lib" / "include", source, build / "host" / "libfixel.a",
+                    "-o", program], check=True)
+    subprocess.run([program], check=True, timeout=10)
+    names = subprocess.run(["nm", program], check=True, text=True, capture_output=True).stdout.split()
+    assert TREES_AND_BEAMS & set(names) == linked
+
+
+def test_an_int_of_16_bits_is_refused(build, tmp_path):
+    """There is no such compiler here: int stands for short, once the system's headers are read."""
+    source = tmp_path / "short.c"
+    source.write_text("#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n"
+                      "#ifdef SHORT\n#define int short\n#endif\n#include \"arith.h\"\n", encoding="utf-8")
+    library = build.parent / "lib"
+    command = ["gcc", "-std=c11", "-fsyntax-only", "-I", library / "include", "-I", library / "src", "-I",
+               library / "kernels" / "portable", source]
+    subprocess.run(command, check=True)
+    done = subprocess.run([*command, "-DSHORT"], text=True, capture_output=True, check=False)
+    assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr
