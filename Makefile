@@ -170,7 +170,12 @@ size: ## flash, RAM and worst stack; proof that the library has no float and no 
 
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
-TEST_BOARDS := $(filter $(or $(TEST_BOARD),%),$(TARGET_BOARDS))
+# Without it, the unit tests run on a board of each core, one that has room for all of them if there
+# is one; make boards runs them on every board.
+TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_NAME,$(board))),$(board)))
+TEST_BOARD_OF = $(firstword $(foreach board,$(1),$(if $(BOARD_UNIT_OMIT.$(board)),,$(board))) $(1))
+TEST_BOARDS := $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
+    $(foreach core,$(CORES_READ),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run.
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
@@ -183,7 +188,7 @@ UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)
 
 test-programs: $(TEST_PROGRAMS)
 
-test: ## every test: units on host and boards, mocks, tools [BOARD= of one board ONLY=]
+test: ## every test: units on the host and on a board of each core, mocks, tools [BOARD= of one board ONLY=]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
 	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \

@@ -9,6 +9,10 @@ CRC-32 of its image. An image that is on record already must draw what the recor
 Exit: 0 all are on record; 1 an image draws something else than its record; 2 could not run.
 """
 
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
 import argparse
 import pathlib
 import sys

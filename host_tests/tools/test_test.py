@@ -118,6 +118,20 @@ def test_every_unit_test_runs_on_a_board_or_is_named(board):
     assert bool(left_out) == bool(re.search(r"^#.*\nBOARD_UNIT_OMIT := ", setting, re.MULTILINE))
 
 
+def test_unit_tests_run_on_a_board_of_each_core():
+    """Of each instruction set once; make boards runs them on every board."""
+    def core(board):
+        setting = (ROOT / "boards" / board / "board.mk").read_text(encoding="utf-8")
+        return re.search(r"^BOARD_CORE := (.*)$", setting, re.MULTILINE)[1]
+
+    def boards(command):
+        words = shlex.split(run_make("-n", command).stdout.replace("\\\n", " "))
+        return [words[at + 1] for at, word in enumerate(words) if word == "--board-unit"]
+    tested = boards("test")
+    assert sorted(map(core, tested)) == sorted({core(board) for board in EVERY_BOARD})
+    assert sorted(boards("boards")) == EVERY_BOARD
+
+
 def test_make_test_of_one_board_runs_nothing_else():
     one, other = EVERY_BOARD[:2]
     words = command_of(one)
