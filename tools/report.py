@@ -51,11 +51,13 @@ def gather(options, work):
     scales = report_scale.measure(build, options.board, w1, work)
     report = {
         "samples": options.samples, "seed": options.seed, "board": options.board,
-        "claims": report_claims.judge(shards, frames, pixels, scales, options.build),
+        "claims": report_claims.judge(shards, frames, pixels, scales, options.build,
+                                      options.samples < report_shards.SAMPLES or bool(options.scene)),
         "stages": [{**row, "measure": each["measure"]} for each in about["stages"]
                    for row in report_shards.merge_stage(options.build, each, shards[each["stage"]])],
         "sweeps": [row for each in about["sweeps"] for row in
                    report_shards.merge_sweep(each, shards[f"sweep:{each['parameter']}"])],
+        "depths": report_shards.merge_depths(shards["vertex"]),
         "twins": twins, "frames": frames, "scales": scales, "third_judge": third}
     return report, shown
 
@@ -68,8 +70,8 @@ def complaints(report):
 def print_report(report, out):
     """For people."""
     print(table([[claim["id"], claim["bound"], float(claim["measured"]), claim["unit"],
-                  claim["samples"], claim["holds"]] for claim in report["claims"]],
-                ["claim", "bound", "measured", "unit", "samples", "holds"]))
+                  claim["samples"], claim["samples_claimed"], claim["holds"]] for claim in report["claims"]],
+                ["claim", "bound", "measured", "unit", "samples", "claimed for", "holds"]))
     print()
     print(table([[row["stage"], report_plots.NAMES[row["design"]], float(row["max"]),
                   float(row["mean"]), float(row["rms"]), row["unit"]] for row in report["stages"]],
@@ -87,6 +89,9 @@ def print_report(report, out):
     for claim in report["claims"]:
         if not claim["holds"] and "command" in claim:
             print(f"  again: {claim['command']}")
+    short = report_claims.shortfall(report)
+    if short and not found:
+        print(f"fewer samples were asked for than the claims are about: {short}")
     word = coloured("FAIL", "red") if found else coloured("pass", "green")
     print(f"{word}: {out}/report.html, {out}/report.json")
 
@@ -94,9 +99,9 @@ def print_report(report, out):
 def write_picture(options):
     """The README's picture from a report that is there."""
     file = pathlib.Path(options.out) / "report.json"
-    entries = [row for row in read_json(file).get("sweeps", []) if row["parameter"] == "depth"]
+    entries = read_json(file).get("depths", [])
     if not entries:
-        raise ToolError(f"{file}: holds no sweep over depth; make report writes one")
+        raise ToolError(f"{file}: holds no errors of vertices by depth; make report writes them")
     output.write_file(options.picture, report_plots.picture_bytes(entries))
     print(options.picture)
 

@@ -19,7 +19,8 @@ import tempfile
 
 from elftools.elf.elffile import ELFFile
 
-from fixel import output, stack
+import scene as scene_tool
+from fixel import firmware, fleet, linked_size, output, stack
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured, table
 
@@ -37,6 +38,8 @@ FORBIDDEN = re.compile(
     r"|_?(malloc|free|calloc|realloc|sbrk)(_r)?|_?_?(printf|puts)\w*)$")
 PROOF_CORE = "cortex-m0"
 EXCEPTION_FRAME = 36    # bytes that an interrupt pushes onto the program's stack, with alignment
+SCENES = [linked_size.ROOT / "scenes" / f"{name}.toml" for name in ("tiny", "plaza")]
+SCENE_FRAMES = 4        # of each scene that the board walks, so that its stack can be measured
 FLASH, RAM = "flash", "ram"
 SHF_WRITE, SHF_ALLOC = 1, 2
 
@@ -88,7 +91,7 @@ def measure_firmware(file, cross, usage_folders):
         elf = ELFFile(handle)
         size, symbols, entry = sections_size(elf), symbols_of(elf), entry_name(elf)
     graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(*usage_folders),
-                        lambda name: name == entry)
+                        lambda name: name == entry, stack.addresses_taken(file, cross) - {entry})
     deepest = graph.depth(entry)
     handlers = [graph.depth(name).size for name in graph.roots() if name != entry]
     return {"file": str(file), **size,
@@ -98,12 +101,26 @@ def measure_firmware(file, cross, usage_folders):
             "not_bounded": graph.unbounded()}
 
 
+def measure_run(board, elf, scenes):
+    """The deepest stack that was seen when the board walked the scenes that it has room for; None where it
+    walked none."""
+    seen = []
+    with tempfile.TemporaryDirectory(prefix="fixel-size-") as folder:
+        for scene in scenes:
+            image = pathlib.Path(folder) / f"{pathlib.Path(scene).stem}.fxls"
+            scene_tool.build(scene, image, frames=SCENE_FRAMES)
+            if image.stat().st_size <= firmware.load(elf, board).scene_size:
+                seen.append(fleet.stack_seen(board, elf, image, pathlib.Path(folder)))
+    return max(filter(None, seen), default=None)
+
+
 def measure_library(core, file, cross, usage_folder):
     """Flash, RAM, worst stack of the library's public functions."""
-    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder), is_public)
+    graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(usage_folder), is_public,
+                        stack.addresses_taken(file, cross))
     deepest = max(map(graph.depth, filter(is_public, graph.functions)), key=lambda depth: depth.size)
-    return {"core": core, **archive_size(file, cross), "stack": deepest.size,
-            "stack_path": deepest.path, "not_bounded": graph.unbounded()}
+    return {"core": core, **archive_size(file, cross), **linked_size.measure(core, file, cross),
+            "stack": deepest.size, "stack_path": deepest.path, "not_bounded": graph.unbounded()}
 
 
 def is_public(name):
@@ -156,15 +173,26 @@ def prove_pure(library, cross, core=PROOF_CORE):
             "passes": not wrong}
 
 
+def stack_text(each):
+    """A depth of which nothing is known to be deeper, or the least that there is: never too small a figure."""
+    figure = max(each["stack"], each.get("stack_measured") or 0)
+    return f"at least {figure:,}" if each["not_bounded"] else f"{figure:,}"
+
+
 def print_sizes(result):
     """For people."""
-    rows = [[f"firmware {result['board']}", each[FLASH], each[RAM], each["stack"],
+    rows = [[f"firmware {result['board']}", each[FLASH], each[RAM], stack_text(each), each.get("stack_measured"),
              each["stack_reserved"]] for each in result["firmware"]]
-    rows += [[f"library {each['core']}", each[FLASH], each[RAM], each["stack"], None]
+    rows += [[f"library {each['core']}", each["linked_flash"], each["linked_ram"], stack_text(each), None, None]
              for each in result["library"]]
-    print(table(rows, ["bytes", "flash", "RAM", "stack", "reserved"]))
-    print("stack: frames by gcc -fstack-usage along the deepest way through the calls in the\n"
-          f"machine code; the firmware's with {EXCEPTION_FRAME} bytes for an interrupt. RAM without stacks.")
+    print(table(rows, ["bytes", "flash", "RAM", "stack", "measured", "reserved"]))
+    print("library: what the first program of README.md links of it, without the compiler's arithmetic\n"
+          f"({', '.join(str(each['linked_helpers']) for each in result['library'])} bytes); its memory is the "
+          "program's.\n"
+          "stack: frames by gcc -fstack-usage along the deepest way through the calls in the\n"
+          f"machine code; the firmware's with {EXCEPTION_FRAME} bytes for an interrupt; of the library, of all public\n"
+          "functions, linked or not. At least: where a pointer may lead further, as below. measured: the\n"
+          "deepest that was seen in a run. RAM without stacks.")
     for each in result["firmware"] + result["library"]:
         print(f"deepest, {each.get('core', result['board'])}: {' > '.join(each['stack_path'])}")
         if each["not_bounded"]:
@@ -192,7 +220,8 @@ def main(argv):
     if PROOF_CORE not in libraries:
         raise ToolError(f"--library {PROOF_CORE}=FILE is missing: the proof needs it")
     result = {"board": options.board,
-              "firmware": [measure_firmware(options.elf, options.cross, options.usage)]
+              "firmware": [{**measure_firmware(options.elf, options.cross, options.usage),
+                            "stack_measured": measure_run(options.board, options.elf, SCENES)}]
               if options.elf else [],
               "library": [measure_library(core, file, options.cross, pathlib.Path(file).parent)
                           for core, file in libraries.items()],

@@ -7,14 +7,27 @@
  * is to compare. The samples depend on the stage or sweep, the seed and the
  * shard's number, and on nothing else. Exit: 0, or 2 for a bad command line. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "designs/exact.h"
 #include "designs/stage.h"
 #include "designs/tally.h"
 
 #define SWEEP_PREFIX "sweep:"
+
+enum {
+    DEPTH_FIRST = -9, /* of a vertex: the first bin is from 2^-9 to 2^-8 world units */
+    DEPTHS = 24
+};
+
+/* Errors of vertices by depth: bin n is from 2^(n + first) to twice that. */
+typedef struct {
+    uint64_t samples[DEPTHS];
+    double max[DEPTHS][DESIGNS_COUNT];
+} depth_bins;
 
 typedef struct {
     const char *what, *input;
@@ -28,8 +41,41 @@ static int fail(const char *text, const char *which)
     return 2;
 }
 
+static void count_depth(depth_bins *depths, const designs_input *input, const double *errors)
+{
+    fxl_view_point view = exact_view_point(input, 0);
+    int power;
+    (void)frexp((double)view.z * 0x1p-46, &power); /* of a fraction from 1/2 to 1 */
+    int bin = power - 1 - DEPTH_FIRST;
+    bin = bin < 0 ? 0 : bin >= DEPTHS ? DEPTHS - 1 : bin;
+    depths->samples[bin]++;
+    for (int i = 0; i < DESIGNS_COUNT; i++) {
+        depths->max[bin][i] = fmax(depths->max[bin][i], errors[i]);
+    }
+}
+
+static void write_depths(const depth_bins *depths)
+{
+    const char *comma = "";
+    printf(", \"depths\": [");
+    for (int bin = 0; bin < DEPTHS; bin++) {
+        if (depths->samples[bin] == 0) {
+            continue;
+        }
+        printf("%s\n  {\"value\": %.17g, \"samples\": %" PRIu64 ", \"max\": {", comma,
+               ldexp(1, bin + DEPTH_FIRST), depths->samples[bin]);
+        for (int i = 0; i < DESIGNS_COUNT; i++) {
+            printf("%s\"%s\": %.17g", i ? ", " : "", designs_all[i]->name, depths->max[bin][i]);
+        }
+        printf("}}");
+        comma = ",";
+    }
+    printf("]");
+}
+
+/* depths may be null; else the stage is that of vertices. */
 static void measure(enum designs_stage stage, const designs_plan *plan, designs_random random,
-                    uint64_t samples, designs_tally tallies[DESIGNS_COUNT])
+                    uint64_t samples, designs_tally tallies[DESIGNS_COUNT], depth_bins *depths)
 {
     designs_input input;
     double errors[DESIGNS_COUNT];
@@ -39,6 +85,9 @@ static void measure(enum designs_stage stage, const designs_plan *plan, designs_
         designs_errors(stage, &input, errors);
         for (int i = 0; i < DESIGNS_COUNT; i++) {
             designs_count(&tallies[i], errors[i], &input);
+        }
+        if (depths) {
+            count_depth(depths, &input, errors);
         }
     }
 }
@@ -58,9 +107,14 @@ static int run_stage(const options *wanted, enum designs_stage stage)
     static designs_tally tallies[DESIGNS_COUNT];
     const char *name = designs_stage_names[stage];
     designs_random random = designs_random_start(wanted->seed, name, 0, wanted->shard);
-    measure(stage, &designs_whole, random, wanted->samples, tallies);
+    static depth_bins depths;
+    bool by_depth = stage == DESIGNS_VERTEX;
+    measure(stage, &designs_whole, random, wanted->samples, tallies, by_depth ? &depths : NULL);
     printf("{\"stage\": \"%s\", ", name);
     write_tallies(stage, tallies);
+    if (by_depth) {
+        write_depths(&depths);
+    }
     printf("}\n");
     return 0;
 }
@@ -74,7 +128,7 @@ static int run_sweep(const options *wanted, const designs_sweep *sweep)
         designs_random random =
             designs_random_start(wanted->seed, sweep->name, (uint64_t)point + 1, wanted->shard);
         sweep->set(&plan, sweep->values[point]);
-        measure(sweep->stage, &plan, random, wanted->samples, tallies);
+        measure(sweep->stage, &plan, random, wanted->samples, tallies, NULL);
         printf("%s\n {\"value\": %.17g, ", point ? "," : "", sweep->values[point]);
         write_tallies(sweep->stage, tallies);
         printf("}");

@@ -69,6 +69,30 @@ def test_program_links_for_a_microcontroller(library, tmp_path, core):
                     library(core), tmp_path)
 
 
+def test_the_pictures_words_are_the_tables_figures():
+    row = re.search(r"\| a vertex on the screen \| ([\d,]+) \| ([\d,]+) \|", README)
+    words = re.search(r"float32 up to ([\d.]+) pixels, plain 16\.16 up to ([\d.]+)", README)
+    naive, float32 = (int(text.replace(",", "")) / 65536 for text in row.groups())
+    assert words.groups() == (f"{float32:.3g}", f"{naive:.3g}")
+
+
+def test_the_changelog_says_nothing_twice():
+    paragraphs = [" ".join(text.split()) for text in
+                  re.split(r"^- ", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]]
+    assert len(paragraphs) > 20
+    starts = [text[:60] for text in paragraphs]
+    assert len(set(starts)) == len(starts)
+
+
+def test_no_renderers_clipper_is_recommended_for_what_a_lens_cannot_say():
+    """A lens has no window that lies to one side, so a renderer cannot draw one, whatever its clipper."""
+    lens = (ROOT / "lib" / "include" / "fixel" / "lens.h").read_text(encoding="utf-8")
+    assert not re.search(r"\b(left|right|window)\b", lens), "a lens may be lopsided now: mend docs/clipping.md"
+    advice = (ROOT / "docs" / "clipping.md").read_text(encoding="utf-8").split("## Which to choose", 1)[1]
+    row = next(line for line in advice.splitlines() if "lopsided" in line)
+    assert "no renderer" in row and "`half-spaces`" not in row
+
+
 def test_files_named_exist():
     for target in re.findall(r"\]\(([^)#]+)\)", README):
         assert (ROOT / target).exists(), target

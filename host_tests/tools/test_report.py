@@ -15,7 +15,7 @@ from fractions import Fraction
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-from fixel import report_claims, report_frames, report_plots, report_scale, report_shards
+from fixel import report_claims, report_frames, report_plots, report_scale, report_shards, report_twins
 from fixel.errors import ToolError
 
 SAMPLES = 4000
@@ -127,6 +127,18 @@ def test_sweeps(result):
         values = [point["value"] for point in row["points"]]
         assert values == sorted(set(values)) and len(values) >= 8
         assert all(0 <= point["mean"] <= point["max"] for point in row["points"])
+
+
+def test_the_picture_and_the_table_have_one_sampling(result):
+    """Errors by depth are those of the stage's own samples: neither has a worst that the other lacks."""
+    _, report, _ = result
+    whole = {row["design"]: row for row in report["stages"] if row["stage"] == "vertex"}
+    assert {row["design"] for row in report["depths"]} == set(DESIGNS)
+    for row in report["depths"]:
+        values = [point["value"] for point in row["points"]]
+        assert values == sorted(set(values)) and len(values) >= 15
+        assert max(point["max"] for point in row["points"]) == whole[row["design"]]["max"]
+        assert sum(point["samples"] for point in row["points"]) == whole[row["design"]]["samples"]
 
 
 def test_frames(result):
@@ -259,6 +271,33 @@ def test_false_claim_fails(built, tmp_path, claim):
     assert "Not everything that Fixel claims holds" in (tmp_path / "out/report.html").read_text()
 
 
+def test_too_few_samples_are_a_failure_unless_asked_for():
+    tally = {"max": 0.0, "sum": 0.0, "sum_of_squares": 0.0, "worst_input": "", "histogram": []}
+    shards = {kind.what: [{**tally, "samples": kind.samples(report_shards.SAMPLES)}] for kind in report_shards.CLAIMS}
+    frame = {"pixels_differing": 0, "pixels_unexplained": 0, "pixels_tied": None, "max_edge_distance_px": None}
+    scale = {"pixels_differing": 0, "pixels": 100, "frames": 1, "instructions_percent": 0.0}
+
+    def failing(frames, fewer_asked):
+        claims = report_claims.judge(shards, [frame] * frames, 100, [scale] * 4, "build", fewer_asked)
+        return {"claims": claims, "third_judge": {"pixels_unexplained": 0}}, \
+            [claim["id"] for claim in claims if not claim["holds"]]
+
+    assert failing(500, False)[1] == []
+    assert failing(20, True)[1] == []
+    assert report_claims.shortfall(failing(20, True)[0]) == "frame 20 of 500"
+    report, ids = failing(20, False)
+    assert ids == ["frame"] and "20 samples are fewer than the 500" in report_claims.complaints(report)[0]
+
+
+def test_a_row_of_no_samples_is_no_row(result):
+    _, report, _ = result
+    assert report["twins"] and all(row["samples"] > 0 for row in report["twins"])
+    random = [{"stage": stage, "input": "random", "samples": 1, "beyond_bound": 0, "mismatched": 0, "bound": ""}
+              for stage in report_twins.STAGES]
+    assert report_twins.complaints(random) == []
+    assert report_twins.complaints(random[1:]) == ["sphere: no random sample was compared with double"]
+
+
 def test_unexplained_pixel_fails():
     claim = next(each for each in report_claims.CLAIMS if each.id == "frame")
     frame = {"pixels_differing": 1, "pixels_unexplained": 0, "pixels_tied": None,
@@ -340,7 +379,7 @@ def test_page_opens_in_a_browser(result, tmp_path):
         capture_output=True, text=True, check=False,
         env={**os.environ, "HOME": str(tmp_path)})
     assert done.returncode == 0, done.stderr
-    assert "How precise is Fixel?" in done.stdout and "Everything that Fixel claims holds" in done.stdout
+    assert "How precise is Fixel?" in done.stdout and "fewer samples were asked for" in done.stdout
     assert "CONSOLE" not in done.stderr, done.stderr
 
 

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 import size as size_tool
-from fixel import stack
+from fixel import linked_size, stack
 
 CROSS = "arm-none-eabi-"
 PURE = """
@@ -110,3 +110,79 @@ def test_call_through_a_pointer_counts_as_the_deepest_that_nobody_names(tmp_path
     deepest = graph.depth("fxl_any")
     assert deepest.path == ["fxl_any", "large"] and deepest.size > 200
     assert graph.unbounded() == []
+
+
+def graph_of(folder, source, core="cortex-m3"):
+    file = library(folder, source, core)
+    return stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(folder), size_tool.is_public,
+                       stack.addresses_taken(file, CROSS))
+
+
+def test_a_jump_through_a_register_counts_as_a_call(tmp_path):
+    source = """
+    static int large(int n) { volatile char room[200]; room[n] = 1; return room[0]; }
+    int (*const fxl_table[])(int) = {large};
+    __attribute__((optimize("O2"))) int fxl_tail(int (*const *table)(int), int n) { return table[0](n); }
+    """
+    graph = graph_of(tmp_path, source)
+    assert any("bx\tr" in line for line in stack.run([f"{CROSS}objdump", "-d", str(tmp_path / "libfixel.a")]).splitlines())
+    assert graph.depth("fxl_tail").path == ["fxl_tail", "large"] and graph.depth("fxl_tail").size >= 200
+
+
+@pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3"])
+def test_a_function_that_is_called_by_name_and_by_pointer_counts_for_both(tmp_path, core):
+    source = """
+    __attribute__((noinline)) int fxl_both(int n) { volatile char room[300]; room[n] = 1; return room[0]; }
+    int (*const fxl_table[])(int) = {fxl_both};
+    int fxl_named(int n) { return fxl_both(n) + 1; }
+    int fxl_pointed(int (*const *table)(int), int n) { return table[0](n) + 1; }
+    """
+    graph = graph_of(tmp_path, source, core)
+    assert graph.depth("fxl_pointed").path == ["fxl_pointed", "fxl_both"]
+
+
+def test_a_jump_to_a_literal_is_followed():
+    functions = stack.parse_disassembly(
+        "00000010 <reset>:\n"
+        "      10:\t4801      \tldr\tr0, [pc, #4]\t@ (18 <reset+0x8>)\n"
+        "      12:\t4700      \tbx\tr0\n"
+        "      18:\t00000021 \t.word\t0x00000021\n"
+        "\n"
+        "00000020 <start>:\n"
+        "      20:\tb510      \tpush\t{r4, lr}\n"
+        "      22:\tbc08      \tpop\t{r3}\n"
+        "      24:\t4718      \tbx\tr3\n")
+    assert functions["reset"].calls == {"start"} and functions["reset"].indirect == 0
+    assert functions["start"].indirect == 0
+
+
+def test_a_pointer_behind_a_pointer_makes_the_figure_the_least(tmp_path):
+    source = """
+    static int inner(int n) { volatile char room[200]; room[n] = 1; return room[0]; }
+    int (*const fxl_inner[])(int) = {inner};
+    static int outer(int n) { return fxl_inner[n](n) + 2; }
+    int (*const fxl_outer[])(int) = {outer};
+    int fxl_any(int (*const *table)(int), int n) { return table[0](n) + 1; }
+    """
+    graph = graph_of(tmp_path, source.replace("fxl_inner[n](n)", "((int (*const volatile *)(int))fxl_inner)[n](n)"))
+    each = {"stack": graph.depth("fxl_any").size, "not_bounded": graph.unbounded()}
+    assert each["not_bounded"] and size_tool.stack_text(each).startswith("at least")
+    assert size_tool.stack_text({"stack": 8, "stack_measured": 900, "not_bounded": ["outer"]}) == "at least 900"
+    assert size_tool.stack_text({"stack": 8, "not_bounded": []}) == "8"
+
+
+def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
+    elf = build / "boards" / "mps2-an385" / "walk.elf"
+    found = size_tool.measure_firmware(elf, CROSS, [elf.parent, *build.glob("core/cpu-cortex-m3*")])
+    found["stack_measured"] = size_tool.measure_run("mps2-an385", elf, size_tool.SCENES[:1])
+    assert found["stack_measured"] > 500 and len(found["stack_path"]) > 4
+    figure = size_tool.stack_text(found)
+    assert int(figure.removeprefix("at least ").replace(",", "")) >= found["stack_measured"]
+
+
+def test_the_first_program_links_a_part_of_the_library(build):
+    subprocess.run(["make", "lib", "CORE=cortex-m3"], cwd=build.parent, check=True, capture_output=True)
+    file = build / "lib" / "cortex-m3" / "libfixel.a"
+    linked, whole = linked_size.measure("cortex-m3", file, CROSS), size_tool.archive_size(file, CROSS)
+    assert 5_000 < linked["linked_flash"] < whole["flash"] / 2
+    assert "fxl_renderer_init" in linked_size.first_program()

@@ -111,6 +111,14 @@ def _run(result, board, elf, scene, folder):
     file.unlink()
 
 
+def stack_seen(board, elf, image, folder):
+    """The deepest stack of the program that a board saw when it walked a scene; None where it does not say."""
+    flashed, file = folder / f"{board}.bin", folder / f"{board}.fxld"
+    flash.flash(board, elf, image, flashed)
+    seen = STACK.search(emulator.run(board, flashed, elf, file, timeout=TIMEOUT).output)
+    return int(seen[1]) if seen else None
+
+
 def frame_hashes(frames):
     """Of each frame: its pixels, and the pose that they were drawn from."""
     return [(frame.sha256, frame.position, frame.angles) for frame in frames]

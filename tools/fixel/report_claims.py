@@ -33,6 +33,9 @@ CLAIMS = (
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is made 4, 16 or 64 times as "
           "large, camera and all; and it may cost at most 10 % more or fewer instructions."),
 )
+# Samples that a claim is about; fewer do not bear it out (SPEC.md, chapter 6a).
+FEWEST = {**{kind.what: kind.samples(report_shards.SAMPLES) for kind in report_shards.CLAIMS},
+          "frame": 500, "scale": 4}
 INSTRUCTIONS_PERCENT = 10
 PER = 100_000
 
@@ -67,8 +70,9 @@ def _scale_claim(claim, rows):
                   instructions_percent=percent, instructions_bound_percent=INSTRUCTIONS_PERCENT)
 
 
-def judge(shards, frames, pixels, scales, build):
-    """claims[] of the report, in the order of the table."""
+def judge(shards, frames, pixels, scales, build, fewer_asked):
+    """claims[] of the report, in the order of the table. fewer_asked: whoever asked for the report wants fewer
+    samples than the claims are about; otherwise too few are a failure of the claim."""
     found = []
     for claim in CLAIMS:
         if claim.id == "frame":
@@ -77,7 +81,21 @@ def judge(shards, frames, pixels, scales, build):
             found.append(_scale_claim(claim, scales))
         else:
             found.append(_oracle_claim(claim, report_shards.merge(shards[claim.id]), build))
+    for each in found:
+        each["samples_claimed"] = FEWEST[each["id"]]
+        each["holds"] = each["holds"] and each["samples"] > 0 and (fewer_asked or not is_short(each))
     return found
+
+
+def is_short(claim):
+    """Whether there are fewer samples than the claim is about."""
+    return claim["samples"] < claim["samples_claimed"]
+
+
+def shortfall(report):
+    """Which claims were tried on fewer samples than they are about, in words; "" where none was."""
+    return ", ".join(f"{claim['id']} {claim['samples']:,} of {claim['samples_claimed']:,}"
+                     for claim in report["claims"] if is_short(claim))
 
 
 def complaints(report):
@@ -94,6 +112,8 @@ def complaints(report):
 
 def _why(claim):
     """What else a claim asks for."""
+    if is_short(claim):
+        return f"; {claim['samples']:,} samples are fewer than the {claim['samples_claimed']:,} that it is about"
     if claim.get("pixels_unexplained"):
         return f"; {claim['pixels_unexplained']:,} pixels are unexplained"
     if claim.get("instructions_percent", 0) > INSTRUCTIONS_PERCENT:

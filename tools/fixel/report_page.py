@@ -111,7 +111,7 @@ def render(report, shown):
     return environment.get_template("report.html").render(
         report=report, words=words, tiles=tiles(report), claims=report["claims"],
         complaints=report_claims.complaints(report) + report_twins.complaints(report["twins"]),
-        twins=report["twins"], stages=stage_blocks(report),
+        shortfall=report_claims.shortfall(report), twins=report["twins"], stages=stage_blocks(report),
         sweeps=sweep_blocks(report), scenes=scene_rows(report), scales=report["scales"],
         scale_board=report["board"], third=report["third_judge"], names=report_plots.NAMES,
         frame_claim=next(claim for claim in report["claims"] if claim["id"] == "frame"),

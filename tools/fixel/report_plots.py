@@ -198,7 +198,8 @@ def _scene_ticks(axes, frames):
 
 
 def picture_bytes(entries):
-    """The README's picture: largest error of a vertex by its depth, as a PNG."""
+    """The README's picture: largest error of a vertex by its depth, as a PNG; of the samples of the stage, so that
+    its largest figures are those of the table."""
     style = {**STYLE, "font.size": 12, "font.family": "DejaVu Sans"}
     with matplotlib.rc_context(style):
         figure = Figure(figsize=(9.6, 4.7), dpi=125, facecolor=PAPER)
@@ -215,7 +216,7 @@ def picture_bytes(entries):
         axes.set_yticks(levels, ["100 pixels", "1 pixel", "1/100", "1/10,000", "1/65,536"])
         axes.set_ylim(2.0 ** -18.3, 1200)
         axes.set_xlim(values[0] / 1.6, values[-1] * 1.6)
-        axes.set_xlabel("depth of the vertex, world units")
+        axes.set_xlabel("depth of the vertex, world units: from here to twice as deep")
         axes.axhline(1, color=INK, linewidth=1, linestyle=(0, (5, 4)))
         axes.set_title("How far a vertex lands from where it should: worst case", loc="left", fontsize=15,
                        fontweight="bold", color=INK, pad=12)
@@ -236,7 +237,7 @@ def _label_lines(axes, points):
                       textcoords="offset points", color=COLOURS[design], fontsize=13, fontweight="bold")
 
     worst = {design: max(point["max"] for point in rows) / PIXEL for design, rows in points.items()}
-    label("naive", 1024, f"16.16, plain port: up to {worst['naive']:.0f} pixels", (-12, 12), "right")
-    label("float32", 1 / 64, f"float32: up to {worst['float32']:.0f} pixels", (12, 8), "left")
+    label("naive", 1024, f"16.16, plain port: up to {worst['naive']:.3g} pixels", (-12, 12), "right")
+    label("float32", 1 / 64, f"float32: up to {worst['float32']:.3g} pixels", (12, 8), "left")
     label("fixel", 1, f"Fixel: {worst['fixel'] * PIXEL:.2f} of 1/65,536 pixel, at every depth", (0, 10),
           "center")

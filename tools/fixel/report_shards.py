@@ -151,6 +151,19 @@ def merge_sweep(about, results):
             for design, rows in points.items()]
 
 
+def merge_depths(results):
+    """[{"design", "points": [{"value", "max", "samples"}]}] of the vertices of a stage's shards, by depth: a
+    point holds the depths from its value to twice that."""
+    samples, largest = {}, {}
+    for bin_ in (each for result in results for each in result["depths"]):
+        samples[bin_["value"]] = samples.get(bin_["value"], 0) + bin_["samples"]
+        for design, error in bin_["max"].items():
+            known = largest.setdefault(design, {})
+            known[bin_["value"]] = max(error, known.get(bin_["value"], 0))
+    return [{"design": design, "points": [{"value": value, "max": points[value], "samples": samples[value]}
+                                          for value in sorted(points)]} for design, points in largest.items()]
+
+
 def list_designs(build):
     """What build/host/designs compares: {"stages": [...], "sweeps": [...]}."""
     return _run([build / "host" / "designs", "--list"])

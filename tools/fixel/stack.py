@@ -3,20 +3,30 @@
 
 Frame sizes come from the compiler (-fstack-usage, .su files) where it wrote
 them, else from the instructions that move the stack pointer (libgcc's
-assembly). Calls come from the disassembly. A call through a pointer counts as
-one of the deepest function that nobody calls by name. Recursion, and a pointer
-behind a pointer, have no bound here and are reported.
+assembly). Calls come from the disassembly. A call or a jump through a register
+of which a literal tells the target is one by name. Any other counts as one of
+the deepest function whose address is taken somewhere, or which nobody calls by
+name. Recursion, and a pointer behind a pointer, have no bound here and are
+reported: then a depth is only the least that there may be.
 """
 
 import dataclasses
 import pathlib
 import re
+import struct
 import subprocess
+
+from elftools.elf.elffile import ELFFile
 
 from fixel.errors import ToolError
 
+SHF_ALLOC = 2
 HEADER = re.compile(r"^[0-9a-f]+ <([^>]+)>:$")
 INSTRUCTION = re.compile(r"^\s*[0-9a-f]+:\t[0-9a-f ]+\t(\S+)(?:\t(.*))?$")
+LITERAL_LOAD = re.compile(r"^(r\d+), \[pc, .*\((\w+) <")
+LITERAL = re.compile(r"^\s*([0-9a-f]+):\t[0-9a-f ]+\t\.word\t0x([0-9a-f]+)")
+START = re.compile(r"^([0-9a-f]+) <([^>]+)>:$", re.MULTILINE)
+ADDRESS = re.compile(r"R_ARM_(?:ABS32|TARGET1|REL32|THM_MOVW_ABS_NC)\s+(\S+)")
 RELOCATION = re.compile(r"^\s*[0-9a-f]+: R_ARM_(?:THM_)?(?:CALL|JUMP\d+|PC22|PC11)\s+(\S+)")
 TARGET = re.compile(r"<([^>+]+)>")
 BRANCH = re.compile(r"^(bl|b|b\.[nw]|b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)(\.[nw])?|cbn?z)$")
@@ -27,7 +37,8 @@ class Function:
     """What the machine code of a function says."""
     frame: int = 0                                      # bytes
     calls: set = dataclasses.field(default_factory=set)
-    indirect: int = 0                                   # calls through a register
+    indirect: int = 0                                   # calls and jumps through a register
+    resolved: set = dataclasses.field(default_factory=set)  # of calls, those that a literal told
 
 
 def run(command):
@@ -65,11 +76,13 @@ def stack_bytes(mnemonic, operands):
 
 def parse_disassembly(text):
     """Functions by name; of several of one name (static ones) the union, which bounds each."""
-    functions, name, depth = {}, None, 0
+    functions, name, depth, known = {}, None, 0, {}
     lines = text.splitlines()
+    starts = {int(address, 16): start for address, start in START.findall(text)}
+    literals = {int(word[1], 16): starts.get(int(word[2], 16) & ~1) for word in map(LITERAL.match, lines) if word}
     for number, line in enumerate(lines):
         if header := HEADER.match(line):
-            name, depth = header[1], 0
+            name, depth, known = header[1], 0, {}
             functions.setdefault(name, Function())
         elif name and (moved := RELOCATION.match(line)):
             functions[name].calls.add(moved[1].removeprefix(".text."))
@@ -77,16 +90,37 @@ def parse_disassembly(text):
             mnemonic, operands = instruction[1], re.split("[;@]", instruction[2] or "")[0].strip()
             depth += stack_bytes(mnemonic, operands)
             functions[name].frame = max(functions[name].frame, depth)
+            _note_registers(known, mnemonic, instruction[2] or "", literals)
             # Of an instruction that is still to be relocated, only the relocation knows the target.
             if not any(map(RELOCATION.match, lines[number + 1:number + 2])):
-                _add_call(functions[name], name, mnemonic, operands)
+                _add_call(functions[name], name, mnemonic, operands, known)
     return functions
 
 
-def _add_call(function, name, mnemonic, operands):
+def _note_registers(known, mnemonic, text, literals):
+    """What registers hold that matters: a function of a literal, or an address to return to."""
+    if load := LITERAL_LOAD.match(text) if mnemonic.startswith("ldr") else None:
+        known[load[1]] = literals.get(int(load[2], 16))
+    elif mnemonic.startswith("pop"):
+        for register in re.findall(r"r\d+", text):
+            known[register] = RETURN
+    elif mnemonic not in ("bx", "blx"):
+        known.pop(text.split(",")[0], None)
+
+
+RETURN = object()
+
+
+def _add_call(function, name, mnemonic, operands, known):
     """Counts an instruction if it is a call. A jump to a function's own start is a loop."""
     target = TARGET.search(operands)
-    if mnemonic == "blx" and not target:
+    if mnemonic in ("blx", "bx") and not target and operands not in ("lr", "ip", "pc"):
+        if isinstance(known.get(operands), str):
+            function.calls.add(known[operands])
+            function.resolved.add(known[operands])
+        elif known.get(operands) is not RETURN:
+            function.indirect += 1
+    elif mnemonic == "blx" and not target:
         function.indirect += 1
     elif BRANCH.match(mnemonic) and target and (target[1] != name or mnemonic == "bl"):
         function.calls.add(target[1])
@@ -115,15 +149,37 @@ class Depth:
     path: list
 
 
-class Graph:
-    """Stack depth over a graph of calls. entries are called from outside only, never by pointer."""
+def addresses_taken(file, cross):
+    """Functions of which a literal, a table or an instruction holds the address: by relocations in a
+    library, by words in a program."""
+    names = {name.split("+")[0].removeprefix(".text.") for name in ADDRESS.findall(run([f"{cross}objdump", "-r",
+                                                                                      str(file)]))}
+    with open(file, "rb") as handle:
+        if handle.read(4) != b"\x7fELF":
+            return names
+        elf = ELFFile(handle)
+        functions = {symbol["st_value"] | 1: symbol.name for symbol in elf.get_section_by_name(".symtab").iter_symbols()
+                     if symbol["st_info"]["type"] == "STT_FUNC"}
+        for section in elf.iter_sections():
+            if section["sh_flags"] & SHF_ALLOC and section["sh_type"] != "SHT_NOBITS":
+                data = section.data()
+                words = struct.unpack(f"<{len(data) // 4}I", data[:len(data) // 4 * 4])
+                names.update(functions[word] for word in words if word in functions)
+    return names
 
-    def __init__(self, functions, usage, is_entry):
+
+class Graph:
+    """Stack depth over a graph of calls. entries are called from outside only, never by pointer; taken are
+    the functions whose address is taken, which may be called by pointer too."""
+
+    def __init__(self, functions, usage, is_entry, taken=()):
         self.functions = functions
         self.usage = usage
         self.recursive = set()
         self.known = {}
-        self.pointed = [name for name in self.roots() if not is_entry(name)]
+        roots, resolved = set(self.roots()), {name for each in functions.values() for name in each.resolved}
+        self.pointed = [name for name in functions if name in taken and name not in resolved or
+                        name in roots and not is_entry(name)]
         self.deepest_pointed = Depth(0, [])
         self.deepest_pointed = max(map(self.depth, self.pointed), key=lambda depth: depth.size,
                                    default=Depth(0, []))
