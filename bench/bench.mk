@@ -20,6 +20,7 @@ BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -m
 BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard -mno-unaligned-access
 
 BENCH_OPTIMISE := -O2
+BENCH_SMALL := -Os -DFXL_SMALL
 BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sections -fstack-usage \
     -Ilib/include -Ilib/src -Iboards -Ifirmware/walk -Ibench/firmware -Ibench/listing -MMD -MP
 
@@ -42,7 +43,7 @@ BENCH_LIB := $(LIB_NAMES:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel $(BENCH_FRAMES)
-# The library as -Os has it, with the small kernels.
+# The library for few bytes, as make lib SIZE=1 makes it.
 BENCH_OBJECTS.fixel-small := draw_fixel frames path $(LIB_NAMES:%=os/lib/%)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
@@ -99,15 +100,15 @@ $(BENCH_OUT)/$(1)/$(3)lib/%.o: $(4) bench/bench.mk lib/lib.mk
 	$$(call FIRMWARE_COMPILE,$$($(2).$(1)) $$($(2)_FAMILY.$(1)) -ffreestanding)
 
 endef
-# $(1), $(2), $(3): the same, $(4): the family.
+# $(1), $(2), $(3): the same, $(4): the family, $(5): what the flags are called here adds.
 define BENCH_LIB_RULES
 $(2)_FAMILY.$(1) := $(call LIB_FAMILY_CFLAGS,$(4))
-$(foreach pattern,$(call LIB_PATTERNS,$(4)),$(call BENCH_LIB_RULE,$(1),$(2),$(3),$(pattern)))
+$(foreach pattern,$(call LIB_PATTERNS,$(4),$(5)),$(call BENCH_LIB_RULE,$(1),$(2),$(3),$(pattern)))
 endef
 
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core)))))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/,$(call LIB_FAMILY,-Os $(BENCH_FLAGS.$(core))))))
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core))),$(BENCH_OPTIMISE)))\
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/,$(call LIB_FAMILY,$(BENCH_FLAGS.$(core))),$(BENCH_SMALL))))
 
 # --- sizes -----------------------------------------------------------------------
 
@@ -135,7 +136,7 @@ $(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: \
 endef
 
 define BENCH_CORE_SIZE_RULES
-BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
+BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
 BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf))
 
 $(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk

@@ -2,7 +2,7 @@
 # Programs for every board of BOARDS. Wants BUILD, WARNINGS (with -std=c11),
 # CROSS and HOSTCC. boards/<board>/board.mk sets
 #   BOARD_CPU               the core, for people and for the report
-#   BOARD_CORE              compiler flags that choose the core; -Os among them, the library's small kernels
+#   BOARD_CORE              compiler flags that choose the core; -DFXL_SMALL among them, the small library
 #   BOARD_QEMU              what QEMU is told to be this board
 #   BOARD_BAND_BYTES        memory for a band of pixels
 #   BOARD_ORDER_ENTRIES     entries for the order of drawing
@@ -91,7 +91,7 @@ endef
 CORES_READ :=
 $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)),,\
     $(eval CORES_READ += $(call CORE_NAME,$(board)))$(eval $(call CORE_RULES,$(board)))))
-$(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core))),\
+$(foreach core,$(CORES_READ),$(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core)),$(CORE_CC.$(core))),\
     $(eval $(call CORE_LIB_RULE,$(core),$(pattern)))))
 
 # --- boards --------------------------------------------------------------------

@@ -12,23 +12,21 @@ LIB_BASES.armv7em := armv7m
 LIB_BASES.armv81m := armv7em armv7m
 comma := ,
 LIB_HAS_MVE = $(and $(filter -mfloat-abi=hard -mfloat-abi=softfp,$(1)),$(filter -mcpu=cortex-m55 -mcpu=cortex-m85,$(1)))
-# A compiler's flags -> the family of the core that -mcpu names; portable for any other. With -Os
-# it is small+FAMILY: small stands in for kernels and for stages, and takes few bytes. With an ABI
+# A compiler's flags -> the family of the core that -mcpu names; portable for any other. With an ABI
 # that has vectors in registers, which the program then turns on, it is mve+FAMILY where there are any.
-LIB_FAMILY = $(if $(filter -Os,$(1)),small+)$(if $(call LIB_HAS_MVE,$(1)),mve+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
+LIB_FAMILY = $(if $(call LIB_HAS_MVE,$(1)),mve+)$(or $(strip $(foreach core,$(firstword $(subst +, ,$(patsubst -mcpu=%,%,$(filter -mcpu=%,$(1))))),\
     $(foreach family,$(LIB_FAMILIES),$(if $(findstring $(comma)$(core)$(comma),\
     $(comma)$(lastword $(subst :, ,$(family)))$(comma)),$(firstword $(subst :, ,$(family))))))),portable)
 
 # Every object of the library, whatever the family; its source is the first of
-# LIB_PATTERNS that there is: a makefile has a rule for each, in this order.
+# LIB_PATTERNS that there is: a makefile has a rule for each, in this order. Its
+# arguments are a family and a compiler's flags: kernels in assembly are quick and take many
+# bytes, so with -DFXL_SMALL (fixel/config.h) there are none.
 LIB_NAMES := $(sort $(basename $(notdir $(wildcard lib/src/*.c lib/kernels/portable/*.c))))
 LIB_FOLDERS = $(patsubst %,lib/kernels/%,$(foreach family,$(filter-out portable,$(subst +, ,$(1))),\
     $(family) $(LIB_BASES.$(family))) portable) lib/src
 LIB_PATTERNS = $(foreach folder,$(call LIB_FOLDERS,$(1)),$(addprefix $(folder)/%,$(sort \
-    $(suffix $(wildcard $(folder)/*.c $(folder)/*.S)))))
-# With -Os: what the compiler moves out of loops, or unrolls, it pays for in bytes.
-LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-ipa-cp \
-    --param=max-completely-peeled-insns=4
+    $(suffix $(wildcard $(folder)/*.c $(if $(filter -DFXL_SMALL,$(2)),,$(folder)/*.S))))))
 # The kernels' own loops must not become calls of memset. No code touches a register for
 # floating point: nothing here has floats, and what a compiler keeps there costs more than
 # the stack. So a Cortex-M4 gets the very code of a Cortex-M3, as which it is scheduled.
@@ -36,8 +34,7 @@ LIB_SMALL_CFLAGS := -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-in
 # scheduled for, so that it gets the Cortex-M3's too. These come after what says the core.
 LIB_FAMILY_CFLAGS = $(patsubst %,-I%,$(call LIB_FOLDERS,$(1))) -fno-tree-loop-distribute-patterns \
     $(if $(filter armv7em,$(subst +, ,$(1))),-mtune=cortex-m3 -mgeneral-regs-only) \
-    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only) \
-    $(if $(filter small,$(subst +, ,$(1))),$(LIB_SMALL_CFLAGS))
+    $(if $(filter armv81m,$(subst +, ,$(1))),-mcpu=cortex-m3 -mfpu=fpv4-sp-d16 -mgeneral-regs-only)
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 
@@ -60,13 +57,13 @@ $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 
 # CORE is a name that gcc's -mcpu knows, or "host". LIB_FLAGS adds to the flags,
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
-# SIZE=1 asks for few bytes instead of few instructions: -Os, and the kernels of small.
+# SIZE=1 asks for few bytes instead of few instructions.
 LIB_OUT := $(BUILD)/lib/$(CORE)
 LIB_FLAGS ?=
 LIB_CORE_FLAGS := $(if $(filter host,$(CORE)),,-mcpu=$(CORE) -mthumb)
 LIB_CC := $(if $(filter host,$(CORE)),$(HOSTCC),$(CROSS)gcc)
 LIB_AR := $(if $(filter host,$(CORE)),ar,$(CROSS)ar)
-LIB_OPTIMISE := $(if $(SIZE),-Os,-O2)
+LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
 LIB_KERNELS := $(call LIB_FAMILY,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS))
 LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
 
@@ -87,7 +84,7 @@ $(LIB_OUT)/objects/%.o: $(1) $(LIB_OUT)/flags lib/lib.mk
 	@$$(LIB_CC) $$(LIB_CFLAGS) $$(LIB_OPTIMISE) $$(LIB_CORE_FLAGS) $$(LIB_FLAGS) $(call LIB_FAMILY_CFLAGS,$(LIB_KERNELS)) \
 	    -ffunction-sections -fdata-sections -fstack-usage -c $$< -o $$@
 endef
-$(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS)),$(eval $(call LIB_RULE,$(pattern))))
+$(foreach pattern,$(call LIB_PATTERNS,$(LIB_KERNELS),$(LIB_OPTIMISE) $(LIB_FLAGS)),$(eval $(call LIB_RULE,$(pattern))))
 
 $(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
 	@rm -f $@

@@ -34,7 +34,6 @@ static void view_quad(int32_t x, int32_t y, int32_t size, fxl_view_polygon *quad
     static const int8_t corners[4][2] = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
     quad->colour = 1;
     quad->count = 4;
-    quad->textured = false;
     for (uint32_t i = 0; i < 4; i++) {
         fxl_view_vertex *vertex = &quad->vertices[i];
         vertex->position = view_point(x + size * corners[i][0], y + size * corners[i][1],

@@ -4,8 +4,9 @@
 # Fixel needs no FPU, and the start-up code does not turn it on: soft ABI.
 
 BOARD_CPU := cortex-m33
-# For size: this is the board that has room for every test of the small kernels.
-BOARD_CORE := -mcpu=cortex-m33 -mthumb -mfloat-abi=soft -mno-unaligned-access -Os
+# For size: this is the board that has room for every test of the small library.
+BOARD_CORE := -mcpu=cortex-m33 -mthumb -mfloat-abi=soft -mno-unaligned-access -Os \
+    -DFXL_SMALL
 BOARD_QEMU := -M mps2-an505
 BOARD_NOTE := window=16777216
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # For each core of the bench, a program that compares the core's kernels with the
 # portable ones, which it has under other names: build/equality/<core>.elf, and
-# build/equality/<core>-small.elf for what -Os puts in the place of kernels and stages. Wants
+# build/equality/<core>-small.elf for the library with -Os -DFXL_SMALL. Wants
 # bench/bench.mk included first; a core runs where the bench runs it.
 
 EQUALITY_OUT := $(BUILD)/equality
@@ -18,7 +18,7 @@ EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c %/tests.c
 define EQUALITY_RULES
 EQUALITY_CC.$(1) := $($(EQUALITY_FLAGS).$(EQUALITY_CORE)) -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK \
     $(if $(findstring =hard,$(BENCH_FLAGS.$(EQUALITY_CORE))),-mgeneral-regs-only)
-EQUALITY_PORTABLE_CFLAGS.$(1) := -O2 $(call LIB_FAMILY_CFLAGS,portable)
+EQUALITY_PORTABLE_CFLAGS.$(1) := -O2 -UFXL_SMALL $(call LIB_FAMILY_CFLAGS,portable)
 
 $(EQUALITY_OUT)/$(1)/core.o: firmware/equality/sides.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $($(EQUALITY_FLAGS)_FAMILY.$(EQUALITY_CORE)) -DSIDE=core_)

@@ -42,18 +42,7 @@ fxl_status portable_project_inside(const fxl_projection *projection, const fxl_v
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
-/* Of stages, which small alone has otherwise. */
-int64_t portable_sin_q31(fxl_angle angle);
-int64_t portable_cos_q31(fxl_angle angle);
-fxl_q2_30 portable_sin(fxl_angle angle);
-fxl_q2_30 portable_cos(fxl_angle angle);
-fxl_status portable_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
-uint32_t portable_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
-                                const fxl_point *centre, fxl_q16_16 radius);
-fxl_clip_result portable_clip_view_to_planes(const fxl_view_polygon *in,
-                                             const fxl_view_frustum *frustum, fxl_planes planes,
-                                             fxl_clip_view_work *work,
-                                             const fxl_view_polygon **result);
+/* Of stages, which go another way with FXL_SMALL. */
 void portable_order_sort_faces(fxl_order_entry *entries, uint32_t count);
 void portable_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                            fxl_scan *scan);

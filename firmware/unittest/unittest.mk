@@ -57,7 +57,7 @@ $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unitte
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_FOREIGN_CC,$(1)))
 endef
 $(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core)))\
-    $(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core))),$(eval $(call CORE_TEST_LIB_RULE,$(core),$(pattern)))))
+    $(foreach pattern,$(call LIB_PATTERNS,$(CORE_FAMILY.$(core)),$(CORE_CC.$(core))),$(eval $(call CORE_TEST_LIB_RULE,$(core),$(pattern)))))
 
 # Of those, what the board is not made of anyway.
 BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_SOURCES.$(1)),$(UNIT_PARTS)))

@@ -193,14 +193,11 @@ void fuzz_clip_view(fuzz_input *in)
     fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
     fxl_view_set_lens(&view, &lens);
     polygon.colour = 7;
-    polygon.textured = true;
     polygon.count = (uint8_t)(3 + fuzz_below(in, FXL_POLYGON_CAPACITY - 2));
     for (uint32_t i = 0; i < polygon.count; i++) {
         const fxl_view_point point = any_view_point(in);
         needed |= judge_outcode(&view.view_frustum, &point, fuzz_below(in, FXL_PLANES_ALL + 1u));
         polygon.vertices[i].position = point;
-        polygon.vertices[i].u = fuzz_coordinate(in, TEXEL_MAX);
-        polygon.vertices[i].v = fuzz_coordinate(in, TEXEL_MAX);
     }
     fxl_clip_result cut =
         fxl_clip_view_to_planes(&polygon, &view.view_frustum, FXL_PLANES_ALL, &work, &result);

@@ -51,8 +51,6 @@ static ref_view_vertex crossing(const ref_view_vertex *inside, const ref_view_ve
     return (ref_view_vertex){
         .position = {between(from->x, to->x, t), between(from->y, to->y, t),
                      between(from->z, to->z, t)},
-        .u = (double)between(inside->u, outside->u, t),
-        .v = (double)between(inside->v, outside->v, t),
     };
 }
 

@@ -62,7 +62,6 @@ typedef struct {
 
 typedef struct {
     ref_view_point position;
-    double u, v;
 } ref_view_vertex;
 
 typedef struct {

@@ -21,8 +21,6 @@ void ref_transform_polygon(const ref_camera *camera, const ref_polygon *polygon,
     view->colour = polygon->colour;
     view->count = polygon->count;
     for (int i = 0; i < polygon->count; i++) {
-        const ref_vertex *vertex = &polygon->vertices[i];
-        view->vertices[i] =
-            (ref_view_vertex){ref_transform_point(camera, &vertex->position), vertex->u, vertex->v};
+        view->vertices[i].position = ref_transform_point(camera, &polygon->vertices[i].position);
     }
 }

@@ -65,10 +65,6 @@ ref_view_polygon bridge_view_polygon(const fxl_view_polygon *polygon)
     for (int i = 0; i < result.count; i++) {
         const fxl_view_vertex *vertex = &polygon->vertices[i];
         result.vertices[i] = (ref_view_vertex){.position = bridge_view_point(&vertex->position)};
-        if (polygon->textured) {
-            result.vertices[i].u = q16(vertex->u);
-            result.vertices[i].v = q16(vertex->v);
-        }
     }
     return result;
 }

@@ -10,8 +10,7 @@
 
 enum {
     FROM_EDGE,
-    FROM_PLANE,
-    TEXTURE
+    FROM_PLANE
 };
 
 /* Units of 2^-46 in a unit of 1/65536. */
@@ -28,7 +27,7 @@ stages_tally stages_clip_tally(const char *input)
                    "max_from_plane are its distances from the exact edge and plane, all in units "
                    "of 1/65536 as well",
         .bound = "2^-30 a coordinate from the edge; 3 * 2^-30 from the plane",
-        .extra_names = {"max_from_edge", "max_from_plane", "max_texture"},
+        .extra_names = {"max_from_edge", "max_from_plane"},
     };
 }
 
@@ -64,8 +63,6 @@ static void compare_vertex(stages_tally *tally, const ref_view_plane *plane,
     stages_count(tally, REF_ONE * largest_difference(p, &exact->position), within);
     stages_extra(tally, FROM_EDGE, from_edge);
     stages_extra(tally, FROM_PLANE, from_plane);
-    stages_extra(tally, TEXTURE,
-                 REF_ONE * fmax(fabs(fixed->u - exact->u), fabs(fixed->v - exact->v)));
 }
 
 /* Walks the input's edges as SPEC.md 4.5 does, to know which vertices of the
@@ -102,7 +99,7 @@ static int same_vertices(const fxl_view_polygon *a, const fxl_view_polygon *b)
     for (int i = 0; same && i < a->count; i++) {
         const fxl_view_vertex *p = &a->vertices[i], *q = &b->vertices[i];
         same = p->position.x == q->position.x && p->position.y == q->position.y &&
-               p->position.z == q->position.z && (!a->textured || (p->u == q->u && p->v == q->v));
+               p->position.z == q->position.z;
     }
     return same;
 }

@@ -80,13 +80,11 @@ static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
 static void take_vertices(stages_tally *transform, const fxl_camera *camera,
                           const fxl_polygon *polygon, fxl_view_polygon *seen)
 {
-    *seen = (fxl_view_polygon){
-        .colour = polygon->colour, .count = polygon->count, .textured = polygon->textured};
+    seen->colour = polygon->colour;
+    seen->count = polygon->count;
     for (int i = 0; i < polygon->count; i++) {
         const fxl_vertex *vertex = &polygon->vertices[i];
         stages_measure_transform(transform, camera, &vertex->position, &seen->vertices[i].position);
-        seen->vertices[i].u = vertex->u;
-        seen->vertices[i].v = vertex->v;
     }
 }
 

@@ -38,20 +38,16 @@ static fxl_view_point at_wall(int plane, int64_t inside, int64_t aside)
     }
 }
 
-/* A polygon from whole numbers: so far inside a wall, so far along it. u and v
- * are the same numbers. */
+/* A polygon from whole numbers: so far inside a wall, so far along it. */
 static fxl_view_polygon flat(int plane, const int *numbers, uint8_t count)
 {
     fxl_view_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     polygon.colour = 5;
     polygon.count = count;
-    polygon.textured = true;
     for (int i = 0; i < count; i++) {
         int inside = numbers[2 * i], aside = numbers[2 * i + 1];
         polygon.vertices[i].position = at_wall(plane, V(inside), V(aside));
-        polygon.vertices[i].u = inside * 65536;
-        polygon.vertices[i].v = aside * 65536;
     }
     return polygon;
 }
@@ -73,7 +69,7 @@ static void expect_untouched(fxl_clip_result result, const int *numbers, size_t 
 static bool same_vertex(const fxl_view_vertex *a, const fxl_view_vertex *b)
 {
     return a->position.x == b->position.x && a->position.y == b->position.y &&
-           a->position.z == b->position.z && a->u == b->u && a->v == b->v;
+           a->position.z == b->position.z;
 }
 
 /* Which vertex comes first is not laid down; their order is. */
@@ -154,22 +150,17 @@ void test_a_vertex_on_the_plane_is_not_repeated(void)
     expect_cut(NUMBERS(0, 0, 0, 4, 4, 4), NUMBERS(-4, 2, 0, 4, 4, 4, 0, 0));
 }
 
-/* 1/4 of the way from the inside end, whichever way the edge is walked; the
- * texture has numbers of its own. */
-void test_texture_is_cut_by_the_same_fraction(void)
+/* 1/4 of the way from the inside end, whichever way the edge is walked. */
+void test_a_crossing_is_at_its_fraction_of_the_edge(void)
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon polygon = flat(plane, NUMBERS(-3, 0, 1, 8, 1, 16, -3, 16));
-        polygon.vertices[0].u = Q16(10);
-        polygon.vertices[1].u = Q16(50);
-        polygon.vertices[0].v = Q16(16383);
-        polygon.vertices[1].v = Q16(-16383);
         TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
                           fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
-        fxl_view_vertex expected = {at_wall(plane, 0, V(6)), Q16(40), Q16(-8191.5)};
+        fxl_view_vertex expected = {at_wall(plane, 0, V(6))};
         TEST_ASSERT_EQUAL(4, room.out.count);
         TEST_ASSERT_TRUE(same_vertex(&expected, &room.out.vertices[0]));
-        expected = (fxl_view_vertex){at_wall(plane, 0, V(16)), 0, Q16(16)};
+        expected = (fxl_view_vertex){at_wall(plane, 0, V(16))};
         TEST_ASSERT_TRUE(same_vertex(&expected, &room.out.vertices[3]));
     }
 }

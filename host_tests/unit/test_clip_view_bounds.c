@@ -14,8 +14,7 @@ static fxl_view_point random_point(unsigned bits)
 
 static fxl_view_vertex random_vertex(unsigned bits)
 {
-    return (fxl_view_vertex){random_point(bits), unit_between(-Q16(16383), Q16(16383)),
-                             unit_between(-Q16(16383), Q16(16383))};
+    return (fxl_view_vertex){random_point(bits)};
 }
 
 /* A frustum whose six planes all pass through what so many bits can reach. */
@@ -102,38 +101,26 @@ typedef struct {
     int64_t low, high, whole;
 } fractions;
 
-/* Of which fraction of the way from a to b a coordinate may be: within slack / 100. */
-static fractions fractions_of(int64_t from, int64_t to, int64_t at, int64_t slack)
+/* Of which fraction of the way from a to b a coordinate may be: within a unit. */
+static fractions fractions_of(int64_t from, int64_t to, int64_t at)
 {
     int64_t way = to - from, part = at - from;
     if (way < 0) {
         way = -way;
         part = -part;
     }
-    if (slack == 100) { /* 62 bits have no room for hundredths */
-        return (fractions){part - 1, part + 1, way};
-    }
-    return (fractions){100 * part - slack, 100 * part + slack, 100 * way};
-}
-
-/* Half a unit for the rounding, and what a fraction of 31 bits costs. */
-static fractions fractions_of_texel(fxl_q16_16 from, fxl_q16_16 to, fxl_q16_16 at)
-{
-    int64_t way = (int64_t)to - from;
-    return fractions_of(from, to, at, 51 + (way < 0 ? -way : way) * 100 / ((int64_t)1 << 31));
+    return (fractions){part - 1, part + 1, way};
 }
 
 /* On the edge from a to b: all coordinates at one fraction, 0..1. */
 static bool on_edge(const fxl_view_vertex *a, const fxl_view_vertex *b, const fxl_view_vertex *v)
 {
-    const fractions all[] = {fractions_of(a->position.x, b->position.x, v->position.x, 100),
-                             fractions_of(a->position.y, b->position.y, v->position.y, 100),
-                             fractions_of(a->position.z, b->position.z, v->position.z, 100),
-                             fractions_of_texel(a->u, b->u, v->u),
-                             fractions_of_texel(a->v, b->v, v->v),
+    const fractions all[] = {fractions_of(a->position.x, b->position.x, v->position.x),
+                             fractions_of(a->position.y, b->position.y, v->position.y),
+                             fractions_of(a->position.z, b->position.z, v->position.z),
                              {0, 1, 1}};
-    for (int i = 0; i < 6; i++) {
-        for (int k = 0; k < 6; k++) {
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 4; k++) {
             if (wide_compare(wide_product(all[i].low, all[k].whole),
                              wide_product(all[k].high, all[i].whole)) > 0) {
                 return false;
@@ -182,7 +169,6 @@ static fxl_view_polygon random_triangle(unsigned bits)
     fxl_view_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     polygon.count = 3;
-    polygon.textured = true;
     for (int k = 0; k < 3; k++) {
         polygon.vertices[k] = random_vertex(bits);
     }

@@ -40,21 +40,22 @@ static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
     return (value + ((int64_t)1 << (shift - 1))) >> shift;
 }
 
-/* floor(numerator / denominator + 1/2), denominator > 0 and the quotient below
- * 2^31. Costs half a unit. Downward, a negative quotient is the other's
- * negative, less 1 where something is left. */
-static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
+/* floor(numerator / denominator), denominator > 0 and the quotient below 2^31. Downward, that of
+ * -1 - n is -1 less that of n. */
+static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
 {
     FXL_ASSERT(denominator > 0);
-    bool negative = numerator < 0;
-    uint64_t magnitude = negative ? (uint64_t)0 - (uint64_t)numerator : (uint64_t)numerator;
     uint32_t rest;
-    uint32_t quotient = fxl_divide_u64(magnitude, denominator, &rest);
-    if (negative) {
-        /* -(quotient + rest / denominator), a half upward: towards 0. */
-        return -(int32_t)(quotient + (rest > denominator - rest)); /* bug: half-up */
-    }
-    return (int32_t)(quotient + (rest >= denominator - rest));
+    int64_t sign = numerator >> 63;
+    return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &rest) ^
+           (int32_t)sign;
+}
+
+/* floor(numerator / denominator + 1/2) under the same conditions: of an odd denominator the
+ * half that is cut off decides nothing. Costs half a unit. */
+static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
+{
+    return fxl_divide_down(numerator + (denominator >> 1), denominator);
 }
 
 /* floor(numerator / denominator) and what is left, denominator > 0. */

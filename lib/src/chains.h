@@ -5,9 +5,6 @@
 
 #include "fixel/scan.h"
 
-/* Whether outlines that can be are scanned by chains. */
-#define FXL_SCAN_HAS_CHAINS 1
-
 /* The next span as a trapezoid of one row, of a scan by crossings. The kernel
  * goes there where a scan that has no more rows is not by chains. */
 const fxl_trapezoid *fxl_scan_next_of_crossings(fxl_scan *scan);

@@ -25,34 +25,8 @@ static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_
     return high * 4 + (int64_t)(low >> 30);
 }
 
-/* A plane's normal across (right or up, or for the second of a pair left or down)
- * and along (forward), and its distance. */
-typedef struct {
-    fxl_q2_30 side, depth;
-    bool upright, second;
-    fxl_q18_46 inset;
-} side_plane;
-
-static side_plane side_plane_of(const fxl_view_frustum *frustum, int plane)
-{
-    FXL_ASSERT(plane >= FXL_PLANE_LEFT && plane <= FXL_PLANE_TOP);
-    bool upright = plane >= FXL_PLANE_BOTTOM;
-    bool second = plane == FXL_PLANE_RIGHT || plane == FXL_PLANE_TOP;
-    side_plane of = {upright ? frustum->y_side : frustum->x_side,
-                     upright ? frustum->y_depth : frustum->x_depth, upright, second,
-                     frustum->inset};
-    return of;
-}
-
-/* Below 2^61 before the inset. */
-static inline fxl_q18_46 side_distance(const side_plane *plane, const fxl_view_point *point)
-{
-    fxl_q18_46 across = plane->upright ? point->y : point->x;
-    return project_onto(plane->side, plane->second ? -across : across, plane->depth, point->z) -
-           plane->inset;
-}
-
-/* Near and far: below 2^62. */
+/* Near and far: below 2^62. A side: below 2^61 before the inset; across is the second of a
+ * pair's, left or down, where it is negated. */
 fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point)
 {
@@ -62,8 +36,12 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
     if (plane == FXL_PLANE_FAR) {
         return frustum->far - point->z;
     }
-    side_plane side = side_plane_of(frustum, plane);
-    return side_distance(&side, point);
+    const bool upright = plane >= FXL_PLANE_BOTTOM;
+    const fxl_q18_46 across = upright ? point->y : point->x;
+    const bool second = plane == FXL_PLANE_RIGHT || plane == FXL_PLANE_TOP;
+    return project_onto(upright ? frustum->y_side : frustum->x_side, second ? -across : across,
+                        upright ? frustum->y_depth : frustum->x_depth, point->z) -
+           frustum->inset;
 }
 
 /* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
@@ -82,54 +60,37 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* The same for texture coordinates, to the nearest: half a unit. |to - from| is
- * below 2^32. */
-static fxl_q16_16 interpolate_texel(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
-{
-    int64_t extent = (int64_t)to - from;
-    int64_t part = (int64_t)((fxl_multiply_high(fxl_magnitude(extent) << 1, fraction) + 1) >> 1);
-    return (fxl_q16_16)(extent < 0 ? from - part : from + part);
-}
-
 /* Where the edge from an inside to an outside vertex crosses the plane. Always
  * in this direction, so that both owners of an edge get the same bits. */
-static void set_crossing(const fxl_view_vertex *inside, const fxl_view_vertex *outside,
-                         uint64_t fraction, bool textured, fxl_view_vertex *vertex)
+static void set_crossing(const fxl_view_point *inside, const fxl_view_point *outside,
+                         uint64_t fraction, fxl_view_point *point)
 {
-    const fxl_view_point *from = &inside->position;
-    const fxl_view_point *to = &outside->position;
-    vertex->position.x = interpolate(from->x, to->x, fraction);
-    vertex->position.y = interpolate(from->y, to->y, fraction);
-    vertex->position.z = interpolate(from->z, to->z, fraction);
-    if (textured) {
-        vertex->u = interpolate_texel(inside->u, outside->u, fraction);
-        vertex->v = interpolate_texel(inside->v, outside->v, fraction);
-    }
+    point->x = interpolate(inside->x, outside->x, fraction);
+    point->y = interpolate(inside->y, outside->y, fraction);
+    point->z = interpolate(inside->z, outside->z, fraction);
 }
 
 /* Fills in every vertex's distance; answers how many are inside. */
 static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum, int plane,
                         fxl_q18_46 *distances)
 {
-    const bool is_side = plane >= FXL_PLANE_LEFT;
-    const side_plane side = side_plane_of(frustum, is_side ? plane : FXL_PLANE_LEFT);
     uint32_t inside_count = 0;
     for (uint32_t i = 0; i < polygon->count; i++) {
-        const fxl_view_point *point = &polygon->vertices[i].position;
-        distances[i] =
-            is_side ? side_distance(&side, point) : fxl_view_distance(frustum, plane, point);
-        inside_count += distances[i] >= 0; /* bug: plane-is-out */
+        distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
+        inside_count += distances[i] >= 0;
     }
     return inside_count;
 }
 
-/* Room for one more vertex; null when the polygon is full. */
-static fxl_view_vertex *append(fxl_view_polygon *polygon, uint32_t *count)
+/* Appends a vertex; false when the polygon is full. */
+static bool append(fxl_view_polygon *polygon, uint32_t *count, const fxl_view_point *point)
 {
     if (*count == FXL_POLYGON_CAPACITY) {
-        return NULL;
+        return false;
     }
-    return &polygon->vertices[(*count)++];
+    polygon->vertices[*count].position = *point;
+    *count += 1;
+    return true;
 }
 
 /* Emits what an edge contributes: its first vertex if that is inside, then the
@@ -138,33 +99,20 @@ static fxl_view_vertex *append(fxl_view_polygon *polygon, uint32_t *count)
 static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances, uint32_t current,
                         uint32_t next, fxl_view_polygon *out, uint32_t *count)
 {
-    bool current_inside = distances[current] >= 0;
-    if (current_inside) {
-        fxl_view_vertex *vertex = append(out, count);
-        if (vertex == NULL) {
-            return false;
-        }
-        vertex->position = in->vertices[current].position;
-        if (in->textured) {
-            vertex->u = in->vertices[current].u;
-            vertex->v = in->vertices[current].v;
-        }
-    }
-    if (current_inside == (distances[next] >= 0)) {
-        return true;
-    }
-    uint32_t inside = current_inside ? current : next;
-    uint32_t outside = current_inside ? next : current; /* bug: cut-from-first */
-    if (distances[inside] == 0) {
-        return true;
-    }
-    fxl_view_vertex *vertex = append(out, count);
-    if (vertex == NULL) {
+    const bool current_inside = distances[current] >= 0;
+    const uint32_t inside = current_inside ? current : next;
+    const uint32_t outside = current_inside ? next : current;
+    const fxl_view_point *from = &in->vertices[inside].position;
+    if (current_inside && !append(out, count, from)) {
         return false;
     }
-    set_crossing(&in->vertices[inside], &in->vertices[outside],
-                 crossing_fraction(distances[inside], distances[outside]), in->textured, vertex);
-    return true;
+    if (distances[inside] <= 0 || distances[outside] >= 0) {
+        return true;
+    }
+    fxl_view_point crossing;
+    set_crossing(from, &in->vertices[outside].position,
+                 crossing_fraction(distances[inside], distances[outside]), &crossing);
+    return append(out, count, &crossing);
 }
 
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
@@ -189,7 +137,6 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
         return FXL_CLIP_DEGENERATE;
     }
     out->colour = in->colour;
-    out->textured = in->textured;
     out->count = (uint8_t)count;
     return FXL_CLIP_CUT;
 }

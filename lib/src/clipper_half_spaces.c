@@ -50,7 +50,7 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in,
 static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
                             fxl_screen_polygon *screen)
 {
-    static const fxl_way way = {see, project, input, cut, FXL_PLANES_ALL};
+    static const fxl_way way = {see, project, input, cut};
     const fxl_view *view = placed->view;
     fxl_volume_room *room = room_of(placed);
     (void)work;
@@ -58,7 +58,7 @@ static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_
         fxl_volume_from_sides(&view->view_frustum, view->lens.focal, FXL_PLANES_ALL, &room->volume);
         room->frame = view->frame;
     }
-    return fxl_family_take(placed, face, screen, &way);
+    return fxl_family_take(placed, face, screen, &way, FXL_PLANES_ALL);
 }
 
 const fxl_clipper fxl_clipper_half_spaces = {clip, NULL, sizeof(fxl_volume_room)};

@@ -5,25 +5,11 @@
 
 #define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR | 1u << FXL_PLANE_LEFT)
 
-static fxl_seen_vertex *see(const fxl_placed *placed, uint32_t number)
-{
-    return fxl_beyond_see(placed, number, SCREEN);
-}
-
-static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in, unsigned any,
-                           const fxl_clip_polygon **result)
-{
-    return fxl_beyond_cut(placed, in, any, SCREEN, result);
-}
-
 static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
                             fxl_screen_polygon *screen)
 {
-    static const fxl_way way = {see, fxl_beyond_project, fxl_beyond_input, cut,
-                                SCREEN | FXL_FAMILY_BEYOND}; /* bug: left-to-scan */
     (void)work;
-    fxl_beyond_set_up(placed, SCREEN);
-    return fxl_family_take(placed, face, screen, &way);
+    return fxl_clip_beyond(placed, face, SCREEN, screen);
 }
 
 const fxl_clipper fxl_clipper_left = {clip, NULL, sizeof(fxl_volume_room)};

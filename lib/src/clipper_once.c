@@ -35,11 +35,11 @@ static fxl_clip_result cut(const fxl_placed *placed, const fxl_clip_polygon *in,
 static fxl_clip_result clip(const fxl_placed *placed, const fxl_face *face, fxl_clipper_work *work,
                             fxl_screen_polygon *screen)
 {
-    static const fxl_way way = {see, project, input, cut, FXL_PLANES_ALL};
+    static const fxl_way way = {see, project, input, cut};
     fxl_once_room *room = room_of(placed);
     (void)work;
     fxl_normalised_set_up(placed->view, &room->frame, &room->frustum);
-    return fxl_family_take(placed, face, screen, &way);
+    return fxl_family_take(placed, face, screen, &way, FXL_PLANES_ALL);
 }
 
 const fxl_clipper fxl_clipper_once = {clip, NULL, sizeof(fxl_once_room)};

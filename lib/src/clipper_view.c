@@ -47,7 +47,6 @@ fxl_clip_result fxl_clip_seen(const fxl_placed *placed, const fxl_face *face,
     }
     seen->colour = face->colour;
     seen->count = face->count;
-    seen->textured = false;
     fxl_clip_result result =
         fxl_cut_view_by_planes(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
                                work, view->room, &clipped);
@@ -56,13 +55,18 @@ fxl_clip_result fxl_clip_seen(const fxl_placed *placed, const fxl_face *face,
     }
     screen->colour = clipped->colour;
     screen->count = clipped->count;
+    int32_t columns = 0; /* in which bits any differs from the first */
     for (uint32_t i = 0; i < clipped->count; i++) {
-        if (fxl_project_inside(&view->projection, &clipped->vertices[i].position,
-                               &screen->points[i]) != FXL_OK) {
+        fxl_screen_point *point = &screen->points[i];
+        if (fxl_project_inside(&view->projection, &clipped->vertices[i].position, point) !=
+            FXL_OK) {
             return FXL_CLIP_RANGE;
         }
+        columns |= fxl_first_centre_from(point->x) ^ fxl_first_centre_from(screen->points[0].x);
     }
-    return result;
+    /* With FXL_SMALL faces come here that nothing cuts; that one reaches no row is found as for
+     * any. */
+    return FXL_IS_SMALL && result == FXL_CLIP_INSIDE && columns == 0 ? FXL_CLIP_BETWEEN : result;
 }
 
 const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view};

@@ -4,6 +4,53 @@
 #include "arith.h"
 #include "divide.h"
 
+#ifdef FXL_SMALL
+
+/* Long division, a bit at a time: 268 bytes less on a Cortex-M3. The quotient comes into the lower
+ * word as the numerator goes out. */
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
+{
+    uint32_t left = (uint32_t)(numerator >> 32), lower = (uint32_t)numerator;
+    FXL_ASSERT(left < denominator);
+    if (left == 0) {
+        return fxl_divide_u32(lower, denominator, rest);
+    }
+    /* The quotient's bits are 0 while what is left is shorter than the denominator: all of
+     * these but the last are skipped. */
+    unsigned bits = fxl_leading_zeros(left) - fxl_leading_zeros(denominator);
+    bits -= bits != 0;
+    left = left << bits | lower >> 1 >> (31 - bits);
+    lower <<= bits;
+    for (bits = 32 - bits; bits != 0; bits--) {
+        bool carry = left >> 31 != 0;
+        left = left << 1 | lower >> 31;
+        lower <<= 1;
+        if (carry || left >= denominator) {
+            left -= denominator;
+            lower |= 1u;
+        }
+    }
+    *rest = left;
+    return lower;
+}
+
+uint64_t fxl_fraction(uint64_t part, uint64_t whole)
+{
+    FXL_ASSERT(part < whole && whole >> 63 == 0);
+    uint64_t fraction = 0;
+    for (unsigned bits = 64; bits != 0; bits--) {
+        part <<= 1;
+        fraction <<= 1;
+        if (part >= whole) {
+            part -= whole;
+            fraction |= 1u;
+        }
+    }
+    return fraction;
+}
+
+#else
+
 /* A digit of 16 bits of 2^16 rest / whole, rest < whole, 2^31 <= whole < 2^32,
  * with the numerator's next half; *rest becomes what is left (Knuth, algorithm
  * D). The estimate from the upper half of whole is too large by two at most. */
@@ -25,6 +72,9 @@ static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
 uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
 {
     FXL_ASSERT(numerator >> 32 < denominator);
+    if (numerator >> 32 == 0) {
+        return fxl_divide_u32((uint32_t)numerator, denominator, rest);
+    }
     unsigned shift = fxl_leading_zeros(denominator);
     uint32_t whole = denominator << shift;
     /* Below 2^32 denominator, so nothing is shifted out. */
@@ -80,3 +130,5 @@ uint64_t fxl_fraction(uint64_t part, uint64_t whole)
     uint32_t lower = fraction_digit(&rest, whole, reciprocal, 21);
     return upper << 42 | (uint64_t)middle << 21 | lower;
 }
+
+#endif

@@ -18,7 +18,6 @@ typedef struct {
     /* any: of the states of the vertices. */
     fxl_clip_result (*cut)(const fxl_placed *placed, const fxl_clip_polygon *in, unsigned any,
                            const fxl_clip_polygon **result);
-    unsigned cut_by; /* states that a face must be cut for */
 } fxl_way;
 
 /* A clipper's own bit: outside of what the screen's range can hold. */
@@ -88,8 +87,10 @@ static inline fxl_clip_result fxl_family_show(const fxl_placed *placed,
     return FXL_CLIP_CUT;
 }
 
+/* cut_by: states of a vertex that a face must be cut for. */
 static inline fxl_clip_result fxl_family_take(const fxl_placed *placed, const fxl_face *face,
-                                              fxl_screen_polygon *screen, const fxl_way *way)
+                                              fxl_screen_polygon *screen, const fxl_way *way,
+                                              unsigned cut_by)
 {
     fxl_clip_result whole =
         fxl_family_take_whole(placed, face, screen, way, FXL_PLANES_ALL | FXL_FAMILY_BEYOND);
@@ -109,7 +110,7 @@ static inline fxl_clip_result fxl_family_take(const fxl_placed *placed, const fx
     if (all != 0) {
         return FXL_CLIP_OUTSIDE;
     }
-    if ((any & way->cut_by) == 0) {
+    if ((any & cut_by) == 0) {
         return fxl_family_take_whole(placed, face, screen, way, 0);
     }
     in->colour = face->colour;

@@ -68,6 +68,18 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
     }
 }
 
+/* Faces as objects of one layer. */
+static void sort_as_objects(fxl_order_entry *entries, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        entries[i].next = 0;
+    }
+    fxl_order_sort(entries, count);
+    for (uint32_t i = 0; i < count; i++) {
+        entries[i].face = entries[i].index;
+    }
+}
+
 /* Behind the last entry of a chain; no entry has this place. */
 #define END 0xFFFFu
 
@@ -256,7 +268,9 @@ static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count)
 
 void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
 {
-    if (!sort_by_buckets(entries, count)) {
+    if (FXL_IS_SMALL) {
+        sort_as_objects(entries, count);
+    } else if (!sort_by_buckets(entries, count)) {
         sort_by_merging(entries, count);
     }
 }

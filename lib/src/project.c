@@ -28,40 +28,49 @@ typedef struct {
 static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;
-    scaled.shift = fxl_bit_length((uint64_t)z) - 31u; /* bug: depth-24 */
-    scaled.depth = (uint32_t)fxl_round_shift(z, scaled.shift);
+    /* The upper word is at least 2^5. Of the 32 bits from the highest on, the last is rounded. */
+    unsigned zeros = fxl_leading_zeros((uint32_t)((uint64_t)z >> 32));
+    uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32);
+    scaled.shift = 33u - zeros;
+    scaled.depth = (high >> 1) + (high & 1u);
     return scaled;
 }
 
-/* floor(focal * side / 2^shift), 0 < shift < 32; false where it would reach
- * 2^62. focal is below 2^29 and |side| below 2^61. With side = 2^32 high + low
- * the product is 2^32 (focal high) + focal low: |focal high| <= 2^58, focal low
- * is below 2^61, and 2^32 (focal high) is divisible by 2^shift. */
+/* floor(focal side / 2^shift), 2 <= shift < 32; false where it is not below 2^62. focal is below
+ * 2^29 and |side| below 2^61, so that the product has three words. */
 static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
 {
-    int64_t high = fxl_multiply_s32(focal, (int32_t)(side >> 32));
-    int64_t low = fxl_multiply_su32(focal, (uint32_t)side);
-    if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
+    uint64_t low = fxl_multiply_u32((uint32_t)focal, (uint32_t)side);
+    int64_t high = fxl_multiply_s32(focal, (int32_t)((uint64_t)side >> 32)) + (int64_t)(low >> 32);
+    int32_t top = (int32_t)((uint64_t)high >> 32);
+    uint32_t middle = (uint32_t)high;
+    /* All above 62 bits of the result, and its sign: 0 or -1. */
+    if ((uint32_t)(top >> (shift - 2)) + 1u > 1u) {
         return false;
     }
-    *product = (int64_t)((uint64_t)high << (32 - shift)) + (low >> shift);
+    uint32_t upper = middle >> shift | (uint32_t)top << (32 - shift);
+    uint32_t lower = (uint32_t)low >> shift | middle << (32 - shift);
+    *product = (int64_t)((uint64_t)upper << 32 | lower);
     return true;
 }
 
-/* focal * side / depth, rounded once; false where it lies outside low..high,
- * which are below 2^29, so that their products with the depth are below 2^60.
- * Rounding never carries past a whole limit. The product's own rounding down
+/* round(focal side / depth) + centre, a half upward; false where that is outside the screen's
+ * range before it is rounded. Rounding never carries past a whole limit. The centre is a whole
+ * number, below 2^26, and may come before the division; it and the limit, below 2^29,
+ * have products with the depth below 2^60. The product's own rounding down
  * costs less than 2^-30 of a unit; that of the depth 2^-31 of the result. */
-static bool offset_from_centre(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled,
-                               int32_t low, int32_t high, int32_t *offset)
+static bool place_of(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled, int32_t centre,
+                     int32_t *place)
 {
     int64_t product;
-    if (!scale_product(focal, side, scaled->shift, &product) ||
-        product < fxl_multiply_su32(low, scaled->depth) ||
-        product > fxl_multiply_su32(high, scaled->depth)) {
+    if (!scale_product(focal, side, scaled->shift, &product)) {
         return false;
     }
-    *offset = fxl_divide_round(product, scaled->depth); /* bug: project-cut */
+    product += fxl_multiply_su32(centre, scaled->depth);
+    if (!fxl_within(product, fxl_multiply_su32(FXL_SCREEN_COORDINATE_MAX, scaled->depth))) {
+        return false;
+    }
+    *place = fxl_divide_round(product, scaled->depth);
     return true;
 }
 
@@ -71,17 +80,15 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
     if (view->z < FXL_PROJECT_DEPTH_MIN) {
         return FXL_E_RANGE;
     }
-    const int32_t limit = FXL_SCREEN_COORDINATE_MAX;
-    fxl_q16_16 focal = (fxl_q16_16)(projection->factor >> 2);
-    int32_t centre_x = projection->centre_x, centre_y = projection->centre_y;
-    scaled_depth scaled = scale_depth(view->z);
+    const fxl_q16_16 focal = (fxl_q16_16)(projection->factor >> 2);
+    const scaled_depth scaled = scale_depth(view->z);
     int32_t x, y;
-    if (!offset_from_centre(focal, view->x, &scaled, -limit - centre_x, limit - centre_x, &x) ||
-        !offset_from_centre(focal, view->y, &scaled, centre_y - limit, centre_y + limit, &y)) {
+    if (!place_of(focal, view->x, &scaled, projection->centre_x, &x) ||
+        !place_of(focal, view->y, &scaled, -projection->centre_y, &y)) {
         return FXL_E_RANGE;
     }
-    screen->x = centre_x + x;
-    screen->y = centre_y - y; /* bug: screen-y-up */
+    screen->x = x;
+    screen->y = -y;
     return FXL_OK;
 }
 
@@ -111,8 +118,7 @@ fxl_status fxl_project_seen(const fxl_projection *projection, const fxl_view_poi
 {
     int32_t upper = (int32_t)(view->z >> 32);
     /* With m < 2 z of upper words, |X| <= 2^32 (m + 1) <= 2 Z. */
-    if (upper < projection->depth_min ||
-        /* bug: side-range */
+    if (FXL_IS_SMALL || upper < projection->depth_min ||
         (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {
         return fxl_project_any(projection, view, screen);
     }

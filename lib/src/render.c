@@ -6,7 +6,7 @@
 #include "walk.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 472 + 80 * FXL_POLYGON_CAPACITY, "render.h says so");
+_Static_assert(sizeof(fxl_renderer) == 472 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 static fxl_status refuse(fxl_renderer *renderer, fxl_status status)

@@ -82,9 +82,8 @@ static void survey(const fxl_screen_point *points, uint32_t count, int32_t width
     } while (i < count);
     found->top_row = top_row;
     found->end_row = end_row;
-    found->by_chains =
-        /* bug: two-chains */
-        down == end_row - top_row && farthest < places && down < FXL_EDGE_HEIGHT_MAX >> 16;
+    found->by_chains = !FXL_IS_SMALL && down == end_row - top_row && farthest < places &&
+                       down < FXL_EDGE_HEIGHT_MAX >> 16;
 }
 
 static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *band)
@@ -108,10 +107,12 @@ static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *b
 /* No rows: no pixels. */
 static void clear(fxl_scan *scan)
 {
-    scan->by_chains = true;
+    scan->by_chains = false;
     scan->trapezoid.end_row = 0;
-    scan->end_row = 0;
-    scan->row = 0;
+    scan->end_row = INT16_MIN;
+    scan->crossings.end_row = INT16_MIN;
+    scan->crossings.found_count = 0;
+    scan->crossings.next = 0;
 }
 
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
@@ -129,7 +130,7 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
         begin_chains(scan, &found, band);
     } else {
         scan->end_row = INT16_MIN;
-        fxl_crossings_begin(&scan->crossings, points, count, band);
+        fxl_crossings_begin(&scan->crossings, points, count, found.top_row, found.end_row, band);
     }
 }
 
@@ -204,6 +205,6 @@ static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
 
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span)
 {
-    return scan->by_chains ? next_row_of_chains(scan, span)
-                           : fxl_crossings_next(&scan->crossings, span);
+    return !FXL_IS_SMALL && scan->by_chains ? next_row_of_chains(scan, span)
+                                            : fxl_crossings_next(&scan->crossings, span);
 }

@@ -1,173 +1,87 @@
 /* SPDX-License-Identifier: MIT */
+/* On each row every edge is looked at, and divided anew where it crosses the row: an outline
+ * that is scanned so has few edges, and nothing is to be set up or kept from row to row. */
 #include "scan_crossings.h"
 
 #include "edge.h"
 
-static void step_row(fxl_crossing_edge *edge)
+/* Where the edge crosses the row, it goes among the crossings, by x. An edge is always taken
+ * from its top, so its owner does not matter. */
+static void take_edge(fxl_crossings *crossings, const fxl_screen_point *from,
+                      const fxl_screen_point *to)
 {
-    edge->x += edge->step;
-    edge->error += edge->error_step;
-    if (edge->error >= edge->height) {
-        edge->error -= edge->height;
-        edge->x += 1; /* bug: edge-no-carry */
+    const bool down = from->y < to->y;
+    const fxl_screen_point *top = down ? from : to, *bottom = down ? to : from;
+    int32_t rows = crossings->row - fxl_first_centre_from(top->y);
+    if (rows < 0 || fxl_first_centre_from(bottom->y) <= crossings->row) {
+        return;
     }
-    edge->row = (int16_t)(edge->row + 1);
-}
-
-/* Sets up the edge from a to b; false where it crosses no row of the band. The
- * edge is always walked from its top, so its owner does not matter. */
-static bool set_up_edge(const fxl_screen_point *a, const fxl_screen_point *b, const fxl_band *band,
-                        fxl_crossing_edge *edge)
-{
-    const fxl_screen_point *top = a->y < b->y ? a : b;
-    const fxl_screen_point *bottom = top == a ? b : a;
-    int32_t band_end = band->first_row + band->rows;
-    int32_t first_row = fxl_first_centre_from(top->y);
-    int32_t end_row = fxl_first_centre_from(bottom->y);
-    if (first_row >= end_row || end_row <= band->first_row || first_row >= band_end) {
-        return false;
+    int32_t dx = bottom->x - top->x, height = bottom->y - top->y, start = top->x - FXL_HALF_PIXEL;
+    /* fxl_slope_set's, below 2^30, and dx more a row: fewer than 2^13 rows, so below 2^43. */
+    int64_t dividend =
+        fxl_edge_first_dividend(start, dx, height, top->y) + fxl_multiply_s32(dx, rows);
+    int32_t x = (start >> 16) + 1 + fxl_divide_down(dividend, (uint32_t)height);
+    fxl_crossing *place = &crossings->found[crossings->found_count++];
+    for (; place > crossings->found && place[-1].x > x; place--) {
+        *place = place[-1];
     }
-    fxl_slope slope;
-    fxl_slope_set(top, bottom, &slope);
-    if (first_row < band->first_row) {
-        fxl_slope_skip(&slope, band->first_row - first_row);
-        first_row = band->first_row;
-    }
-    edge->x = slope.x;
-    edge->step = slope.step;
-    edge->error = (int32_t)slope.error;
-    edge->error_step = (int32_t)slope.error_step;
-    edge->height = (int32_t)slope.height;
-    edge->row = (int16_t)first_row;
-    edge->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
-    edge->winding = top == a ? 1 : -1;
-    return true;
-}
-
-/* Keeps the edges in the order of their first rows. */
-static void insert_edge(fxl_crossings *crossings, const fxl_crossing_edge *edge)
-{
-    uint32_t place = crossings->edge_count;
-    while (place > 0 && crossings->edges[place - 1].row > edge->row) {
-        crossings->edges[place] = crossings->edges[place - 1];
-        place -= 1;
-    }
-    crossings->edges[place] = *edge;
-    crossings->edge_count += 1;
+    place->x = x;
+    place->winding = down ? 1 : -1;
 }
 
 void fxl_crossings_begin(fxl_crossings *crossings, const fxl_screen_point *points, uint32_t count,
-                         const fxl_band *band)
+                         int32_t first_row, int32_t end_row, const fxl_band *band)
 {
-    crossings->edge_count = 0;
-    crossings->next_edge = 0;
-    crossings->crossing_count = 0;
-    crossings->next_crossing = 0;
+    int32_t band_end = band->first_row + band->rows;
+    crossings->points = points;
+    crossings->count = (uint8_t)count;
+    crossings->found_count = 0;
+    crossings->next = 0;
     crossings->width = (int16_t)band->width;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t next = i + 1 == count ? 0 : i + 1;
-        fxl_crossing_edge edge;
-        if (set_up_edge(&points[i], &points[next], band, &edge)) {
-            insert_edge(crossings, &edge);
-        }
-    }
-    crossings->row = crossings->edge_count > 0 ? (int16_t)(crossings->edges[0].row - 1) : 0;
+    crossings->row = (int16_t)((first_row < band->first_row ? band->first_row : first_row) - 1);
+    crossings->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
 }
 
-/* Walks the crossing edges down to the row, leaves out those that have ended,
- * and takes in those that begin. */
-static void gather_crossings(fxl_crossings *crossings)
-{
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < crossings->crossing_count; i++) {
-        fxl_crossing_edge *edge = &crossings->edges[crossings->crossings[i]];
-        if (edge->end_row > crossings->row) {
-            step_row(edge);
-            crossings->crossings[kept++] = crossings->crossings[i];
-        }
-    }
-    while (crossings->next_edge < crossings->edge_count &&
-           crossings->edges[crossings->next_edge].row == crossings->row) {
-        crossings->crossings[kept++] = crossings->next_edge++;
-    }
-    crossings->crossing_count = (uint8_t)kept;
-    crossings->next_crossing = 0;
-}
-
-/* Insertion sort: from row to row the order hardly changes. */
-static void sort_crossings(fxl_crossings *crossings)
-{
-    for (uint32_t i = 1; i < crossings->crossing_count; i++) {
-        uint8_t moved = crossings->crossings[i];
-        int32_t x = crossings->edges[moved].x;
-        uint32_t place = i;
-        while (place > 0 && crossings->edges[crossings->crossings[place - 1]].x > x) {
-            crossings->crossings[place] = crossings->crossings[place - 1];
-            place -= 1;
-        }
-        crossings->crossings[place] = moved;
-    }
-}
-
-/* Begins the next row that an edge crosses; false below the last. */
+/* Begins the next row; false below the last. */
 static bool next_row(fxl_crossings *crossings)
 {
-    if (crossings->edge_count == 0) {
+    const fxl_screen_point *points = crossings->points;
+    const fxl_screen_point *before = &points[crossings->count - 1];
+    if (crossings->row + 1 >= crossings->end_row) {
         return false;
     }
     crossings->row = (int16_t)(crossings->row + 1);
-    gather_crossings(crossings);
-    if (crossings->crossing_count == 0) {
-        if (crossings->next_edge == crossings->edge_count) {
-            crossings->edge_count = 0;
-            return false;
-        }
-        crossings->row = crossings->edges[crossings->next_edge].row;
-        gather_crossings(crossings);
+    crossings->found_count = 0;
+    crossings->next = 0;
+    for (uint32_t left = crossings->count; left != 0; left--) {
+        take_edge(crossings, before, points);
+        before = points++;
     }
-    sort_crossings(crossings);
     return true;
 }
 
-/* The sum of the windings of all crossings at the place of the next one. */
-static int32_t take_winding(fxl_crossings *crossings, int32_t winding, int32_t *x)
+/* The row's next stretch of pixels with a winding number other than 0: crossings at the same
+ * place count together. A closed outline's windings add up to 0 on every row. */
+static void next_stretch(fxl_crossings *crossings, int32_t *x0, int32_t *x1)
 {
-    *x = crossings->edges[crossings->crossings[crossings->next_crossing]].x;
-    while (crossings->next_crossing < crossings->crossing_count) {
-        const fxl_crossing_edge *edge =
-            &crossings->edges[crossings->crossings[crossings->next_crossing]];
-        if (edge->x != *x) {
-            break;
-        }
-        winding += edge->winding;
-        crossings->next_crossing += 1;
-    }
-    return winding;
-}
-
-/* The row's next stretch of pixels with a winding number other than 0. A
- * closed outline's windings add up to 0 on every row. */
-static bool next_stretch(fxl_crossings *crossings, int32_t *x0, int32_t *x1)
-{
-    while (crossings->next_crossing < crossings->crossing_count) {
-        int32_t winding = take_winding(crossings, 0, x0);
-        if (winding == 0) {
-            continue;
-        }
-        while (winding != 0) { /* bug: even-odd */
-            FXL_ASSERT(crossings->next_crossing < crossings->crossing_count);
-            winding = take_winding(crossings, winding, x1);
-        }
-        return true;
-    }
-    return false;
+    const fxl_crossing *crossing = &crossings->found[crossings->next];
+    int32_t winding = 0;
+    *x0 = crossing->x;
+    do {
+        *x1 = crossing->x;
+        winding += crossing->winding;
+        crossing++;
+        crossings->next += 1;
+    } while (crossings->next < crossings->found_count && (winding != 0 || crossing->x == *x1));
+    FXL_ASSERT(winding == 0);
 }
 
 bool fxl_crossings_next(fxl_crossings *crossings, fxl_span *span)
 {
     do {
-        int32_t x0, x1;
-        while (next_stretch(crossings, &x0, &x1)) {
+        while (crossings->next < crossings->found_count) {
+            int32_t x0, x1;
+            next_stretch(crossings, &x0, &x1);
             x0 = x0 < 0 ? 0 : x0;
             x1 = x1 > crossings->width ? crossings->width : x1;
             if (x0 < x1) {

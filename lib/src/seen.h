@@ -6,8 +6,8 @@
 #include "edge.h"
 #include "fixel/clipper.h"
 
-/* A face with a vertex that is outside: assembled, cut by the planes that a
- * vertex is outside of, and projected. */
+/* A face with a vertex that is outside, or with FXL_SMALL any: assembled, cut by the planes
+ * that a vertex is outside of, and projected. */
 fxl_clip_result fxl_clip_seen(const fxl_placed *placed, const fxl_face *face,
                               fxl_clipper_work *work, fxl_screen_polygon *screen);
 

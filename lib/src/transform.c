@@ -17,11 +17,8 @@ void fxl_transform_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
 {
     view->colour = polygon->colour;
     view->count = polygon->count;
-    view->textured = polygon->textured;
     for (uint32_t i = 0; i < polygon->count; i++) {
         const fxl_vertex *vertex = &polygon->vertices[i];
         fxl_transform_point(camera, &vertex->position, &view->vertices[i].position);
-        view->vertices[i].u = vertex->u;
-        view->vertices[i].v = vertex->v;
     }
 }

@@ -6,6 +6,13 @@
 /* scan -> fill, for a scan that was begun. */
 static void paint(fxl_scan *scan, uint8_t colour, const fxl_band *band)
 {
+    if (FXL_IS_SMALL) {
+        fxl_span span;
+        while (fxl_scan_next(scan, &span)) {
+            fxl_fill_span(band, &span, colour);
+        }
+        return;
+    }
     const fxl_trapezoid *trapezoid = fxl_scan_next_trapezoid(scan);
     while (trapezoid != NULL) {
         fxl_fill_trapezoid(band, trapezoid, colour);
@@ -42,7 +49,7 @@ static bool paint_face(const fxl_walk *on, const fxl_placed *placed, const fxl_f
 
 fxl_face_taker fxl_walk_taker(const fxl_renderer *renderer, const fxl_band *band)
 {
-    return band != NULL && renderer->hidden->painter == &fxl_painter_over &&
+    return !FXL_IS_SMALL && band != NULL && renderer->hidden->painter == &fxl_painter_over &&
                    renderer->clipper->next == NULL
                ? paint_face
                : take_face;

@@ -5,7 +5,9 @@
 
 #include "fixel/render.h"
 
-/* What takes a face that faces the eye. */
+/* What takes a face that faces the eye: transform, clip and project -> list or band, counted in
+ * everything but `in`. False where there is no room, in the list or for the painter:
+ * the face is then not counted, and the list is as it was. */
 typedef bool (*fxl_face_taker)(const fxl_walk *on, const fxl_placed *placed, const fxl_face *face);
 
 /* With a band it paints, without one it fills the list. */
@@ -19,14 +21,6 @@ struct fxl_walk {
 
 /* The way of a frame's faces. */
 fxl_face_taker fxl_walk_taker(const fxl_renderer *renderer, const fxl_band *band);
-
-/* transform, clip and project -> list or band, for a face that faces the eye: counted in
- * everything but `in`. False where there is no room, in the list or for the painter:
- * the face is then not counted, and the list is as it was. */
-static inline bool fxl_walk_face(const fxl_walk *on, const fxl_placed *placed, const fxl_face *face)
-{
-    return on->take(on, placed, face);
-}
 
 /* The same for an object: with light on it, the light's. */
 fxl_face_taker fxl_walk_taker_of(const fxl_walk *on, const fxl_object *object,
@@ -92,7 +86,7 @@ bool fxl_walk_pieces_end(fxl_pieces *pieces);
 struct fxl_light {
     /* Whether the beam may reach a sphere of the world. */
     bool (*reaches)(const fxl_light *light, const fxl_point *centre, fxl_q16_16 radius);
-    /* What is called instead of fxl_walk_face for an object that it may reach:
+    /* What takes the faces of an object that it may reach:
      * fxl_walk_lit_face, or one's own. */
     fxl_face_taker face;
     /* Gives what it makes of a polygon of the world, a piece or all of a face, to

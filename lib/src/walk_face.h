@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A face on its way to the list or to a painter: what both walk.c share, this one's and that
- * of lib/kernels/small. Each is compiled with it once. Internal. */
+/* A face on its way to the list or to a painter: the part of walk.c that does not depend on
+ * how it paints. walk.c alone includes it. Internal. */
 #ifndef FXL_WALK_FACE_H
 #define FXL_WALK_FACE_H
 

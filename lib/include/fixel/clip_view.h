@@ -24,7 +24,7 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
  * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, |x|, |y|, |z| < 2^61.
  * Error of a new vertex: at most 1 unit of 2^-46 in each coordinate from a
  * point of the edge, 3 units from the plane; 2^-38 of its depth at the nearest
- * near plane, which no screen shows. u and v: 0.51 unit of 2^-16. */
+ * near plane, which no screen shows. */
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        int plane, fxl_view_polygon *out, fxl_q18_46 *distances);
 

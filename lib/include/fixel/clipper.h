@@ -8,7 +8,7 @@
 #include "fixel/clip_view.h"
 #include "fixel/placed.h"
 
-/* Room for any clipper: 72 bytes a vertex of the capacity, and 16. */
+/* Room for any clipper: 56 bytes a vertex of the capacity, and 16. */
 typedef union {
     fxl_clip_view_work by_view;
     fxl_clip_work by_world;

@@ -28,6 +28,7 @@ typedef struct {
 typedef struct {
     fxl_clip_room clip;
     uint32_t frame;
+    uint32_t screen; /* planes that are cut where the screen ends; of near and left alone */
     fxl_volume volume;
 } fxl_volume_room;
 

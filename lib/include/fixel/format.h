@@ -13,6 +13,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "fixel/config.h"
+
 typedef int32_t fxl_q16_16; /* world units, pixels, texels; unit 1/65536 */
 typedef int32_t fxl_q2_30;  /* components of unit vectors, sines; unit 2^-30 */
 typedef uint32_t fxl_q1_31; /* fractions 0..1 inclusive; unit 2^-31 */
@@ -57,22 +59,10 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
  * clipper's rounding at the smallest near plane. */
 #define FXL_SCREEN_COORDINATE_MAX ((fxl_q16_16)(4095 * 65536))
 
-/* Vertices of a polygon anywhere in the pipeline: a setting of the build,
- * -DFXL_POLYGON_CAPACITY=n with n of 12..32. It decides how large a renderer is
- * (render.h) and which faces it draws. The library and what uses it must be
- * built with the same: where they are not, fxl_renderer_init is not found by
- * the linker, for its symbol ends in this number. Nothing but digits, therefore. */
-#ifndef FXL_POLYGON_CAPACITY
-#define FXL_POLYGON_CAPACITY 32
-#endif
-
 /* Vertices of a face that this build draws: 24 where nothing was set. Each of
  * six planes adds at most one vertex to a convex polygon; the two more are for
  * polygons that rounding made slightly concave. */
 #define FXL_FACE_VERTICES_MAX (FXL_POLYGON_CAPACITY - 8)
-
-_Static_assert(FXL_POLYGON_CAPACITY >= 12, "faces of four vertices, clipped, must fit");
-_Static_assert(FXL_POLYGON_CAPACITY <= 32, "SPEC.md, chapter 3: faces have 24 vertices at most");
 
 /* How far a face's vertices may lie from the plane through its first vertex
  * with its stated normal, and how far the square of that normal's length may

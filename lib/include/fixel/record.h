@@ -70,14 +70,12 @@ typedef struct {
 
 typedef struct {
     fxl_view_point position;
-    fxl_q16_16 u, v;
 } fxl_view_vertex;
 
 /* A polygon of the view: what a clipper in the view cuts, and hands to project. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
-    bool textured;
     fxl_view_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_view_polygon;
 

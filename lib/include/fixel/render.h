@@ -30,7 +30,7 @@ _Static_assert(FXL_SCENE_OBJECTS_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "
 typedef struct fxl_light fxl_light;
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
- * 80 for each vertex of FXL_POLYGON_CAPACITY: 3032 where that is 32, 1432 where
+ * 64 for each vertex of FXL_POLYGON_CAPACITY: 2520 where that is 32, 1240 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only, but for light. */
 struct fxl_renderer {

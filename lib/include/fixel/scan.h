@@ -21,29 +21,21 @@ typedef struct {
     int16_t end_row; /* one past the last row that the trapezoid's edge is good for */
 } fxl_chain;
 
-/* An edge of any outline, walked by quotient and remainder. */
+/* Where an edge crosses a row. */
 typedef struct {
-    int32_t x;          /* first pixel of the row whose centre is not left of the edge */
-    int32_t step;       /* whole pixels a row */
-    int32_t error;      /* remainder, 0 <= error < height */
-    int32_t error_step; /* remainder a row, 0 <= error_step < height */
-    int32_t height;     /* of the edge, in 1/65536 pixel */
-    int16_t row;        /* the row that x is for; at first the edge's first row */
-    int16_t end_row;    /* one past its last row */
-    int16_t winding;    /* +1 downward, -1 upward */
-} fxl_crossing_edge;
+    int32_t x;       /* first pixel of the row whose centre is not left of the edge */
+    int16_t winding; /* +1 downward, -1 upward */
+} fxl_crossing;
 
 /* An outline that goes up and down more than once, or leaves the band at a
- * side: the edges that cross a row, by x. Where there is no other way (lib/kernels/small)
- * the points are kept, and edges are what crosses the row. */
+ * side; with FXL_SMALL (config.h) any. */
 typedef struct {
     const fxl_screen_point *points;
-    int16_t row, width;
-    int16_t end_row;                               /* where points are kept */
-    uint8_t edge_count, next_edge;                 /* edges; the first not yet reached */
-    uint8_t crossing_count, next_crossing;         /* crossings; the first not yet used */
-    uint8_t crossings[FXL_POLYGON_CAPACITY];       /* edges that cross the row, by x */
-    fxl_crossing_edge edges[FXL_POLYGON_CAPACITY]; /* by first row */
+    int16_t row, end_row; /* whose crossings were found; one past the last */
+    int16_t width;
+    uint8_t count;                            /* points */
+    uint8_t found_count, next;                /* crossings of the row; the first not yet used */
+    fxl_crossing found[FXL_POLYGON_CAPACITY]; /* by x */
 } fxl_crossings;
 
 /* A polygon being scanned. The caller owns it; all members belong to scan. */

@@ -25,7 +25,7 @@ const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
     fxl_trapezoid *trapezoid = &scan->trapezoid;
     int32_t row = trapezoid->end_row;
     int32_t end_row = scan->end_row;
-    if (row >= end_row) {
+    if (FXL_IS_SMALL || row >= end_row) {
         return scan->by_chains ? NULL : fxl_scan_next_of_crossings(scan);
     }
     for (int side = 0; side < 2; side++) {

@@ -6,6 +6,9 @@
 fxl_clip_result fxl_clip_by_view(const fxl_placed *placed, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
+    if (FXL_IS_SMALL) {
+        return fxl_clip_seen(placed, face, work, screen);
+    }
     const uint16_t *corners = placed->corners + face->first_corner;
     fxl_screen_point *point = screen->points;
     uint32_t of_any = 0, of_all = UINT32_MAX;

@@ -14,7 +14,8 @@ void fxl_look_at(const fxl_placed *placed, uint32_t number, fxl_seen_vertex *ent
     entry->tag = placed->tag + number;
     unsigned outside = 0;
     if (placed->planes != 0) {
-        outside = fxl_outside(&view->view_frustum, placed->planes, &entry->position);
+        outside = FXL_IS_SMALL ? fxl_outcode(&view->view_frustum, placed->planes, &entry->position)
+                               : fxl_outside(&view->view_frustum, placed->planes, &entry->position);
     }
     entry->state = outside | FXL_SEEN_UNPROJECTED;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Internal; inline where few bytes are not what is asked for. */
+/* Internal. */
 #ifndef FXL_MULTIPLY_HIGH_H
 #define FXL_MULTIPLY_HIGH_H
 

@@ -56,7 +56,7 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
                               fxl_screen_point *screen)
 {
     int32_t upper = (int32_t)(view->z >> 32);
-    if (upper < projection->depth_min) {
+    if (FXL_IS_SMALL || upper < projection->depth_min) {
         return fxl_project_any(projection, view, screen);
     }
     FXL_ASSERT(fxl_within(view->x, 2 * view->z) && fxl_within(view->y, 2 * view->z));
