@@ -6,11 +6,16 @@
 #include "tiny.h"
 #include "unity.h"
 
-enum { WIDTH = 48, HEIGHT = 32, LARGE = 4096 };
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    LARGE = 4096
+};
 
 static uint64_t block[LARGE / 8];
 static uint8_t pixels[HEIGHT][WIDTH], other[HEIGHT][WIDTH];
 static fxl_renderer renderer;
+static fxl_scene scene;
 
 /* Constant expressions, in C and C++. */
 FXL_STATIC_ASSERT(FXL_UNITS(1) == 65536 && FXL_UNITS(-8) == -524288, "units");
@@ -19,6 +24,9 @@ FXL_STATIC_ASSERT(FXL_DEGREES(90) == FXL_ANGLE_QUARTER, "degrees");
 
 void setUp(void)
 {
+    tiny_scene *made = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    scene = made->scene;
     memset(&renderer, 0, sizeof renderer);
     memset(pixels, 0xEE, sizeof pixels);
 }
@@ -52,7 +60,7 @@ void test_the_default_configuration_is_in_range(void)
     fxl_config config = fxl_config_default(320, 240);
     TEST_ASSERT_EQUAL_UINT16(320, config.width);
     TEST_ASSERT_EQUAL_UINT16(240, config.height);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny_scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
 }
 
 /* What begins elsewhere than at a multiple of eight, is too small, or out of range. */
@@ -60,35 +68,30 @@ void test_what_cannot_be_is_refused_and_changes_nothing(void)
 {
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     const fxl_renderer before = renderer;
-    fxl_scene unchecked = tiny_scene;
+    fxl_scene unchecked = scene;
     unchecked.order_needed = 0;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(NULL, &tiny_scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(NULL, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, NULL, &config, block, LARGE));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_init(&renderer, &tiny_scene, NULL, block, LARGE));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_init(&renderer, &tiny_scene, &config, NULL, LARGE));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_init(&renderer, &tiny_scene, &config,
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, NULL, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, &config, NULL, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_init(&renderer, &scene, &config,
                                                          (uint8_t *)block + 4, LARGE - 8));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init(&renderer, &unchecked, &config, block, LARGE));
     config.near_z = 0;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE,
-                      fxl_renderer_init(&renderer, &tiny_scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof renderer);
 }
 
 void test_a_block_that_is_too_small_says_by_how_much(void)
 {
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
-    const uint32_t least =
-        (tiny_scene.order_needed * (uint32_t)sizeof(fxl_order_entry) + 7u) / 8u * 8u;
+    const uint32_t least = (scene.order_needed * (uint32_t)sizeof(fxl_order_entry) + 7u) / 8u * 8u;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                      fxl_renderer_init(&renderer, &tiny_scene, &config, block, least - 3));
+                      fxl_renderer_init(&renderer, &scene, &config, block, least - 3));
     TEST_ASSERT_EQUAL_UINT32(3, renderer.memory_missing);
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                      fxl_renderer_init(&renderer, &tiny_scene, &config, block, 0));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_init(&renderer, &scene, &config, block, 0));
     TEST_ASSERT_EQUAL_UINT32(least, renderer.memory_missing);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny_scene, &config, block, least));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, least));
 }
 
 /* No table reaches into another or beyond the block, whatever its size. */
@@ -96,14 +99,13 @@ void test_the_block_is_divided_without_overlap(void)
 {
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     for (uint32_t size = 16; size <= LARGE; size += 4) {
-        if (fxl_renderer_init(&renderer, &tiny_scene, &config, block, size) != FXL_OK) {
+        if (fxl_renderer_init(&renderer, &scene, &config, block, size) != FXL_OK) {
             continue;
         }
         const uint8_t *end = (const uint8_t *)block + size;
         const uint8_t *cache = (const uint8_t *)renderer.workspace.cache.entries;
         const uint8_t *list = (const uint8_t *)renderer.frame.display_list.words;
-        const uint8_t *order_end =
-            (const uint8_t *)(renderer.frame.order + tiny_scene.order_needed);
+        const uint8_t *order_end = (const uint8_t *)(renderer.frame.order + scene.order_needed);
         TEST_ASSERT_TRUE((const uint8_t *)renderer.frame.order == (const uint8_t *)block);
         TEST_ASSERT_TRUE(list >= order_end &&
                          list + 4 * (size_t)renderer.frame.display_list.capacity <= end);
@@ -120,12 +122,12 @@ void test_a_frame_is_the_same_whatever_the_block(void)
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     config.background = 9;
     fxl_pose eye = {.position = {0, FXL_UNITS(1), FXL_UNITS(-6)}, .pitch = FXL_DEGREES(-8)};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny_scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels[0], WIDTH));
     TEST_ASSERT_TRUE(renderer.workspace.counters.drawn > 0);
     memcpy(other, pixels, sizeof pixels);
     for (uint32_t size = 64; size < LARGE; size = size * 2 + 12) {
-        if (fxl_renderer_init(&renderer, &tiny_scene, &config, block, size) == FXL_OK) {
+        if (fxl_renderer_init(&renderer, &scene, &config, block, size) == FXL_OK) {
             memset(pixels, 0xEE, sizeof pixels);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels[0], WIDTH));
             TEST_ASSERT_EQUAL_MEMORY(other, pixels, sizeof pixels);
@@ -139,7 +141,7 @@ void test_a_frame_that_cannot_be_leaves_the_pixels(void)
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     fxl_pose eye = {.position = {0, 0, FXL_UNITS(-6)}};
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render(NULL, &eye, pixels[0], WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &tiny_scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render(&renderer, NULL, pixels[0], WIDTH));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render(&renderer, &eye, NULL, WIDTH));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_render(&renderer, &eye, pixels[0], WIDTH - 1));

@@ -95,6 +95,13 @@ struct fxl_renderer {
     fxl_workspace workspace;
 };
 
+/* The symbols of the functions that set a renderer up end in FXL_POLYGON_CAPACITY (config.h). */
+#define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
+#define FXL_NAME_WITH(name, capacity)     FXL_WITH_CAPACITY(name, capacity)
+#define fxl_renderer_init                 FXL_NAME_WITH(fxl_renderer_init, FXL_POLYGON_CAPACITY)
+#define fxl_renderer_init_with            FXL_NAME_WITH(fxl_renderer_init_with, FXL_POLYGON_CAPACITY)
+#define fxl_renderer_init_bare            FXL_NAME_WITH(fxl_renderer_init_bare, FXL_POLYGON_CAPACITY)
+
 /* --- a first program -------------------------------------------------------------------- */
 
 /* A configuration for a screen: a field of view of 60 degrees, near at 1/4, far at 256 world
@@ -121,13 +128,6 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
                       uint16_t stride);
 
 /* --- the second level -------------------------------------------------------------------- */
-
-/* The symbols of the functions that set a renderer up end in FXL_POLYGON_CAPACITY (config.h). */
-#define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
-#define FXL_NAME_WITH(name, capacity)     FXL_WITH_CAPACITY(name, capacity)
-#define fxl_renderer_init                 FXL_NAME_WITH(fxl_renderer_init, FXL_POLYGON_CAPACITY)
-#define fxl_renderer_init_with            FXL_NAME_WITH(fxl_renderer_init_with, FXL_POLYGON_CAPACITY)
-#define fxl_renderer_init_bare            FXL_NAME_WITH(fxl_renderer_init_bare, FXL_POLYGON_CAPACITY)
 
 /* The same with a lens made by its function and tables of the caller's own. Zeroes the counters.
  * A display list that holds every polygon of a frame lets bands be drawn without a look
