@@ -244,7 +244,8 @@ typedef struct {
 typedef struct {
     uint8_t colour;
     uint8_t count;
-    uint8_t kind; /* how it is filled: FXL_POLYGON_FLAT */
+    uint8_t kind;     /* how it is filled: FXL_POLYGON_FLAT */
+    uint8_t reserved; /* 0 */
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
 
