@@ -76,7 +76,7 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
 
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 {
-    fxl_model_view model_view;
+    FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = fxl_view_instance(on, entry, &model_view);
     const fxl_model *model = &on->renderer->scene->models[instance->model];
     return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, instance, model)
