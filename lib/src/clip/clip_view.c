@@ -77,7 +77,7 @@ static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum 
     uint32_t inside_count = 0;
     for (uint32_t i = 0; i < polygon->count; i++) {
         distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
-        inside_count += distances[i] >= 0;
+        inside_count += distances[i] >= 0; /* bug: plane-is-out */
     }
     return inside_count;
 }
@@ -100,8 +100,8 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
                         uint32_t next, fxl_view_polygon *out, uint32_t *count)
 {
     const bool current_inside = distances[current] >= 0;
-    const uint32_t inside = current_inside ? current : next;
-    const uint32_t outside = current_inside ? next : current;
+    const uint32_t inside = current_inside ? current : next; /* bug: cut-from-first */
+    const uint32_t outside = inside == current ? next : current;
     const fxl_view_point *from = &in->vertices[inside].position;
     if (current_inside && !append(out, count, from)) {
         return false;
