@@ -97,17 +97,14 @@ static fxl_outcome deliver(const fxl_traversal *on)
 fxl_outcome fxl_submit_polygons(const fxl_traversal *on, const fxl_model_view *model_view,
                                 const fxl_face *face)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_clipper *clipper = on->renderer->clipper;
-    fxl_clip_result cut =
-        clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    fxl_clip_result cut = fxl_first_polygon(on, model_view, face);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
         outcome |= deliver(on);
-        if (clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
+        if (on->renderer->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;
         }
-        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+        cut = fxl_next_polygon(on, model_view);
         outcome |= (fxl_outcome)1 << cut; /* bug: last-polygon */
     }
     return outcome;
