@@ -5,17 +5,18 @@
 #include "clip_stats.h"
 #include "../math/divide_wide.h"
 
-/* The upper 32 bits; by an unsigned shift, which compilers see through. */
+/* The upper 32 bits. Compilers optimise the unsigned shift away. */
 static inline int32_t upper(int64_t value)
 {
     return (int32_t)((uint64_t)value >> 32);
 }
 
-/* floor((side * across + depth * along) / 2^30) for a unit vector (side, depth),
- * neither below 0, and |across|, |along| < 2^61, exactly. With v = 2^32 high + low
- * the sum is 2^32 (side across_high + depth along_high) + (side across_low + depth
- * along_low): the first bracket is below 2^60, the second below
- * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
+/* floor((side * across + depth * along) / 2^30), exactly. Requires a unit vector
+ * (side, depth), neither below 0, and |across|, |along| < 2^61. With
+ * v = 2^32 high + low the sum is
+ *   2^32 (side across_high + depth along_high) + (side across_low + depth along_low).
+ * The first bracket is below 2^60, the second is below sqrt(2) 2^62 < 2^63, and 2^32 is
+ * divisible by 2^30. */
 static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth,
                                       fxl_q18_46 along)
 {
@@ -25,8 +26,8 @@ static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_
     return high * 4 + (int64_t)(low >> 30);
 }
 
-/* Near and far: below 2^62. A side: below 2^61 before the inset; across is the second of a
- * pair's, left or down, where it is negated. */
+/* Distances from near and far are below 2^62, those from a side plane below 2^61 before the inset.
+ * For the second plane of a pair, right or top, across is negated. */
 fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point)
 {
@@ -44,15 +45,15 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
            frustum->inset;
 }
 
-/* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
- * 2^62. */
-static uint64_t crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
+/* floor(2^64 inside / (inside - outside)): the place of the intersection on the edge.
+ * Requires inside >= 0 > outside, both below 2^62. */
+static uint64_t intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
     return fxl_fraction((uint64_t)inside, (uint64_t)inside - (uint64_t)outside);
 }
 
-/* from + (to - from) fraction / 2^64, rounded towards from: less than one unit.
+/* from + (to - from) fraction / 2^64, rounded towards from. Error: less than one unit.
  * |to - from| is below 2^62. */
 static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
 {
@@ -60,17 +61,17 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* Where the edge from an inside to an outside vertex crosses the plane. Always
- * in this direction, so that both owners of an edge get the same bits. */
-static void set_crossing(const fxl_view_point *inside, const fxl_view_point *outside,
-                         uint64_t fraction, fxl_view_point *point)
+/* The intersection of the plane and the edge from an inside to an outside vertex. It is
+ * always computed in this direction, so both polygons of an edge get the same bits. */
+static void set_intersection(const fxl_view_point *inside, const fxl_view_point *outside,
+                             uint64_t fraction, fxl_view_point *point)
 {
     point->x = interpolate(inside->x, outside->x, fraction);
     point->y = interpolate(inside->y, outside->y, fraction);
     point->z = interpolate(inside->z, outside->z, fraction);
 }
 
-/* Fills in every vertex's distance; answers how many are inside. */
+/* Computes every vertex's distance. Returns the number of vertices that are inside. */
 static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum, int plane,
                         fxl_q18_46 *distances)
 {
@@ -82,7 +83,7 @@ static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum 
     return inside_count;
 }
 
-/* Appends a vertex; false when the polygon is full. */
+/* Appends a vertex. Returns false if the polygon is full. */
 static bool append(fxl_view_polygon *polygon, uint32_t *count, const fxl_view_point *point)
 {
     if (*count == FXL_POLYGON_CAPACITY) {
@@ -93,9 +94,9 @@ static bool append(fxl_view_polygon *polygon, uint32_t *count, const fxl_view_po
     return true;
 }
 
-/* Emits what an edge contributes: its first vertex if that is inside, then the
- * crossing if one end is inside and the other outside. An inside end that lies
- * on the plane is that crossing already. */
+/* Appends an edge's part of the result: its first vertex if that is inside, then the
+ * intersection if one end is inside and the other outside. If the inside end lies on the
+ * plane, it is the intersection already. Returns false if the polygon is full. */
 static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances, uint32_t current,
                         uint32_t next, fxl_view_polygon *out, uint32_t *count)
 {
@@ -109,10 +110,10 @@ static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances,
     if (distances[inside] <= 0 || distances[outside] >= 0) {
         return true;
     }
-    fxl_view_point crossing;
-    set_crossing(from, &in->vertices[outside].position,
-                 crossing_fraction(distances[inside], distances[outside]), &crossing);
-    return append(out, count, &crossing);
+    fxl_view_point intersection;
+    set_intersection(from, &in->vertices[outside].position,
+                     intersection_fraction(distances[inside], distances[outside]), &intersection);
+    return append(out, count, &intersection);
 }
 
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
