@@ -40,6 +40,7 @@ typedef struct {
     fxl_clip_result (*next)(const fxl_model_view *model_view, fxl_clipper_work *work,
                             fxl_screen_polygon *screen);
     uint32_t workspace_size; /* bytes of the caller's memory that it needs, aligned to 8 */
+    bool in_world;           /* it clips in the world: begin then sets view->frustum */
 } fxl_clipper;
 
 /* These two need no workspace. If the caller gives them an fxl_clip_stats as their workspace, they

@@ -34,7 +34,7 @@ typedef struct {
 
 /* A model view. The caller owns it. */
 typedef struct {
-    fxl_view *view;
+    const fxl_view *view;
     fxl_cached_vertex *entries; /* of the cache */
     uint32_t mask;              /* of the cache */
     uint32_t tag;               /* of vertex 0 */
@@ -53,15 +53,15 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
  * Requires a checked scene, a view with a pose, and planes such that no vertex of the instance lies
  * outside any other plane. Exact. */
 void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
-                                const fxl_instance *instance, fxl_planes planes, fxl_view *view,
-                                fxl_vertex_cache *cache);
+                                const fxl_instance *instance, fxl_planes planes,
+                                const fxl_view *view, fxl_vertex_cache *cache);
 
 /* Sets up the model view of a polygon of the world: its vertices are points, and its face is any
  * whose first_index is 0. All entries of the cache become stale.
  * Requires at most FXL_POLYGON_CAPACITY points, each within FXL_COORDINATE_MAX, that outlive
  * *model_view; planes as for an instance. Exact. */
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
-                               fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache);
+                               fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache);
 
 /* A vertex of the model relative to the eye, along the world's axes, in world units. Exact: the
  * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each

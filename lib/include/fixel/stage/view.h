@@ -12,8 +12,7 @@ typedef struct {
     fxl_lens lens;
     fxl_projection projection;
     fxl_view_frustum view_frustum;
-    fxl_frustum frustum; /* in the world; read it by fxl_view_world_frustum */
-    bool frustum_ready;
+    fxl_frustum frustum;     /* in the world; valid after fxl_view_set_world_frustum */
     uint32_t frame;          /* counts poses, skipping 0; 0: no pose yet */
     void *clipper_workspace; /* the clipper's workspace, of the caller's memory; or null */
 } fxl_view;
@@ -26,9 +25,9 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
  * fxl_camera_from_pose. FXL_E_ARGUMENT, FXL_E_RANGE (pose): view untouched. */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 
-/* The planes in the world. They are computed at the first call of a frame, so a clipper
- * that clips in the view does not cost their set-up. Requires a pose. Error: that of
+/* Sets up the planes in the world, for clippers that clip there; returns view->frustum. It must
+ * be called once after each fxl_view_set_pose. Requires a pose. Error: that of
  * fxl_frustum_from_camera. */
-const fxl_frustum *fxl_view_world_frustum(fxl_view *view);
+const fxl_frustum *fxl_view_set_world_frustum(fxl_view *view);
 
 #endif

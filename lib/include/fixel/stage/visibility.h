@@ -1,31 +1,36 @@
 /* SPDX-License-Identifier: MIT */
-/* The interface of the visibility methods. Each is one constant record in a file of its own, so the
- * linker drops a method that the program does not name. A method has two parts: a submit function,
+/* The interface of the visibility methods. Each is one constant record in a file of its own, so a
+ * program links only the methods that it names. A method has two parts: a submit function,
  * which gives the faces in an order, and a raster backend, which decides about a pixel that was
  * drawn already. Any submit function goes with any raster backend of the same order. */
 #ifndef FXL_VISIBILITY_H
 #define FXL_VISIBILITY_H
 
-#include "fixel/stage/scan.h"
 #include "fixel/scene.h"
+#include "fixel/stage/scan.h"
 
 typedef struct fxl_renderer fxl_renderer;
+struct fxl_workspace;                       /* fixel/render.h */
 typedef struct fxl_traversal fxl_traversal; /* lib/src/draw/submit.h, which is internal */
 
-/* A raster backend: it draws the polygons of a band. (A depth buffer would be another backend; it
- * would need each vertex's depth in fxl_screen_polygon and in the display list.) */
+/* A raster backend: it draws the polygons of a band. */
 typedef struct {
     /* The least size of its workspace, in bytes. Null: it needs none. */
     uint32_t (*workspace_size)(const fxl_lens *lens);
     /* Draws a band, in parts if the workspace is too small for the whole. Null: the renderer draws
      * the band at once. */
-    void (*draw_band)(fxl_renderer *renderer, const fxl_band *band);
+    void (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                      const fxl_band *band);
     /* Begins a band of which nothing was drawn. Null: there is nothing to begin. */
-    void (*begin_band)(fxl_renderer *renderer, const fxl_band *band);
+    void (*begin_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                       const fxl_band *band);
     /* Draws an outline that reaches rows of the screen; the band may hold none of them. Returns
      * false if the workspace is full: then some of the outline may have been drawn. */
-    bool (*draw_polygon)(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
-                         uint8_t colour, const fxl_band *band);
+    bool (*draw_polygon)(struct fxl_workspace *workspace, const fxl_screen_point *points,
+                         uint32_t count, uint8_t colour, const fxl_band *band);
+    /* Whether draw_polygon only scans and fills, over what is there: then a face may go from the
+     * clipper straight to scan. */
+    bool draws_over;
 } fxl_raster_backend;
 
 /* A visibility method. */
