@@ -17,7 +17,7 @@
  * SPEC.md, section 3, gives the reasons for the ranges.
  */
 
-/* A cast, and an assertion of the compiler's, as C and C++ each have them. */
+/* A cast and a static assertion, in the form of C or of C++. */
 #ifdef __cplusplus
 #define FXL_CAST(type, value) static_cast<type>(value)
 #define FXL_STATIC_ASSERT     static_assert

@@ -6,8 +6,8 @@
 
 #include "fixel/types.h"
 
-/* The words of 32 bits that a polygon of so many vertices takes in a display list: its rows, its
- * colour and count, and each point unchanged. */
+/* The words of 32 bits that a polygon of so many vertices takes in a display list: one for its
+ * rows, one for its kind, colour and count, and two for each point, unchanged. */
 #define FXL_DISPLAY_LIST_WORDS(vertices) (2u + 2u * (vertices))
 
 /* A display list. The first `used` of `capacity` words hold records. */
