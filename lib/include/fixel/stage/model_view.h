@@ -44,8 +44,8 @@ typedef struct {
     fxl_planes planes;          /* no vertex lies outside any plane that is not in this set */
 } fxl_model_view;
 
-/* Sets up a cache in memory of the caller. It has the largest power of two of entries that is
- * not above entry_count. Requires entry_count >= 1. */
+/* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that
+ * is at most entry_count and at most 65536. Requires entry_count >= 1. */
 void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
                            uint32_t entry_count);
 

@@ -70,7 +70,8 @@ void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count);
  * sphere test rejects. Returns their number. *left_out becomes the number of faces of the
  * rejected instances.
  * Requires a checked scene, a camera and a frustum made by their functions, and
- * instance_count entries. Exact. Source: A7 (Listing 65.3, ZSortObjects). */
+ * instance_count entries. The order is exact; for the sphere test see fxl_sphere_planes.
+ * Source: A7 (Listing 65.3, ZSortObjects). */
 uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
                              const fxl_view_frustum *frustum, fxl_order_entry *entries,
                              uint32_t *left_out);
