@@ -4,10 +4,10 @@
 
 _Static_assert(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
 
-/* By the sliver rule whether a vertex is inside depends
- * on the vertex before, all the way round: the walk begins after a vertex that
- * is outside, or inside by more than the rule minds; where there is none, all
- * are barely inside, and none of them after one that is out. */
+/* By the sliver rule, whether a vertex is inside depends on the vertex before it, all the way
+ * round. So the loop starts after a vertex that the rule cannot change: one that is outside, or
+ * inside by at least the sliver. Where there is none, all vertices are barely inside and none
+ * follows one that is outside. */
 uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver)
 {
     uint32_t bits = 0, start = 0;
@@ -35,10 +35,10 @@ typedef struct {
     const fxl_varying_polygon *in;
     const fxl_q18_46 *distances;
     fxl_varying_polygon *out;
-    uint32_t count; /* of out, so far */
+    uint32_t count; /* vertices of out so far */
 } cutting;
 
-/* Room for one more vertex; null when the polygon is full. */
+/* Returns the place for one more vertex; null when the polygon is full. */
 static fxl_varying_vertex *append(cutting *cut)
 {
     if (cut->count == FXL_POLYGON_CAPACITY) {
@@ -57,10 +57,11 @@ static bool append_copy(cutting *cut, uint32_t which)
     return true;
 }
 
-/* Emits the crossing between a vertex that counts as inside and one that does
- * not. An inside end on the plane is that crossing already; one that only counts
- * as outside stands for it. */
-static bool append_crossing(cutting *cut, uint32_t inside, uint32_t outside, fxl_clip_stats *stats)
+/* Appends the intersection between a vertex that counts as inside and one that counts as
+ * outside. An inside end on the plane is already that intersection. An end that counts as
+ * outside by the sliver rule alone stands for it. */
+static bool append_intersection(cutting *cut, uint32_t inside, uint32_t outside,
+                                fxl_clip_stats *stats)
 {
     const fxl_q18_46 *distances = cut->distances;
     if (distances[inside] == 0) {
@@ -96,8 +97,8 @@ fxl_clip_result fxl_clip_polygon(const fxl_varying_polygon *in, const fxl_q18_46
         uint32_t next = current + 1 == in->count ? 0 : current + 1;
         bool from = (bits >> current & 1u) != 0, to = (bits >> next & 1u) != 0;
         if ((from && !append_copy(&cut, current)) ||
-            (from && !to && !append_crossing(&cut, current, next, stats)) ||
-            (!from && to && !append_crossing(&cut, next, current, stats))) {
+            (from && !to && !append_intersection(&cut, current, next, stats)) ||
+            (!from && to && !append_intersection(&cut, next, current, stats))) {
             return FXL_CLIP_CAPACITY;
         }
     }

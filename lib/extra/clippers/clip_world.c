@@ -5,11 +5,11 @@
 #include "clip_world_by_planes.h"
 #include "fixel/stage/plane.h"
 
-/* inside / (inside - outside), downward: inside >= 0 > outside. The difference
- * of two distances from one plane is the plane's normal times the difference
- * of two points, so below 2^61. Both terms are cut to the 32 highest bits of
- * the difference, which errs by at most two units. */
-static fxl_q1_31 crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
+/* inside / (inside - outside), rounded downward; requires inside >= 0 > outside. The difference
+ * of two distances from one plane is the plane's normal times the difference of two points, so
+ * it is below 2^61. Both terms are cut to the 32 highest bits of the difference, which errs by
+ * at most two units. */
+static fxl_q1_31 intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
     uint64_t part = (uint64_t)inside;
@@ -31,10 +31,10 @@ static fxl_q16_16 interpolate(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction
     return (fxl_q16_16)(from + fxl_round_shift(fxl_multiply_s64(extent, fraction), 31));
 }
 
-/* Where the edge from an inside to an outside vertex crosses the plane. Always
- * in this direction, so that both owners of an edge get the same bits. */
-static fxl_vertex crossing_vertex(const fxl_vertex *inside, const fxl_vertex *outside,
-                                  fxl_q1_31 fraction, bool textured)
+/* Computes the vertex where the edge from an inside to an outside vertex crosses the plane. The
+ * direction is always this one, so both polygons that share the edge get the same bits. */
+static fxl_vertex intersection_vertex(const fxl_vertex *inside, const fxl_vertex *outside,
+                                      fxl_q1_31 fraction, bool textured)
 {
     fxl_vertex vertex;
     const fxl_point *from = &inside->position;
@@ -47,7 +47,7 @@ static fxl_vertex crossing_vertex(const fxl_vertex *inside, const fxl_vertex *ou
     return vertex;
 }
 
-/* Fills in every vertex's distance; answers how many are inside. */
+/* Computes the distance of every vertex. Returns how many are inside. */
 static uint32_t measure(const fxl_polygon *polygon, const fxl_plane *plane, fxl_q18_46 *distances)
 {
     uint32_t inside_count = 0;
@@ -58,7 +58,7 @@ static uint32_t measure(const fxl_polygon *polygon, const fxl_plane *plane, fxl_
     return inside_count;
 }
 
-/* Appends a vertex; false when the polygon is full. */
+/* Appends a vertex. Returns false when the polygon is full. */
 static bool append(fxl_polygon *polygon, uint32_t *count, const fxl_vertex *vertex)
 {
     if (*count == FXL_POLYGON_CAPACITY) {
@@ -69,19 +69,19 @@ static bool append(fxl_polygon *polygon, uint32_t *count, const fxl_vertex *vert
     return true;
 }
 
-/* Emits the crossing of the edge between two vertices of which one is inside.
- * An inside vertex that lies on the plane is that crossing already. */
-static bool append_crossing(const fxl_polygon *in, const fxl_q18_46 *distances, uint32_t current,
-                            uint32_t next, fxl_polygon *out, uint32_t *count)
+/* Appends the intersection of an edge of which exactly one vertex is inside. An inside vertex
+ * that lies on the plane is already that intersection. */
+static bool append_intersection(const fxl_polygon *in, const fxl_q18_46 *distances,
+                                uint32_t current, uint32_t next, fxl_polygon *out, uint32_t *count)
 {
     uint32_t inside = distances[current] >= 0 ? current : next;
     uint32_t outside = inside == current ? next : current;
     if (distances[inside] == 0) {
         return true;
     }
-    fxl_q1_31 fraction = crossing_fraction(distances[inside], distances[outside]);
+    fxl_q1_31 fraction = intersection_fraction(distances[inside], distances[outside]);
     fxl_vertex vertex =
-        crossing_vertex(&in->vertices[inside], &in->vertices[outside], fraction, in->textured);
+        intersection_vertex(&in->vertices[inside], &in->vertices[outside], fraction, in->textured);
     return append(out, count, &vertex);
 }
 
@@ -105,7 +105,7 @@ fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *
             return FXL_CLIP_CAPACITY;
         }
         if (current_inside != next_inside &&
-            !append_crossing(in, distances, current, next, out, &count)) {
+            !append_intersection(in, distances, current, next, out, &count)) {
             return FXL_CLIP_CAPACITY;
         }
     }
