@@ -13,7 +13,7 @@ uint32_t fxl_bsp_movers(const fxl_scene *scene)
         for (uint32_t i = 0; i < scene->instance_count; i++) {
             count += scene->instances[i].layer == layer;
         }
-        count -= 1; /* the tree's own */
+        count -= 1; /* the BSP's own instance */
     }
     return count;
 }
@@ -39,8 +39,8 @@ static fxl_bsp_item *item_of(const fxl_bsp_parts *parts, uint32_t number)
     return number < parts->movers ? &parts->whole[number] : &parts->items[number - parts->movers];
 }
 
-/* Behind what is in the leaf in the order of drawing: before it, where that is walked
- * backward. */
+/* Adds an item to its leaf, last in the order of drawing: at the end of the list, or at its
+ * beginning where the list is drawn in reverse. */
 static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
                           bool reverse)
 {
@@ -58,9 +58,9 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
     *link = (uint16_t)number;
 }
 
-/* What a face that faces the eye comes to, whole. */
-static fxl_outcome fate_of(fxl_renderer *renderer, const fxl_model_view *model_view,
-                           const fxl_face *face)
+/* Clips a whole face that faces the eye. Returns its outcome. */
+static fxl_outcome outcome_of(fxl_renderer *renderer, const fxl_model_view *model_view,
+                              const fxl_face *face)
 {
     const fxl_clipper *clipper = renderer->clipper;
     fxl_clip_result cut = clipper->clip(model_view, face, &renderer->work.clip, &renderer->screen);
@@ -72,7 +72,7 @@ static fxl_outcome fate_of(fxl_renderer *renderer, const fxl_model_view *model_v
     return outcome;
 }
 
-/* Each face once, however many pieces it will be in. */
+/* Counts the faces of an instance, each once, however many pieces they are cut into. */
 static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
 {
     fxl_renderer *renderer = on->renderer;
@@ -86,7 +86,7 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
         const fxl_face *face = &scene->faces[model->first_face + i];
         on->counters->in += 1;
         if (fxl_model_view_face_is_front(&model_view, face)) {
-            (void)fxl_count_outcome(on, fate_of(renderer, &model_view, face),
+            (void)fxl_count_outcome(on, outcome_of(renderer, &model_view, face),
                                     renderer->display_list.used);
         } else {
             on->counters->backfacing += 1;
@@ -94,7 +94,7 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     }
 }
 
-/* The leaf where a point of the world is. */
+/* Returns the leaf that holds a point of the world. */
 static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
 {
     const fxl_point *centre = &scene->instances[scene->bsp_instance].centre;
@@ -155,14 +155,15 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
     workspace->used = cutter.most;
 }
 
-/* The faces of an object that is in no pieces, from *number on, in the order of the walk. */
-static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
+/* Submits the faces of an instance that was not cut into pieces, from *number on, in the order
+ * of drawing. */
+static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
 {
     fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_face_sink take = fxl_instance_sink(on, instance, model);
+    const fxl_face_sink sink = fxl_instance_sink(on, instance, model);
     fxl_model_view model_view;
     fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &renderer->view,
                                &renderer->cache);
@@ -170,7 +171,7 @@ static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, ui
         uint32_t at =
             renderer->visibility->front_to_back ? model->face_count - 1u - *number : *number;
         const fxl_face *face = &scene->faces[model->first_face + at];
-        if (fxl_model_view_face_is_front(&model_view, face) && !take(on, &model_view, face)) {
+        if (fxl_model_view_face_is_front(&model_view, face) && !sink(on, &model_view, face)) {
             return false;
         }
     }
@@ -178,8 +179,8 @@ static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, ui
     return true;
 }
 
-static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
-                       const fxl_bsp_item *item)
+static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
+                             const fxl_bsp_item *item)
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
@@ -218,12 +219,12 @@ bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, 
         if (done < place->index) {
             continue;
         }
-        fxl_counters counters = {0}; /* the faces are counted already */
+        fxl_counters counters = {0}; /* count_faces has counted the faces */
         fxl_traversal uncounted = *on;
         uncounted.counters = &counters;
         bool whole = item->first == FXL_ITEM_NONE;
-        bool fitted = whole ? walk_whole(&uncounted, &renderer->order[item->entry], &place->face)
-                            : walk_piece(&uncounted, &parts, item);
+        bool fitted = whole ? submit_whole(&uncounted, &renderer->order[item->entry], &place->face)
+                            : submit_bsp_piece(&uncounted, &parts, item);
         on->counters->spilled += counters.spilled;
         if (!fitted) {
             return false;
