@@ -18,7 +18,7 @@
 typedef struct {
     const char *scene, *dump, *json, *twin;
     unsigned cuts; /* of the board's clipper */
-    bool by_tree;  /* the board's order was the scene's tree's */
+    bool by_bsp;   /* the board's order was the scene's tree's */
     double distance;
 } options;
 
@@ -164,8 +164,8 @@ static bool parse_options(int count, char **arguments, options *wanted)
             }
         } else if (strcmp(name, "--hidden") == 0) {
             /* Who draws what first covers a pixel gives the same picture. */
-            wanted->by_tree = strncmp(value, "tree", 4) == 0;
-            if (!wanted->by_tree && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
+            wanted->by_bsp = strncmp(value, "tree", 4) == 0;
+            if (!wanted->by_bsp && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
                 return false;
             }
         } else if (strcmp(name, "--distance") == 0) {
@@ -220,7 +220,7 @@ static int judge(const options *wanted, session *run)
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_tree, wanted->distance,
+        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_bsp, wanted->distance,
                       run->frames, wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }

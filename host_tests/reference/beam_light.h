@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Light beams (docs/extras/beams.md), in double: points are whole numbers, as the law has them. */
-#ifndef REF_LIGHT_H
-#define REF_LIGHT_H
+#ifndef REF_BEAM_LIGHT_H
+#define REF_BEAM_LIGHT_H
 
 #include "reference/scene.h"
 #include "reference/split.h"

@@ -18,8 +18,8 @@ ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens)
     frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, half_width, inset);
     frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, half_height, inset);
     frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, half_height, inset);
-    frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near + inset};
-    frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far};
+    frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near_z + inset};
+    frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far_z};
     return frustum;
 }
 

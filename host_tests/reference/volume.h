@@ -31,15 +31,15 @@ void ref_volume_from_lens(const ref_lens *lens, ref_half_space planes[REF_PLANE_
 
 /* The planes of a frustum whose window, on the plane z = near, reaches from left
  * to right and from bottom to top. */
-void ref_volume_from_window(double left, double right, double bottom, double top, double near,
-                            double far, ref_half_space planes[REF_PLANE_COUNT]);
+void ref_volume_from_window(double left, double right, double bottom, double top, double near_z,
+                            double far_z, ref_half_space planes[REF_PLANE_COUNT]);
 
 ref_wide ref_half_space_distance(const ref_half_space *plane, const ref_volume_vertex *vertex);
 bool ref_volume_holds(const ref_half_space *planes, int count, const ref_volume_vertex *vertex);
 
 /* What is inside of all the planes; true where a plane cut, or nothing is left. */
-bool ref_clip_volume(const ref_volume_polygon *in, const ref_half_space *planes, int count,
-                     ref_volume_polygon *out);
+bool ref_clip_to_volume(const ref_volume_polygon *in, const ref_half_space *planes, int count,
+                        ref_volume_polygon *out);
 
 /* The part of a line that is inside: from (1 - t) from + t to at t = *enter to
  * *leave; false where there is none. */

@@ -10,16 +10,16 @@
 #include "reference/transform.h"
 #include "reference/volume.h"
 
-static bool append(ref_wire *wire, const ref_wire_line *line)
+static bool append(ref_wire *wire, const ref_screen_line *line)
 {
-    if (wire->count == wire->room) {
-        size_t room = wire->room ? 2 * wire->room : 256;
-        ref_wire_line *lines = realloc(wire->lines, room * sizeof *lines);
+    if (wire->count == wire->capacity) {
+        size_t capacity = wire->capacity ? 2 * wire->capacity : 256;
+        ref_screen_line *lines = realloc(wire->lines, capacity * sizeof *lines);
         if (!lines) {
             return false;
         }
         wire->lines = lines;
-        wire->room = room;
+        wire->capacity = capacity;
     }
     wire->lines[wire->count++] = *line;
     return true;
@@ -52,25 +52,25 @@ bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens
     ref_half_space planes[REF_PLANE_COUNT];
     ref_volume_from_lens(lens, planes);
     wire->count = 0;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_instance *object = &scene->objects[i];
-        const ref_model *model = &scene->models[object->model];
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const ref_instance *instance = &scene->instances[i];
+        const ref_model *model = &scene->models[instance->model];
         for (uint32_t f = 0; f < model->face_count; f++) {
             const ref_face *face = &scene->faces[model->first_face + f];
-            if (!ref_face_is_front(scene, object, face, &pose->position)) {
+            if (!ref_face_is_front(scene, instance, face, &pose->position)) {
                 continue;
             }
             for (int k = 0; k < face->count; k++) {
-                const ref_lattice_point a = ref_face_vertex(scene, object, face, k);
+                const ref_lattice_point a = ref_face_vertex(scene, instance, face, k);
                 const ref_lattice_point b =
-                    ref_face_vertex(scene, object, face, (k + 1) % face->count);
+                    ref_face_vertex(scene, instance, face, (k + 1) % face->count);
                 const ref_volume_vertex from = vertex_of(&camera, &a), to = vertex_of(&camera, &b);
                 ref_wide enter, leave;
                 if (!ref_clip_line(&from, &to, planes, REF_PLANE_COUNT, &enter, &leave)) {
                     continue;
                 }
-                const ref_wire_line line = {end_of(lens, &from, &to, enter),
-                                            end_of(lens, &from, &to, leave), face->colour};
+                const ref_screen_line line = {end_of(lens, &from, &to, enter),
+                                              end_of(lens, &from, &to, leave), face->colour};
                 if (!append(wire, &line)) {
                     return false;
                 }
@@ -92,12 +92,12 @@ typedef struct {
     bool upright;
 } way;
 
-static bool is_upright(const ref_wire_line *line)
+static bool is_upright(const ref_screen_line *line)
 {
     return fabs(line->to.y - line->from.y) > fabs(line->to.x - line->from.x);
 }
 
-static way way_of(const ref_wire_line *line, bool upright)
+static way way_of(const ref_screen_line *line, bool upright)
 {
     way of = {.upright = upright};
     const double a = of.upright ? line->from.y : line->from.x;
@@ -111,7 +111,7 @@ static way way_of(const ref_wire_line *line, bool upright)
     return of;
 }
 
-void ref_wire_draw(const ref_wire_line *line, const ref_band *band)
+void ref_wire_line(const ref_screen_line *line, const ref_band *band)
 {
     const way of = way_of(line, is_upright(line));
     const int end = of.upright ? band->first_row + band->rows : band->width;
@@ -129,7 +129,7 @@ void ref_wire_draw(const ref_wire_line *line, const ref_band *band)
     }
 }
 
-bool ref_wire_is_near(const ref_wire_line *line, int column, int row, double d)
+bool ref_wire_is_near(const ref_screen_line *line, int column, int row, double d)
 {
     const double width = fabs(line->to.x - line->from.x), height = fabs(line->to.y - line->from.y);
     for (int upright = 0; upright < 2; upright++) {

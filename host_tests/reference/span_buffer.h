@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What is covered of a band, pixel by pixel (docs/extras/spans.md). */
-#ifndef REF_COVER_H
-#define REF_COVER_H
+#ifndef REF_SPAN_BUFFER_H
+#define REF_SPAN_BUFFER_H
 
 #include "reference/record.h"
 
@@ -9,17 +9,17 @@
 typedef struct {
     bool *covered;
     int width, first_row, rows;
-} ref_cover;
+} ref_span_buffer;
 
 /* Nothing of the band is covered. */
-void ref_cover_begin(ref_cover *cover, bool *covered, const ref_band *band);
+void ref_span_buffer_begin(ref_span_buffer *cover, bool *covered, const ref_band *band);
 
 /* Runs of covered pixels, of all rows, as long as can be. */
-long ref_cover_runs(const ref_cover *cover);
+long ref_span_buffer_intervals(const ref_span_buffer *cover);
 
 /* Colours what is not covered of a span, and covers it. False where there would then be more
  * than so many runs: then all is as it was. */
-bool ref_cover_span(ref_cover *cover, const ref_span *span, uint8_t colour, const ref_band *band,
-                    long runs);
+bool ref_span_buffer_draw(ref_span_buffer *cover, const ref_span *span, uint8_t colour,
+                          const ref_band *band, long runs);
 
 #endif
