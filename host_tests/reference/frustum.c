@@ -5,8 +5,8 @@
 
 #include "reference/plane.h"
 
-/* The plane whose normal has the view coordinates (x, y, z), before scaling to
- * unit length, and which passes through (0, 0, depth). */
+/* Makes the plane whose normal has the view coordinates (x, y, z), before scaling to unit
+ * length, and which passes through (0, 0, depth). */
 static ref_plane view_plane(const ref_camera *camera, double x, double y, double z, double depth,
                             double inset)
 {

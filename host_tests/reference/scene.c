@@ -61,7 +61,7 @@ ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *in
                                instance->centre.z + vertex.z};
 }
 
-/* A table of the image: where its entries are, or null with *count 0. */
+/* Returns the first entry of a table of the image; null, and *count 0, where it is not usable. */
 static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
                                uint32_t maximum, uint32_t *count)
 {
@@ -186,8 +186,9 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
-/* True where there is none. Nodes are listed as one comes upon them, so a child's number is
- * greater than its parent's: no way down ends where it began. */
+/* Reads the BSP. Returns true also where there is none. A child's number must be greater than
+ * its parent's, because nodes are stored in the order root, front, back. So every path downward
+ * ends. */
 static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
     if (ref_u16(bytes + 4) == 2) {
@@ -266,7 +267,7 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z;
 }
 
-/* A distance of 18.46, low word first, to all of its bits. */
+/* Reads a distance of 18.46, low word first, with all of its bits. */
 static long double distance_read(const uint8_t *bytes)
 {
     return ldexpl((long double)ref_i32(bytes + 4), -14) + ldexpl((long double)ref_u32(bytes), -46);

@@ -54,7 +54,7 @@ ref_volume_vertex ref_volume_between(const ref_volume_vertex *from, const ref_vo
     return vertex;
 }
 
-/* One plane; the crossing of an edge is counted from its inside end. */
+/* Clips a polygon to one plane. The intersection of an edge is computed from its inside end. */
 static void cut(const ref_volume_polygon *in, const ref_half_space *plane, ref_volume_polygon *out)
 {
     out->count = 0;
