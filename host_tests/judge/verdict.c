@@ -16,8 +16,8 @@ enum {
     THREADS_MAX = 16
 };
 
-/* What the threads share. Each takes the next frame under the lock; frames and
- * twin are written at the frame's own place only. */
+/* What the threads share. Each takes the next frame under the lock. It writes only to that
+ * frame's place in frames and twin. */
 typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
@@ -57,8 +57,8 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
     }
 }
 
-/* Sets the pixel's distance. True where near and far, moved by the bound on depths, were
- * needed for it. */
+/* Sets the pixel's distance. Returns true where explaining it needs near and far moved by the
+ * bound on depths. */
 static bool explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     judge_sample *pixel)
 {
@@ -93,9 +93,8 @@ static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
     };
 }
 
-/* Whether the pixel's centre lies exactly on an edge of a polygon that was
- * drawn about there: then double cannot tell its side, and only the exact
- * judge is asked. */
+/* Tells whether the pixel's centre lies exactly on an edge of a polygon that was drawn about
+ * there. Then double cannot tell its side, and the exact test decides. */
 static bool is_tied(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     const oracle_tie_view *view, int column, int row)
 {
@@ -132,7 +131,7 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
     const uint8_t *board = judge_dump_pixels(work->dump, number);
     judge_frame *frame = &work->frames[number];
     *frame = (judge_frame){.max_distance = -1};
-    judge_box *boxes = NULL; /* made at the first difference */
+    judge_box *boxes = NULL; /* allocated at the first difference */
     ref_pose pose = judge_dump_pose(work->dump, number);
     oracle_tie_view view = tie_view(work, &pose);
     for (int y = 0; y < work->dump->height; y++) {
@@ -169,7 +168,7 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, 
     return compare_pixels(work, renderer, pixels, number);
 }
 
-/* Under the lock. Silent in the first second and between whole seconds. */
+/* Called under the lock. Prints nothing in the first second, and then at most once a second. */
 static void report_progress(job *work)
 {
     time_t now = time(NULL);

@@ -33,7 +33,7 @@ static const char *compare_segments(const ref_scene_image *image, const judge_du
 {
     ref_player player = ref_player_at(&image->start);
     const ref_path_segment *segment = image->segments;
-    uint32_t done = 0; /* frames of this stride */
+    uint32_t done = 0; /* frames of this segment */
     for (*frame = 0; *frame < dump->frame_count; ++*frame) {
         while (done == segment->frames) {
             segment++;

@@ -18,7 +18,7 @@ stages_tally stages_cover_tally(const char *input)
     };
 }
 
-/* Both sides, and a band of each. */
+/* Both sides, and a band for each. */
 typedef struct {
     fxl_span_buffer *buffer;
     fxl_band band;
@@ -26,7 +26,7 @@ typedef struct {
     ref_band twin;
 } sides;
 
-/* Runs of the band, or -1 where they are not in order or touch. */
+/* Returns the number of intervals in the band; -1 where they are not in order or touch. */
 static long runs_of(const fxl_span_buffer *buffer)
 {
     long runs = 0;
@@ -44,7 +44,8 @@ static long runs_of(const fxl_span_buffer *buffer)
     return runs;
 }
 
-/* One polygon on both sides; false where the pool is full. Verdicts that differ are a mismatch. */
+/* Draws one polygon on both sides. Returns false where the pool is full. Different results are a
+ * mismatch. */
 static bool cover_polygon(sides *of, const fxl_screen_polygon *polygon, stages_tally *tally)
 {
     static fxl_scan scan;
