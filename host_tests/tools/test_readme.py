@@ -70,7 +70,7 @@ def test_program_links_for_a_microcontroller(library, tmp_path, core):
 
 
 def test_the_pictures_words_are_the_tables_figures():
-    row = re.search(r"\| a vertex on the screen \| ([\d,]+) \| ([\d,]+) \|", README)
+    row = re.search(r"\| a vertex on the screen \| 1/65536 pixel \| ([\d,]+) \| ([\d,]+) \|", README)
     words = re.search(r"float32 up to ([\d.]+) pixels, plain 16\.16 up to ([\d.]+)", README)
     naive, float32 = (int(text.replace(",", "")) / 65536 for text in row.groups())
     assert words.groups() == (f"{float32:.3g}", f"{naive:.3g}")
@@ -90,7 +90,7 @@ def test_no_renderers_clipper_is_recommended_for_what_a_lens_cannot_say():
     assert not re.search(r"\b(left|right|window)\b", lens), "a lens may be lopsided now: mend docs/clipping.md"
     advice = (ROOT / "docs" / "clipping.md").read_text(encoding="utf-8").split("## Which to choose", 1)[1]
     row = next(line for line in advice.splitlines() if "lopsided" in line)
-    assert "no renderer" in row and "`half-spaces`" not in row
+    assert "A renderer cannot draw such a frustum" in row and "`half-spaces`" not in row
 
 
 def test_files_named_exist():
