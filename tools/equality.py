@@ -134,7 +134,7 @@ def main(argv):
     parser.add_argument("elf", nargs="+", help="a core's program")
     parser.add_argument("--thousands", type=int, default=10000, help="random inputs for each kernel, in thousands")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="kernels at a time")
-    parser.add_argument("--keep", metavar="FILE", help="write what was compared, for docs/performance.md")
+    parser.add_argument("--keep", metavar="FILE", help="write the result, for the report of make bench")
     parser.add_argument("--journal", help="what was compared (equality.json beside the first program)")
     options = parser.parse_args(argv)
     if not 1 <= options.thousands <= THOUSANDS_MAX:
