@@ -2,8 +2,8 @@
 """The live window's web server, for this machine alone: a page, and a websocket for each tab.
 
 To a tab: text messages {"type": "hello" | "ended", ...}, and frames as binary
-messages: u32 length of a JSON text, the text, the frame's pixels, the twin's
-pixels, the twin's outlines; the text says how many bytes each of the three has.
+messages: u32 length of a JSON text, the text, the frame's pixels, the reference
+frame's pixels, its outlines; the text says how many bytes each of the three has.
 From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
 second}, {"type": "wants", "wants": bits}, {"type": "seen"} for each frame that
 it has shown. A tab is sent the newest frame, and another only when it has seen
@@ -44,7 +44,7 @@ class Tab:
     def __init__(self, socket):
         self.socket = socket
         self.keys = self.wants = self.unseen = 0
-        self.sent = None    # number of the last frame, and what of the twin's came with it
+        self.sent = None    # number of the last frame, and the parts of the reference that came with it
         self.wake = asyncio.Event()
 
     def take(self, message, hub):
@@ -72,7 +72,7 @@ def bits(value, every):
 
 
 class Hub:
-    """What the tabs share: the board's newest frame, the twin's newest answer, keys, rate. For the
+    """What the tabs share: the board's newest frame, the reference's newest answer, keys, rate. For the
     thread of the event loop only."""
 
     def __init__(self, hello, hold, ask, set_rate):
@@ -96,7 +96,7 @@ class Hub:
         self._wake_all()
 
     def compare(self, answer):
-        """What the twin says about a frame."""
+        """The reference renderer's answer about a frame."""
         self.answer = answer
         self._wake_all()
 
@@ -152,7 +152,7 @@ class Hub:
         if not tab.wants:
             answer, frame = None, self.frame
         elif answer is None or tab.wants & ~given(answer):
-            return None     # the twin is at it
+            return None     # the reference renderer is drawing it
         else:
             frame = answer.frame
         if frame is None or tab.sent == (frame.number, given(answer)):
@@ -164,7 +164,7 @@ class Hub:
 
 
 def given(answer):
-    """What an answer of the twin's holds, as bits."""
+    """The parts of an answer of the reference renderer, as bits."""
     if answer is None:
         return 0
     return (view_twin.FRAME if answer.pixels else 0) | (view_twin.OUTLINES if answer.outlined else 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The double twin beside a board that is watched: build/host/live answers frame by frame.
+"""The reference renderer beside a board that is watched: build/host/live answers frame by frame.
 
 Slower than the board it skips frames, never the other way round: what is asked
 for replaces what was not begun yet.
@@ -59,7 +59,7 @@ class Twin:
             if not self._closing:
                 self._process.kill()
                 words = self._process.stderr.read().decode(errors="replace").strip()
-                self._failed(ToolError(f"the double twin ended: {words or error}", exit_code=1))
+                self._failed(ToolError(f"the reference renderer ended: {words or error}", exit_code=1))
 
     def _wait(self):
         with self._ready:
