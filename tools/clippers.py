@@ -82,13 +82,13 @@ def accept(plan, out):
 def read_options(argv):
     """The command line, checked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cores", nargs="*", default=list(clippers_plan.CORES), help="of those that are built")
-    parser.add_argument("--frames", type=int, help="of each scene, spread over its walk (FRAMES=)")
+    parser.add_argument("--cores", nargs="*", default=list(clippers_plan.CORES), help="cores to measure; their programs are built")
+    parser.add_argument("--frames", type=int, help="number of frames of each scene, spread over its path (FRAMES=)")
     parser.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
     parser.add_argument("--out", default="build/clippers", help="folder for the results")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     parser.add_argument("--accept", action="store_true",
-                        help="only put the run that is there into docs/clipping.md and bench/clippers.json")
+                        help="only take the run in --out into docs/clipping.md and bench/clippers.json")
     options = parser.parse_args(argv)
     if options.frames is not None and not 1 <= options.frames <= FRAMES_MAX:
         parser.error(f"--frames {options.frames} is outside 1..{FRAMES_MAX}")

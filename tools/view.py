@@ -3,8 +3,8 @@
 """Starts a board and shows its frames live on a web page of this machine.
 
 Keys go from the page to the firmware; the page shows the frame of the reference renderer beside it.
-Ctrl-C ends everything. Exit: 0 after Ctrl-C; else the board ended by itself,
-with the exit code of its program, or 2 where it could not be started.
+Ctrl-C ends everything. Exit: 0 after Ctrl-C, 2 the board could not be started; else the board ended by
+itself, with the exit code of its program.
 """
 
 from fixel import interpreter
@@ -103,10 +103,10 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
-    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
-    parser.add_argument("--port", help="of 127.0.0.1 (8065, or any that is free)")
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    parser.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
     parser.add_argument("--open", action="store_true", help="open the page in this machine's browser")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     options.screen = parse_screen(options.screen) if options.screen else None
     options.port = port_number(options.port) if options.port is not None else None
