@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 from fixel import (output, report_claims, report_frames, report_page, report_plots, report_scale,
-                   report_shards, report_twins)
+                   report_shards, report_stages)
 from fixel.errors import ToolError, run_main
 from fixel.programs import read_json
 from fixel.table import coloured, table
@@ -45,7 +45,7 @@ def gather(options, work):
     sources = [options.scene] if options.scene else report_frames.default_sources()
     found = report_frames.walks(sources, work, limit)
     frames, pixels, shown = report_frames.judge_walks(build, found, work)
-    twins = report_twins.measure(build, found[0], options.samples, options.seed, work)
+    twins = report_stages.measure(build, found[0], options.samples, options.seed, work)
     third = report_frames.cast_rays(build, found[0], work, RAY_FRAMES)
     w1 = report_frames.walks([report_scale.SCENE], work, limit)[0].scene
     scales = report_scale.measure(build, options.board, w1, work)
@@ -64,7 +64,7 @@ def gather(options, work):
 
 def complaints(report):
     """Everything that failed, as sentences."""
-    return report_claims.complaints(report) + report_twins.complaints(report["twins"])
+    return report_claims.complaints(report) + report_stages.complaints(report["twins"])
 
 
 def print_report(report, out):

@@ -24,14 +24,14 @@ from fixel.errors import ToolError, run_main
 from fixel.view_board import Board
 from fixel.view_pump import IDLE_RATE, Pump
 from fixel.view_server import HOST, Hub, Server, hello
-from fixel.view_twin import Twin
+from fixel.view_reference import Reference
 from run import elf_of, make_scene_image
 from scene import parse_screen
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
-async def serve(board, twin_program, scene_image, options):
+async def serve(board, reference_program, scene_image, options):
     """Shows the board until it ends or a signal does; the error that it ended with, or None."""
     loop = asyncio.get_running_loop()
 
@@ -43,10 +43,10 @@ async def serve(board, twin_program, scene_image, options):
         return call
 
     hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette), board.hold,
-              lambda frame, wants: twin.ask(frame, wants), lambda rate: pump.set_rate(rate))
+              lambda frame, wants: reference.ask(frame, wants), lambda rate: pump.set_rate(rate))
     with contextlib.ExitStack() as stack:
-        twin = stack.enter_context(contextlib.closing(
-            Twin(twin_program, scene_image, later("compare"), later("end"))))
+        reference = stack.enter_context(contextlib.closing(
+            Reference(reference_program, scene_image, later("compare"), later("end"))))
         pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
         for each in ENDINGS:
             loop.add_signal_handler(each, hub.end)

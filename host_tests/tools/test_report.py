@@ -15,7 +15,7 @@ from fractions import Fraction
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-from fixel import report_claims, report_frames, report_plots, report_scale, report_shards, report_twins
+from fixel import report_claims, report_frames, report_plots, report_scale, report_shards, report_stages
 from fixel.errors import ToolError
 
 SAMPLES = 4000
@@ -293,9 +293,9 @@ def test_a_row_of_no_samples_is_no_row(result):
     _, report, _ = result
     assert report["twins"] and all(row["samples"] > 0 for row in report["twins"])
     random = [{"stage": stage, "input": "random", "samples": 1, "beyond_bound": 0, "mismatched": 0, "bound": ""}
-              for stage in report_twins.STAGES]
-    assert report_twins.complaints(random) == []
-    assert report_twins.complaints(random[1:]) == ["sphere: no random sample was compared with double"]
+              for stage in report_stages.STAGES]
+    assert report_stages.complaints(random) == []
+    assert report_stages.complaints(random[1:]) == ["sphere: no random sample was compared with double"]
 
 
 def test_unexplained_pixel_fails():

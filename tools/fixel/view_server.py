@@ -18,7 +18,7 @@ import struct
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
-from fixel import view_twin
+from fixel import view_reference
 from fixel.errors import ToolError
 from fixel.view_pump import IDLE_RATE
 
@@ -26,7 +26,7 @@ HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
 RATES = (30, 60, 0)     # frames a second; 0: as fast as it goes
 KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/extra/player.h
-WANTS_ALL = view_twin.FRAME | view_twin.OUTLINES
+WANTS_ALL = view_reference.FRAME | view_reference.OUTLINES
 UNSEEN_MAX = 2          # frames on their way to a tab
 MESSAGE_MAX = 4096      # bytes from a tab
 HEARTBEAT = 20.0        # seconds
@@ -167,7 +167,7 @@ def given(answer):
     """The parts of an answer of the reference renderer, as bits."""
     if answer is None:
         return 0
-    return (view_twin.FRAME if answer.pixels else 0) | (view_twin.OUTLINES if answer.outlined else 0)
+    return (view_reference.FRAME if answer.pixels else 0) | (view_reference.OUTLINES if answer.outlined else 0)
 
 
 def pack(frame, answer, rate):
