@@ -36,7 +36,7 @@ def fixture_plan():
 
 def records(pattern):
     """Names of the library's constant records of a kind."""
-    text = "\n".join(file.read_text(encoding="utf-8") for file in (CHECKOUT / "lib" / "src").glob("*.c"))
+    text = "\n".join(file.read_text(encoding="utf-8") for file in (CHECKOUT / "lib").rglob("*.c"))
     return set(re.findall(rf"^const {pattern} (\w+) =", text, re.MULTILINE))
 
 
