@@ -76,7 +76,7 @@ all: ## build everything and run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## walk a scene on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+run: ## draw a scene's path on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
@@ -105,7 +105,7 @@ boot: ## power a board on from its flash image [BOARD=]
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
 	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
 
-gdb: ## a debugger on the walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+gdb: ## a debugger on firmware/walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
 	@tools/setup.sh gdb
 	@$(MAKE) $(WALK)
 	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
@@ -206,7 +206,7 @@ bench: ## executed instructions of the workloads and kernels on four cores, the 
 	@$(PY) tools/bench.py --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
-clippers: ## every clipper times every hidden-surface method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
+clippers: ## every clipper times every visibility method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
 	@tools/setup.sh report
 	@$(MAKE) $(CLIPPERS_BUILT) $(HOST_WALK)
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \

@@ -83,7 +83,7 @@ def read_options(argv):
     """The command line, checked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--cores", nargs="*", default=list(clippers_plan.CORES), help="of those that are built")
-    parser.add_argument("--frames", type=int, help="of each scene, spread over its walk (FRAMES=)")
+    parser.add_argument("--frames", type=int, help="of each scene, spread over its path (FRAMES=)")
     parser.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
     parser.add_argument("--out", default="build/clippers", help="folder for the results")
     parser.add_argument("--build", default="build", help="where make builds")

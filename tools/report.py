@@ -4,7 +4,7 @@
 
 Writes report.json and report.html (one self-contained page). The same seed and
 number of samples give the same report on every machine. Exit: 0 if every claim
-holds and the third judge agrees; 1 if not; 2 if the report could not be made.
+holds and the ray-cast oracle agrees; 1 if not; 2 if the report could not be made.
 """
 
 from fixel import interpreter
@@ -24,7 +24,7 @@ from fixel.table import coloured, table
 
 PATTERNS = ["report.html", "report.json"]
 SAMPLES_MAX = 10 ** 12
-RAY_FRAMES = 12         # about how many frames the third judge looks at
+RAY_FRAMES = 12         # about how many frames the ray-cast oracle looks at
 # Below the default number of samples paths are cut in proportion, to no fewer frames than this.
 FEWEST_FRAMES = 2
 
@@ -81,7 +81,7 @@ def print_report(report, out):
                  for row in report["twins"]],
                 ["against double", "input", "largest", "mean", "unit"]))
     third = report["third_judge"]
-    print(f"\nthird judge: {third['frames_judged']} frames of {third['scene']}, "
+    print(f"\nray-cast oracle: {third['frames_judged']} frames of {third['scene']}, "
           f"{third['pixels_unexplained']:,} pixels unexplained")
     found = complaints(report)
     for sentence in found:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Starts a board and shows its frames live on a web page of this machine.
 
-Keys go from the page to the firmware; the page shows the double twin beside it.
+Keys go from the page to the firmware; the page shows the reference renderer beside it.
 Ctrl-C ends everything. Exit: 0 after Ctrl-C; else the board ended by itself,
 with the exit code of its program, or 2 where it could not be started.
 """

@@ -21,7 +21,7 @@ PATTERNS = ["frame_*.png", "walk.gif", "summary.json"]
 
 
 def passes(summary):
-    """Whether both line clippers and the twin agree, but for explained pixels."""
+    """Whether both line clippers and the reference renderer agree, but for explained pixels."""
     return summary["pixels_disagreeing"] == 0 and summary["pixels_unexplained"] == 0
 
 

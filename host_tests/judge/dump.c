@@ -32,7 +32,7 @@ static const char *check_dump(judge_dump *dump)
         return "it is not a frame dump (no FXLD at its start)";
     }
     if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 10) != 0) {
-        return "it is a frame dump of another version";
+        return "this version of the frame dump is not known";
     }
     dump->width = ref_u16(bytes + 6);
     dump->height = ref_u16(bytes + 8);

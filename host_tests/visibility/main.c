@@ -99,7 +99,9 @@ static way any_way(comparison *with, const fxl_clipper *clipper, uint32_t number
     }
     uint32_t list = any(with, 3), pool = number == 0 ? 2 : any(with, 3), bands = any(with, 4);
     by.settings.display_list_words = list == 0 ? 0 : list == 1 ? any(with, 4000) : PLENTY;
-    by.settings.raster_bytes = pool == 0 ? least : pool == 1 ? least + any(with, 12 * with->height) : most;
+    by.settings.raster_bytes = pool == 0   ? least
+                               : pool == 1 ? least + any(with, 12 * with->height)
+                                           : most;
     by.rows = bands == 0   ? with->height
               : bands == 1 ? 1 + any(with, with->height)
               : bands == 2 ? 8
@@ -228,7 +230,7 @@ static int run(const char *path, uint32_t frames, uint64_t seed, bool bsp)
     walk_path_begin(&walked, image, false);
     for (uint32_t number = 0; number < image->frame_count; number++) {
         if (walk_path_next(&walked, 0) != FXL_OK) {
-            return fail(path, "its path is no path");
+            return fail(path, "its path leaves the world");
         }
         /* The frames-th part that this frame opens: of all as many as were asked for. */
         bool taken = (uint64_t)number * frames / image->frame_count !=

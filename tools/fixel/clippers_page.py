@@ -140,7 +140,7 @@ def plots(plan, result):
     made = [(f"What each clipper costs, {NAMES[core]}, {hidden[0]}", clippers_plots.costs(plan, rows, core, hidden[0]))
             for core in cores]
     if len(hidden) > 1:
-        made += [(f"What each hidden-surface method costs, {NAMES[core]}, {rows[0]['clipper']}",
+        made += [(f"What each visibility method costs, {NAMES[core]}, {rows[0]['clipper']}",
                   clippers_plots.methods(plan, rows, core, rows[0]["clipper"])) for core in cores]
     made.append(("The largest error of an outline", clippers_plots.errors(plan, rows, hidden[0])))
     made.append(("Code: the renderer with this clipper and no other",

@@ -105,7 +105,7 @@ def complaints(report):
              for claim in report["claims"] if not claim["holds"]]
     third = report["third_judge"]
     if third["pixels_unexplained"]:
-        found.append(f"the third judge disagrees with the twin on {third['pixels_unexplained']:,} pixels "
+        found.append(f"the ray-cast oracle disagrees with the reference renderer on {third['pixels_unexplained']:,} pixels "
                      f"of {third['scene']}")
     return found
 

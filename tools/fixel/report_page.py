@@ -24,7 +24,7 @@ NOTES = {
                    "units a float has no room for 16 bits after the point.",
     "edge_length": "Crossings at depths from 1 to 4. Float32's fraction is worth less, the longer "
                    "the edge.",
-    "plane_angle": "An edge nearly parallel to the plane moves the crossing along the edge, not off "
+    "plane_angle": "An edge nearly parallel to the plane moves the intersection along the edge, not off "
                    "it.",
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Library and double twin on the same input at each stage's boundary: a scene's polygons, and random
+"""Library and reference renderer on the same input at each stage's boundary: a scene's polygons, and random
 input from the whole of what the contract allows."""
 
 from fixel import image

@@ -3,7 +3,7 @@
 
 To a tab: text messages {"type": "hello" | "ended", ...}, and frames as binary
 messages: u32 length of a JSON text, the text, the frame's pixels, the twin's
-pixels, the twin's outlines; the text says how many bytes each of the three has.
+pixels, the reference renderer's outlines; the text says how many bytes each of the three has.
 From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
 second}, {"type": "wants", "wants": bits}, {"type": "seen"} for each frame that
 it has shown. A tab is sent the newest frame, and another only when it has seen
@@ -72,7 +72,7 @@ def bits(value, every):
 
 
 class Hub:
-    """What the tabs share: the board's newest frame, the twin's newest answer, keys, rate. For the
+    """What the tabs share: the board's newest frame, the reference renderer's newest answer, keys, rate. For the
     thread of the event loop only."""
 
     def __init__(self, hello, hold, ask, set_rate):
@@ -96,7 +96,7 @@ class Hub:
         self._wake_all()
 
     def compare(self, answer):
-        """What the twin says about a frame."""
+        """What the reference renderer says about a frame."""
         self.answer = answer
         self._wake_all()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The double twin beside a board that is watched: build/host/live answers frame by frame.
+"""The reference renderer beside a board that is watched: build/host/live answers frame by frame.
 
 Slower than the board it skips frames, never the other way round: what is asked
 for replaces what was not begun yet.
@@ -59,7 +59,7 @@ class Twin:
             if not self._closing:
                 self._process.kill()
                 words = self._process.stderr.read().decode(errors="replace").strip()
-                self._failed(ToolError(f"the double twin ended: {words or error}", exit_code=1))
+                self._failed(ToolError(f"the reference renderer ended: {words or error}", exit_code=1))
 
     def _wait(self):
         with self._ready:
@@ -72,14 +72,14 @@ class Twin:
         self._process.stdin.flush()
         magic, number, pixels, outlines = ANSWER.unpack(self._read(ANSWER.size))
         if magic != b"TWIN" or number != self._asked or pixels not in (0, frame.pixels.size):
-            raise ToolError("its answer is not what was agreed on")
+            raise ToolError("its answer does not have the agreed format")
         self._asked += 1
         return Answer(frame, self._read(pixels), self._read(outlines), bool(wants & OUTLINES))
 
     def _read(self, size):
         data = self._process.stdout.read(size)
         if len(data) != size:
-            raise ToolError("its answer is not whole")
+            raise ToolError("its answer is incomplete")
         return data
 
     def close(self):
