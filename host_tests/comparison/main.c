@@ -72,7 +72,7 @@ static fxl_status draw_all(session *run, dump *to, uint32_t frames)
         if (status != FXL_OK) {
             return status;
         }
-        dump_frame(to, &path.viewer.pose, pixels, area, &run->renderer.counters, 0);
+        dump_frame(to, &path.viewer.pose, pixels, area, &run->renderer.workspace.counters, 0);
     }
     return FXL_OK;
 }

@@ -122,7 +122,7 @@ static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32
                            sums *counted)
 {
     const size_t area = (size_t)run->image.lens.width * run->image.lens.height;
-    const fxl_counters *counters = &run->renderer.counters;
+    const fxl_counters *counters = &run->renderer.workspace.counters;
     uint8_t *pixels = session_memory(area);
     walk_path path;
     walk_path_begin(&path, &run->image, false);

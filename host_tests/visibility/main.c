@@ -71,7 +71,7 @@ static bool draw(comparison *with, const way *by, const fxl_pose *pose, uint8_t 
         session_draw(&with->run, pose, by->rows, background, frame) != FXL_OK) {
         return false;
     }
-    *counters = with->run.renderer.counters;
+    *counters = with->run.renderer.workspace.counters;
     return true;
 }
 
