@@ -34,11 +34,11 @@ def make_scenes(sources, build, folder):
         name = pathlib.Path(source).stem
         image, file = folder / f"{name}.fxls", folder / f"{name}.fxld"
         scene_tool.build(source, image, None)
-        with Progress(f"walking {name} on the host") as progress:
+        with Progress(f"drawing {name} on the host") as progress:
             emulator.run(firmware.HOST, image, fleet.elf_of(firmware.HOST, build), file, progress=progress)
         host = dump.read_dump(file)
         if not host.frames:
-            raise ToolError(f"{source}: the walk has no frames")
+            raise ToolError(f"{source}: the path has no frames")
         scenes.append(fleet.Scene(name, image, host))
     return scenes
 

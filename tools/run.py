@@ -58,7 +58,7 @@ def walk(board, build, scene_image, folder, frames):
     image = folder / f"{board}.bin"
     flash.flash(board, elf, scene_image, image)
     file = folder / f"{board}.fxld"
-    with Progress(f"walking on {board} ({program.cpu})") as progress:
+    with Progress(f"drawing on {board} ({program.cpu})") as progress:
         emulator.run(board, image, elf, file, frames, BOARD_TIMEOUT, progress)
     return file, program.cpu
 
@@ -168,7 +168,7 @@ def run(options, folder):
         file, cpu = walk(options.board, options.build, image, work, options.frames)
         drawn = dump.read_dump(file)
         if not drawn.frames:
-            raise ToolError(f"{options.scene}: the walk has no frames")
+            raise ToolError(f"{options.scene}: the path has no frames")
         hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames) \
             if options.board != firmware.HOST else (file, cpu)
         equal = frames_equal(drawn, dump.read_dump(hosted))

@@ -188,7 +188,7 @@ typedef struct {
 /* Where a check failed: the number of the element, counted from 0, and of
  * what. For people. */
 typedef struct {
-    const char *what; /* "vertex", "face", "object" and so on; never null */
+    const char *what; /* "vertex", "face", "instance" and so on; never null */
     uint32_t index;
 } fxl_scene_fault;
 

@@ -29,7 +29,7 @@ static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
         return fail(fault, "vertex table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->index_count, 3, FXL_SCENE_INDICES_MAX)) {
-        return fail(fault, "corner table", 0, FXL_E_COUNT);
+        return fail(fault, "index table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
         return fail(fault, "face table", 0, FXL_E_COUNT);
@@ -38,7 +38,7 @@ static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
         return fail(fault, "model table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->instance_count, 1, FXL_SCENE_INSTANCES_MAX)) {
-        return fail(fault, "object table", 0, FXL_E_COUNT);
+        return fail(fault, "instance table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -120,17 +120,17 @@ static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         if (instance->reserved != 0) {
-            return fail(fault, "object", i, FXL_E_RESERVED);
+            return fail(fault, "instance", i, FXL_E_RESERVED);
         }
         if (instance->model >= scene->model_count) {
-            return fail(fault, "object", i, FXL_E_INDEX);
+            return fail(fault, "instance", i, FXL_E_INDEX);
         }
         if (!fxl_point_in_range(&instance->centre)) {
-            return fail(fault, "object", i, FXL_E_RANGE);
+            return fail(fault, "instance", i, FXL_E_RANGE);
         }
         model_view += scene->models[instance->model].vertex_count;
         if (model_view > FXL_SCENE_PLACED_MAX) {
-            return fail(fault, "object", i, FXL_E_COUNT);
+            return fail(fault, "instance", i, FXL_E_COUNT);
         }
     }
     return FXL_OK;
@@ -151,7 +151,7 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
             if (!placed_in_range(vertex->x, instance->centre.x) ||
                 !placed_in_range(vertex->y, instance->centre.y) ||
                 !placed_in_range(vertex->z, instance->centre.z)) {
-                return fail(fault, "object", i, FXL_E_RANGE);
+                return fail(fault, "instance", i, FXL_E_RANGE);
             }
         }
     }
@@ -261,7 +261,7 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
         first += model->face_count;
     }
     if (scene->face_bounds != NULL && first != scene->face_bounds_count) {
-        return fail(fault, "key table", 0, FXL_E_COUNT);
+        return fail(fault, "face bounds table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -305,7 +305,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes != NULL || scene->bsp_node_count != 0 || scene->bsp_instance != 0) {
-        return fail(fault, "node table", 0, FXL_E_ARGUMENT);
+        return fail(fault, "BSP node table", 0, FXL_E_ARGUMENT);
     }
     return scene->beam_count == 0 ? FXL_OK : fail(fault, "beam table", 0, FXL_E_ARGUMENT);
 }

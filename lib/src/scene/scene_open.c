@@ -177,13 +177,13 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
     } tables[] = {
         {&head->palette, 3, PALETTE_ENTRIES, "palette table"},
         {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
-        {&head->corners, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "corner table"},
+        {&head->corners, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
         {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
         {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
-        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "object table"},
+        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table"},
         {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
-        {&head->keys, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "key table"},
-        {&head->nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "node table"},
+        {&head->keys, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "face bounds table"},
+        {&head->nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
     };
     const size_t count = sizeof tables / sizeof tables[0];
     if (head->palette.count != PALETTE_ENTRIES) {
@@ -261,10 +261,10 @@ static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fau
         }
         const fxl_path_segment *stride = &opened->segments[i];
         if ((stride->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
-            return fail(fault, "stride", i, FXL_E_RESERVED);
+            return fail(fault, "path segment", i, FXL_E_RESERVED);
         }
         if (stride->frames == 0) {
-            return fail(fault, "stride", i, FXL_E_COUNT);
+            return fail(fault, "path segment", i, FXL_E_COUNT);
         }
         frames += stride->frames;
     }
