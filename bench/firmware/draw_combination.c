@@ -46,7 +46,7 @@ int draw_open(const fxl_scene_image *image)
     if (order_used > ORDER_ENTRIES || hidden_used > HIDDEN_BYTES || light_used > LIGHT_BYTES ||
         combination_chosen.clipper->workspace_size > CLIPPER_BYTES) {
         text_with_number("bench: order entries needed", "", ": ", order_used);
-        text_with_number("bench: room needed", "", ": ", hidden_used);
+        text_with_number("bench: bytes of workspace needed", "", ": ", hidden_used);
         return SYSTEM_EXIT_CAPACITY;
     }
     if (fxl_renderer_init_bare(&renderer, &image->scene, &image->lens, &memory) != FXL_OK ||

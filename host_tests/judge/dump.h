@@ -15,9 +15,6 @@ typedef struct {
     size_t size;
 } judge_dump;
 
-/* Reads a whole file into memory from malloc. Returns null where it cannot. */
-uint8_t *judge_read_file(const char *path, size_t *size);
-
 /* Checks head, frame numbers, tail and checksum. Returns null, or one clause that says what is
  * wrong; *dump then holds nothing. */
 const char *judge_dump_open(const char *path, judge_dump *dump);

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "frames/read_file.h"
 #include "judge/verdict.h"
 #include "judge/walk.h"
 
@@ -185,7 +186,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
 static int open_inputs(const options *wanted, session *run)
 {
     size_t size;
-    uint8_t *bytes = judge_read_file(wanted->scene, &size);
+    uint8_t *bytes = read_file(wanted->scene, &size);
     if (!bytes) {
         return fail("%s: it cannot be read", wanted->scene);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* live SCENE.fxls
  *
- * Draws with the double-precision twin, pose by pose. A request on standard
+ * Draws with the reference renderer, pose by pose. A request on standard
  * input is 32 bytes, an answer on standard output a head of 16 bytes and what
  * the request asked for; all little-endian, as in docs/formats.md, section 1:
  *
@@ -17,7 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "judge/dump.h"
+#include "frames/read_file.h"
+#include "reference/render.h"
+#include "reference/scene.h"
 #include "reference/fill.h"
 
 enum {
@@ -156,7 +158,7 @@ static int serve(session *run)
 static int open_scene(const char *path, session *run)
 {
     size_t size;
-    uint8_t *bytes = judge_read_file(path, &size);
+    uint8_t *bytes = read_file(path, &size);
     if (!bytes) {
         return fail(path, "it cannot be read");
     }

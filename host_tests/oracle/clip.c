@@ -103,7 +103,7 @@ static const exact_point *cross(const oracle_plane *plane, const exact_point *a,
 static void append(exact_polygon *polygon, exact_vertex vertex)
 {
     if (polygon->count == ORACLE_OUTLINE_MAX) {
-        give_up("a clipped polygon has more vertices than there is room for");
+        give_up("a clipped polygon has more vertices than its array");
     }
     polygon->vertices[polygon->count++] = vertex;
 }

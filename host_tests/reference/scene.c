@@ -317,11 +317,11 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     }
     if ((ref_u16(bytes + 4) != 2 && ref_u16(bytes + 4) != 3) ||
         (ref_u16(bytes + 6) != 160 && ref_u16(bytes + 6) != 176)) {
-        return "it is a scene image of another version";
+        return "this version of the scene image is not known";
     }
     uint32_t stated = ref_u32(bytes + 8);
     if (stated < ref_u16(bytes + 6) || stated > size || stated > 16u << 20) {
-        return "the scene image is shorter than it says";
+        return "the scene image is shorter than its header says";
     }
     if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
         return "the scene image's checksum does not match";
@@ -345,7 +345,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
                "table, leaves the world's range or a model's radius";
     }
     if (!read_bsp(bytes, stated, &image->scene)) {
-        return "the scene image's tree is not usable";
+        return "the scene image's BSP tree is not usable";
     }
     if (!read_beams(bytes, stated, &image->scene)) {
         return "the scene image's beams are not usable";

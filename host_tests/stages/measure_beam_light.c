@@ -19,9 +19,9 @@ stages_tally stages_light_tally(const char *input)
         .stage = "light",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "faces split by beams: largest coordinate difference of a corner of a piece "
-                   "from the twin's, both given the same face and beams; another number of "
-                   "pieces or corners, or one that is lit in one of both alone, is a mismatch",
+        .measure = "faces split by beams: largest coordinate difference of a vertex of a piece "
+                   "from the reference's, both given the same face and beams; another number of "
+                   "pieces or vertices, or one that is lit in one of both alone, is a mismatch",
         .bound = "0",
     };
 }

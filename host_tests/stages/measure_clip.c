@@ -22,10 +22,11 @@ stages_tally stages_clip_tally(const char *input)
         .stage = "clip",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "clipping in the view: largest coordinate difference of a vertex that one plane "
-                   "made from the twin's, both given the same polygon and plane; max_from_edge and "
-                   "max_from_plane are its distances from the exact edge and plane, all in units "
-                   "of 1/65536 as well",
+        .measure =
+            "clipping in the view: largest coordinate difference of a vertex that one plane "
+            "made from the reference's, both given the same polygon and plane; max_from_edge and "
+            "max_from_plane are its distances from the exact edge and plane, all in units "
+            "of 1/65536 as well",
         .bound = "2^-30 a coordinate from the edge; 3 * 2^-30 from the plane",
         .extra_names = {"max_from_edge", "max_from_plane"},
     };

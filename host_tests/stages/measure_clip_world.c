@@ -28,7 +28,7 @@ stages_tally stages_clip_world_tally(const char *input)
         .unit = "1/65536 world unit",
         .measure =
             "clipping in the world: largest coordinate difference of a vertex that one plane made "
-            "from the twin's, "
+            "from the reference's, "
             "both given the same polygon and plane; max_from_edge and max_from_plane are "
             "its distances from the exact edge and plane",
         .bound = "0.51 a coordinate from the edge; edge length / 2^29 + 0.9 from the plane",

@@ -12,9 +12,10 @@ stages_tally stages_transform_tally(const char *input)
         .stage = "transform",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "largest coordinate difference of a view point from the twin's, both given the "
-                   "same camera matrix and point; the twin sums in 64 bits, which hold every "
-                   "such sum",
+        .measure =
+            "largest coordinate difference of a view point from the reference's, both given the "
+            "same camera matrix and point; the reference sums in 64 bits, which hold every "
+            "such sum",
         .bound = "0",
     };
 }
@@ -38,8 +39,9 @@ stages_tally stages_project_tally(const char *input)
         .stage = "project",
         .input = input,
         .unit = "1/65536 pixel",
-        .measure = "larger coordinate difference of a screen point from the twin's, both given the "
-                   "same view point and focal length",
+        .measure =
+            "larger coordinate difference of a screen point from the reference's, both given the "
+            "same view point and focal length",
         .bound = "0.5 + 2^-31 |x - width/2| + 2^-30, likewise y, in 1/65536 pixel",
     };
 }

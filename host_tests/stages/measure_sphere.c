@@ -15,8 +15,9 @@ stages_tally stages_sphere_tally(const char *input)
         .stage = "sphere",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "how far from the twin's reach, radius + 2^-9, a plane lies about which the two "
-                   "disagree, both given the same camera matrix, planes, centre and radius",
+        .measure =
+            "how far from the reference's reach, radius + 2^-9, a plane lies about which the two "
+            "disagree, both given the same camera matrix, planes, centre and radius",
         .bound = "64",
     };
 }

@@ -189,7 +189,7 @@ typedef struct {
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */
 typedef struct {
-    const char *what; /* "vertex", "face", "object" and so on; never null */
+    const char *what; /* "vertex", "face", "instance" and so on; never null */
     uint32_t index;
 } fxl_scene_fault;
 

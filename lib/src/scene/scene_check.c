@@ -21,7 +21,7 @@ static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
         return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->index_count, 3, FXL_SCENE_INDICES_MAX)) {
-        return fxl_fault_at(fault, "corner table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "index table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
         return fxl_fault_at(fault, "face table", 0, FXL_E_COUNT);
@@ -30,7 +30,7 @@ static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
         return fxl_fault_at(fault, "model table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->instance_count, 1, FXL_SCENE_INSTANCES_MAX)) {
-        return fxl_fault_at(fault, "object table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "instance table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -112,17 +112,17 @@ static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         if (instance->reserved != 0) {
-            return fxl_fault_at(fault, "object", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "instance", i, FXL_E_RESERVED);
         }
         if (instance->model >= scene->model_count) {
-            return fxl_fault_at(fault, "object", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "instance", i, FXL_E_INDEX);
         }
         if (!fxl_point_in_range(&instance->centre)) {
-            return fxl_fault_at(fault, "object", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "instance", i, FXL_E_RANGE);
         }
         placed_vertices += scene->models[instance->model].vertex_count;
         if (placed_vertices > FXL_SCENE_PLACED_MAX) {
-            return fxl_fault_at(fault, "object", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "instance", i, FXL_E_COUNT);
         }
     }
     return FXL_OK;
@@ -144,7 +144,7 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
             if (!sum_in_range(vertex->x, instance->centre.x) ||
                 !sum_in_range(vertex->y, instance->centre.y) ||
                 !sum_in_range(vertex->z, instance->centre.z)) {
-                return fxl_fault_at(fault, "object", i, FXL_E_RANGE);
+                return fxl_fault_at(fault, "instance", i, FXL_E_RANGE);
             }
         }
     }
@@ -255,7 +255,7 @@ static fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fau
         first += model->face_count;
     }
     if (scene->face_bounds != NULL && first != scene->face_bounds_count) {
-        return fxl_fault_at(fault, "key table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "face bounds table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -299,7 +299,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes != NULL || scene->bsp_node_count != 0 || scene->bsp_instance != 0) {
-        return fxl_fault_at(fault, "node table", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "BSP node table", 0, FXL_E_ARGUMENT);
     }
     return scene->beam_count == 0 ? FXL_OK : fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
 }

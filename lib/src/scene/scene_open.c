@@ -170,13 +170,13 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
     } tables[] = {
         {&head->palette, 3, PALETTE_ENTRIES, "palette table"},
         {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
-        {&head->indices, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "corner table"},
+        {&head->indices, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
         {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
         {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
-        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "object table"},
+        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table"},
         {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
-        {&head->face_bounds, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "key table"},
-        {&head->bsp_nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "node table"},
+        {&head->face_bounds, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "face bounds table"},
+        {&head->bsp_nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
     };
     const size_t count = sizeof tables / sizeof tables[0];
     if (head->palette.count != PALETTE_ENTRIES) {
@@ -255,10 +255,10 @@ static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fau
         }
         const fxl_path_segment *segment = &opened->segments[i];
         if ((segment->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
-            return fxl_fault_at(fault, "stride", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "path segment", i, FXL_E_RESERVED);
         }
         if (segment->frames == 0) {
-            return fxl_fault_at(fault, "stride", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "path segment", i, FXL_E_COUNT);
         }
         frames += segment->frames;
     }
