@@ -46,16 +46,19 @@ def parse_screen(text):
     return screen
 
 
-def compile_scene(scene, frames=None, screen=None, layers=None):
+def compile_scene(scene, frames=None, screen=None, layers=None, framed=framing.WALK):
     """Compiles a .toml or .obj; answers the SceneImage and what there is to say about it. screen: width
-    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of)."""
+    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of). framed:
+    how an .obj is framed."""
     suffix = os.path.splitext(scene)[1].lower()
     if suffix not in (".toml", ".obj"):
         raise ToolError(f"{scene}: a scene is a .toml or an .obj file")
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
-    compiler = framing.compile_obj if suffix == ".obj" else toml_scene.compile_file
-    compiled, notes = compiler(scene, frames, Progress(), screen)
+    if suffix == ".obj":
+        compiled, notes = framing.compile_obj(scene, frames, Progress(), screen, framed)
+    else:
+        compiled, notes = toml_scene.compile_file(scene, frames, Progress(), screen)
     if layers:
         notes = notes + [plant(compiled, layers, scene)]
     return compiled, notes
@@ -90,7 +93,7 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None):
                             "has its path, its screen and its tree already")
         compiled, notes = image.load(scene), []
     else:
-        compiled, notes = compile_scene(scene, frames, screen, layers)
+        compiled, notes = compile_scene(scene, frames, screen, layers, framing.PROGRAM)
         packed(compiled, scene)
     output.write_file(out, c_scene.header(compiled, name, os.path.basename(scene), frames is not None))
     return compiled, notes
