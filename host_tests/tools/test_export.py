@@ -253,8 +253,7 @@ def test_a_file_whose_name_is_no_c_name_is_told_to_have_another(tmp_path):
 
 @pytest.mark.parametrize("arguments, words", [
     (["missing.obj"], ["missing.obj"]),
-    ([ROOT / "README.md"], ["README", "--name"]),
-    ([ROOT / "README.md", "--name", "x"], ["README.md", ".toml"]),
+    ([ROOT / "README.md"], ["README.md", ".toml"]),
     ([ROOT / "scenes" / "tiny.toml", "--frames", "4"], ["tiny.toml", "poses", "leave out --frames"]),
     ([CUBE, "--frames", "0"], ["--frames 0"]),
     ([CUBE, "--screen", "5000x1"], ["5000x1"]),

@@ -185,4 +185,4 @@ def test_the_first_program_links_a_part_of_the_library(build):
     file = build / "lib" / "cortex-m3" / "libfixel.a"
     linked, whole = linked_size.measure("cortex-m3", file, CROSS), size_tool.archive_size(file, CROSS)
     assert 5_000 < linked["linked_flash"] < whole["flash"] / 2
-    assert "fxl_renderer_init_with" in linked_size.first_program()
+    assert "fxl_render(&renderer" in linked_size.first_program()

@@ -152,7 +152,7 @@ def _view(scene, name, frames):
                                 "near, far, inset, background."),
                        f"static const fxl_config {name}_config = {config};", "",
                        *comment("The scene's first pose: x, y, z in 16.16, yaw, pitch, roll."),
-                       f"static const fxl_pose {name}_start = {_pose(first)};", ""])]
+                       f"static const fxl_pose {name}_start =", f"{c_text.INDENT}{_pose(first)};", ""])]
     if frames:
         made.append("\n".join([f"#define {name.upper()}_FRAMES {len(scene.path)}", "",
                                table("fxl_pose", f"{name}_path", list(map(_pose, scene.path)),
