@@ -141,7 +141,7 @@ pictures: ## the README's pictures anew, from make run, make report and make vie
 	@tools/setup.sh test
 	@$(MAKE) $(WALK) $(BUILD)/host/live $(BUILD)/host/libfixel.a
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
-	@$(PY) tools/pictures.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
+	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png

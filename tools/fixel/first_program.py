@@ -27,6 +27,8 @@ def write_scene(folder):
 
 def draw(library):
     """The picture as an array of palette entries, and the palette. library: libfixel.a of this machine."""
+    if not pathlib.Path(library).exists():
+        raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
     with tempfile.TemporaryDirectory(prefix="fixel-first-") as folder:
         scene = write_scene(folder)
         command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{PROGRAM}"', f"-I{ROOT / 'lib' / 'include'}",
