@@ -174,6 +174,12 @@ def test_each_language_draws_the_same_picture(page, picture, compiler, program):
         assert picture_of(page, program, compiler).tobytes() == picture.tobytes()
 
 
+def test_the_program_links_no_check_of_a_scene(page):
+    program = compiled(page, C11, "main.c")
+    names = subprocess.run(["nm", program], capture_output=True, text=True, check=True).stdout.split()
+    assert "fxl_render" in names and not [name for name in names if "check" in name or "scene_open" in name]
+
+
 def test_the_file_that_the_page_writes_is_the_picture_that_it_shows(page, picture):
     drawn(page, "picture.c")
     with Image.open(page / "cube.ppm") as written, Image.open(ROOT / "docs" / "cube.png") as shown:
