@@ -1,22 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks of a scene's tables: after them no stage can read outside a table or
- * leave its ranges. Linear in the size of the tables and in the placed
- * vertices, which are limited. */
+/* Checks of a scene's tables. For a scene that passes them no stage reads outside a table or leaves
+ * its ranges. The time is linear in the size of the tables and in the sum of the vertex counts of
+ * all instances' models, which is limited. */
 #include "fixel/scene.h"
 
 #include "../math/arith.h"
 #include "face_bounds.h"
+#include "fault.h"
 #include "scene_check.h"
 #include "../math/unit_vector.h"
-
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
-{
-    if (fault != NULL) {
-        fault->what = what;
-        fault->index = index;
-    }
-    return status;
-}
 
 static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 {
@@ -26,19 +18,19 @@ static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
-        return fail(fault, "vertex table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->index_count, 3, FXL_SCENE_INDICES_MAX)) {
-        return fail(fault, "corner table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "corner table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
-        return fail(fault, "face table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "face table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->model_count, 1, FXL_SCENE_MODELS_MAX)) {
-        return fail(fault, "model table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "model table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->instance_count, 1, FXL_SCENE_INSTANCES_MAX)) {
-        return fail(fault, "object table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "object table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -48,38 +40,38 @@ static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const fxl_face *face = &scene->faces[i];
         if (face->reserved != 0) {
-            return fail(fault, "face", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "face", i, FXL_E_RESERVED);
         }
         if (!count_in(face->count, 3, FXL_SCENE_FACE_VERTICES_MAX)) {
-            return fail(fault, "face", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "face", i, FXL_E_COUNT);
         }
         if (face->count > FXL_FACE_VERTICES_MAX) {
-            return fail(fault, "face", i, FXL_E_CAPACITY);
+            return fxl_fault_at(fault, "face", i, FXL_E_CAPACITY);
         }
         if (face->first_index > scene->index_count ||
             face->count > scene->index_count - face->first_index) {
-            return fail(fault, "face", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "face", i, FXL_E_INDEX);
         }
     }
     return FXL_OK;
 }
 
-static fxl_status check_corners(const fxl_scene *scene, const fxl_model *model,
+static fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
                                 fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         for (uint32_t corner = 0; corner < face->count; corner++) {
             if (scene->indices[face->first_index + corner] >= model->vertex_count) {
-                return fail(fault, "face", model->first_face + i, FXL_E_INDEX);
+                return fxl_fault_at(fault, "face", model->first_face + i, FXL_E_INDEX);
             }
         }
     }
     return FXL_OK;
 }
 
-/* Models take the vertices and the faces in turn, without gap or overlap: so
- * all models together are no longer than the tables. */
+/* Models take the vertices and the faces in turn, without gap or overlap. So all models
+ * together are as long as the tables, and no longer. */
 static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t vertex = 0, face = 0;
@@ -87,56 +79,57 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
         const fxl_model *model = &scene->models[i];
         if (model->kind > FXL_MODEL_SORTED || model->reserved[0] != 0 || model->reserved[1] != 0 ||
             model->reserved[2] != 0) {
-            return fail(fault, "model", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "model", i, FXL_E_RESERVED);
         }
         if (model->radius < 0 || model->radius > FXL_RADIUS_MAX) {
-            return fail(fault, "model", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "model", i, FXL_E_RANGE);
         }
         if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
             !count_in(model->face_count, 1, FXL_MODEL_FACES_MAX)) {
-            return fail(fault, "model", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "model", i, FXL_E_COUNT);
         }
         if (model->first_vertex != vertex || model->first_face != face ||
             model->vertex_count > scene->vertex_count - vertex ||
             model->face_count > scene->face_count - face) {
-            return fail(fault, "model", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "model", i, FXL_E_INDEX);
         }
         vertex += model->vertex_count;
         face += model->face_count;
-        fxl_status status = check_corners(scene, model, fault);
+        fxl_status status = check_indices(scene, model, fault);
         if (status != FXL_OK) {
             return status;
         }
     }
     if (vertex != scene->vertex_count || face != scene->face_count) {
-        return fail(fault, "model", scene->model_count - 1, FXL_E_INDEX);
+        return fxl_fault_at(fault, "model", scene->model_count - 1, FXL_E_INDEX);
     }
     return FXL_OK;
 }
 
 static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    uint64_t model_view = 0; /* below 2^16 * 2^16 */
+    uint64_t placed_vertices = 0; /* below 2^16 * 2^16 */
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         if (instance->reserved != 0) {
-            return fail(fault, "object", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "object", i, FXL_E_RESERVED);
         }
         if (instance->model >= scene->model_count) {
-            return fail(fault, "object", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "object", i, FXL_E_INDEX);
         }
         if (!fxl_point_in_range(&instance->centre)) {
-            return fail(fault, "object", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "object", i, FXL_E_RANGE);
         }
-        model_view += scene->models[instance->model].vertex_count;
-        if (model_view > FXL_SCENE_PLACED_MAX) {
-            return fail(fault, "object", i, FXL_E_COUNT);
+        placed_vertices += scene->models[instance->model].vertex_count;
+        if (placed_vertices > FXL_SCENE_PLACED_MAX) {
+            return fxl_fault_at(fault, "object", i, FXL_E_COUNT);
         }
     }
     return FXL_OK;
 }
 
-static bool placed_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
+/* Whether a coordinate of an instance's vertex lies within the world. */
+static bool sum_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
 {
     return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
 }
@@ -148,17 +141,17 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
         const fxl_model *model = &scene->models[instance->model];
         for (uint32_t j = 0; j < model->vertex_count; j++) {
             const fxl_point *vertex = &scene->vertices[model->first_vertex + j];
-            if (!placed_in_range(vertex->x, instance->centre.x) ||
-                !placed_in_range(vertex->y, instance->centre.y) ||
-                !placed_in_range(vertex->z, instance->centre.z)) {
-                return fail(fault, "object", i, FXL_E_RANGE);
+            if (!sum_in_range(vertex->x, instance->centre.x) ||
+                !sum_in_range(vertex->y, instance->centre.y) ||
+                !sum_in_range(vertex->z, instance->centre.z)) {
+                return fxl_fault_at(fault, "object", i, FXL_E_RANGE);
             }
         }
     }
     return FXL_OK;
 }
 
-/* A vertex of a model that is placed nowhere is held to twice the range. */
+/* A model may have no instance, so its vertices are checked too: against twice the range. */
 static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const int64_t limit = 2 * (int64_t)FXL_COORDINATE_MAX;
@@ -166,14 +159,14 @@ static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
         const fxl_point *vertex = &scene->vertices[i];
         if (!fxl_within(vertex->x, limit) || !fxl_within(vertex->y, limit) ||
             !fxl_within(vertex->z, limit)) {
-            return fail(fault, "vertex", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "vertex", i, FXL_E_RANGE);
         }
     }
     return FXL_OK;
 }
 
-/* Vertices are held to twice the range, so each square is below 2^60 and the
- * sum below 2^62; a radius below 2^31 squares to less than 2^62. Exact. */
+/* Vertices lie within twice the range, so each square is below 2^60 and the sum is below
+ * 2^62. A radius is below 2^31, so its square is below 2^62. Exact. */
 static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -184,15 +177,16 @@ static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
             int64_t square = (int64_t)vertex->x * vertex->x + (int64_t)vertex->y * vertex->y +
                              (int64_t)vertex->z * vertex->z;
             if (square > (int64_t)model->radius * model->radius) { /* bug: radius-plus */
-                return fail(fault, "vertex", number, FXL_E_RADIUS);
+                return fxl_fault_at(fault, "vertex", number, FXL_E_RADIUS);
             }
         }
     }
     return FXL_OK;
 }
 
-/* The differences of two model vertices are below 2^31, so the sum is below
- * sqrt(3) * 2^61 for a unit normal. */
+/* Whether the vertices of a face lie on its plane, to within FXL_PLANARITY_MAX. The differences
+ * of two vertices of a model are below 2^31, so the sum is below sqrt(3) * 2^61 for a unit
+ * normal. */
 static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
@@ -216,57 +210,57 @@ static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
         for (uint32_t j = 0; j < model->face_count; j++) {
             uint32_t number = model->first_face + j;
             if (!fxl_is_unit(&scene->faces[number].normal)) {
-                return fail(fault, "face", number, FXL_E_NORMAL);
+                return fxl_fault_at(fault, "face", number, FXL_E_NORMAL);
             }
             if (!is_flat(scene, model, &scene->faces[number])) {
-                return fail(fault, "face", number, FXL_E_PLANARITY);
+                return fxl_fault_at(fault, "face", number, FXL_E_PLANARITY);
             }
         }
     }
     return FXL_OK;
 }
 
-static bool is_key_of(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
-                      const fxl_face_bounds *key)
+static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
+                              const fxl_face_bounds *key)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    const uint16_t *corners = &scene->indices[face->first_index];
-    fxl_point box = fxl_face_box(vertices, corners, face->count);
-    return fxl_face_bounds_height(key) == fxl_face_height(vertices, corners, face) &&
+    const uint16_t *indices = &scene->indices[face->first_index];
+    fxl_point box = fxl_face_box(vertices, indices, face->count);
+    return fxl_face_bounds_height(key) == fxl_face_height(vertices, indices, face) &&
            key->box_x == box.x && key->box_y == box.y && key->box_z == box.z; /* bug: key-box */
 }
 
-/* Sorted models take the keys in turn. */
-static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
+/* Sorted models take the face bounds in turn. */
+static fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t first = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const fxl_model *model = &scene->models[i];
         if (scene->face_bounds == NULL || model->kind != FXL_MODEL_SORTED) {
             if (model->first_face_bounds != 0) {
-                return fail(fault, "model", i, FXL_E_RESERVED);
+                return fxl_fault_at(fault, "model", i, FXL_E_RESERVED);
             }
             continue;
         }
         if (model->first_face_bounds != first ||
             model->face_count > scene->face_bounds_count - first) {
-            return fail(fault, "model", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "model", i, FXL_E_INDEX);
         }
         for (uint32_t j = 0; j < model->face_count; j++) {
             const fxl_face *face = &scene->faces[model->first_face + j];
-            if (!is_key_of(scene, model, face, &scene->face_bounds[first + j])) {
-                return fail(fault, "face", model->first_face + j, FXL_E_FACE_BOUNDS);
+            if (!face_bounds_match(scene, model, face, &scene->face_bounds[first + j])) {
+                return fxl_fault_at(fault, "face", model->first_face + j, FXL_E_FACE_BOUNDS);
             }
         }
         first += model->face_count;
     }
     if (scene->face_bounds != NULL && first != scene->face_bounds_count) {
-        return fail(fault, "key table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "key table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
 
-/* One entry for each object, and for each face of the largest sorted model. */
+/* One entry for each instance, and one for each face of the largest sorted model. */
 static uint32_t order_needed(const fxl_scene *scene)
 {
     uint32_t faces = 0;
@@ -282,12 +276,12 @@ static uint32_t order_needed(const fxl_scene *scene)
 fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_scene_checker *more)
 {
     static fxl_scene_checker *const checks[] = {
-        check_counts,   check_faces, check_models,  check_instances, check_placed_vertices,
-        check_vertices, check_radii, check_normals, check_keys,
+        check_counts,   check_faces, check_models,  check_instances,   check_placed_vertices,
+        check_vertices, check_radii, check_normals, check_face_bounds,
     };
     if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {
-        return fail(fault, "scene", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "scene", 0, FXL_E_ARGUMENT);
     }
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         fxl_status status = checks[i](scene, fault);
@@ -305,9 +299,9 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes != NULL || scene->bsp_node_count != 0 || scene->bsp_instance != 0) {
-        return fail(fault, "node table", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "node table", 0, FXL_E_ARGUMENT);
     }
-    return scene->beam_count == 0 ? FXL_OK : fail(fault, "beam table", 0, FXL_E_ARGUMENT);
+    return scene->beam_count == 0 ? FXL_OK : fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
 }
 
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
