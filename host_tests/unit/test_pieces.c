@@ -251,12 +251,13 @@ void test_a_face_in_pieces_counts_once(void)
 /* Light on the first object alone, which it splits along a diagonal. */
 static uint32_t asked;
 
-static bool reaches(const fxl_beam_light *light, const fxl_point *centre, fxl_q16_16 radius)
+static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
+                    const fxl_instance *instance)
 {
     (void)light;
     asked++;
-    TEST_ASSERT_EQUAL(TINY_RADIUS, radius);
-    return centre->z == 0;
+    TEST_ASSERT_TRUE(scene == renderer.scene);
+    return instance->centre.z == 0;
 }
 
 static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
