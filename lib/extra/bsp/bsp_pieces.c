@@ -80,8 +80,8 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &renderer->view,
-                               &renderer->cache);
+    fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
+                               &renderer->view, &renderer->cache);
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         on->counters->in += 1;
@@ -164,8 +164,8 @@ static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, ui
     const fxl_model *model = &scene->models[instance->model];
     const fxl_face_sink take = fxl_instance_sink(on, instance, model);
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &renderer->view,
-                               &renderer->cache);
+    fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
+                               &renderer->view, &renderer->cache);
     for (; *number < model->face_count; *number += 1) {
         uint32_t at =
             renderer->visibility->front_to_back ? model->face_count - 1u - *number : *number;
@@ -195,7 +195,7 @@ static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
     }
     fxl_pieces pieces;
     fxl_pieces_begin(&pieces, on);
-    pieces.planes = entry->planes;
+    pieces.planes = entry->instance.planes;
     if (light != NULL &&
         light->reaches(light, &instance->centre, scene->models[instance->model].radius)) {
         const fxl_face face = {.count = item->count, .colour = item->colour};

@@ -49,11 +49,12 @@ static void find_layer(const fxl_renderer *renderer, fxl_bsp_workspace *workspac
     const fxl_scene *scene = renderer->scene;
     const uint32_t layer = scene->instances[scene->bsp_instance].layer;
     uint32_t first = 0, end;
-    while (first < renderer->visible_count && renderer->order[first].layer != layer) {
+    while (first < renderer->visible_count && renderer->order[first].instance.layer != layer) {
         first++;
     }
     workspace->owner = FXL_ITEM_NONE;
-    for (end = first; end < renderer->visible_count && renderer->order[end].layer == layer; end++) {
+    for (end = first; end < renderer->visible_count && renderer->order[end].instance.layer == layer;
+         end++) {
         if (renderer->order[end].index == scene->bsp_instance) {
             workspace->owner = (uint16_t)end;
         }
@@ -287,8 +288,8 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
                                .reverse = renderer->visibility->front_to_back};
     if (workspace->owner != FXL_ITEM_NONE) {
         fxl_model_view_of_instance(&model_view, scene, instance,
-                                   renderer->order[workspace->owner].planes, &renderer->view,
-                                   &renderer->cache);
+                                   renderer->order[workspace->owner].instance.planes,
+                                   &renderer->view, &renderer->cache);
         traversal.model_view = &model_view;
         traversal.planes = model_view.planes;
         traversal.inside_end = traversal.planes == 0 ? scene->bsp_node_count : 0;

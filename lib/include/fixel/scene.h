@@ -7,6 +7,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* How much a scene may hold. Placed vertices are those of all objects' models
  * added up: the limit bounds the loader's time. */
 #define FXL_SCENE_IMAGE_MAX         (16u * 1024u * 1024u)
@@ -24,7 +28,7 @@
 #define FXL_BSP_DEPTH_MAX           1023u /* of a node below the root */
 
 /* How far the vertices of a node's faces may lie from its plane. */
-#define FXL_BSP_PLANARITY_MAX ((fxl_q16_16)8)
+#define FXL_BSP_PLANARITY_MAX FXL_CAST(fxl_q16_16, 8)
 
 /* No node. */
 #define FXL_BSP_NONE 0xFFFFu
@@ -135,7 +139,7 @@ typedef struct {
     fxl_angle turn;          /* angle per step, at most a quarter turn */
 } fxl_motion_limits;
 
-#define FXL_MOTION_MAX ((fxl_q16_16)(256 * 65536))
+#define FXL_MOTION_MAX FXL_CAST(fxl_q16_16, 256 * 65536)
 
 /* Who looks, and moves. */
 typedef struct {
@@ -214,5 +218,9 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
  * *opened is written only on FXL_OK, *fault (may be null) only on an error. */
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -76,8 +76,8 @@ bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_model *model = &scene->models[instance->model];
     const fxl_face_sink take = fxl_instance_sink(on, instance, model);
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &renderer->view,
-                               &renderer->cache);
+    fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
+                               &renderer->view, &renderer->cache);
     return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, instance, model, take)
                                            : submit_convex(on, &model_view, model, take);
 }

@@ -39,13 +39,13 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
 static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
     uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
-    if (a->layer == b->layer) {
+    if (a->instance.layer == b->instance.layer) {
         if (from_a > from_b) { /* bug: near-first */
             return true;
         }
         return from_a == from_b && a->index < b->index; /* bug: half-distance */
     }
-    return a->layer < b->layer;
+    return a->instance.layer < b->instance.layer;
 }
 
 /* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place,
@@ -292,7 +292,7 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
         fxl_order_entry *entry = &entries[count++];
         *entry = fxl_order_entry_of(fxl_distance_squared(&camera->position, &instance->centre),
                                     (uint16_t)i, instance->layer);
-        entry->planes = (uint8_t)planes;
+        entry->instance.planes = (uint8_t)planes;
     }
     fxl_order_sort(entries, count);
     return count;

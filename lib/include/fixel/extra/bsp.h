@@ -7,6 +7,10 @@
 
 #include "fixel/stage/visibility.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* How far a walk has come in a tree. */
 typedef struct {
     uint16_t node;
@@ -39,5 +43,9 @@ extern const fxl_visibility fxl_visibility_bsp;
 
 /* The same near to far into a span buffer; its room is behind the tree's. */
 extern const fxl_visibility fxl_visibility_bsp_spans;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

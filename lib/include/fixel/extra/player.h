@@ -6,6 +6,10 @@
 
 #include "fixel/scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* One step of a walk, in this order:
  *   1. each pair of turning keys adds or subtracts gait->turn (angles wrap);
  *      keys of a pair held together cancel;
@@ -20,5 +24,9 @@
  * of range): viewer untouched. */
 fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
                            bool *clamped);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

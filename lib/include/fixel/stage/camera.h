@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The rows of the world-to-view rotation, and where the eye stands. */
 typedef struct {
     fxl_point position;
@@ -20,5 +24,9 @@ typedef struct {
  * Error: each entry within 2 units of 2^-30.
  * FXL_E_ARGUMENT, FXL_E_RANGE: camera untouched. */
 fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "fixel/stage/outcode.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* What the clipper needs beside its input. The caller owns it; its contents
  * mean nothing between calls. */
 typedef struct {
@@ -35,5 +39,9 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
 fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                         fxl_planes planes, fxl_clip_view_work *work,
                                         const fxl_view_polygon **result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 #include "fixel/stage/clip_view.h"
 #include "fixel/stage/model_view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The same for the clipper of the world (extra/clippers/clip_world.h). */
 typedef struct {
     fxl_polygon polygons[2];
@@ -62,5 +66,9 @@ extern const fxl_clipper
 extern const fxl_clipper fxl_clipper_triangles; /* triangles; borders in two dimensions */
 extern const fxl_clipper fxl_clipper_near;      /* near and far alone: the scan does the rest */
 extern const fxl_clipper fxl_clipper_left;      /* the same, and the left side */
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Words of 32 bits that a polygon with so many vertices takes in a list: its
  * rows, its colour and count, and each point as it is. */
 #define FXL_DISPLAY_LIST_WORDS(vertices) (2u + 2u * (vertices))
@@ -35,5 +39,9 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
  * record is then untouched. */
 bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t *place,
                            fxl_display_list_record *record);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 #include "fixel/stage/camera.h"
 #include "fixel/stage/lens.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* In the order of clipping. Near and far come first: a polygon that is nearly
  * parallel to them is cut where its exact distances say, before the side planes
  * have rounded any vertex. */
@@ -52,5 +56,9 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
  * pass through the eye, and near and far lie at their distance from it, to
  * within 1 unit of 1/65536 (exactly, but for the length of the normal). */
 void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

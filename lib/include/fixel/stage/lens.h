@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A lens from a horizontal field of view:
  *   focal = (width / 2) / tan(fov / 2), for both axes (square pixels).
  * Requires width, height in 1..FXL_SCREEN_MAX; fov in FXL_FOV_MIN..FXL_FOV_MAX;
@@ -14,5 +18,9 @@
  * FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched. */
 fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
                              fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

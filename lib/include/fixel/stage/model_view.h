@@ -8,6 +8,10 @@
 #include "fixel/scene.h"
 #include "fixel/stage/view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Its place on the screen was not worked out yet. */
 #define FXL_VERTEX_UNPROJECTED 0x80u
 
@@ -84,5 +88,9 @@ static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_vi
     }
     return entry;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

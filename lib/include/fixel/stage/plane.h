@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The plane through a point, with a unit normal that points inside, moved
  * inside by inset world units.
  * Requires |point| <= FXL_COORDINATE_MAX, a normal of unit length to within
@@ -16,5 +20,9 @@ fxl_plane fxl_plane_from_point(const fxl_point *point, const fxl_direction *norm
  * unit. Requires |point| <= FXL_COORDINATE_MAX and a plane as above. Exact, so
  * its sign cannot err. */
 fxl_q18_46 fxl_plane_distance(const fxl_plane *plane, const fxl_point *point);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

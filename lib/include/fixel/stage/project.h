@@ -5,8 +5,12 @@
 
 #include "fixel/stage/lens.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Nothing nearer than this projects: 2^-9, half the nearest near plane. */
-#define FXL_PROJECT_DEPTH_MIN ((fxl_q18_46)1 << 37)
+#define FXL_PROJECT_DEPTH_MIN (FXL_CAST(fxl_q18_46, 1) << 37)
 
 /* x = width/2 + focal X / Z, y = height/2 - focal Y / Z, each rounded once, to
  * the nearest 1/65536 pixel (halves upward, before the centre is added). X and
@@ -45,5 +49,9 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
  * screen polygon's count is 0. */
 fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,
                                fxl_screen_polygon *screen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -13,6 +13,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* One way down an outline, from its top to its bottom. */
 typedef struct {
     uint8_t vertex;  /* where the next edge begins that will be set up */
@@ -94,5 +98,9 @@ static inline bool fxl_scan_is_over(const fxl_scan *scan)
  * neither overlap nor touch out of order. False when there are no more; span
  * is then untouched. A scan is read by trapezoids or by spans, not by both. */
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/stage/frustum.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A bit for each plane that a sphere may cross: 1u << FXL_PLANE_... This one
  * alone says that the sphere lies outside one of the planes. */
 #define FXL_SPHERE_OUTSIDE (1u << FXL_PLANE_COUNT)
@@ -21,5 +25,9 @@
  * the centre within FXL_COORDINATE_MAX, 0 <= radius <= FXL_RADIUS_MAX. */
 uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
                            const fxl_point *centre, fxl_q16_16 radius);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

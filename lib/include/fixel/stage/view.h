@@ -6,6 +6,10 @@
 #include "fixel/stage/frustum.h"
 #include "fixel/stage/project.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The caller owns it. Set up by the functions below, first the lens. */
 typedef struct {
     fxl_camera camera;
@@ -27,5 +31,9 @@ fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 /* The planes in the world, worked out when a frame first asks for them: who
  * clips in the view does not pay for them. */
 const fxl_frustum *fxl_view_world_frustum(fxl_view *view);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include "fixel/stage/scan.h"
 #include "fixel/scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct fxl_renderer fxl_renderer;
 typedef struct fxl_traversal fxl_traversal; /* walk.h, which is internal */
 
@@ -61,5 +65,9 @@ extern const fxl_visibility fxl_visibility_spans;
 /* The same by the pixels of each polygon's bounding box (scan_box.h). */
 extern const fxl_raster_backend fxl_raster_spans_box;
 extern const fxl_visibility fxl_visibility_spans_box;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 
 #include "fixel/scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The beam that falls through a window, a convex polygon of 3 to FXL_BEAM_PLANES_MAX - 1
  * corners in either direction of winding: a plane for each side of the window, from a corner
  * to the next, then the window's own through its first three corners, behind which the beam
@@ -42,5 +46,9 @@ bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl
  * false says that the sphere is behind one plane by 2^-14 unit or more.
  * Requires a centre in range, 0 <= radius <= FXL_RADIUS_MAX, a checked beam. */
 bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

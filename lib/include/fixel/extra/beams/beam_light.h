@@ -6,6 +6,10 @@
 #include "fixel/extra/beams/beam.h"
 #include "fixel/render.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Bytes that beams want of the caller's memory, aligned to 8. With one beam of 4, 5 or 8
  * planes 1,320, 1,408 or 1,624 on a core of 32 bits. 0 where they are out of what fxl_beams_fit
  * allows. Requires checked beams. */
@@ -20,5 +24,9 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
 fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
                                   uint32_t beam_count, const uint8_t *lit, void *workspace,
                                   uint32_t workspace_size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

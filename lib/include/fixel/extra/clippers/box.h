@@ -8,6 +8,10 @@
 #include "fixel/scene.h"
 #include "fixel/stage/sphere.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A part of the world with its sides along the axes: least <= point <= most in each
  * coordinate. */
 typedef struct {
@@ -28,5 +32,9 @@ void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, f
  * is inside a plane whose bit is not set. Requires a frustum made by its function, corners within
  * FXL_COORDINATE_MAX. At most twelve sums of three long products. */
 uint32_t fxl_box_planes(const fxl_frustum *frustum, const fxl_box *box);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/stage/clipper.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Clips a polygon to the inside of one plane. A vertex at distance >= 0 is
  * inside. Where an edge crosses, the new vertex is computed from the inside
  * end towards the outside end, so that two polygons that share the edge get
@@ -28,5 +32,9 @@ fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *
  * lost where a plane cuts it. Requirements and error as above. */
 fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
                                           fxl_clip_world_work *work, const fxl_polygon **result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/extra/clippers/half_space.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* From one point of the view to another; what rides along is cut with them. */
 typedef struct {
     fxl_varying_vertex from, to;
@@ -27,5 +31,9 @@ bool fxl_line_by_planes(fxl_clip_line *line, const fxl_volume *volume, uint32_t 
  * that it lies outside of, until one or the other holds. Fewer distances, and no
  * more intersections. */
 bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *intersections);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

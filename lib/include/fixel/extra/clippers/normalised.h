@@ -6,6 +6,10 @@
 
 #include "fixel/extra/clippers/clip_record.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A row of the matrix: 2^-shift times a direction of 2.30, which is at least
  * 1/2 and at most 1 long. */
 typedef struct {
@@ -71,5 +75,9 @@ fxl_clip_result fxl_clip_normalised(const fxl_varying_polygon *in, const fxl_nor
  * FXL_E_RANGE where z <= 0 or the point lies further than 4095 pixels off. */
 fxl_status fxl_normalised_project(const fxl_normalised *frustum, const fxl_view_point *point,
                                   fxl_screen_point *screen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

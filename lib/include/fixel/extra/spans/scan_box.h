@@ -7,6 +7,10 @@
 
 #include "fixel/stage/scan.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A polygon being scanned. The caller owns it; all members belong to scan_box.c. */
 typedef struct {
     const fxl_screen_point *points;
@@ -22,5 +26,9 @@ void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fx
 
 /* The next span; the order and the pixels are those of fxl_scan_next, exactly. */
 bool fxl_scan_box_next(fxl_scan_box *scan, fxl_span *span);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
