@@ -26,7 +26,7 @@ fxl_bsp_parts fxl_bsp_parts_of(const fxl_scene *scene, fxl_bsp_workspace *worksp
     parts.busy = parts.sides + (scene->bsp_node_count + 31) / 32;
     parts.leaves = (uint16_t *)(parts.busy + (scene->bsp_node_count + 31) / 32);
     parts.whole = (fxl_bsp_item *)(void *)(parts.leaves + 2 * scene->bsp_node_count);
-    parts.items = workspace->pieces;
+    parts.items = (fxl_bsp_item *)workspace->pieces;
     parts.vertices = workspace->pieces == NULL
                          ? NULL
                          : (fxl_bsp_vertex *)(void *)((uint8_t *)workspace->pieces +

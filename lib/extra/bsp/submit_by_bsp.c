@@ -28,7 +28,7 @@ typedef struct {
     bool reverse;                /* near to far */
 } bsp_traversal;
 
-_Static_assert(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "tree.h says so");
+FXL_STATIC_ASSERT(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "tree.h says so");
 
 uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
 {
@@ -314,7 +314,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     if (renderer->scene->bsp_nodes == NULL) {
         return fxl_submit_by_distance(on);
     }
-    fxl_bsp_workspace *workspace = renderer->submit_workspace;
+    fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->submit_workspace;
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
     if (on->band == NULL) {
         find_layer(renderer, workspace);

@@ -23,9 +23,10 @@ typedef struct {
 /* A clipper's own bit: outside of what the screen's range can hold. */
 #define FXL_VERTEX_BEYOND_GUARD_BAND 0x40u
 
-_Static_assert((FXL_PLANES_ALL & FXL_VERTEX_BEYOND_GUARD_BAND) == 0 &&
-                   (FXL_VERTEX_UNPROJECTED & (FXL_PLANES_ALL | FXL_VERTEX_BEYOND_GUARD_BAND)) == 0,
-               "all share a byte");
+FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_BEYOND_GUARD_BAND) == 0 &&
+                      (FXL_VERTEX_UNPROJECTED & (FXL_PLANES_ALL | FXL_VERTEX_BEYOND_GUARD_BAND)) ==
+                          0,
+                  "all share a byte");
 
 /* The cache's entry for a vertex; *is_new where it holds another one's, and the tag
  * alone was changed. */

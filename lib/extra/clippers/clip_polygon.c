@@ -2,7 +2,7 @@
 #include "../../src/math/arith.h"
 #include "intersection.h"
 
-_Static_assert(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
+FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
 
 /* By the sliver rule whether a vertex is inside depends
  * on the vertex before, all the way round: the walk begins after a vertex that

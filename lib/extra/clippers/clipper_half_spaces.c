@@ -6,7 +6,7 @@
 
 static fxl_volume_workspace *room_of(const fxl_model_view *model_view)
 {
-    return model_view->view->clipper_workspace;
+    return (fxl_volume_workspace *)model_view->view->clipper_workspace;
 }
 
 /* The same integers as fxl_transform_vertex gives. */

@@ -9,7 +9,7 @@
 
 static fxl_fan_workspace *room_of(const fxl_model_view *model_view)
 {
-    return model_view->view->clipper_workspace;
+    return (fxl_fan_workspace *)model_view->view->clipper_workspace;
 }
 
 /* The vertices are the ordinary cache's; one that is inside comes with its place on the

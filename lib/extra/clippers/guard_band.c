@@ -6,7 +6,7 @@
 
 static fxl_volume_workspace *room_of(const fxl_model_view *model_view)
 {
-    return model_view->view->clipper_workspace;
+    return (fxl_volume_workspace *)model_view->view->clipper_workspace;
 }
 
 /* A vertex of the ordinary cache. One that is outside of a plane which the scan stands

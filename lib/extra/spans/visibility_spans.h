@@ -12,7 +12,7 @@ void fxl_spans_begin(fxl_renderer *renderer, const fxl_band *band);
 
 static inline fxl_span_buffer *fxl_spans_of(const fxl_renderer *renderer)
 {
-    return renderer->raster_workspace;
+    return (fxl_span_buffer *)renderer->raster_workspace;
 }
 
 #endif

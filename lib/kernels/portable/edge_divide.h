@@ -18,7 +18,8 @@ typedef struct {
 /* Requires 1 <= height <= FXL_EDGE_HEIGHT_MAX. */
 static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
 {
-    return (fxl_edge_divider){height};
+    fxl_edge_divider divider = {height};
+    return divider;
 }
 
 /* 2^shift is above 2^32 / (2 height) and not above 2^32 / height. */

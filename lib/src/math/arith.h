@@ -14,7 +14,11 @@
 /* One assertion for our own bugs: a test build lets it abort, a proof takes it
  * as a goal, a shipped build leaves it out. */
 #ifdef FXL_ASSERT_HOOK
-void fxl_assert_failed(const char *file, int line);
+#ifdef __cplusplus
+extern "C"
+#endif
+    void
+    fxl_assert_failed(const char *file, int line);
 #define FXL_ASSERT(condition) \
     do { \
         if (!(condition)) { \
@@ -27,11 +31,11 @@ void fxl_assert_failed(const char *file, int line);
 
 /* Right shifts of negative numbers are arithmetic on every compiler that we
  * build with; the standard leaves it open. */
-_Static_assert((-3 >> 1) == -2, "needs arithmetic right shift");
+FXL_STATIC_ASSERT((-3 >> 1) == -2, "needs arithmetic right shift");
 
 /* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
  * in int or unsigned. */
-_Static_assert(sizeof(int) >= 4, "needs an int of at least 32 bits");
+FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
 
 /* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow
  * for |value| <= 2^62. Costs half a unit of the result. */

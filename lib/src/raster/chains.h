@@ -5,8 +5,16 @@
 
 #include "fixel/stage/scan.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The next span as a trapezoid of one row, of a scan by crossings. The kernel
  * goes there where a scan that has no more rows is not by chains. */
 const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

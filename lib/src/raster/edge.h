@@ -9,6 +9,10 @@
 #include "../../kernels/edge_divide.h"
 #include "../../kernels/multiply.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* An edge's slope as whole numbers, and its place on its first row. */
 typedef struct {
     int32_t x;           /* first pixel whose centre is not left of the edge */
@@ -130,5 +134,9 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     }
     return rows;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 #include "../math/arith.h"
 #include "fixel/stage/order.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Below 2^62 for |value| < 2^31. */
 static inline uint64_t fxl_square(int32_t value)
 {
@@ -29,5 +33,9 @@ static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const f
  * count >= 1. Answers behind the last entry; the entries' `next` means nothing. */
 fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
                                  const fxl_point *from, fxl_order_entry *entry, uint32_t count);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

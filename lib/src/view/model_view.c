@@ -6,22 +6,25 @@
 /* What a tag counts objects by: below it is the vertex's number. */
 #define TAG_OBJECT ((uint32_t)1 << 16)
 
-_Static_assert(FXL_MODEL_VERTICES_MAX < TAG_OBJECT, "a number fits a tag");
+FXL_STATIC_ASSERT(FXL_MODEL_VERTICES_MAX < TAG_OBJECT, "a number fits a tag");
 
 /* The kernels in assembly know where members lie. */
 #ifdef __arm__
-_Static_assert(offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, vertices) == 16 &&
-                   offsetof(fxl_model_view, offset) == 24 && offsetof(fxl_model_view, planes) == 36,
-               "lib/kernels: placed");
-_Static_assert(offsetof(fxl_view, camera.right) == 12 && offsetof(fxl_view, view_frustum) == 96 &&
-                   offsetof(fxl_view_frustum, y_side) == 8 &&
-                   offsetof(fxl_view_frustum, near_z) == 16 &&
-                   offsetof(fxl_view_frustum, far_z) == 24 &&
-                   offsetof(fxl_view_frustum, inset) == 32,
-               "lib/kernels: view");
-_Static_assert(offsetof(fxl_cached_vertex, clip_flags) == 4 &&
-                   offsetof(fxl_cached_vertex, position) == 16 && FXL_VERTEX_UNPROJECTED == 0x80u,
-               "lib/kernels: seen vertex");
+FXL_STATIC_ASSERT(offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, vertices) == 16 &&
+                      offsetof(fxl_model_view, offset) == 24 &&
+                      offsetof(fxl_model_view, planes) == 36,
+                  "lib/kernels: placed");
+FXL_STATIC_ASSERT(offsetof(fxl_view, camera.right) == 12 &&
+                      offsetof(fxl_view, view_frustum) == 96 &&
+                      offsetof(fxl_view_frustum, y_side) == 8 &&
+                      offsetof(fxl_view_frustum, near_z) == 16 &&
+                      offsetof(fxl_view_frustum, far_z) == 24 &&
+                      offsetof(fxl_view_frustum, inset) == 32,
+                  "lib/kernels: view");
+FXL_STATIC_ASSERT(offsetof(fxl_cached_vertex, clip_flags) == 4 &&
+                      offsetof(fxl_cached_vertex, position) == 16 &&
+                      FXL_VERTEX_UNPROJECTED == 0x80u,
+                  "lib/kernels: seen vertex");
 #endif
 
 static void forget_all(fxl_vertex_cache *cache)
@@ -81,7 +84,7 @@ void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *poin
     static const uint16_t corners[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
                                        11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                                        22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
-    _Static_assert(sizeof corners / sizeof corners[0] >= FXL_POLYGON_CAPACITY, "all corners");
+    FXL_STATIC_ASSERT(sizeof corners / sizeof corners[0] >= FXL_POLYGON_CAPACITY, "all corners");
     const fxl_point *eye = &view->camera.position;
     model_view->tag = count_up(cache);
     model_view->view = view;

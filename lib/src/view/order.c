@@ -6,10 +6,10 @@
 #include "front_faces.h"
 
 #ifdef __arm__
-_Static_assert(sizeof(fxl_face) == 20 && offsetof(fxl_face, normal) == 0 &&
-                   sizeof(fxl_face_bounds) == 20 && offsetof(fxl_face_bounds, box_x) == 8 &&
-                   sizeof(fxl_order_entry) == 12 && offsetof(fxl_order_entry, index) == 8,
-               "front_faces.S");
+FXL_STATIC_ASSERT(sizeof(fxl_face) == 20 && offsetof(fxl_face, normal) == 0 &&
+                      sizeof(fxl_face_bounds) == 20 && offsetof(fxl_face_bounds, box_x) == 8 &&
+                      sizeof(fxl_order_entry) == 12 && offsetof(fxl_order_entry, index) == 8,
+                  "front_faces.S");
 #endif
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)

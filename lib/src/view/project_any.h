@@ -6,8 +6,16 @@
 
 #include "fixel/stage/project.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* What fxl_project_visible answers, for any point, by a long division. */
 fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_point *view,
                            fxl_screen_point *screen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
