@@ -9,26 +9,6 @@ FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
                       (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,
                   "all share a byte");
 
-/* The kernels in assembly know where members lie. */
-#ifdef __arm__
-FXL_STATIC_ASSERT(offsetof(fxl_model_view, entries) == 4 && offsetof(fxl_model_view, mask) == 8 &&
-                      offsetof(fxl_model_view, tag) == 12 &&
-                      offsetof(fxl_model_view, indices) == 20 && sizeof(fxl_cached_vertex) == 40 &&
-                      offsetof(fxl_cached_vertex, clip_flags) == 4 &&
-                      offsetof(fxl_cached_vertex, screen) == 8 &&
-                      offsetof(fxl_cached_vertex, position) == 16,
-                  "lib/kernels: seen vertex");
-FXL_STATIC_ASSERT(offsetof(fxl_face, first_index) == 12 && offsetof(fxl_face, count) == 16 &&
-                      offsetof(fxl_face, colour) == 17 &&
-                      offsetof(fxl_screen_polygon, colour) == 0 &&
-                      offsetof(fxl_screen_polygon, count) == 1 &&
-                      offsetof(fxl_screen_polygon, points) == 4,
-                  "lib/kernels: face and polygon");
-FXL_STATIC_ASSERT(offsetof(fxl_view, projection) == 68 && FXL_CLIP_INSIDE == 0 &&
-                      FXL_CLIP_RANGE == 5 && FXL_CLIP_BETWEEN == 6,
-                  "lib/kernels: projection and results");
-#endif
-
 fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
                                    fxl_clipper_work *workspace, fxl_screen_polygon *screen)
 {

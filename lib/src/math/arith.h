@@ -15,10 +15,12 @@
  * as a goal, a shipped build leaves it out. */
 #ifdef FXL_ASSERT_HOOK
 #ifdef __cplusplus
-extern "C"
+extern "C" {
 #endif
-    void
-    fxl_assert_failed(const char *file, int line);
+void fxl_assert_failed(const char *file, int line);
+#ifdef __cplusplus
+}
+#endif
 #define FXL_ASSERT(condition) \
     do { \
         if (!(condition)) { \

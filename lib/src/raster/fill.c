@@ -4,17 +4,6 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 
-/* As the kernels of lib/kernels read them where pointers have 32 bits. */
-#ifdef __arm__
-FXL_STATIC_ASSERT(offsetof(fxl_band, pixels) == 0 && offsetof(fxl_band, stride) == 6 &&
-                      offsetof(fxl_band, first_row) == 8,
-                  "fill_rows.S");
-FXL_STATIC_ASSERT(offsetof(fxl_trapezoid, end_row) == 2 && offsetof(fxl_trapezoid, edges) == 4 &&
-                      offsetof(fxl_edge, fraction) == 4 && offsetof(fxl_edge, step) == 8 &&
-                      offsetof(fxl_edge, step_fraction) == 12 && sizeof(fxl_edge) == 16,
-                  "fill_rows.S");
-#endif
-
 /* With FXL_SMALL rows are memset's, and no trapezoid is filled: 240 bytes less on a Cortex-M3,
  * and fewer instructions. */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)

@@ -5,16 +5,6 @@
 #include "edge.h"
 #include "active_edges.h"
 
-/* As the kernels of lib/kernels read it where pointers have 32 bits. */
-#ifdef __arm__
-FXL_STATIC_ASSERT(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4 &&
-                      offsetof(fxl_scan, by_chains) == 5 && offsetof(fxl_scan, end_row) == 6 &&
-                      offsetof(fxl_scan, chains) == 8 && offsetof(fxl_scan, trapezoid) == 20 &&
-                      sizeof(fxl_chain) == 4 && offsetof(fxl_chain, onward) == 1 &&
-                      offsetof(fxl_chain, end_row) == 2,
-                  "chains.S");
-#endif
-
 /* What a look at every vertex tells of an outline. */
 typedef struct {
     uint32_t top;    /* a vertex that none is above */

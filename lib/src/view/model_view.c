@@ -8,25 +8,6 @@
 
 FXL_STATIC_ASSERT(FXL_MODEL_VERTICES_MAX < TAG_OBJECT, "a number fits a tag");
 
-/* The kernels in assembly know where members lie. */
-#ifdef __arm__
-FXL_STATIC_ASSERT(offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, vertices) == 16 &&
-                      offsetof(fxl_model_view, offset) == 24 &&
-                      offsetof(fxl_model_view, planes) == 36,
-                  "lib/kernels: placed");
-FXL_STATIC_ASSERT(offsetof(fxl_view, camera.right) == 12 &&
-                      offsetof(fxl_view, view_frustum) == 96 &&
-                      offsetof(fxl_view_frustum, y_side) == 8 &&
-                      offsetof(fxl_view_frustum, near_z) == 16 &&
-                      offsetof(fxl_view_frustum, far_z) == 24 &&
-                      offsetof(fxl_view_frustum, inset) == 32,
-                  "lib/kernels: view");
-FXL_STATIC_ASSERT(offsetof(fxl_cached_vertex, clip_flags) == 4 &&
-                      offsetof(fxl_cached_vertex, position) == 16 &&
-                      FXL_VERTEX_UNPROJECTED == 0x80u,
-                  "lib/kernels: seen vertex");
-#endif
-
 static void forget_all(fxl_vertex_cache *cache)
 {
     for (uint32_t i = 0; i <= cache->mask; i++) {

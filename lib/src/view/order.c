@@ -5,13 +5,6 @@
 #include "../scene/face_bounds.h"
 #include "front_faces.h"
 
-#ifdef __arm__
-FXL_STATIC_ASSERT(sizeof(fxl_face) == 20 && offsetof(fxl_face, normal) == 0 &&
-                      sizeof(fxl_face_bounds) == 20 && offsetof(fxl_face_bounds, box_x) == 8 &&
-                      sizeof(fxl_order_entry) == 12 && offsetof(fxl_order_entry, index) == 8,
-                  "front_faces.S");
-#endif
-
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));

@@ -9,15 +9,6 @@
  * screen is to be less than twice the focal length, with something to spare. */
 #define FOCAL_SHORT ((uint32_t)1 << 26)
 
-/* The kernels in assembly know where members lie. */
-FXL_STATIC_ASSERT(offsetof(fxl_projection, depth_min) == 4 &&
-                      offsetof(fxl_projection, factor_less_1) == 8 &&
-                      offsetof(fxl_projection, factor_2) == 12 &&
-                      offsetof(fxl_projection, factor_17) == 16 &&
-                      offsetof(fxl_projection, centre_x) == 20 &&
-                      offsetof(fxl_projection, centre_y) == 24 && offsetof(fxl_view_point, z) == 16,
-                  "lib/kernels");
-
 /* Where a view point's depth is brought to: depth = z 2^-shift, rounded, from
  * 2^30 to 2^31. z below 2^61 and at least 2^37 keeps shift within 7..30. */
 typedef struct {

@@ -2,6 +2,7 @@
 /* fxl_front_faces for Armv7-M and Armv8-M Mainline; the sums and their bounds stand in
  * lib/src/view/front_faces.h. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
@@ -9,10 +10,6 @@
     .syntax unified
     .thumb
 
-/* sizeof fxl_face and fxl_face_bounds: order.c holds them against the structures. The key is
- * height, low and high, and box x, y, z. */
-#define FACE    20
-#define KEY     20
 #define COUNT   36          /* on the stack */
 
 face    .req r0
@@ -32,16 +29,16 @@ fxl_front_faces:
     ldr     left, [sp, #COUNT]
 .Lface:
     ldm     face, {r7-r9}
-    ldrd    r10, r11, [key], #KEY
+    ldrd    r10, r11, [key], #FACE_BOUNDS_SIZE
     smull   r7, r12, r7, r4
     smlal   r7, r12, r8, r5
     smlal   r7, r12, r9, r6
-    adds    face, face, #FACE
+    adds    face, face, #FACE_SIZE
     cmp     r10, r7
     sbcs    r11, r11, r12
     bge     .Lnext                          /* turned away */
-    ldr     r7, [key, #8 - KEY]
-    ldrd    r8, r9, [key, #12 - KEY]
+    ldr     r7, [key, #FACE_BOUNDS_BOX_X - FACE_BOUNDS_SIZE]
+    ldrd    r8, r9, [key, #FACE_BOUNDS_BOX_Y - FACE_BOUNDS_SIZE]
     sub     r7, r7, r4, lsl #1
     sub     r8, r8, r5, lsl #1
     sub     r9, r9, r6, lsl #1

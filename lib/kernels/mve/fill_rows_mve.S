@@ -7,14 +7,8 @@
 
 #if FXL_KERNELS_MVE
 
-    .arch   armv8.1-m.main
-    .arch_extension mve
 #define FXL_ROWS_BY_VECTORS 1
 
-/* The compiler is told of a core without (lib/lib.mk). */
-    .arch   armv8.1-m.main
-    .arch_extension mve
-
-#include "../armv7m/fill_rows.S"
+#include "../armv7m/fill_rows_armv7m.S"
 
 #endif
