@@ -80,7 +80,7 @@ uint32_t draw_memory(void)
 const fxl_counters *draw_counters(void)
 {
     pieces_used = combination_memory(&renderer);
-    return &renderer.counters;
+    return &renderer.workspace.counters;
 }
 
 fxl_renderer *draw_renderer(void)

@@ -55,5 +55,5 @@ uint32_t draw_memory(void)
 
 const fxl_counters *draw_counters(void)
 {
-    return &renderer.counters;
+    return &renderer.workspace.counters;
 }

@@ -200,7 +200,7 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
     }
     code = draw_bands(image, frame, &watch);
     if (code == SYSTEM_EXIT_DONE &&
-        !journal_end(&renderer.counters, path->viewer.clamped, stopwatch_read(&watch))) {
+        !journal_end(&renderer.workspace.counters, path->viewer.clamped, stopwatch_read(&watch))) {
         return fail_frame("the counters could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     return code;

@@ -189,7 +189,7 @@ static fxl_status draw_frame(const options *wanted, session *run, const fxl_pose
 static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32_t frames)
 {
     const fxl_lens *lens = &run->image.lens;
-    const fxl_counters *counters = &run->renderer.counters;
+    const fxl_counters *counters = &run->renderer.workspace.counters;
     walk_path path;
     walk_path_begin(&path, &run->image, false);
     for (uint32_t i = 0; i < frames; i++) {

@@ -83,7 +83,7 @@ static fxl_clip_result checked_next(const fxl_model_view *placed, fxl_clipper_wo
 static const fxl_clipper *checked(uint32_t number)
 {
     static const fxl_clipper checked_view = {.clip = checked_by_view};
-    static const fxl_clipper checked_world = {.clip = checked_by_world};
+    static const fxl_clipper checked_world = {.clip = checked_by_world, .in_world = true};
     static const fxl_clipper *const family[DRAW_CLIPPERS - 2] = {
         &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
         &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
@@ -93,7 +93,7 @@ static const fxl_clipper *checked(uint32_t number)
     }
     of_family = family[number - 2];
     made = (fxl_clipper){checked_clip, of_family->next != NULL ? checked_next : NULL,
-                         of_family->workspace_size};
+                         of_family->workspace_size, of_family->in_world};
     return &made;
 }
 
@@ -149,7 +149,7 @@ static void draw_in_bands(fxl_renderer *renderer, const fxl_band *whole, fuzz_in
     for (uint32_t row = whole->first_row; row < end;) {
         uint32_t rows = rows_least + fuzz_below(in, whole->rows);
         rows = rows > end - row ? end - row : rows;
-        fxl_band band = make_band(&renderer->view.lens, gap, row, rows);
+        fxl_band band = make_band(&renderer->frame.view.lens, gap, row, rows);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
         demand_gaps_intact(&band);
         for (uint32_t i = 0; i < rows; i++) {
@@ -195,12 +195,12 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
 
 static void free_renderer(fxl_renderer *renderer)
 {
-    free(renderer->view.clipper_workspace);
-    free(renderer->display_list.words);
-    if (renderer->cache.entries != &renderer->own_entry) {
-        free(renderer->cache.entries);
+    free(renderer->frame.view.clipper_workspace);
+    free(renderer->frame.display_list.words);
+    if (renderer->workspace.cache.entries != &renderer->workspace.own_entry) {
+        free(renderer->workspace.cache.entries);
     }
-    free(renderer->order);
+    free(renderer->frame.order);
     free((void *)(uintptr_t)renderer->beam_light); /* it lies at the beginning of its room */
     free(renderer);
 }
@@ -209,16 +209,17 @@ static void free_renderer(fxl_renderer *renderer)
 static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
                        uint32_t clipper, fuzz_input *in)
 {
-    fxl_counters counters = first->counters;
+    fxl_counters counters = first->workspace.counters;
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     fxl_renderer *renderer =
-        make_renderer(first->scene, &first->view.lens, clipper, words, fuzz_below(in, 40));
+        make_renderer(first->scene, &first->frame.view.lens, clipper, words, fuzz_below(in, 40));
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
-    DEMAND(renderer->counters.spilled <= counters.spilled);
-    DEMAND(renderer->counters.spilled < counters.spilled || renderer->display_list.used == 0);
-    counters.spilled = renderer->counters.spilled;
-    DEMAND(memcmp(&counters, &renderer->counters, sizeof counters) == 0);
+    DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
+    DEMAND(renderer->workspace.counters.spilled < counters.spilled ||
+           renderer->frame.display_list.used == 0);
+    counters.spilled = renderer->workspace.counters.spilled;
+    DEMAND(memcmp(&counters, &renderer->workspace.counters, sizeof counters) == 0);
     free_renderer(renderer);
 }
 
@@ -226,8 +227,8 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
 static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
                                const fxl_band *whole, uint32_t clipper, fuzz_input *in)
 {
-    const fxl_lens *lens = &first->view.lens;
-    fxl_counters counters = first->counters;
+    const fxl_lens *lens = &first->frame.view.lens;
+    fxl_counters counters = first->workspace.counters;
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     uint32_t size = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
@@ -238,10 +239,10 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     DEMAND(fxl_renderer_set_visibility(renderer, hidden, room, size) == FXL_OK);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
-    DEMAND(renderer->counters.spilled <= counters.spilled);
-    counters.spilled = renderer->counters.spilled;
-    counters.split_bands = renderer->counters.split_bands;
-    DEMAND(memcmp(&counters, &renderer->counters, sizeof counters) == 0);
+    DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
+    counters.spilled = renderer->workspace.counters.spilled;
+    counters.split_bands = renderer->workspace.counters.split_bands;
+    DEMAND(memcmp(&counters, &renderer->workspace.counters, sizeof counters) == 0);
     free(room);
     free_renderer(renderer);
 }
@@ -261,15 +262,15 @@ static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, co
     }
     scene.models = models;
     scene.face_bounds = NULL;
-    fxl_renderer *renderer = make_renderer(&scene, &first->view.lens, clipper, 0, 1);
-    fxl_band band = make_band(&first->view.lens, 0, whole->first_row, whole->rows);
+    fxl_renderer *renderer = make_renderer(&scene, &first->frame.view.lens, clipper, 0, 1);
+    fxl_band band = make_band(&first->frame.view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     for (uint32_t row = 0; row < whole->rows; row++) {
         DEMAND(memcmp(band.pixels + (size_t)row * band.stride,
                       whole->pixels + (size_t)row * whole->stride, band.width) == 0);
     }
-    const fxl_counters *all = &renderer->counters, *some = &first->counters;
+    const fxl_counters *all = &renderer->workspace.counters, *some = &first->workspace.counters;
     DEMAND(all->in == some->in && all->drawn == some->drawn && all->clipped == some->clipped &&
            all->spilled == some->spilled && all->outside <= some->outside);
     free(band.pixels);
@@ -283,12 +284,12 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     fxl_renderer *renderer = make_renderer(scene, lens, choice->clipper, 0, 1);
     fxl_band whole = make_band(lens, fuzz_below(in, 4), choice->first_row, choice->rows);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_E_ORDER);
-    DEMAND(renderer->counters.refused_calls == 1);
-    renderer->counters.refused_calls = 0;
+    DEMAND(renderer->workspace.counters.refused_calls == 1);
+    renderer->workspace.counters.refused_calls = 0;
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_OK);
     demand_gaps_intact(&whole);
-    demand_accounted(&renderer->counters, draw_faces_placed(scene));
+    demand_accounted(&renderer->workspace.counters, draw_faces_placed(scene));
     draw_again(renderer, pose, &whole, choice->clipper, in);
     if (scene->beam_count == 0) { /* larger spheres reach into beams, and split outlines anew */
         draw_all_objects(renderer, pose, &whole, choice->clipper);

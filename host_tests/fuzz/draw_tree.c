@@ -53,13 +53,13 @@ static void give_list(drawing *made, uint32_t words)
 {
     free(made->list);
     made->list = block(4 * (size_t)words);
-    made->renderer.display_list.words = made->list;
-    made->renderer.display_list.capacity = words;
+    made->renderer.frame.display_list.words = made->list;
+    made->renderer.frame.display_list.capacity = words;
 }
 
 static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
 {
-    const uint16_t width = made->renderer.view.lens.width;
+    const uint16_t width = made->renderer.frame.view.lens.width;
     DEMAND(fxl_frame_begin(&made->renderer, pose) == FXL_OK);
     for (uint32_t row = 0, rows; row < made->rows; row += rows) {
         rows = step < made->rows - row ? step : made->rows - row;
@@ -87,8 +87,9 @@ static void close_drawing(drawing *made)
 /* What does not depend on bands, list or the direction of the walk. */
 static void demand_same(const drawing *a, const drawing *b)
 {
-    const fxl_counters *one = &a->renderer.counters, *other = &b->renderer.counters;
-    DEMAND(memcmp(a->pixels, b->pixels, (size_t)a->rows * a->renderer.view.lens.width) == 0);
+    const fxl_counters *one = &a->renderer.workspace.counters,
+                       *other = &b->renderer.workspace.counters;
+    DEMAND(memcmp(a->pixels, b->pixels, (size_t)a->rows * a->renderer.frame.view.lens.width) == 0);
     DEMAND(one->in == other->in && one->backfacing == other->backfacing &&
            one->outside == other->outside && one->degenerate == other->degenerate &&
            one->refused == other->refused && one->drawn == other->drawn &&
@@ -104,7 +105,7 @@ void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *
     const uint32_t pieces = fuzz_below(in, 2) ? PIECES_MAX : fuzz_below(in, PIECES_MAX);
     open_drawing(&whole, scene, lens, &fxl_visibility_bsp, pieces);
     draw(&whole, pose, whole.rows);
-    DEMAND(whole.renderer.counters.in == draw_faces_placed(scene));
+    DEMAND(whole.renderer.workspace.counters.in == draw_faces_placed(scene));
     open_drawing(&bands, scene, lens, &fxl_visibility_bsp, pieces);
     give_list(&bands, fuzz_below(in, 200));
     draw(&bands, pose, 1 + fuzz_below(in, bands.rows));

@@ -56,11 +56,11 @@ static void misuse_frame(fxl_renderer *renderer, const fxl_band *band, fuzz_inpu
     DEMAND(fxl_frame_draw(renderer, &nowhere) == FXL_E_ARGUMENT);
     DEMAND(fxl_frame_draw(renderer, band) == FXL_E_ORDER);
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
-    const fxl_lens *lens = &renderer->view.lens;
+    const fxl_lens *lens = &renderer->frame.view.lens;
     bool legal = band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&
                  band->first_row + band->rows <= lens->height;
     DEMAND(fxl_frame_draw(renderer, band) == (legal ? FXL_OK : FXL_E_RANGE));
-    DEMAND(renderer->counters.refused_calls == (legal ? 4u : 5u));
+    DEMAND(renderer->workspace.counters.refused_calls == (legal ? 4u : 5u));
     pose.position.y = fuzz_any(in);
     fxl_status status = fxl_frame_begin(renderer, &pose);
     DEMAND(status == FXL_OK || status == FXL_E_RANGE);
@@ -70,7 +70,7 @@ static void misuse_scan(const fxl_band *band)
 {
     fxl_scan scan;
     fxl_span span;
-    const fxl_screen_polygon polygon = {0, 3, {{0, 0}}};
+    const fxl_screen_polygon polygon = {0, 3, FXL_POLYGON_FLAT, {{0, 0}}};
     bool legal = band->width >= 1 && band->width <= FXL_SCREEN_MAX && band->rows >= 1 &&
                  band->first_row + band->rows <= FXL_SCREEN_MAX;
     DEMAND(fxl_scan_begin(&polygon, band, NULL) == FXL_E_ARGUMENT);

@@ -72,7 +72,7 @@ static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
     if (fxl_view_set_pose(view, pose) != FXL_OK) {
         return 0;
     }
-    fxl_view_world_frustum(view);
+    fxl_view_set_world_frustum(view);
     return 1;
 }
 

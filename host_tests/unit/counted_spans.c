@@ -23,14 +23,14 @@ static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
 #define fxl_fill_row          count_and_fill
 #include "../../lib/extra/spans/span_buffer.c"
 
-static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
 {
-    fxl_scan *scan = &renderer->work.scan;
+    fxl_scan *scan = &workspace->work.scan;
     const fxl_trapezoid *trapezoid;
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        if (!counted_span_buffer_draw(renderer->raster_workspace, trapezoid, colour, band)) {
+        if (!counted_span_buffer_draw(workspace->raster_workspace, trapezoid, colour, band)) {
             return false;
         }
     }

@@ -52,7 +52,7 @@ static fxl_counters draw_whole(const fxl_pose *pose, const fxl_clipper *clipper)
     start(0, clipper);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     draw_rows(whole, 0, HEIGHT);
-    return renderer.counters;
+    return renderer.workspace.counters;
 }
 
 /* Every row once, in bands of any height; downward, upward, or each twice. */
@@ -86,8 +86,8 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         draw_in_bands();
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        counters.spilled = renderer.counters.spilled;
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        counters.spilled = renderer.workspace.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
         TEST_ASSERT_TRUE(counters.spilled <= without && without <= counters.drawn);
         drawn += counters.drawn;
         spilled += counters.spilled;
@@ -109,16 +109,16 @@ void test_what_does_not_fit_is_counted(void)
         uint32_t place = 0, held = 0;
         start(words, &fxl_clipper_view);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
+        TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.spilled);
         draw_rows(other, 8, 8);
-        while (
-            fxl_display_list_next(&renderer.display_list, (fxl_rows){0, HEIGHT}, &place, &record)) {
+        while (fxl_display_list_next(&renderer.frame.display_list, (fxl_rows){0, HEIGHT}, &place,
+                                     &record)) {
             held++;
         }
-        TEST_ASSERT_EQUAL_UINT32(counters.spilled, held + renderer.counters.spilled);
+        TEST_ASSERT_EQUAL_UINT32(counters.spilled, held + renderer.workspace.counters.spilled);
         TEST_ASSERT_TRUE(held > 0 || words < FXL_DISPLAY_LIST_WORDS(4));
     }
-    TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.spilled);
 }
 
 static uint32_t asked;
@@ -173,7 +173,7 @@ void test_a_polygon_on_no_row_takes_no_record(void)
     start(WORDS, &fxl_clipper_view);
     fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-    uint32_t drawn = renderer.counters.drawn, used = renderer.display_list.used;
+    uint32_t drawn = renderer.workspace.counters.drawn, used = renderer.frame.display_list.used;
     /* The front of the first cube, 6 before the eye: 12 / 6 of a pixel high where
      * it was 4, about row 8, and so about the edge of two rows. */
     for (int v = 0; v < 8; v++) {
@@ -181,8 +181,8 @@ void test_a_polygon_on_no_row_takes_no_record(void)
     }
     tiny->objects[2].centre = (fxl_point){0, 0, Q16(-400)};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-    TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
-    TEST_ASSERT_EQUAL_UINT32(FXL_DISPLAY_LIST_WORDS(4), renderer.display_list.used);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(FXL_DISPLAY_LIST_WORDS(4), renderer.frame.display_list.used);
     TEST_ASSERT_TRUE(drawn > 2 && used > FXL_DISPLAY_LIST_WORDS(4));
-    TEST_ASSERT_EQUAL_UINT32(0, renderer.counters.spilled);
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.spilled);
 }

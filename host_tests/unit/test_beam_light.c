@@ -130,13 +130,13 @@ void test_bands_and_lists_give_the_same_pixels(void)
         make(WORDS);
         light(count, lit);
         draw(whole, &pose, HEIGHT);
-        fxl_counters counters = renderer.counters;
+        fxl_counters counters = renderer.workspace.counters;
         make((uint32_t)unit_between(0, WORDS));
         light(count, lit);
         draw(other, &pose, (uint32_t)unit_between(1, HEIGHT));
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        counters.spilled = renderer.counters.spilled;
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        counters.spilled = renderer.workspace.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
         TEST_ASSERT_EQUAL_UINT32(counters.in, counters.backfacing + counters.outside +
                                                   counters.degenerate + counters.refused +
                                                   counters.drawn);
@@ -146,7 +146,7 @@ void test_bands_and_lists_give_the_same_pixels(void)
 }
 
 /* Counts how often each pixel is painted. */
-static bool count_pixels(fxl_renderer *of, const fxl_screen_point *points, uint32_t count,
+static bool count_pixels(fxl_workspace *of, const fxl_screen_point *points, uint32_t count,
                          uint8_t colour, const fxl_band *band)
 {
     fxl_screen_polygon polygon = {.colour = colour, .count = (uint8_t)count};
@@ -210,7 +210,7 @@ void test_what_makes_no_light_is_refused(void)
                                                           room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_set_beams(&renderer, beams, 2, lit, room, needed - 1));
-    TEST_ASSERT_EQUAL_UINT32(6, renderer.counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(6, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_NULL(renderer.beam_light);
     beams[1].plane_count = 0;
     TEST_ASSERT_EQUAL(FXL_E_COUNT,

@@ -123,7 +123,7 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
         fxl_pose pose = shuffle();
         start_with(0, &fxl_visibility_bsp, room_size);
         draw(whole, &pose);
-        fxl_counters counters = renderer.counters;
+        fxl_counters counters = renderer.workspace.counters;
         start_with((uint32_t)unit_between(0, WORDS), &fxl_visibility_bsp, room_size);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         for (uint32_t row = 0, rows; row < HEIGHT; row += rows) {
@@ -131,16 +131,16 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
             draw_rows(other, row, rows);
         }
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        spilled += renderer.counters.spilled > 0;
-        held += renderer.counters.spilled == 0;
-        counters.spilled = renderer.counters.spilled;
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        spilled += renderer.workspace.counters.spilled > 0;
+        held += renderer.workspace.counters.spilled == 0;
+        counters.spilled = renderer.workspace.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
     }
     TEST_ASSERT_TRUE(spilled > rounds / 20 && held > rounds / 20);
 }
 
 /* Whatever comes first keeps its pixels. */
-static bool paint_under(fxl_renderer *by, const fxl_screen_point *points, uint32_t count,
+static bool paint_under(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
                         uint8_t colour, const fxl_band *band)
 {
     fxl_scan_box scan;
@@ -178,7 +178,7 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
 }
 
 /* Counts how often a pixel is painted with colours of objects that move. */
-static bool paint_counting(fxl_renderer *by, const fxl_screen_point *points, uint32_t count,
+static bool paint_counting(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
                            uint8_t colour, const fxl_band *band)
 {
     fxl_scan_box scan;
@@ -289,12 +289,12 @@ void test_counters_are_those_of_any_method(void)
         pose.yaw += round % 3 == 0 ? (fxl_angle)unit_random() : 0;
         start_with(0, &fxl_visibility_sorted, 0);
         draw(other, &pose);
-        fxl_counters counters = renderer.counters;
+        fxl_counters counters = renderer.workspace.counters;
         start_with(0, &fxl_visibility_bsp, round % 2 ? sizeof pieces : 0);
         draw(whole, &pose);
-        TEST_ASSERT_EQUAL_UINT32(18, renderer.counters.in);
-        counters.spilled = renderer.counters.spilled; /* each piece by itself */
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+        TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+        counters.spilled = renderer.workspace.counters.spilled; /* each piece by itself */
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
         drawn += counters.drawn;
     }
     TEST_ASSERT_TRUE(drawn > UNIT_REPEAT / 100);
@@ -325,13 +325,13 @@ void test_other_layers_and_a_tree_out_of_sight(void)
     start_with(0, &fxl_visibility_bsp, sizeof pieces);
     draw(whole, &pose);
     TEST_ASSERT_EQUAL_UINT8(5, whole[WIDTH * HEIGHT / 2 + WIDTH / 2]);
-    TEST_ASSERT_EQUAL_UINT32(18, renderer.counters.in);
-    TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);
     made->tiny->objects[2].centre.z = Q16(17); /* now nearer, and under */
     made->tiny->objects[2].layer = 0;
     made->tiny->objects[0].layer = 2;
     made->tiny->objects[0].centre.x = Q16(0.5);
     start_with(0, &fxl_visibility_bsp, sizeof pieces);
     draw(whole, &pose);
-    TEST_ASSERT_EQUAL_UINT32(2, renderer.counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);
 }

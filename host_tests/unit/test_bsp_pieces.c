@@ -131,8 +131,8 @@ void test_pieces_share_every_vertex(void)
         tree->pieces_size = sizeof pieces;
         edge_count = piece_count = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        TEST_ASSERT_TRUE(renderer.display_list.used > 0 &&
-                         renderer.resume.instances == renderer.visible_count);
+        TEST_ASSERT_TRUE(renderer.frame.display_list.used > 0 &&
+                         renderer.frame.resume.instances == renderer.frame.visible_count);
         TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
         TEST_ASSERT_TRUE(edge_count >= 4);
         TEST_ASSERT_EQUAL_UINT32(edge_count, way_round());

@@ -289,14 +289,14 @@ void test_the_renderer_asks_the_clipper_that_it_was_given(void)
     TEST_ASSERT_TRUE(renderers[0].clipper == &fxl_clipper_view);
     fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};
     draw(&renderers[0], &pose, frames[0]);
-    fxl_counters counters = renderers[0].counters;
+    fxl_counters counters = renderers[0].workspace.counters;
     TEST_ASSERT_TRUE(counters.drawn > 0);
     set_clipper(0, &recording);
     answer = NULL;
     asked = 0;
     draw(&renderers[0], &pose, frames[1]);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
-    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].counters, sizeof counters);
+    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].workspace.counters, sizeof counters);
     TEST_ASSERT_EQUAL_UINT32(counters.in - counters.backfacing, asked);
 }
 
@@ -311,7 +311,7 @@ void test_what_a_clipper_answers_is_counted(void)
         answer = &answers[i];
         asked = 0;
         draw(&renderers[0], &pose, frames[0]);
-        const fxl_counters *c = &renderers[0].counters;
+        const fxl_counters *c = &renderers[0].workspace.counters;
         TEST_ASSERT_TRUE(asked > 0);
         TEST_ASSERT_EQUAL_UINT32(i == 0 ? asked : 0, c->outside);
         TEST_ASSERT_EQUAL_UINT32(i == 1 ? asked : 0, c->degenerate);
@@ -353,7 +353,8 @@ void test_both_clippers_draw_the_same_frames(void)
             differing += frames[0][i] != frames[1][i];
             apart += !is_near(frames[0], i, frames[1][i]);
         }
-        const fxl_counters *a = &renderers[0].counters, *b = &renderers[1].counters;
+        const fxl_counters *a = &renderers[0].workspace.counters,
+                           *b = &renderers[1].workspace.counters;
         TEST_ASSERT_EQUAL_UINT32(a->in, b->in);
         TEST_ASSERT_EQUAL_UINT32(a->backfacing, b->backfacing);
         TEST_ASSERT_EQUAL_UINT32(0, a->refused + b->refused);
@@ -375,10 +376,10 @@ void test_the_cache_changes_no_pixel(void)
         fxl_pose pose = random_pose();
         start(0);
         draw(&renderers[0], &pose, frames[0]);
-        const fxl_counters counters = renderers[0].counters;
+        const fxl_counters counters = renderers[0].workspace.counters;
         for (int which = 0; which < 2; which++) {
             start(which);
-            fxl_vertex_cache_init(&renderers[which].cache, caches[which],
+            fxl_vertex_cache_init(&renderers[which].workspace.cache, caches[which],
                                   (uint32_t)unit_between(1, ENTRIES));
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[which], &pose));
         }
@@ -387,7 +388,8 @@ void test_the_cache_changes_no_pixel(void)
             fxl_fill_band(&band, BACKGROUND);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[which], &band));
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1 + which], PIXELS);
-            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[which].counters, sizeof counters);
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[which].workspace.counters,
+                                     sizeof counters);
         }
     }
 }

@@ -311,6 +311,7 @@ void test_all_count_what_they_work_out(void)
     polygon.vertices[1].position = at(&view, Q16(0.25), Q16(-0.25), Q16(-2));
     polygon.vertices[2].position = at(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
     view.clipper_workspace = &account;
+    fxl_view_set_world_frustum(&view);
     for (int which = 0; which < 2; which++) {
         polygon_face_set(&face, &polygon, &view, 4);
         fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(

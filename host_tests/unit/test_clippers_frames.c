@@ -87,13 +87,14 @@ void test_all_draw_the_same_frames(void)
         fxl_pose pose = random_pose();
         start(LIST_WORDS, 0);
         draw(&pose, HEIGHT, frames[0]);
-        uint32_t in = renderer.counters.in, backfacing = renderer.counters.backfacing;
+        uint32_t in = renderer.workspace.counters.in,
+                 backfacing = renderer.workspace.counters.backfacing;
         for (int which = 0; which < CLIPPERS; which++) {
             memset(&rooms[0], 0x5A, sizeof rooms[0]);
             start(LIST_WORDS, 9);
             set_clipper(clippers[which], &rooms[0].room);
             draw(&pose, HEIGHT, frames[1]);
-            fxl_counters counters = renderer.counters;
+            fxl_counters counters = renderer.workspace.counters;
             clipped += counters.clipped;
             TEST_ASSERT_EQUAL_UINT32(in, counters.in);
             TEST_ASSERT_EQUAL_UINT32(backfacing, counters.backfacing);
@@ -109,8 +110,8 @@ void test_all_draw_the_same_frames(void)
             set_clipper(clippers[which], &rooms[0].room);
             draw(&pose, unit_between(1, HEIGHT), frames[2]);
             TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
-            renderer.counters.spilled = counters.spilled;
-            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+            renderer.workspace.counters.spilled = counters.spilled;
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
             const uint8_t *behind = (const uint8_t *)&rooms[0] + clippers[which]->workspace_size;
             TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, behind,
                                         sizeof rooms[0] - clippers[which]->workspace_size);

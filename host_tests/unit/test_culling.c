@@ -22,7 +22,7 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_lens *lens, const fxl_pose 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    return renderer.counters;
+    return renderer.workspace.counters;
 }
 
 /* The same frame with the least radius and with one that leaves nothing out. */

@@ -83,7 +83,7 @@ static bool share_a_row(fxl_rows a, fxl_rows b)
 static void expect_contents(const fxl_display_list *list, uint32_t count, uint32_t round,
                             fxl_rows asked)
 {
-    fxl_display_list_record record = {{1, 2}, 3, 4, NULL};
+    fxl_display_list_record record = {{1, 2}, 3, 4, FXL_POLYGON_FLAT, NULL};
     uint32_t place = 0;
     for (uint32_t number = 0; number < count; number++) {
         sample want = make_sample(number, round);

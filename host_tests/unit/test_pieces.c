@@ -39,7 +39,7 @@ static fxl_counters draw(const fxl_pose *pose, uint8_t *frame, uint32_t rows)
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
-    return renderer.counters;
+    return renderer.workspace.counters;
 }
 
 static fxl_pose random_pose(void)
@@ -73,7 +73,7 @@ static uint32_t begins[32], begin_count;
 
 static void note_begin(void)
 {
-    begins[begin_count++ % 32] = renderer.display_list.used;
+    begins[begin_count++ % 32] = renderer.frame.display_list.used;
 }
 
 static bool is_begin(uint32_t used)
@@ -138,13 +138,14 @@ void test_a_clipper_may_give_several_polygons(void)
         fxl_counters found = draw(&pose, frames[1], HEIGHT);
         expect_counters(&expected, &found);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
-        const uint32_t all = renderer.display_list.used, faces = begin_count;
+        const uint32_t all = renderer.frame.display_list.used, faces = begin_count;
         uint32_t words = (uint32_t)unit_between(0, (int32_t)all);
         start(words);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fan_clipper, NULL, 0));
         found = draw(&pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         begin_count = faces;
-        TEST_ASSERT_TRUE(renderer.display_list.used == all || is_begin(renderer.display_list.used));
+        TEST_ASSERT_TRUE(renderer.frame.display_list.used == all ||
+                         is_begin(renderer.frame.display_list.used));
         expect_counters(&expected, &found);
         TEST_ASSERT_TRUE(found.spilled <= expected.spilled);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
@@ -201,14 +202,14 @@ static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *object,
 static bool walk_in_pieces(const fxl_traversal *on)
 {
     const fxl_scene *scene = on->renderer->scene;
-    for (; on->resume->instances < on->renderer->visible_count; on->resume->instances++) {
+    for (; on->resume->instances < on->renderer->frame.visible_count; on->resume->instances++) {
         const fxl_instance *object =
-            &scene->instances[on->renderer->order[on->resume->instances].index];
+            &scene->instances[on->renderer->frame.order[on->resume->instances].index];
         const fxl_model *model = &scene->models[object->model];
         for (; on->resume->faces < model->face_count; on->resume->faces++) {
             const fxl_face *face = &scene->faces[model->first_face + on->resume->faces];
             bool front =
-                fxl_face_is_front(scene, object, face, &on->renderer->view.camera.position);
+                fxl_face_is_front(scene, object, face, &on->renderer->frame.view.camera.position);
             if (on->band == NULL) {
                 note_begin();
             }
@@ -236,13 +237,13 @@ void test_a_face_in_pieces_counts_once(void)
         begin_count = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &in_pieces, NULL, 0));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        TEST_ASSERT_TRUE(renderer.resume.instances == renderer.visible_count ||
-                         begins[(begin_count - 1) % 32] == renderer.display_list.used);
+        TEST_ASSERT_TRUE(renderer.frame.resume.instances == renderer.frame.visible_count ||
+                         begins[(begin_count - 1) % 32] == renderer.frame.display_list.used);
         fxl_counters found = draw(&pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         expect_counters(&expected, &found);
         TEST_ASSERT_TRUE(found.spilled <= expected.spilled);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
-        full += found.spilled > 0 && renderer.display_list.used > 0;
+        full += found.spilled > 0 && renderer.frame.display_list.used > 0;
     }
     TEST_ASSERT_TRUE(full > UNIT_REPEAT / 2000);
 }
@@ -318,7 +319,7 @@ void test_a_clippers_room(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &roomy, words + 1, 16));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_clipper(&renderer, &roomy, room, 15));
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room, sizeof room);
-    TEST_ASSERT_EQUAL_UINT32(5 - 1, renderer.counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(5 - 1, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &roomy, room, 16));
     TEST_ASSERT_EACH_EQUAL_HEX8(0, room, sizeof room);

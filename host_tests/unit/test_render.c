@@ -106,7 +106,7 @@ void test_bands_of_any_height_give_the_same_pixels(void)
     for (int number = 0; number < 20; number++) {
         fxl_pose pose = pose_number(number);
         draw_whole(&renderers[0], &pose, whole);
-        fxl_counters counters = renderers[0].counters;
+        fxl_counters counters = renderers[0].workspace.counters;
         for (uint16_t height = 1; height <= HEIGHT; height = (uint16_t)(height + 3)) {
             memset(other, 0, sizeof other);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
@@ -115,7 +115,7 @@ void test_bands_of_any_height_give_the_same_pixels(void)
                 draw_rows(&renderers[0], other, first, rows);
             }
             TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].counters, sizeof counters);
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].workspace.counters, sizeof counters);
         }
     }
 }
@@ -126,19 +126,19 @@ void test_bands_in_any_order_count_once(void)
     start(0);
     fxl_pose pose = pose_number(3);
     draw_whole(&renderers[0], &pose, whole);
-    fxl_counters counters = renderers[0].counters;
+    fxl_counters counters = renderers[0].workspace.counters;
     for (uint32_t words = 0; words <= LIST_WORDS; words += FXL_DISPLAY_LIST_WORDS(4)) {
-        renderers[0].display_list.capacity = words;
+        renderers[0].frame.display_list.capacity = words;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
-        TEST_ASSERT_TRUE(renderers[0].counters.in <= counters.in);
+        TEST_ASSERT_TRUE(renderers[0].workspace.counters.in <= counters.in);
         draw_rows(&renderers[0], other, 20, 12);
-        counters.spilled = renderers[0].counters.spilled;
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].counters, sizeof counters);
+        counters.spilled = renderers[0].workspace.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].workspace.counters, sizeof counters);
         draw_rows(&renderers[0], other, 0, 7);
         draw_rows(&renderers[0], other, 7, 13);
         draw_rows(&renderers[0], other, 0, 7);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].counters, sizeof counters);
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].workspace.counters, sizeof counters);
     }
     TEST_ASSERT_EQUAL_UINT32(0, counters.spilled);
 }
@@ -166,7 +166,7 @@ void test_every_polygon_is_accounted_for(void)
     for (int number = 0; number < 60; number++) {
         fxl_pose pose = pose_number(number);
         draw_whole(&renderers[0], &pose, whole);
-        const fxl_counters *c = &renderers[0].counters;
+        const fxl_counters *c = &renderers[0].workspace.counters;
         TEST_ASSERT_EQUAL_UINT32(18, c->in);
         TEST_ASSERT_EQUAL_UINT32(c->in, accounted(c));
         TEST_ASSERT_TRUE(c->clipped <= c->drawn);
@@ -183,7 +183,7 @@ void test_counters_of_a_view_worked_out_by_hand(void)
     start(0);
     fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
     draw_whole(&renderers[0], &pose, whole);
-    const fxl_counters *c = &renderers[0].counters;
+    const fxl_counters *c = &renderers[0].workspace.counters;
     /* Of cubes 0 and 1 the front faces; of cube 2, at (5, 1, 12), the front and
      * the left: its bottom, at y = 0, is edge-on. */
     TEST_ASSERT_EQUAL_UINT32(18, c->in);
@@ -226,11 +226,11 @@ void test_drawing_before_a_frame_has_begun_is_refused(void)
     fxl_band band = {whole, WIDTH, WIDTH, 0, HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderers[0], &band));
     expect_untouched(whole, 0x5A);
-    TEST_ASSERT_EQUAL_UINT32(1, renderers[0].counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(1, renderers[0].workspace.counters.refused_calls);
     fxl_pose pose = pose_number(0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
-    TEST_ASSERT_EQUAL_UINT32(1, renderers[0].counters.refused_calls);
-    TEST_ASSERT_EQUAL_UINT32(18, renderers[0].counters.in);
+    TEST_ASSERT_EQUAL_UINT32(1, renderers[0].workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(18, renderers[0].workspace.counters.in);
 }
 
 void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
@@ -239,16 +239,16 @@ void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
     start(0);
     const fxl_pose pose = pose_number(0);
     const fxl_memory memory = {order[0], 64, list[0], LIST_WORDS, NULL, 0};
-    const fxl_lens lens = renderer->view.lens;
+    const fxl_lens lens = renderer->frame.view.lens;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(renderer, renderer->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(renderer, &fxl_clipper_view, NULL, 0));
-    TEST_ASSERT_EQUAL_UINT32(2, renderer->counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer->workspace.counters.refused_calls);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, &pose));
-    TEST_ASSERT_EQUAL_UINT32(18, renderer->counters.in);
+    TEST_ASSERT_EQUAL_UINT32(18, renderer->workspace.counters.in);
 }
 
 void test_a_pose_out_of_range_leaves_the_frame_before(void)
@@ -257,12 +257,12 @@ void test_a_pose_out_of_range_leaves_the_frame_before(void)
     fxl_pose pose = pose_number(2), far = pose;
     draw_whole(&renderers[0], &pose, whole);
     far.position.x = FXL_COORDINATE_MAX + 1;
-    fxl_counters counters = renderers[0].counters;
+    fxl_counters counters = renderers[0].workspace.counters;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_begin(&renderers[0], &far));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_begin(&renderers[0], NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_begin(NULL, &pose));
     counters.refused_calls += 2;
-    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].counters, sizeof counters);
+    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[0].workspace.counters, sizeof counters);
     draw_rows(&renderers[0], other, 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
 }
@@ -272,7 +272,7 @@ static void expect_band_refused(fxl_status status, fxl_band band, uint32_t refus
     memset(other, 0x5A, sizeof other);
     TEST_ASSERT_EQUAL(status, fxl_frame_draw(&renderers[0], &band));
     expect_untouched(other, 0x5A);
-    TEST_ASSERT_EQUAL_UINT32(refused_calls, renderers[0].counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(refused_calls, renderers[0].workspace.counters.refused_calls);
 }
 
 void test_a_band_of_another_screen_is_refused(void)
@@ -358,7 +358,7 @@ void test_more_objects_than_the_order_has_room_for_are_refused(void)
     memcpy(&before, &renderer, sizeof before);
     tiny->scene.instance_count = TINY_OBJECTS + 2;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
-    before.counters.refused_calls += 1;
+    before.workspace.counters.refused_calls += 1;
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
     tiny->scene.instance_count = TINY_OBJECTS;
     draw_whole(&renderer, &pose, whole);

@@ -54,7 +54,7 @@ static fxl_counters draw(const way *by, const fxl_pose *pose, uint8_t *frame, ui
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         draw_rows(frame, row, row + rows > HEIGHT ? HEIGHT - row : rows);
     }
-    return renderer.counters;
+    return renderer.workspace.counters;
 }
 
 /* The three cubes, and often one behind another. */
@@ -143,13 +143,14 @@ void test_front_to_back_is_the_exact_reverse(void)
         uint32_t count = 0, place = 0;
         start(&sorted);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        while (fxl_display_list_next(&renderer.display_list, all, &place, &record)) {
+        while (fxl_display_list_next(&renderer.frame.display_list, all, &place, &record)) {
             firsts[count++] = record.points[0];
         }
         start(&spans);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         compared += count > 1;
-        for (place = 0; fxl_display_list_next(&renderer.display_list, all, &place, &record);) {
+        for (place = 0;
+             fxl_display_list_next(&renderer.frame.display_list, all, &place, &record);) {
             TEST_ASSERT_TRUE(count > 0);
             TEST_ASSERT_EQUAL_MEMORY(&firsts[--count], &record.points[0], sizeof firsts[0]);
         }
@@ -201,7 +202,7 @@ void test_refusals(void)
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
                                                                   room, least - 1));
     counters.refused_calls = 4;
-    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.counters, sizeof counters);
+    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
     TEST_ASSERT_TRUE(renderer.visibility == &fxl_visibility_sorted);
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);

@@ -104,7 +104,7 @@ static bool draw(const session *with, const way *by, const fxl_pose *pose, uint8
             return false;
         }
     }
-    *counters = renderer.counters;
+    *counters = renderer.workspace.counters;
     return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "../../src/math/arith.h"
 #include "lit_pieces.h"
+#include "../../src/draw/renderer.h"
 #include "../../src/draw/submit.h"
 
 /* A renderer's light, at the beginning of the room. */
@@ -133,12 +134,11 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
             status = FXL_E_CAPACITY;
         }
         if (status != FXL_OK) {
-            renderer->counters.refused_calls += 1;
-            return status;
+            return fxl_renderer_refuse(renderer, status);
         }
     }
     renderer->beam_light =
         beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace) : NULL;
-    renderer->ready = false;
+    renderer->frame.ready = false;
     return FXL_OK;
 }

@@ -59,14 +59,16 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
 }
 
 /* What a face that faces the eye comes to, whole. */
-static fxl_outcome fate_of(fxl_renderer *renderer, const fxl_model_view *model_view,
-                           const fxl_face *face)
+static fxl_outcome outcome_of(const fxl_traversal *on, const fxl_model_view *model_view,
+                              const fxl_face *face)
 {
-    const fxl_clipper *clipper = renderer->clipper;
-    fxl_clip_result cut = clipper->clip(model_view, face, &renderer->work.clip, &renderer->screen);
+    fxl_workspace *workspace = on->workspace;
+    const fxl_clipper *clipper = on->renderer->clipper;
+    fxl_clip_result cut =
+        clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && clipper->next != NULL) {
-        cut = clipper->next(model_view, &renderer->work.clip, &renderer->screen);
+        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
         outcome |= (fxl_outcome)1 << cut;
     }
     return outcome;
@@ -75,19 +77,18 @@ static fxl_outcome fate_of(fxl_renderer *renderer, const fxl_model_view *model_v
 /* Each face once, however many pieces it will be in. */
 static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
 {
-    fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
     fxl_model_view model_view;
     fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
-                               &renderer->view, &renderer->cache);
+                               &on->frame->view, &on->workspace->cache);
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         on->counters->in += 1;
         if (fxl_model_view_face_is_front(&model_view, face)) {
-            (void)fxl_count_outcome(on, fate_of(renderer, &model_view, face),
-                                    renderer->display_list.used);
+            (void)fxl_count_outcome(on, outcome_of(on, &model_view, face), on->display_list->used);
         } else {
             on->counters->backfacing += 1;
         }
@@ -112,7 +113,7 @@ static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
 
 void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 {
-    fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const bool reverse = renderer->visibility->front_to_back;
     fxl_bsp_parts parts = fxl_bsp_parts_of(scene, workspace);
@@ -133,9 +134,9 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
         if (at == workspace->owner) {
             continue;
         }
-        const fxl_instance *instance = &scene->instances[renderer->order[at].index];
-        count_faces(on, &renderer->order[at]);
-        if (fxl_bsp_cut(&cutter, instance, &renderer->view.camera.position, at)) {
+        const fxl_instance *instance = &scene->instances[on->frame->order[at].index];
+        count_faces(on, &on->frame->order[at]);
+        if (fxl_bsp_cut(&cutter, instance, &on->frame->view.camera.position, at)) {
             for (uint32_t i = cutter.first_item; i < cutter.item_count; i++) {
                 put_into_leaf(scene, &parts, parts.movers + i, reverse);
             }
@@ -158,19 +159,20 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 /* The faces of an object that is in no pieces, from *number on, in the order of the walk. */
 static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
 {
-    fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_face_sink take = fxl_instance_sink(on, instance, model);
+    const fxl_beam_light *light = fxl_instance_light(on, instance);
     fxl_model_view model_view;
     fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
-                               &renderer->view, &renderer->cache);
+                               &on->frame->view, &on->workspace->cache);
     for (; *number < model->face_count; *number += 1) {
         uint32_t at =
             renderer->visibility->front_to_back ? model->face_count - 1u - *number : *number;
         const fxl_face *face = &scene->faces[model->first_face + at];
-        if (fxl_model_view_face_is_front(&model_view, face) && !take(on, &model_view, face)) {
+        if (fxl_model_view_face_is_front(&model_view, face) &&
+            !fxl_submit_face_lit(on, light, &model_view, face)) {
             return false;
         }
     }
@@ -183,9 +185,9 @@ static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
-    const fxl_order_entry *entry = &renderer->order[item->entry];
+    const fxl_order_entry *entry = &on->frame->order[item->entry];
     const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_beam_light *light = renderer->beam_light;
+    const fxl_beam_light *light = fxl_instance_light(on, instance);
     fxl_point points[FXL_FACE_VERTICES_MAX];
     uint32_t vertex = item->first;
     for (uint32_t i = 0; i < item->count; i++) {
@@ -196,8 +198,7 @@ static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
     fxl_pieces pieces;
     fxl_pieces_begin(&pieces, on);
     pieces.planes = entry->instance.planes;
-    if (light != NULL &&
-        light->reaches(light, &instance->centre, scene->models[instance->model].radius)) {
+    if (light != NULL) {
         const fxl_face face = {.count = item->count, .colour = item->colour};
         (void)light->split(light, &pieces, &face, points, item->count);
     } else {
@@ -222,13 +223,13 @@ bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, 
         fxl_traversal uncounted = *on;
         uncounted.counters = &counters;
         bool whole = item->first == FXL_ITEM_NONE;
-        bool fitted = whole ? walk_whole(&uncounted, &renderer->order[item->entry], &place->face)
+        bool fitted = whole ? walk_whole(&uncounted, &on->frame->order[item->entry], &place->face)
                             : walk_piece(&uncounted, &parts, item);
         on->counters->spilled += counters.spilled;
         if (!fitted) {
             return false;
         }
-        if (!whole && on->counters == &renderer->counters) {
+        if (!whole && on->counters == &on->workspace->counters) {
             workspace->refused += counters.refused;
         }
         place->index += 1;

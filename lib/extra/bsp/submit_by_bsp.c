@@ -18,8 +18,8 @@ typedef struct {
     const fxl_scene *scene;
     fxl_bsp_workspace *workspace;
     uint32_t *sides, *busy;
-    fxl_model_view *model_view; /* null: the tree's object is not in sight */
-    fxl_face_sink take;
+    fxl_model_view *model_view;  /* null: the tree's object is not in sight */
+    const fxl_beam_light *light; /* null: none may light the tree's instance */
     fxl_point from;              /* the eye, as the tree's object sees it */
     const fxl_bsp_node *asked;   /* whose sphere was asked last, */
     uint32_t answer;             /* and what it said */
@@ -44,18 +44,19 @@ uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
 }
 
 /* The layer's entries in the order, and which of them is the tree's. */
-static void find_layer(const fxl_renderer *renderer, fxl_bsp_workspace *workspace)
+static void find_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 {
-    const fxl_scene *scene = renderer->scene;
+    const fxl_scene *scene = on->renderer->scene;
+    const fxl_frame *frame = on->frame;
     const uint32_t layer = scene->instances[scene->bsp_instance].layer;
     uint32_t first = 0, end;
-    while (first < renderer->visible_count && renderer->order[first].instance.layer != layer) {
+    while (first < frame->visible_count && frame->order[first].instance.layer != layer) {
         first++;
     }
     workspace->owner = FXL_ITEM_NONE;
-    for (end = first; end < renderer->visible_count && renderer->order[end].instance.layer == layer;
+    for (end = first; end < frame->visible_count && frame->order[end].instance.layer == layer;
          end++) {
-        if (renderer->order[end].index == scene->bsp_instance) {
+        if (frame->order[end].index == scene->bsp_instance) {
             workspace->owner = (uint16_t)end;
         }
     }
@@ -176,7 +177,8 @@ static bool submit_faces(bsp_traversal *traversal, fxl_bsp_resume_point *place)
             &faces[traversal->reverse ? node->face_count - 1 - place->index : place->index];
         if (!fxl_model_view_face_is_front(traversal->model_view, face)) {
             counters->backfacing += 1;
-        } else if (!traversal->take(traversal->on, traversal->model_view, face)) {
+        } else if (!fxl_submit_face_lit(traversal->on, traversal->light, traversal->model_view,
+                                        face)) {
             return false;
         }
         counters->in += 1;
@@ -271,10 +273,10 @@ static bool submit_nodes(bsp_traversal *traversal, fxl_bsp_resume_point *place)
 static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
                          const fxl_bsp_parts *parts)
 {
-    fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[scene->bsp_instance];
-    const fxl_point *eye = &renderer->view.camera.position;
+    const fxl_point *eye = &on->frame->view.camera.position;
     fxl_model_view model_view;
     /* Eye and centre are within FXL_COORDINATE_MAX: below 2^30. */
     bsp_traversal traversal = {.on = on,
@@ -282,18 +284,17 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
                                .workspace = workspace,
                                .sides = parts->sides,
                                .busy = parts->busy,
-                               .take = on->sink,
                                .from = {eye->x - instance->centre.x, eye->y - instance->centre.y,
                                         eye->z - instance->centre.z},
                                .reverse = renderer->visibility->front_to_back};
     if (workspace->owner != FXL_ITEM_NONE) {
         fxl_model_view_of_instance(&model_view, scene, instance,
-                                   renderer->order[workspace->owner].instance.planes,
-                                   &renderer->view, &renderer->cache);
+                                   on->frame->order[workspace->owner].instance.planes,
+                                   &on->frame->view, &on->workspace->cache);
         traversal.model_view = &model_view;
         traversal.planes = model_view.planes;
         traversal.inside_end = traversal.planes == 0 ? scene->bsp_node_count : 0;
-        traversal.take = fxl_instance_sink(on, instance, &scene->models[instance->model]);
+        traversal.light = fxl_instance_light(on, instance);
     }
     fxl_bsp_resume_point place = {0, 0, 0, FIRST};
     if (on->resume->faces != 0) {
@@ -309,15 +310,15 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
 
 bool fxl_submit_by_bsp(const fxl_traversal *on)
 {
-    fxl_renderer *renderer = on->renderer;
-    const uint32_t count = renderer->visible_count;
+    const fxl_renderer *renderer = on->renderer;
+    const uint32_t count = on->frame->visible_count;
     if (renderer->scene->bsp_nodes == NULL) {
         return fxl_submit_by_distance(on);
     }
     fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->submit_workspace;
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
-    if (on->band == NULL) {
-        find_layer(renderer, workspace);
+    if (on->display_list != NULL) {
+        find_layer(on, workspace);
         fxl_bsp_cut_movers(on, workspace);
     }
     while (on->resume->instances < count) {
@@ -325,7 +326,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
         const uint32_t at = renderer->visibility->front_to_back ? count - 1 - number : number;
         const bool by_tree = at >= workspace->first && at < workspace->end;
         if (!(by_tree ? submit_layer(on, workspace, &parts)
-                      : fxl_submit_instance(on, &renderer->order[at]))) {
+                      : fxl_submit_instance(on, &on->frame->order[at]))) {
             return false;
         }
         on->resume->instances =

@@ -33,15 +33,15 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
                                   fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     static const fxl_clip_steps way = {.see = see, .project = project};
-    fxl_view *view = model_view->view;
+    const fxl_view *view = model_view->view;
     fxl_polygon *polygon = &work->by_world.polygons[0];
     const fxl_polygon *clipped = polygon;
     fxl_clip_result result = FXL_CLIP_INSIDE;
     if (model_view->planes != 0) {
         fxl_face_to_polygon(model_view, face, polygon);
-        result = fxl_clip_world_by_planes(polygon, fxl_view_world_frustum(view), model_view->planes,
-                                          &work->by_world,
-                                          (fxl_clip_stats *)view->clipper_workspace, &clipped);
+        result =
+            fxl_clip_world_by_planes(polygon, &view->frustum, model_view->planes, &work->by_world,
+                                     (fxl_clip_stats *)view->clipper_workspace, &clipped);
     }
     if (result == FXL_CLIP_INSIDE) { /* bug: world-in-place */
         return fxl_clip_common_whole(model_view, face, screen, &way, 0);
@@ -61,4 +61,4 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
     return FXL_CLIP_CUT;
 }
 
-const fxl_clipper fxl_clipper_world = {.clip = fxl_clip_by_world};
+const fxl_clipper fxl_clipper_world = {.clip = fxl_clip_by_world, .in_world = true};

@@ -2,21 +2,22 @@
 #include "../../src/math/arith.h"
 #include "../../src/draw/submit.h"
 
-void fxl_band_split_draw(fxl_renderer *renderer, const fxl_band *band)
+void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
+                         const fxl_band *band)
 {
     const uint32_t end = (uint32_t)band->first_row + band->rows;
     fxl_band part = *band;
     uint16_t rows = band->rows;
     while (part.first_row < end) {
-        const fxl_counters before = renderer->counters;
+        const fxl_counters before = workspace->counters;
         part.rows = (uint16_t)(end - part.first_row < rows ? end - part.first_row : rows);
-        if (fxl_draw_band(renderer, &part)) {
+        if (fxl_draw_band(renderer, workspace, &part)) {
             part.first_row = (uint16_t)(part.first_row + part.rows);
             part.pixels += (size_t)part.rows * part.stride;
         } else {
             FXL_ASSERT(part.rows > 1);
-            renderer->counters = before; /* bug: begun-again */
-            renderer->counters.split_bands += 1;
+            workspace->counters = before; /* bug: begun-again */
+            workspace->counters.split_bands += 1;
             rows = (uint16_t)((part.rows + 1) / 2);
         }
     }

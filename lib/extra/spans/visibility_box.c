@@ -5,12 +5,12 @@
 #include "fixel/extra/spans/scan_box.h"
 #include "../../src/draw/submit.h"
 
-static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
 {
     fxl_scan_box scan;
     fxl_span span;
-    (void)renderer;
+    (void)workspace;
     fxl_scan_box_begin(points, count, band, &scan);
     while (fxl_scan_box_next(&scan, &span)) {
         fxl_fill_span(band, &span, colour);

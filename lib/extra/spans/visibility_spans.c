@@ -6,18 +6,19 @@ uint32_t fxl_spans_workspace_size(const fxl_lens *lens)
     return FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
 }
 
-void fxl_spans_begin(fxl_renderer *renderer, const fxl_band *band)
+void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    fxl_span_buffer *buffer = fxl_span_buffer_make(
-        renderer->raster_workspace, renderer->raster_workspace_size, renderer->view.lens.height);
+    fxl_span_buffer *buffer =
+        fxl_span_buffer_make(workspace->raster_workspace, workspace->raster_workspace_size,
+                             renderer->frame.view.lens.height);
     fxl_span_buffer_begin(buffer, band);
 }
 
-static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
 {
-    fxl_span_buffer *buffer = fxl_spans_of(renderer);
-    fxl_scan *scan = &renderer->work.scan;
+    fxl_span_buffer *buffer = fxl_spans_of(workspace);
+    fxl_scan *scan = &workspace->work.scan;
     const fxl_trapezoid *trapezoid;
     if (buffer->open_rows == 0) {
         return true;

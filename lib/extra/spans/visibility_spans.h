@@ -8,11 +8,11 @@
 
 /* fxl_raster_backend.room and .begin: the span buffer is all of the painter's room. */
 uint32_t fxl_spans_workspace_size(const fxl_lens *lens);
-void fxl_spans_begin(fxl_renderer *renderer, const fxl_band *band);
+void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
-static inline fxl_span_buffer *fxl_spans_of(const fxl_renderer *renderer)
+static inline fxl_span_buffer *fxl_spans_of(const fxl_workspace *workspace)
 {
-    return (fxl_span_buffer *)renderer->raster_workspace;
+    return (fxl_span_buffer *)workspace->raster_workspace;
 }
 
 #endif

@@ -2,10 +2,10 @@
 #include "fixel/extra/spans/scan_box.h"
 #include "visibility_spans.h"
 
-static bool paint(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
+static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
 {
-    fxl_span_buffer *buffer = fxl_spans_of(renderer);
+    fxl_span_buffer *buffer = fxl_spans_of(workspace);
     fxl_scan_box scan;
     fxl_span span;
     if (buffer->open_rows == 0) {

@@ -1,14 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The frame loop (Listing 65.3, UpdateWorld): every stage, in order. */
+/* The renderer (Listing 65.3, UpdateWorld).
+ *
+ * A first program calls fxl_renderer_init and fxl_render. The second level is beneath: the
+ * caller's own tables of memory (fxl_renderer_init_with), frames drawn in bands
+ * (fxl_frame_begin, fxl_fill_band, fxl_frame_draw), another clipper or another way to decide
+ * what is visible (fxl_renderer_set_clipper, fxl_renderer_set_visibility). */
 #ifndef FXL_RENDER_H
 #define FXL_RENDER_H
 
 #include "fixel/stage/clipper.h"
-#include "fixel/stage/visibility.h"
 #include "fixel/stage/display_list.h"
 #include "fixel/stage/fill.h"
+#include "fixel/stage/lens.h"
 #include "fixel/stage/order.h"
 #include "fixel/stage/scan.h"
+#include "fixel/stage/visibility.h"
+
+/* --- records -------------------------------------------------------------------------- */
+
+/* What a first program chooses; fxl_config_default fills it in. */
+typedef struct {
+    uint16_t width, height;   /* pixels, 1..FXL_SCREEN_MAX */
+    fxl_angle fov;            /* horizontal field of view, FXL_FOV_MIN..FXL_FOV_MAX */
+    fxl_q16_16 near_z, far_z; /* world units: what is nearer, or farther, is clipped away */
+    fxl_q16_16 inset;         /* how far every plane of the frustum moves inward; 0 */
+    uint8_t background;       /* palette index that fxl_render clears to */
+} fxl_config;
 
 /* Memory of the caller that a renderer works in for as long as it lives. */
 typedef struct {
@@ -17,105 +34,145 @@ typedef struct {
     uint32_t *display_list;         /* may be null where display_list_capacity is 0 */
     uint32_t display_list_capacity; /* words; see FXL_DISPLAY_LIST_WORDS */
     fxl_cached_vertex *cache;       /* may be null where cache_capacity is 0 */
-    uint32_t cache_capacity;        /* entries: a power of two, or what is more lies idle */
+    uint32_t cache_capacity;        /* entries; the largest power of two of them is used */
 } fxl_memory;
 
-/* How far a walk over the scene has come: so many objects in the order of
- * drawing are done, and of the next object so many faces. */
+/* How far a traversal of the scene has come: so many instances of the frame's order are
+ * done, and so many faces of the next instance. */
 typedef struct {
     uint16_t instances, faces;
 } fxl_resume_point;
 
-_Static_assert(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535,
-               "fxl_resume_point");
+FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535,
+                  "fxl_resume_point");
+
+/* What fxl_frame_begin works out, and drawing only reads. */
+typedef struct {
+    fxl_view view;
+    fxl_order_entry *order; /* instances in sight, in the order of drawing; the caller's */
+    fxl_display_list display_list;
+    fxl_resume_point resume; /* the first face that the display list had no room for */
+    uint16_t visible_count;  /* instances in sight */
+    uint8_t background;      /* palette index that fxl_render clears to */
+    bool ready;              /* the frame has begun */
+} fxl_frame;
+
+/* What drawing works in, and may change: each core that draws has its own. */
+typedef struct fxl_workspace {
+    fxl_counters counters;
+    fxl_order_entry *face_order; /* front faces of one sorted model, in the order of drawing */
+    uint16_t sorted_instance;    /* whose they are, as fxl_resume_point counts instances */
+    uint16_t front_count;        /* how many */
+    bool counted;                /* faces that are not in the display list have been counted */
+    fxl_vertex_cache cache;
+    fxl_cached_vertex own_entry; /* all of the cache where the caller gave none */
+    void *raster_workspace;      /* the raster backend's, of the caller's memory; or null */
+    uint32_t raster_workspace_size;
+    fxl_screen_polygon screen;
+    union { /* a polygon's clipping is over when it is scanned */
+        fxl_clipper_work clip;
+        fxl_scan scan;
+    } work;
+} fxl_workspace;
 
 typedef struct fxl_beam_light fxl_beam_light;
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
  * 64 for each vertex of FXL_POLYGON_CAPACITY: 2520 where that is 32, 1240 where
  * it is 12. Several may live at once; none knows of another. Members are for
- * reading only, but for light. */
+ * reading only; a renderer must not be copied or moved. */
 struct fxl_renderer {
     const fxl_scene *scene;
-    fxl_order_entry *order;           /* objects; from scene->object_count on, one model's faces */
     const fxl_clipper *clipper;       /* fxl_clipper_view, or another */
     const fxl_visibility *visibility; /* fxl_visibility_sorted, or another */
-    const fxl_beam_light *beam_light; /* null, or what splits faces; set between two frames */
-    bool ready;                       /* a frame has begun */
-    bool counted;                     /* a band was drawn: what is not in the list is counted */
-    uint16_t visible_count;           /* objects in order: those that the frame looks into */
-    uint16_t sorted_instance,
-        front_count; /* whose faces are in order, as fxl_resume_point counts; how many */
-    fxl_display_list display_list;
-    uint32_t
-        instance_capacity;   /* what scene->object_count may grow to: order has room for so many */
-    fxl_resume_point resume; /* where the list was full */
-    fxl_counters counters;
-    void *submit_workspace; /* what the caller gave for hidden, in two parts */
-    fxl_view view;
-    fxl_vertex_cache cache;
-    void *raster_workspace;      /* the other */
-    fxl_cached_vertex own_entry; /* all of the cache where the caller gave none */
-    uint32_t raster_workspace_size;
-    fxl_screen_polygon screen;
-    union { /* a polygon is scanned when its clipping is over */
-        fxl_clipper_work clip;
-        fxl_scan scan;
-    } work;
+    const fxl_beam_light *beam_light; /* null, or what splits faces by light beams */
+    void *submit_workspace;           /* the visibility method's, of the caller's memory; or null */
+    union {
+        uint32_t instance_capacity; /* instances that the order has room for */
+        uint32_t memory_missing;    /* bytes, where fxl_renderer_init answered FXL_E_CAPACITY */
+    };
+    fxl_frame frame;
+    fxl_workspace workspace;
 };
 
-/* The symbols of fxl_renderer_init_with... end in FXL_POLYGON_CAPACITY (format.h). */
+/* The symbols of the functions that set a renderer up end in FXL_POLYGON_CAPACITY (config.h). */
 #define FXL_WITH_CAPACITY(name, capacity) name##_for_polygons_of_##capacity
 #define FXL_NAME_WITH(name, capacity)     FXL_WITH_CAPACITY(name, capacity)
+#define fxl_renderer_init                 FXL_NAME_WITH(fxl_renderer_init, FXL_POLYGON_CAPACITY)
 #define fxl_renderer_init_with            FXL_NAME_WITH(fxl_renderer_init_with, FXL_POLYGON_CAPACITY)
 #define fxl_renderer_init_bare            FXL_NAME_WITH(fxl_renderer_init_bare, FXL_POLYGON_CAPACITY)
 
-/* Ties a renderer to a scene (checked by fxl_scene_open or fxl_scene_check), a
- * lens, and memory. Zeroes the counters.
- * A list that holds every polygon of a frame lets bands be drawn without a look
- * at the scene; one that is full leaves the rest to every band, and without one
- * every band walks the scene. The pixels are the same.
+/* --- a first program -------------------------------------------------------------------- */
+
+/* A configuration for a screen: a field of view of 60 degrees, near at 1/4, far at 256 world
+ * units, no inset, background 0. Nothing is checked: fxl_renderer_init does. */
+fxl_config fxl_config_default(uint16_t width, uint16_t height);
+
+/* Ties a renderer to a scene (an exported one, or one that was checked by fxl_scene_open or
+ * fxl_scene_check), a screen, and one block of memory of the caller's, aligned to 8 bytes, of
+ * which it keeps hold. The block is divided: first the order of drawing, which must fit;
+ * of the rest a quarter at most, and no more than the largest model needs, keeps vertices that
+ * faces share; what is left is the display list. A larger block saves time and changes no
+ * pixel.
+ * FXL_E_ARGUMENT; FXL_E_ALIGNMENT (memory); FXL_E_RANGE (config); FXL_E_ORDER (the scene was
+ * not checked): renderer untouched. FXL_E_CAPACITY: the block is too small by
+ * renderer->memory_missing bytes; nothing else is written. */
+fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
+                             const fxl_config *config, void *memory, size_t memory_size);
+
+/* Draws a whole frame as the eye sees it: clears pixels to the background, then draws. One
+ * byte a pixel, rows downward, row y at pixels + y * stride. Requires stride >= width and
+ * memory for height rows.
+ * FXL_E_ARGUMENT, FXL_E_RANGE (eye, stride): pixels untouched; counted in refused_calls. */
+fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixels,
+                      uint16_t stride);
+
+/* --- the second level -------------------------------------------------------------------- */
+
+/* The same with a lens made by its function and tables of the caller's own. Zeroes the counters.
+ * A display list that holds every polygon of a frame lets bands be drawn without a look
+ * at the scene. One that is full leaves the rest to every band; without one every band
+ * traverses the scene. The pixels are the same.
  * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked: its order_needed is 0),
- * FXL_E_CAPACITY (order; or an object_count that was raised after the check): renderer
+ * FXL_E_CAPACITY (order; or an instance_count that was raised after the check): renderer
  * untouched. */
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
-/* The same, but with no clipper and nothing that hides what: where others are set than
- * fxl_renderer_init_with would, those it would are not linked. fxl_frame_begin answers
- * FXL_E_ORDER until both are set. */
+/* The same, with neither a clipper nor a visibility method: a program that sets both links
+ * neither of the usual ones. fxl_frame_begin answers FXL_E_ORDER until both are set. */
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
-/* Sets the clipper, and room of the caller's for it: clipper->room bytes aligned to 8, of
- * which it keeps hold; may be null where that is 0. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_CAPACITY (room_size): renderer untouched but for
+/* Sets the clipper and its workspace: clipper->workspace_size bytes of the caller's, aligned to
+ * 8, of which it keeps hold; may be null where that is 0. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_CAPACITY (workspace_size): renderer untouched but for
  * refused_calls. */
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
                                     void *workspace, uint32_t workspace_size);
 
-/* Sets what hides what, and room of the caller's for it, aligned to 8, of which it keeps
- * hold; may be null where the method wants none. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_CAPACITY (room_size is less than the method wants for this scene and
- * this lens): renderer untouched but for refused_calls. */
+/* Sets the visibility method and its workspace, of the caller's memory, aligned to 8, of which
+ * it keeps hold; may be null where the method wants none. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_CAPACITY (workspace_size is less than the method wants for this scene
+ * and this lens): renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
                                        void *workspace, uint32_t workspace_size);
 
-/* Begins a frame: camera, frustum, order of the objects in sight; then every polygon on
- * its way to the screen, as far as the list reaches. Zeroes the counters except
- * refused_calls, and counts the polygons that it came to. Then draw the frame
- * whole or in bands. scene->object_count may change between the last band of a frame and
- * fxl_frame_begin, as far as the order table has room.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, or nothing that hides what), FXL_E_RANGE (pose),
- * FXL_E_CAPACITY (scene->object_count has grown beyond the order table): the frame before
+/* Begins a frame: camera; cull and sort the instances; then every face is transformed,
+ * clipped, projected and appended to the display list, as far as that has room. Zeroes the
+ * counters except refused_calls, and counts the faces that it came to. Then draw the frame
+ * whole or in bands. scene->instance_count may change between the last band of a frame and
+ * fxl_frame_begin, as far as the order has room.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, or no visibility method), FXL_E_RANGE (pose),
+ * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): the frame before
  * stays current; counted in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared
- * (fxl_fill_band): those of the list that reach it, then the rest of the scene
+ * (fxl_fill_band): those of the display list that reach it, then the rest of the scene
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. The first band after fxl_frame_begin counts that rest, so that each
- * polygon is counted once.
+ * face is counted once.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
  * not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);

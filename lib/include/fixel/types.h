@@ -31,6 +31,15 @@ extern "C" {
  * floor(x + 1/2). The reasons for the ranges stand in SPEC.md.
  */
 
+/* A cast, and an assertion of the compiler's, as C and C++ each have them. */
+#ifdef __cplusplus
+#define FXL_CAST(type, value) static_cast<type>(value)
+#define FXL_STATIC_ASSERT     static_assert
+#else
+#define FXL_CAST(type, value) ((type)(value))
+#define FXL_STATIC_ASSERT     _Static_assert
+#endif
+
 typedef int32_t fxl_q16_16; /* world units, pixels, texels; unit 1/65536 */
 typedef int32_t fxl_q2_30;  /* components of unit vectors, sines; unit 2^-30 */
 typedef uint32_t fxl_q1_31; /* fractions 0..1 inclusive; unit 2^-31 */
@@ -43,6 +52,24 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 
 /* 90 degrees. */
 #define FXL_ANGLE_QUARTER FXL_CAST(fxl_angle, 0x40000000u)
+
+/* Constants of a program, worked out by the compiler: integer constant expressions where their
+ * arguments are, without a floating-point number. Arguments are evaluated more than once.
+ *
+ * n world units, |n| <= 32767, exact. */
+#define FXL_UNITS(n) FXL_CAST(fxl_q16_16, FXL_CAST(int32_t, n) * 65536)
+/* n / d world units, to the nearest 1/65536, halves upward. Requires d > 0, |n|, d < 2^31 and
+ * a result within +-32767. */
+#define FXL_RATIO(n, d) \
+    FXL_CAST(fxl_q16_16, \
+             FXL_DIVIDE_FLOOR(131072 * FXL_CAST(int64_t, n) + (d), 2 * FXL_CAST(int64_t, d)))
+/* n degrees as a binary angle, to the nearest 2^-32 turn, halves upward; |n| < 2^29. */
+#define FXL_DEGREES(n) \
+    FXL_CAST(fxl_angle, \
+             FXL_CAST(uint64_t, FXL_DIVIDE_FLOOR(FXL_CAST(int64_t, n) * 8589934592 + 360, 720)) & \
+                 0xFFFFFFFFu)
+/* floor(n / d) for d > 0. */
+#define FXL_DIVIDE_FLOOR(n, d) ((n) >= 0 ? (n) / (d) : -((-(n) + (d)-1) / (d)))
 
 /* World coordinates of vertices, object centres and the eye: |c| <= 8191.
  * Then a difference of two is below 2^30 units, a sum of three products with
@@ -231,8 +258,13 @@ typedef struct {
 typedef struct {
     uint8_t colour;
     uint8_t count;
+    uint8_t kind; /* how it is filled: FXL_POLYGON_FLAT */
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
+
+enum {
+    FXL_POLYGON_FLAT = 0 /* one colour */
+};
 
 /* Rows first <= row < end; none where the two are equal. */
 typedef struct {

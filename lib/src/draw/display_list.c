@@ -5,9 +5,8 @@
 
 #include "../math/arith.h"
 
-/* A record: first row and, above it, end row, 16 bits each; colour and, above
- * it, count, 8 bits each; then x and y of each point. Points are read where
- * they lie. */
+/* A record: first row and, above it, end row, 16 bits each; colour, count and kind, from the
+ * lowest, 8 bits each; then x and y of each point. Points are read where they lie. */
 _Static_assert(sizeof(fxl_screen_point) == 2 * sizeof(uint32_t), "two words a point");
 _Static_assert(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
 
@@ -27,7 +26,7 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
     }
     uint32_t *to = list->words + list->used;
     to[0] = (uint32_t)rows.end << 16 | rows.first; /* bug: list-row-end */
-    to[1] = (uint32_t)polygon->count << 8 | polygon->colour;
+    to[1] = (uint32_t)polygon->kind << 16 | (uint32_t)polygon->count << 8 | polygon->colour;
     memcpy(to + 2, polygon->points, polygon->count * sizeof polygon->points[0]);
     list->used += words;
     return true;
@@ -45,6 +44,7 @@ bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t
             record->rows = reached;
             record->colour = (uint8_t)from[1];
             record->count = count;
+            record->kind = (uint8_t)(from[1] >> 16);
             record->points = (const fxl_screen_point *)(const void *)(from + 2);
             return true;
         }

@@ -7,18 +7,18 @@ void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on)
     pieces->on = on;
     pieces->planes = FXL_PLANES_ALL;
     pieces->outcome = 0;
-    pieces->used = on->renderer->display_list.used;
+    pieces->used = on->display_list != NULL ? on->display_list->used : 0;
 }
 
 bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour)
 {
-    fxl_renderer *renderer = pieces->on->renderer;
+    const fxl_traversal *on = pieces->on;
     const fxl_face face = {.count = (uint8_t)count, .colour = colour};
     fxl_model_view model_view;
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    fxl_model_view_of_polygon(&model_view, points, pieces->planes, &renderer->view,
-                              &renderer->cache);
-    pieces->outcome |= fxl_submit_polygons(pieces->on, &model_view, &face);
+    fxl_model_view_of_polygon(&model_view, points, pieces->planes, &on->frame->view,
+                              &on->workspace->cache);
+    pieces->outcome |= fxl_submit_polygons(on, &model_view, &face);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 

@@ -1,130 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/render.h"
-
+/* The pipeline on one page.
+ *
+ *   fxl_frame_begin   camera -> cull and sort the instances ->
+ *                     for each face: transform -> clip -> project -> append to the display list
+ *   fxl_frame_draw    for each polygon of the display list: scan -> fill;
+ *                     then, where the list was full, every face that is left:
+ *                     transform -> clip -> project -> scan -> fill
+ *
+ * The clipper transforms, clips and projects (fxl_clipper.clip); the visibility method gives
+ * the faces in their order (fxl_visibility.submit) and owns the raster backend, which scans
+ * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
 #include <string.h>
 
+#include "renderer.h"
 #include "submit.h"
 
-#ifdef __arm__
-_Static_assert(sizeof(fxl_renderer) == 472 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
-#endif
+/* --- begin ---------------------------------------------------------------------------- */
 
-static fxl_status refuse(fxl_renderer *renderer, fxl_status status)
+/* The counters of a new frame, of which so many faces were culled with their instances. */
+static void begin_counters(fxl_counters *counters, uint32_t culled)
 {
-    renderer->counters.refused_calls += 1;
-    return status;
-}
-
-fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
-                                  const fxl_lens *lens, const fxl_memory *memory)
-{
-    fxl_status status = fxl_renderer_init_bare(renderer, scene, lens, memory);
-    if (status == FXL_OK) {
-        renderer->clipper = &fxl_clipper_view;
-        renderer->visibility = &fxl_visibility_sorted;
-    }
-    return status;
-}
-
-fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
-                                  const fxl_lens *lens, const fxl_memory *memory)
-{
-    if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
-        memory->order == NULL ||
-        (memory->display_list == NULL && memory->display_list_capacity > 0) ||
-        (memory->cache == NULL && memory->cache_capacity > 0)) {
-        return FXL_E_ARGUMENT;
-    }
-    if (scene->order_needed == 0) {
-        return FXL_E_ORDER;
-    }
-    if (memory->order_capacity < scene->order_needed ||
-        scene->order_needed < scene->instance_count) {
-        return FXL_E_CAPACITY;
-    }
-    renderer->scene = scene;
-    fxl_view_set_lens(&renderer->view, lens);
-    renderer->clipper = NULL;
-    renderer->visibility = NULL;
-    renderer->beam_light = NULL;
-    renderer->submit_workspace = NULL;
-    renderer->raster_workspace = NULL;
-    renderer->raster_workspace_size = 0;
-    renderer->order = memory->order;
-    /* What is needed beyond the objects is for the faces of one model. */
-    renderer->instance_capacity =
-        memory->order_capacity - (scene->order_needed - scene->instance_count);
-    renderer->display_list.words = memory->display_list;
-    renderer->display_list.capacity = memory->display_list_capacity;
-    renderer->display_list.used = 0;
-    if (memory->cache_capacity > 0) {
-        fxl_vertex_cache_init(&renderer->cache, memory->cache, memory->cache_capacity);
-    } else {
-        fxl_vertex_cache_init(&renderer->cache, &renderer->own_entry, 1);
-    }
-    renderer->ready = false;
-    memset(&renderer->counters, 0, sizeof renderer->counters);
-    return FXL_OK;
-}
-
-/* Room of the caller's, as it is to be. */
-static bool is_room(const void *workspace, uint32_t wanted)
-{
-    return wanted == 0 || (workspace != NULL && ((uintptr_t)workspace & 7u) == 0);
-}
-
-fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
-                                    void *workspace, uint32_t workspace_size)
-{
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    if (clipper == NULL || !is_room(workspace, clipper->workspace_size)) {
-        return refuse(renderer, FXL_E_ARGUMENT);
-    }
-    if (workspace_size < clipper->workspace_size) {
-        return refuse(renderer, FXL_E_CAPACITY);
-    }
-    if (clipper->workspace_size > 0) {
-        memset(workspace, 0, clipper->workspace_size);
-    }
-    renderer->clipper = clipper;
-    renderer->view.clipper_workspace = workspace;
-    renderer->ready = false;
-    return FXL_OK;
-}
-
-fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
-                                       void *workspace, uint32_t workspace_size)
-{
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    if (visibility == NULL) {
-        return refuse(renderer, FXL_E_ARGUMENT);
-    }
-    const fxl_raster_backend *backend = visibility->backend;
-    uint32_t traversal = visibility->submit_workspace_size != NULL
-                             ? visibility->submit_workspace_size(renderer->scene)
-                             : 0;
-    uint32_t paint =
-        backend->workspace_size != NULL ? backend->workspace_size(&renderer->view.lens) : 0;
-    traversal = (traversal + 7u) & ~7u;
-    if (!is_room(workspace, traversal + paint)) {
-        return refuse(renderer, FXL_E_ARGUMENT);
-    }
-    if (workspace_size < traversal || workspace_size - traversal < paint) {
-        return refuse(renderer, FXL_E_CAPACITY);
-    }
-    if (traversal > 0) {
-        memset(workspace, 0, traversal);
-    }
-    renderer->visibility = visibility;
-    renderer->submit_workspace = workspace;
-    renderer->raster_workspace = paint > 0 ? (uint8_t *)workspace + traversal : NULL;
-    renderer->raster_workspace_size = paint > 0 ? workspace_size - traversal : 0;
-    renderer->ready = false;
-    return FXL_OK;
+    uint32_t refused_calls = counters->refused_calls;
+    memset(counters, 0, sizeof *counters);
+    counters->refused_calls = refused_calls;
+    counters->in = culled; /* bug: left-out-count */
+    counters->outside = culled;
 }
 
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
@@ -133,52 +33,214 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
         return FXL_E_ARGUMENT;
     }
     if (renderer->clipper == NULL || renderer->visibility == NULL) {
-        return refuse(renderer, FXL_E_ORDER);
+        return fxl_renderer_refuse(renderer, FXL_E_ORDER);
     }
     if (renderer->scene->instance_count > renderer->instance_capacity) {
-        return refuse(renderer, FXL_E_CAPACITY);
+        return fxl_renderer_refuse(renderer, FXL_E_CAPACITY);
     }
-    fxl_status status = fxl_view_set_pose(&renderer->view, pose);
+    fxl_frame *frame = &renderer->frame;
+    fxl_workspace *workspace = &renderer->workspace;
+    /* camera */
+    fxl_status status = fxl_view_set_pose(&frame->view, pose);
     if (status != FXL_OK) {
-        return refuse(renderer, status);
+        return fxl_renderer_refuse(renderer, status);
     }
-    uint32_t left_out;
-    renderer->visible_count =
-        (uint16_t)fxl_order_instances(renderer->scene, &renderer->view.camera,
-                                      &renderer->view.view_frustum, renderer->order, &left_out);
-    uint32_t refused_calls = renderer->counters.refused_calls;
-    memset(&renderer->counters, 0, sizeof renderer->counters);
-    renderer->counters.refused_calls = refused_calls;
-    renderer->counters.in = left_out; /* bug: left-out-count */
-    renderer->counters.outside = left_out;
-    renderer->display_list.used = 0;
+    if (renderer->clipper->in_world) {
+        fxl_view_set_world_frustum(&frame->view);
+    }
+    /* cull and sort */
+    uint32_t culled;
+    frame->visible_count = (uint16_t)fxl_order_instances(
+        renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->order, &culled);
+    begin_counters(&workspace->counters, culled);
+    workspace->counted = false;
+    workspace->face_order = frame->order + renderer->scene->instance_count;
     /* bug: sorted-stale */
-    renderer->sorted_instance = UINT16_MAX; /* no object's place: those are below in_sight */
-    renderer->resume.instances = 0;
-    renderer->resume.faces = 0;
-    const fxl_traversal on = {renderer, NULL, &renderer->resume, &renderer->counters,
-                              fxl_face_sink_for(renderer, NULL)};
+    workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
+    /* for each face: transform, clip, project, append */
+    frame->display_list.used = 0;
+    frame->resume.instances = 0;
+    frame->resume.faces = 0;
+    const fxl_traversal on = {.renderer = renderer,
+                              .frame = frame,
+                              .workspace = workspace,
+                              .display_list = &frame->display_list,
+                              .resume = &frame->resume,
+                              .counters = &workspace->counters};
     (void)renderer->visibility->submit(&on);
-    renderer->ready = true;
-    renderer->counted = false;
+    frame->ready = true;
     return FXL_OK;
 }
 
-bool fxl_draw_band(fxl_renderer *renderer, const fxl_band *part)
+/* --- a face ----------------------------------------------------------------------------- */
+
+/* Where the polygon on the screen goes: to the end of the display list, or into the band. One
+ * that reaches no row goes nowhere. */
+static fxl_outcome deliver(const fxl_traversal *on)
 {
-    const fxl_visibility *visibility = renderer->visibility;
-    fxl_resume_point place = renderer->resume; /* bug: rest-face-late */
-    fxl_counters uncounted = {0};
-    const fxl_traversal on = {renderer, part, &place,
-                              renderer->counted ? &uncounted : &renderer->counters,
-                              fxl_face_sink_for(renderer, part)};
-    if (visibility->backend->begin_band != NULL) {
-        visibility->backend->begin_band(renderer, part);
+    fxl_workspace *workspace = on->workspace;
+    const fxl_screen_polygon *screen = &workspace->screen;
+    fxl_rows rows = fxl_scan_rows(screen, on->frame->view.lens.height);
+    if (rows.first == rows.end) {
+        return 0;
     }
-    if (!fxl_draw_display_list(&on) || !visibility->submit(&on)) {
+    if (on->display_list != NULL) {
+        /* bug: list-drop */
+        return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+    }
+    return on->renderer->visibility->backend->draw_polygon(workspace, screen->points, screen->count,
+                                                           screen->colour, on->band)
+               ? FXL_OUTCOME_SPILLED
+               : FXL_OUTCOME_FULL;
+}
+
+fxl_outcome fxl_submit_polygons(const fxl_traversal *on, const fxl_model_view *model_view,
+                                const fxl_face *face)
+{
+    fxl_workspace *workspace = on->workspace;
+    const fxl_clipper *clipper = on->renderer->clipper;
+    fxl_clip_result cut =
+        clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    fxl_outcome outcome = (fxl_outcome)1 << cut;
+    while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
+        outcome |= deliver(on);
+        if (clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
+            break;
+        }
+        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+        outcome |= (fxl_outcome)1 << cut; /* bug: last-polygon */
+    }
+    return outcome;
+}
+
+bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t used)
+{
+    fxl_counters *counters = on->counters;
+    if (outcome >= FXL_OUTCOME_FULL) {
+        if (on->display_list != NULL) {
+            on->display_list->used = used; /* bug: full-list-keeps */
+        }
         return false;
     }
-    renderer->counted = true; /* bug: counted-again */
+    if (outcome & (1u << FXL_CLIP_CAPACITY | 1u << FXL_CLIP_RANGE)) {
+        counters->refused += 1;
+    } else if (outcome & (1u << FXL_CLIP_INSIDE | 1u << FXL_CLIP_CUT | 1u << FXL_CLIP_BETWEEN)) {
+        counters->drawn += 1;
+        counters->clipped += outcome >> FXL_CLIP_CUT & 1u;
+        counters->spilled += (outcome & FXL_OUTCOME_SPILLED) != 0;
+    } else if (outcome & 1u << FXL_CLIP_DEGENERATE) {
+        counters->degenerate += 1;
+    } else {
+        counters->outside += 1;
+    }
+    return true;
+}
+
+/* scan -> fill, for a scan that was begun. */
+static void fill(fxl_scan *scan, uint8_t colour, const fxl_band *band)
+{
+    if (FXL_IS_SMALL) {
+        fxl_span span;
+        while (fxl_scan_next(scan, &span)) {
+            fxl_fill_span(band, &span, colour);
+        }
+        return;
+    }
+    const fxl_trapezoid *trapezoid = fxl_scan_next_trapezoid(scan);
+    while (trapezoid != NULL) {
+        fxl_fill_trapezoid(band, trapezoid, colour);
+        trapezoid = fxl_scan_is_over(scan) ? NULL : fxl_scan_next_trapezoid(scan);
+    }
+}
+
+/* A face at once into a band, by the backend that draws over what is there, for a clipper that
+ * gives one polygon at most: the rows are found once for scanning and counting. */
+static bool draw_face(const fxl_traversal *on, const fxl_model_view *model_view,
+                      const fxl_face *face)
+{
+    fxl_workspace *workspace = on->workspace;
+    const fxl_screen_polygon *screen = &workspace->screen;
+    fxl_counters *counters = on->counters;
+    fxl_clip_result cut =
+        on->renderer->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    if (cut == FXL_CLIP_BETWEEN) {
+        counters->drawn += 1;
+        return true;
+    }
+    if (cut != FXL_CLIP_INSIDE && cut != FXL_CLIP_CUT) {
+        return fxl_count_outcome(on, (fxl_outcome)1 << cut, 0);
+    }
+    fxl_scan *scan = &workspace->work.scan;
+    fxl_scan_outline(screen->points, screen->count, on->band, scan);
+    if (fxl_scan_is_on_screen(scan, on->frame->view.lens.height)) {
+        counters->spilled += 1;
+        fill(scan, screen->colour, on->band);
+    }
+    counters->drawn += 1;
+    counters->clipped += cut == FXL_CLIP_CUT;
+    return true;
+}
+
+bool fxl_submit_face(const fxl_traversal *on, const fxl_model_view *model_view,
+                     const fxl_face *face)
+{
+    if (!FXL_IS_SMALL && on->draws_over) {
+        return draw_face(on, model_view, face);
+    }
+    uint32_t used = on->display_list != NULL ? on->display_list->used : 0;
+    return fxl_count_outcome(on, fxl_submit_polygons(on, model_view, face), used);
+}
+
+/* --- draw -------------------------------------------------------------------------------- */
+
+static bool draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                      uint8_t colour, const fxl_band *band)
+{
+    fxl_scan_outline(points, count, band, &workspace->work.scan);
+    fill(&workspace->work.scan, colour, band);
+    return true;
+}
+
+const fxl_raster_backend fxl_raster_over = {.draw_polygon = draw_over, .draws_over = true};
+
+/* The polygons of the display list that reach the band. False where the backend's workspace is
+ * full. */
+static bool draw_display_list(const fxl_traversal *on)
+{
+    const fxl_raster_backend *backend = on->renderer->visibility->backend;
+    const fxl_band *band = on->band;
+    const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
+    fxl_display_list_record record;
+    uint32_t place = 0;
+    while (fxl_display_list_next(&on->frame->display_list, wanted, &place, &record)) {
+        if (!backend->draw_polygon(on->workspace, record.points, record.count, record.colour,
+                                   band)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+{
+    const fxl_visibility *visibility = renderer->visibility;
+    const fxl_raster_backend *backend = visibility->backend;
+    fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */
+    fxl_counters uncounted = {0};
+    const fxl_traversal on = {.renderer = renderer,
+                              .frame = &renderer->frame,
+                              .workspace = workspace,
+                              .band = band,
+                              .resume = &resume,
+                              .counters = workspace->counted ? &uncounted : &workspace->counters,
+                              .draws_over = backend->draws_over && renderer->clipper->next == NULL};
+    if (backend->begin_band != NULL) {
+        backend->begin_band(renderer, workspace, band);
+    }
+    if (!draw_display_list(&on) || !visibility->submit(&on)) {
+        return false;
+    }
+    workspace->counted = true; /* bug: counted-again */
     return true;
 }
 
@@ -188,20 +250,21 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         return FXL_E_ARGUMENT;
     }
     if (band == NULL || band->pixels == NULL) {
-        return refuse(renderer, FXL_E_ARGUMENT);
+        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
     }
-    if (!renderer->ready) {
-        return refuse(renderer, FXL_E_ORDER);
+    if (!renderer->frame.ready) {
+        return fxl_renderer_refuse(renderer, FXL_E_ORDER);
     }
-    if (band->width != renderer->view.lens.width || band->stride < band->width || band->rows < 1 ||
-        band->first_row + band->rows > renderer->view.lens.height) {
-        return refuse(renderer, FXL_E_RANGE);
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    if (band->width != lens->width || band->stride < band->width || band->rows < 1 ||
+        band->first_row + band->rows > lens->height) {
+        return fxl_renderer_refuse(renderer, FXL_E_RANGE);
     }
     const fxl_raster_backend *backend = renderer->visibility->backend;
     if (backend->draw_band != NULL) {
-        backend->draw_band(renderer, band);
+        backend->draw_band(renderer, &renderer->workspace, band);
     } else {
-        (void)fxl_draw_band(renderer, band);
+        (void)fxl_draw_band(renderer, &renderer->workspace, band);
     }
     return FXL_OK;
 }

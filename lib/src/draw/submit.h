@@ -1,98 +1,100 @@
 /* SPDX-License-Identifier: MIT */
-/* The walk over a scene, for those that give it faces. Internal. */
+/* The traversal of a scene, and what becomes of the faces that it submits. Internal. */
 #ifndef FXL_SUBMIT_H
 #define FXL_SUBMIT_H
 
 #include "fixel/render.h"
 
-/* What takes a face that faces the eye: transform, clip and project -> list or band, counted in
- * everything but `in`. False where there is no room, in the list or for the painter:
- * the face is then not counted, and the list is as it was. */
-typedef bool (*fxl_face_sink)(const fxl_traversal *on, const fxl_model_view *model_view,
-                              const fxl_face *face);
-
-/* With a band it paints, without one it fills the list. */
+/* A traversal fills the display list (fxl_frame_begin), or draws into a band what the list had
+ * no room for (fxl_frame_draw). */
 struct fxl_traversal {
-    fxl_renderer *renderer;
-    const fxl_band *band;     /* null: the list */
-    fxl_resume_point *resume; /* kept where it is stopped */
+    const fxl_renderer *renderer;
+    const fxl_frame *frame;
+    fxl_workspace *workspace;
+    fxl_display_list *display_list; /* the frame's, to be filled; null: a band is drawn */
+    const fxl_band *band;           /* null: the display list is filled */
+    fxl_resume_point *resume;       /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
-    fxl_face_sink sink; /* fxl_face_sink_for's */
+    bool draws_over; /* faces go straight into the band (fxl_raster_backend.draws_over) */
 };
 
-/* The way of a frame's faces. */
-fxl_face_sink fxl_face_sink_for(const fxl_renderer *renderer, const fxl_band *band);
+/* transform -> clip -> project -> display list or band, for a face that faces the eye. Counts
+ * it in everything but `in`. False where there is no room, in the list or in the backend's
+ * workspace: the face is then not counted, and the list is as it was. */
+bool fxl_submit_face(const fxl_traversal *on, const fxl_model_view *model_view,
+                     const fxl_face *face);
 
-/* The same for an object: with light on it, the light's. */
-fxl_face_sink fxl_instance_sink(const fxl_traversal *on, const fxl_instance *instance,
-                                const fxl_model *model);
+/* The beams that may light an instance; null where none does. */
+const fxl_beam_light *fxl_instance_light(const fxl_traversal *on, const fxl_instance *instance);
 
-/* What is left of an object, from on->place->faces on: all of its faces, counted, by number
- * or by distance, in the order of the method. False where it was stopped. */
+/* fxl_submit_face, or the light's own way for an instance that beams may light. */
+bool fxl_submit_face_lit(const fxl_traversal *on, const fxl_beam_light *light,
+                         const fxl_model_view *model_view, const fxl_face *face);
+
+/* The faces of an instance that are left, from on->resume->faces on: all of them counted, by
+ * number or by distance, in the order of the method. False where the traversal was stopped. */
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry);
 
-/* fxl_visibility.walk: the objects in sight by layer and distance. */
+/* fxl_visibility.submit: the instances in sight by layer and distance. */
 bool fxl_submit_by_distance(const fxl_traversal *on);
 
-/* What the list holds of the band. False where the painter's room is full. */
-bool fxl_draw_display_list(const fxl_traversal *on);
+/* The display list, then the rest of the scene, into a band of a frame. False where the
+ * backend's workspace is full: what was counted must then be forgotten. */
+bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
-/* The list, then the rest of the scene, into a part of a frame. False where the
- * painter's room is full: what was counted is then to be forgotten. */
-bool fxl_draw_band(fxl_renderer *renderer, const fxl_band *part);
-
-/* fxl_raster_backend.draw: where the room is full the band is drawn again in halves, and so on;
- * counted in split_bands. Requires room for any one row. */
-void fxl_band_split_draw(fxl_renderer *renderer, const fxl_band *band);
+/* fxl_raster_backend.draw_band: where the workspace is full the band is drawn again in halves,
+ * and so on; counted in split_bands. Requires a workspace for any one row. */
+void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
+                         const fxl_band *band);
 
 /* --- a face in several pieces ---------------------------------------------- */
 
 /* What became of a face's polygons, piece by piece: bits, 1 << fxl_clip_result and these. */
 typedef uint32_t fxl_outcome;
-#define FXL_OUTCOME_SPILLED ((fxl_outcome)1 << 30) /* one was painted that is not in the list */
-#define FXL_OUTCOME_FULL    ((fxl_outcome)1 << 31) /* all else is to be forgotten */
+#define FXL_OUTCOME_SPILLED ((fxl_outcome)1 << 30) /* one was drawn that is not in the list */
+#define FXL_OUTCOME_FULL    ((fxl_outcome)1 << 31) /* no room: all else must be forgotten */
 
-/* transform, clip and project -> list or band, for every polygon that a face gives. */
+/* transform -> clip -> project -> display list or band, for every polygon that a face gives. */
 fxl_outcome fxl_submit_polygons(const fxl_traversal *on, const fxl_model_view *model_view,
                                 const fxl_face *face);
 
-/* Counts a face in everything but `in`: refused where a polygon of it was, else drawn where
- * one was. False where there was no room: then it counts nothing, and takes the list back
- * to what was used of it. */
+/* Counts a face in everything but `in`: refused where one of its polygons was, else drawn where
+ * one was. False where there was no room: then nothing is counted, and the display list is cut
+ * back to `used` words. */
 bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t used);
 
-/* Counted once; in the list wholly or not at all. The caller owns it. */
+/* A face that is submitted piece by piece. It is counted once, and is in the display list whole
+ * or not at all. The caller owns it. */
 typedef struct {
     const fxl_traversal *on;
     fxl_planes planes; /* that pieces may cross; begin sets all, narrowing it saves time */
     fxl_outcome outcome;
-    uint32_t used; /* of the list, before */
+    uint32_t used; /* words of the display list before the face */
 } fxl_pieces;
 
 void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on);
 
 /* A piece: a convex polygon of the world, 3 <= count <= FXL_POLYGON_CAPACITY vertices, each
- * within FXL_COORDINATE_MAX. What the clipper cannot take in has too many, and is refused.
- * False where there is no room: no more pieces need be given. */
+ * within FXL_COORDINATE_MAX. A piece that the clipper has no room for is refused.
+ * False where there is no room: no more pieces need be submitted. */
 bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour);
 
 /* Counts the face: drawn where a piece was, refused where one was refused, else outside or
  * degenerate; clipped where the clipper cut a piece. False where there was no room: then
- * nothing is counted, and the list is as it was. */
+ * nothing is counted, and the display list is as it was. */
 bool fxl_pieces_end(fxl_pieces *pieces);
 
 /* --- light ------------------------------------------------------------------ */
 
-/* What splits faces into those of a beam and others. Who makes one puts it first in a
- * record of its own; renderer->light points there. */
+/* What splits faces into the parts inside and outside of light beams. Its maker puts it first
+ * in a record of its own; renderer->beam_light points there. */
 struct fxl_beam_light {
-    /* Whether the beam may reach a sphere of the world. */
+    /* Whether a beam may reach a sphere of the world. */
     bool (*reaches)(const fxl_beam_light *light, const fxl_point *centre, fxl_q16_16 radius);
-    /* What takes the faces of an object that it may reach:
-     * fxl_submit_lit_face, or one's own. */
-    fxl_face_sink face;
-    /* Gives what it makes of a polygon of the world, a piece or all of a face, to
-     * fxl_submit_piece. False where that says so. */
+    /* Takes the faces of an instance that a beam may reach: fxl_submit_lit_face, or another. */
+    bool (*face)(const fxl_traversal *on, const fxl_model_view *model_view, const fxl_face *face);
+    /* Splits a polygon of the world, a piece or all of a face, and gives what it makes of it
+     * to fxl_submit_piece. False where that answers false. */
     bool (*split)(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count);
 };

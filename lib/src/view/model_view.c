@@ -42,8 +42,8 @@ static uint32_t count_up(fxl_vertex_cache *cache)
 }
 
 void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
-                                const fxl_instance *instance, fxl_planes planes, fxl_view *view,
-                                fxl_vertex_cache *cache)
+                                const fxl_instance *instance, fxl_planes planes,
+                                const fxl_view *view, fxl_vertex_cache *cache)
 {
     const fxl_point *eye = &view->camera.position;
     model_view->tag = count_up(cache);
@@ -60,7 +60,7 @@ void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *sce
 }
 
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
-                               fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache)
+                               fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache)
 {
     static const uint16_t corners[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
                                        11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,

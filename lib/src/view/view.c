@@ -4,7 +4,6 @@
 void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens)
 {
     view->lens = *lens;
-    view->frustum_ready = false;
     view->frame = 0;
     view->clipper_workspace = NULL;
     fxl_view_frustum_from_lens(lens, &view->view_frustum);
@@ -15,18 +14,14 @@ fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)
 {
     fxl_status status = fxl_camera_from_pose(pose, &view->camera);
     if (status == FXL_OK) {
-        view->frustum_ready = false;
         view->frame += 1;
         view->frame += view->frame == 0;
     }
     return status;
 }
 
-const fxl_frustum *fxl_view_world_frustum(fxl_view *view)
+const fxl_frustum *fxl_view_set_world_frustum(fxl_view *view)
 {
-    if (!view->frustum_ready) {
-        fxl_frustum_from_camera(&view->camera, &view->lens, &view->frustum);
-        view->frustum_ready = true;
-    }
+    fxl_frustum_from_camera(&view->camera, &view->lens, &view->frustum);
     return &view->frustum;
 }

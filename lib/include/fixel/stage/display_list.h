@@ -25,6 +25,7 @@ typedef struct {
 typedef struct {
     fxl_rows rows;
     uint8_t colour, count;
+    uint8_t kind; /* FXL_POLYGON_FLAT */
     const fxl_screen_point *points;
 } fxl_display_list_record;
 

@@ -37,7 +37,7 @@ typedef struct {
 
 /* The caller owns it. */
 typedef struct {
-    fxl_view *view;
+    const fxl_view *view;
     fxl_cached_vertex *entries; /* of the cache */
     uint32_t mask;              /* of the cache */
     uint32_t tag;               /* of its vertex 0 */
@@ -54,14 +54,14 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
 
 /* Places an object of a checked scene; what the cache holds of others is stale. */
 void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
-                                const fxl_instance *instance, fxl_planes planes, fxl_view *view,
-                                fxl_vertex_cache *cache);
+                                const fxl_instance *instance, fxl_planes planes,
+                                const fxl_view *view, fxl_vertex_cache *cache);
 
 /* Places a polygon of the world, of FXL_POLYGON_CAPACITY points at most, each within
  * FXL_COORDINATE_MAX, which must outlive *placed: its faces are those whose first corner is
  * 0. What the cache holds of others is stale. */
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
-                               fxl_planes planes, fxl_view *view, fxl_vertex_cache *cache);
+                               fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache);
 
 /* A vertex of the model relative to the eye, along the world's axes. Exact: the
  * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each

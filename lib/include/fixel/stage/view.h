@@ -16,8 +16,7 @@ typedef struct {
     fxl_lens lens;
     fxl_projection projection;
     fxl_view_frustum view_frustum;
-    fxl_frustum frustum; /* the same in the world: ask fxl_view_world_frustum */
-    bool frustum_ready;
+    fxl_frustum frustum;     /* the same in the world: fxl_view_set_world_frustum */
     uint32_t frame;          /* counts poses; 0: none yet */
     void *clipper_workspace; /* the clipper's, of the caller's memory; or null */
 } fxl_view;
@@ -28,9 +27,8 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
 /* FXL_E_ARGUMENT, FXL_E_RANGE (pose): view untouched. */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 
-/* The planes in the world, worked out when a frame first asks for them: who
- * clips in the view does not pay for them. */
-const fxl_frustum *fxl_view_world_frustum(fxl_view *view);
+/* Works out the planes in the world, once a pose: for clippers that clip there. Answers them. */
+const fxl_frustum *fxl_view_set_world_frustum(fxl_view *view);
 
 #ifdef __cplusplus
 }

@@ -1,43 +1,48 @@
 /* SPDX-License-Identifier: MIT */
-/* What hides what: one constant record a method, in a file of its own, so that
- * one which is not named is not linked. A method is two matters: the order in
- * which faces come (a walk), and what becomes of one where something was drawn
- * already (a painter). Any walk goes with any painter of its order. */
+/* What hides what. A visibility method is a constant record in a file of its own, so a program
+ * links only the methods that it names. A method decides two things: the order in which faces
+ * are submitted, and, by its raster backend, what becomes of a pixel that is drawn already. Any
+ * order goes with any backend made for it. */
 #ifndef FXL_VISIBILITY_H
 #define FXL_VISIBILITY_H
 
-#include "fixel/stage/scan.h"
 #include "fixel/scene.h"
+#include "fixel/stage/scan.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct fxl_renderer fxl_renderer;
-typedef struct fxl_traversal fxl_traversal; /* walk.h, which is internal */
+struct fxl_workspace;                       /* fixel/render.h */
+typedef struct fxl_traversal fxl_traversal; /* lib/src/draw/submit.h, which is internal */
 
-/* How a polygon's pixels get into a band. A depth buffer would be one more; it
- * wants each vertex's depth in fxl_screen_polygon and in the list. */
+/* How a polygon's pixels get into a band. */
 typedef struct {
     /* The least bytes of the caller's memory that it works in. Null: none. */
     uint32_t (*workspace_size)(const fxl_lens *lens);
-    /* Draws a band, and sees to what the room does not hold. Null: at one go. */
-    void (*draw_band)(fxl_renderer *renderer, const fxl_band *band);
-    /* Nothing of a band was painted. Null where nothing need be done. */
-    void (*begin_band)(fxl_renderer *renderer, const fxl_band *band);
-    /* An outline that reaches rows of the screen, which the band need not hold.
-     * False where the room is full: then some of it may have been painted. */
-    bool (*draw_polygon)(fxl_renderer *renderer, const fxl_screen_point *points, uint32_t count,
-                         uint8_t colour, const fxl_band *band);
+    /* Draws a band, and deals with a workspace that is full. Null: the band is drawn once. */
+    void (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                      const fxl_band *band);
+    /* A band begins, of which nothing is drawn. Null where nothing need be done. */
+    void (*begin_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                       const fxl_band *band);
+    /* Draws an outline that reaches rows of the screen, which the band need not hold.
+     * False where the workspace is full: then some of it may have been drawn. */
+    bool (*draw_polygon)(struct fxl_workspace *workspace, const fxl_screen_point *points,
+                         uint32_t count, uint8_t colour, const fxl_band *band);
+    /* Each polygon is scanned and filled over what is there, and nothing else: a face may then
+     * go from the clipper straight to scan. */
+    bool draws_over;
 } fxl_raster_backend;
 
 typedef struct {
     bool front_to_back; /* else what comes later covers what came before */
-    /* Gives every face from the walk's place on, in the order of drawing or, front
-     * to back, in the opposite one exactly. False where it was stopped: the place
-     * is then that of the face that found no room. */
+    /* Submits every face from the traversal's resume point on, in the order of drawing or, front
+     * to back, in the exact reverse. False where the traversal was stopped: the resume point is
+     * then the face that found no room. */
     bool (*submit)(const fxl_traversal *on);
-    /* Bytes of the caller's memory that the walk wants. Null: none. */
+    /* Bytes of the caller's memory that submitting wants. Null: none. */
     uint32_t (*submit_workspace_size)(const fxl_scene *scene);
     const fxl_raster_backend *backend;
 } fxl_visibility;

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* What a first program calls: constants, a configuration, one block of memory, whole frames. */
+#include <string.h>
+
+#include "fixel.h"
+#include "tiny.h"
+#include "unity.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    LARGE = 4096
+};
+
+static uint64_t block[LARGE / 8];
+static uint8_t pixels[HEIGHT][WIDTH], other[HEIGHT][WIDTH];
+static fxl_renderer renderer;
+static fxl_scene scene;
+
+/* Constant expressions, in C and C++. */
+FXL_STATIC_ASSERT(FXL_UNITS(1) == 65536 && FXL_UNITS(-8) == -524288, "units");
+FXL_STATIC_ASSERT(FXL_RATIO(1, 4) == 16384 && FXL_RATIO(-1, 3) == -21845, "ratios");
+FXL_STATIC_ASSERT(FXL_DEGREES(90) == FXL_ANGLE_QUARTER, "degrees");
+
+void setUp(void)
+{
+    tiny_scene *made = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    scene = made->scene;
+    memset(&renderer, 0, sizeof renderer);
+    memset(pixels, 0xEE, sizeof pixels);
+}
+
+void tearDown(void)
+{
+}
+
+void test_ratios_are_rounded_to_the_nearest_halves_upward(void)
+{
+    TEST_ASSERT_EQUAL_INT32(43691, FXL_RATIO(2, 3));
+    TEST_ASSERT_EQUAL_INT32(-43691, FXL_RATIO(-2, 3));
+    TEST_ASSERT_EQUAL_INT32(1, FXL_RATIO(1, 131072));
+    TEST_ASSERT_EQUAL_INT32(0, FXL_RATIO(-1, 131072));
+    TEST_ASSERT_EQUAL_INT32(32767 * 65536, FXL_RATIO(32767, 1));
+}
+
+void test_degrees_are_rounded_and_wrap(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(11930465, FXL_DEGREES(1));
+    TEST_ASSERT_EQUAL_HEX32(0u - 11930465u, FXL_DEGREES(-1));
+    TEST_ASSERT_EQUAL_HEX32(0, FXL_DEGREES(360));
+    TEST_ASSERT_EQUAL_HEX32(FXL_DEGREES(330), FXL_DEGREES(-30));
+    /* 12 / 360 of 2^32 is 143165576.53: either sign to the nearest. */
+    TEST_ASSERT_EQUAL_HEX32(143165577, FXL_DEGREES(12));
+    TEST_ASSERT_EQUAL_HEX32(0u - 143165577u, FXL_DEGREES(-12));
+}
+
+void test_the_default_configuration_is_in_range(void)
+{
+    fxl_config config = fxl_config_default(320, 240);
+    TEST_ASSERT_EQUAL_UINT16(320, config.width);
+    TEST_ASSERT_EQUAL_UINT16(240, config.height);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
+}
+
+/* What begins elsewhere than at a multiple of eight, is too small, or out of range. */
+void test_what_cannot_be_is_refused_and_changes_nothing(void)
+{
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    const fxl_renderer before = renderer;
+    fxl_scene unchecked = scene;
+    unchecked.order_needed = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(NULL, &scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, NULL, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, NULL, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, &config, NULL, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_init(&renderer, &scene, &config,
+                                                         (uint8_t *)block + 4, LARGE - 8));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init(&renderer, &unchecked, &config, block, LARGE));
+    config.near_z = 0;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof renderer);
+}
+
+void test_a_block_that_is_too_small_says_by_how_much(void)
+{
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    const uint32_t least = (scene.order_needed * (uint32_t)sizeof(fxl_order_entry) + 7u) / 8u * 8u;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_renderer_init(&renderer, &scene, &config, block, least - 3));
+    TEST_ASSERT_EQUAL_UINT32(3, renderer.memory_missing);
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_init(&renderer, &scene, &config, block, 0));
+    TEST_ASSERT_EQUAL_UINT32(least, renderer.memory_missing);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, least));
+}
+
+/* No table reaches into another or beyond the block, whatever its size. */
+void test_the_block_is_divided_without_overlap(void)
+{
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    for (uint32_t size = 16; size <= LARGE; size += 4) {
+        if (fxl_renderer_init(&renderer, &scene, &config, block, size) != FXL_OK) {
+            continue;
+        }
+        const uint8_t *end = (const uint8_t *)block + size;
+        const uint8_t *cache = (const uint8_t *)renderer.workspace.cache.entries;
+        const uint8_t *list = (const uint8_t *)renderer.frame.display_list.words;
+        const uint8_t *order_end = (const uint8_t *)(renderer.frame.order + scene.order_needed);
+        TEST_ASSERT_TRUE((const uint8_t *)renderer.frame.order == (const uint8_t *)block);
+        TEST_ASSERT_TRUE(list >= order_end &&
+                         list + 4 * (size_t)renderer.frame.display_list.capacity <= end);
+        if (renderer.workspace.cache.entries != &renderer.workspace.own_entry) {
+            TEST_ASSERT_TRUE(cache >= order_end &&
+                             (const uint8_t *)(renderer.workspace.cache.entries +
+                                               renderer.workspace.cache.mask + 1) <= list);
+        }
+    }
+}
+
+void test_a_frame_is_the_same_whatever_the_block(void)
+{
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    config.background = 9;
+    fxl_pose eye = {.position = {0, FXL_UNITS(1), FXL_UNITS(-6)}, .pitch = FXL_DEGREES(-8)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels[0], WIDTH));
+    TEST_ASSERT_TRUE(renderer.workspace.counters.drawn > 0);
+    memcpy(other, pixels, sizeof pixels);
+    for (uint32_t size = 64; size < LARGE; size = size * 2 + 12) {
+        if (fxl_renderer_init(&renderer, &scene, &config, block, size) == FXL_OK) {
+            memset(pixels, 0xEE, sizeof pixels);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels[0], WIDTH));
+            TEST_ASSERT_EQUAL_MEMORY(other, pixels, sizeof pixels);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT8(9, other[0][0]);
+}
+
+void test_a_frame_that_cannot_be_leaves_the_pixels(void)
+{
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    fxl_pose eye = {.position = {0, 0, FXL_UNITS(-6)}};
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render(NULL, &eye, pixels[0], WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render(&renderer, NULL, pixels[0], WIDTH));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render(&renderer, &eye, NULL, WIDTH));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_render(&renderer, &eye, pixels[0], WIDTH - 1));
+    eye.position.x = FXL_COORDINATE_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_render(&renderer, &eye, pixels[0], WIDTH));
+    TEST_ASSERT_EQUAL_UINT32(4, renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EACH_EQUAL_UINT8(0xEE, pixels, sizeof pixels);
+}

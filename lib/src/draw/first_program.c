@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/* What a first program calls: the usual clipper and visibility method, one block of memory,
+ * whole frames. A file of its own, so that a program which sets others does not link these. */
+#include "fixel.h"
+
+#include "renderer.h"
+
+fxl_config fxl_config_default(uint16_t width, uint16_t height)
+{
+    fxl_config config;
+    config.width = width;
+    config.height = height;
+    config.fov = FXL_DEGREES(60);
+    config.near_z = FXL_RATIO(1, 4);
+    config.far_z = FXL_UNITS(256);
+    config.inset = FXL_INSET_DEFAULT;
+    config.background = 0;
+    return config;
+}
+
+fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
+                                  const fxl_lens *lens, const fxl_memory *memory)
+{
+    fxl_status status = fxl_renderer_init_bare(renderer, scene, lens, memory);
+    if (status == FXL_OK) {
+        renderer->clipper = &fxl_clipper_view;
+        renderer->visibility = &fxl_visibility_sorted;
+    }
+    return status;
+}
+
+/* Bytes, rounded up to what any table may begin at. */
+static size_t aligned(size_t bytes)
+{
+    return (bytes + 7u) & ~(size_t)7u;
+}
+
+/* The largest power of two of entries, for the vertices of the largest model, in so many bytes. */
+static uint32_t cache_entries(const fxl_scene *scene, size_t bytes)
+{
+    uint32_t largest = 0, entries = 1;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        uint32_t count = scene->models[i].vertex_count;
+        largest = count > largest ? count : largest;
+    }
+    while (entries < largest) {
+        entries *= 2;
+    }
+    while (entries > 0 && entries > bytes / sizeof(fxl_cached_vertex)) {
+        entries /= 2;
+    }
+    return entries;
+}
+
+static fxl_memory divide(const fxl_scene *scene, uint8_t *block, size_t size)
+{
+    const size_t order = aligned(scene->order_needed * sizeof(fxl_order_entry));
+    size_t rest = size - order;
+    const uint32_t entries = cache_entries(scene, rest / 4);
+    const size_t cache = entries * sizeof(fxl_cached_vertex);
+    size_t words = (rest - cache) / sizeof(uint32_t);
+    fxl_memory memory;
+    memory.order = (fxl_order_entry *)(void *)block;
+    memory.order_capacity = scene->order_needed;
+    memory.cache = entries > 0 ? (fxl_cached_vertex *)(void *)(block + order) : NULL;
+    memory.cache_capacity = entries;
+    memory.display_list = (uint32_t *)(void *)(block + order + cache);
+    memory.display_list_capacity = words < UINT32_MAX ? (uint32_t)words : UINT32_MAX;
+    return memory;
+}
+
+fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
+                             const fxl_config *config, void *memory, size_t memory_size)
+{
+    fxl_lens lens;
+    if (renderer == NULL || scene == NULL || config == NULL || memory == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (((uintptr_t)memory & 7u) != 0) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (scene->order_needed == 0) {
+        return FXL_E_ORDER;
+    }
+    fxl_status status = fxl_lens_from_fov(config->width, config->height, config->fov,
+                                          config->near_z, config->far_z, config->inset, &lens);
+    if (status != FXL_OK) {
+        return status;
+    }
+    const size_t least = aligned(scene->order_needed * sizeof(fxl_order_entry));
+    if (memory_size < least) {
+        renderer->memory_missing = (uint32_t)(least - memory_size);
+        return FXL_E_CAPACITY;
+    }
+    const fxl_memory tables = divide(scene, (uint8_t *)memory, memory_size);
+    status = fxl_renderer_init_with(renderer, scene, &lens, &tables);
+    if (status == FXL_OK) {
+        renderer->frame.background = config->background;
+    }
+    return status;
+}
+
+fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixels, uint16_t stride)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (eye == NULL || pixels == NULL) {
+        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
+    }
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const fxl_band whole = {pixels, lens->width, stride, 0, lens->height};
+    if (stride < lens->width) {
+        return fxl_renderer_refuse(renderer, FXL_E_RANGE);
+    }
+    fxl_status status = fxl_frame_begin(renderer, eye);
+    if (status != FXL_OK) {
+        return status;
+    }
+    fxl_fill_band(&whole, renderer->frame.background);
+    return fxl_frame_draw(renderer, &whole);
+}
