@@ -9,16 +9,6 @@
 
 #include "fixel/config.h"
 
-/* A cast in a macro or an inline function, and an assertion at compile time, as the language
- * that includes this has them. */
-#ifdef __cplusplus
-#define FXL_CAST(type, value) static_cast<type>(value)
-#define FXL_STATIC_ASSERT     static_assert
-#else
-#define FXL_CAST(type, value) ((type)(value))
-#define FXL_STATIC_ASSERT     _Static_assert
-#endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif
