@@ -62,13 +62,10 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
 static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *on)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_clipper *clipper = on->renderer->clipper;
-    fxl_clip_result cut =
-        clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
-    while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && clipper->next != NULL) {
-        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+    while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && on->clipper->next != NULL) {
+        cut = fxl_next_polygon(model_view, on);
         outcome |= (fxl_outcome)1 << cut;
     }
     return outcome;
@@ -156,26 +153,15 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
     workspace->used = cutter.most;
 }
 
-/* The faces of an object that is in no pieces, from *number on, in the order of the walk. */
+/* The faces of an instance that is in no pieces, and so convex, from *number on. */
 static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
 {
-    const fxl_renderer *renderer = on->renderer;
-    const fxl_scene *scene = renderer->scene;
-    const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_model *model = &scene->models[instance->model];
-    fxl_model_view model_view;
-    (void)fxl_view_instance(on, entry, &model_view);
-    for (; *number < model->face_count; *number += 1) {
-        uint32_t at =
-            renderer->visibility->front_to_back ? model->face_count - 1u - *number : *number;
-        const fxl_face *face = &scene->faces[model->first_face + at];
-        if (fxl_model_view_face_is_front(&model_view, face) &&
-            !fxl_submit_face(&model_view, face, on)) {
-            return false;
-        }
-    }
-    *number = 0;
-    return true;
+    fxl_resume_point resume = {.faces = *number};
+    fxl_traversal faces = *on;
+    faces.resume = &resume;
+    bool done = fxl_submit_instance(&faces, entry);
+    *number = done ? 0 : resume.faces;
+    return done;
 }
 
 static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,

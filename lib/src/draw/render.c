@@ -73,6 +73,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                               .clipper = renderer->clipper,
                               .workspace = workspace,
                               .display_list = &frame->display_list,
+                              .band = NULL,
                               .resume = &frame->resume,
                               .counters = &workspace->counters,
                               .way = way_of(renderer, true)};
@@ -107,15 +108,13 @@ static fxl_outcome deliver(const fxl_traversal *on)
 static fxl_outcome deliver_all(const fxl_traversal *on, const fxl_model_view *model_view,
                                fxl_clip_result cut)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_clipper *clipper = on->clipper;
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
         outcome |= deliver(on);
-        if (clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
+        if (on->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;
         }
-        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+        cut = fxl_next_polygon(model_view, on);
         outcome |= (fxl_outcome)1 << cut; /* bug: last-polygon */
     }
     return outcome;
@@ -124,10 +123,7 @@ static fxl_outcome deliver_all(const fxl_traversal *on, const fxl_model_view *mo
 fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
                                 const fxl_traversal *on)
 {
-    fxl_workspace *workspace = on->workspace;
-    return deliver_all(
-        on, model_view,
-        on->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen));
+    return deliver_all(on, model_view, fxl_first_polygon(model_view, face, on));
 }
 
 bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t used)
@@ -186,13 +182,11 @@ static void draw_at_once(const fxl_traversal *on)
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on)
 {
-    fxl_workspace *workspace = on->workspace;
     fxl_counters *counters = on->counters;
     if (model_view->beam_light != NULL) {
         return model_view->beam_light->face(model_view, face, on);
     }
-    const fxl_clip_result cut =
-        on->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
     if (!FXL_IS_SMALL && cut == FXL_CLIP_BETWEEN) {
         counters->drawn += 1;
         return true;
@@ -250,6 +244,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     const fxl_traversal on = {.renderer = renderer,
                               .clipper = renderer->clipper,
                               .workspace = workspace,
+                              .display_list = NULL,
                               .band = band,
                               .resume = &resume,
                               .counters = workspace->counted ? &uncounted : &workspace->counters,

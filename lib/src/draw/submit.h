@@ -60,6 +60,23 @@ typedef uint32_t fxl_outcome;
 #define FXL_OUTCOME_SPILLED ((fxl_outcome)1 << 30) /* one was drawn that is not in the list */
 #define FXL_OUTCOME_FULL    ((fxl_outcome)1 << 31) /* no room: all else must be forgotten */
 
+/* transform -> clip -> project: a face's first polygon, into workspace->screen where one is left.
+ */
+static inline fxl_clip_result fxl_first_polygon(const fxl_model_view *model_view,
+                                                const fxl_face *face, const fxl_traversal *on)
+{
+    fxl_workspace *workspace = on->workspace;
+    return on->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+}
+
+/* The next one, of a clipper that has `next`. */
+static inline fxl_clip_result fxl_next_polygon(const fxl_model_view *model_view,
+                                               const fxl_traversal *on)
+{
+    fxl_workspace *workspace = on->workspace;
+    return on->clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+}
+
 /* transform -> clip -> project -> display list or band, for every polygon that a face gives. */
 fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
                                 const fxl_traversal *on);

@@ -85,12 +85,12 @@ bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 
 bool fxl_submit_by_distance(const fxl_traversal *on)
 {
+    const fxl_order_entry *order = on->renderer->frame.order;
     const uint32_t count = on->renderer->frame.visible_count;
     const bool reverse = on->renderer->visibility->front_to_back;
     for (; on->resume->instances < count; on->resume->instances++) {
         const uint32_t number = on->resume->instances;
-        if (!fxl_submit_instance(
-                on, &on->renderer->frame.order[reverse ? count - 1 - number : number])) {
+        if (!fxl_submit_instance(on, &order[reverse ? count - 1 - number : number])) {
             return false;
         }
         on->resume->faces = 0;
