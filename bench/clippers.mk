@@ -63,20 +63,12 @@ $(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
 
 COMPARISON_OUT := $(BUILD)/host/comparison
 COMPARISON_OBJECTS := $(patsubst host_tests/comparison/%.c,$(COMPARISON_OUT)/%.o,$(wildcard host_tests/comparison/*.c)) \
-    $(addprefix $(COMPARISON_OUT)/,draw_combination.o text.o path.o) \
-    $(addprefix $(BUILD)/host/objects/,clippers/case.o clippers/outline.o stages/bridge.o)
+    $(addprefix $(BUILD)/host/objects/,clippers/case.o clippers/outline.o stages/bridge.o \
+        frames/dump.o frames/path.o frames/read_file.o frames/session.o)
 COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/include -Iboards -Ibench/firmware \
     -Ifirmware/walk -MMD -MP
 
 $(COMPARISON_OUT)/%.o: host_tests/comparison/%.c
-	@mkdir -p $(@D)
-	$(HOST_SAY)
-	$(COMPARISON_CC) -c $< -o $@
-$(COMPARISON_OUT)/%.o: bench/firmware/%.c
-	@mkdir -p $(@D)
-	$(HOST_SAY)
-	$(COMPARISON_CC) -c $< -o $@
-$(COMPARISON_OUT)/path.o: firmware/walk/path.c
 	@mkdir -p $(@D)
 	$(HOST_SAY)
 	$(COMPARISON_CC) -c $< -o $@
@@ -88,7 +80,7 @@ $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o: bench/firmware/combi
 	$$(HOST_SAY)
 	$$(COMPARISON_CC) $(call CLIPPERS_DEFINES,$(1),$(2)) -c $$< -o $$@
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o \
-        $(COMPARISON_OUT)/$(call CLIPPERS_PREPARE,$(2)).o $(COMPARISON_OBJECTS) $(call BOARD_PARTS_OF,host) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+        $(COMPARISON_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$$(HOST_SAY)
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 

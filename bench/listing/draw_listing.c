@@ -53,7 +53,7 @@ int draw_open(const fxl_scene_image *image)
     const fxl_scene *scene = &image->scene;
     if (scene->instance_count > OBJECTS_MAX || scene->face_count > FACES_MAX ||
         scene->index_count > VERTICES_MAX) {
-        text_with_number("bench: the listing has no room for so many corners", "", ": ",
+        text_with_number("bench: the listing has too little memory for so many corners", "", ": ",
                          scene->index_count);
         return SYSTEM_EXIT_CAPACITY;
     }

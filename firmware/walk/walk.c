@@ -123,8 +123,8 @@ static int open_renderer(const fxl_scene_image *image)
     const fxl_scene *scene = &image->scene;
     const uint32_t room = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
     if (room > WALK_LIST_BYTES / 4 * 4) {
-        print_with_number("walk: the scene's light needs ", room, " bytes");
-        print_with_number(", this board's list has ", WALK_LIST_BYTES, "\n");
+        print_with_number("walk: the scene's beams need ", room, " bytes");
+        print_with_number(", this board's display list has ", WALK_LIST_BYTES, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
     const fxl_memory memory = {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* CLIPPER-HIDDEN lens|border|left|guard SCENE.fxls OUT.fxld [FRAMES]
  *
- * Draws the scene's path with the combination that the program was made for, as the boards'
- * programs of make clippers do, and prints what its clipper did, as JSON. Exit code 0: it
- * ran; else as boards/host. */
+ * Draws the scene's path into a frame dump with the combination that the program was made for,
+ * as the boards' programs of make clippers do: without a display list, a frame in one band.
+ * Prints what its clipper did, as JSON. Exit code 0: it ran; 2: it could not. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,64 +11,70 @@
 
 #include "combination.h"
 #include "comparison/spy.h"
-#include "contract/display.h"
-#include "contract/journal.h"
-#include "contract/store.h"
-#include "contract/system.h"
+#include "frames/dump.h"
+#include "frames/session.h"
 #include "path.h"
+
+enum {
+    CACHE_ENTRIES = 256,
+    PIECES_BYTES = 65536
+};
 
 static const char *const names[] = {"lens", "border", "left", "guard"};
 
-static uint8_t pixels[DRAW_PIXELS_MAX];
-
-/* Without a list every face comes to a band, and there is one band. */
-static bool draw_watched(const fxl_pose *pose, const fxl_band *band)
+static int fail(const char *what, const char *why)
 {
-    fxl_renderer *renderer = draw_renderer();
-    spy_watch(renderer, false);
-    if (fxl_frame_begin(renderer, pose) != FXL_OK) {
-        return false;
-    }
-    spy_watch(renderer, true);
-    return fxl_frame_draw(renderer, band) == FXL_OK;
+    fprintf(stderr, "error: %s: %s\n", what, why);
+    return 2;
 }
 
-static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number)
+/* Bytes for the raster backend: what was chosen, or what it wants at the least. */
+static uint32_t raster_bytes(const fxl_lens *lens)
 {
-    const fxl_band band = {pixels, image->lens.width, image->lens.width, 0, image->lens.height};
-
-    if (walk_path_next(path, 0) != FXL_OK) {
-        return SYSTEM_EXIT_INPUT;
-    }
-    fxl_fill_band(&band, image->background);
-    if (!journal_begin(number, &path->viewer.pose)) {
-        return SYSTEM_EXIT_JOURNAL;
-    }
-    if (!draw_watched(&path->viewer.pose, &band)) {
-        return SYSTEM_EXIT_RENDER;
-    }
-    return display_flush(0, 0, band.width, band.rows, pixels) && journal_end(draw_counters(), 0, 0)
-               ? SYSTEM_EXIT_DONE
-               : SYSTEM_EXIT_DISPLAY;
+    const fxl_raster_backend *backend = combination_chosen.hidden->backend;
+    const uint32_t least = backend && backend->workspace_size ? backend->workspace_size(lens) : 0;
+    return least > 0 && least < combination_chosen.room ? combination_chosen.room : least;
 }
 
-static int draw_all(const fxl_scene_image *image)
+static fxl_status set_up(session *run)
 {
-    const uint32_t frames = system_frames() != 0 ? system_frames() : image->frame_count;
+    const session_settings settings = {.clipper = combination_chosen.clipper,
+                                       .visibility = combination_chosen.hidden,
+                                       .cache_entries = CACHE_ENTRIES,
+                                       .raster_bytes = raster_bytes(&run->image.lens),
+                                       .pieces_bytes = PIECES_BYTES};
+    session_reserve(run, &settings);
+    return session_set_up(run, &settings);
+}
+
+/* Without a display list every face comes to a band, and there is one band. */
+static fxl_status draw_watched(session *run, const fxl_pose *pose, uint8_t *pixels)
+{
+    spy_watch(&run->renderer, false);
+    fxl_status status = fxl_frame_begin(&run->renderer, pose);
+    spy_watch(&run->renderer, true);
+    return status == FXL_OK ? session_draw_bands(&run->image.lens, 0, run->image.background, pixels,
+                                                 session_draw_band, &run->renderer)
+                            : status;
+}
+
+static fxl_status draw_all(session *run, dump *to, uint32_t frames)
+{
+    const size_t area = (size_t)run->image.lens.width * run->image.lens.height;
+    uint8_t *pixels = session_memory(area);
     walk_path path;
-
-    if (!journal_open(frames) ||
-        !display_open(image->lens.width, image->lens.height, image->palette)) {
-        return SYSTEM_EXIT_DISPLAY;
-    }
-    walk_path_begin(&path, image, false);
+    walk_path_begin(&path, &run->image, false);
     for (uint32_t number = 0; number < frames; number++) {
-        int code = one_frame(image, &path, number);
-        if (code != SYSTEM_EXIT_DONE) {
-            return code;
+        fxl_status status = walk_path_next(&path, 0);
+        if (status == FXL_OK) {
+            status = draw_watched(run, &path.viewer.pose, pixels);
         }
+        if (status != FXL_OK) {
+            return status;
+        }
+        dump_frame(to, &path.viewer.pose, pixels, area, &run->renderer.workspace.counters, 0);
     }
-    return display_close() ? SYSTEM_EXIT_DONE : SYSTEM_EXIT_DISPLAY;
+    return FXL_OK;
 }
 
 static void print(const spy_findings *of)
@@ -86,53 +92,46 @@ static void print(const spy_findings *of)
         of->screen, of->view, of->intersections, of->distances);
 }
 
-static int run(spy_sides sides)
+static int run(spy_sides sides, const char *scene, const char *out, uint32_t frames)
 {
-    fxl_scene_image image;
-    fxl_scene_fault fault;
-    size_t size = 0;
-    const void *bytes = store_scene(&size);
-
-    if (bytes == NULL) {
-        return SYSTEM_EXIT_STORE;
+    static session run;
+    const char *wrong = session_open(&run, scene);
+    if (wrong) {
+        return fail(scene, wrong);
     }
-    if (fxl_scene_open(bytes, size, &image, &fault) != FXL_OK) {
-        fprintf(stderr, "scene refused: %s %u\n", fault.what, (unsigned)fault.index);
-        return SYSTEM_EXIT_SCENE;
+    fxl_status status = set_up(&run);
+    if (status != FXL_OK || !spy_begin(&run.renderer, sides)) {
+        return fail(scene, fxl_status_text(status));
     }
-    if ((uint32_t)image.lens.width * image.lens.height > DRAW_PIXELS_MAX) {
-        return SYSTEM_EXIT_CAPACITY;
+    FILE *file = fopen(out, "wb");
+    if (!file) {
+        return fail(out, "it cannot be written");
     }
-    int code = draw_open(&image);
-    if (code != SYSTEM_EXIT_DONE) {
-        return code;
+    frames = frames > 0 ? frames : run.image.frame_count;
+    dump to;
+    dump_begin(&to, file, &run.image, frames);
+    status = draw_all(&run, &to, frames);
+    const bool saved = dump_end(&to);
+    if (fclose(file) != 0 || !saved) {
+        return fail(out, "it cannot be written");
     }
-    if (!spy_begin(draw_renderer(), sides)) {
-        return SYSTEM_EXIT_RENDER;
+    if (status != FXL_OK) {
+        return fail(scene, fxl_status_text(status));
     }
-    code = draw_all(&image);
     print(spy_end());
-    return code;
+    return fflush(stdout) == 0 ? 0 : fail("standard output", "nobody reads it");
 }
 
-int main(int argc, char **argv)
+int main(int count, char **arguments)
 {
     int sides = -1;
-    for (int i = 0; argc > 1 && i < (int)(sizeof names / sizeof *names); i++) {
-        sides = strcmp(argv[1], names[i]) == 0 ? i : sides;
+    for (int i = 0; count > 1 && i < (int)(sizeof names / sizeof *names); i++) {
+        sides = strcmp(arguments[1], names[i]) == 0 ? i : sides;
     }
-    if (sides < 0) {
-        fputs("usage: CLIPPER-HIDDEN lens|border|left|guard SCENE.fxls OUT.fxld [FRAMES]\n",
-              stderr);
-        return SYSTEM_EXIT_ARGUMENT;
+    char *end = "";
+    const unsigned long frames = count == 5 ? strtoul(arguments[4], &end, 10) : 0;
+    if (sides < 0 || count < 4 || count > 5 || *end != '\0' || frames > UINT32_MAX) {
+        return fail("usage", "CLIPPER-HIDDEN lens|border|left|guard SCENE.fxls OUT.fxld [FRAMES]");
     }
-    system_start(argc - 1, argv + 1);
-    int code = run((spy_sides)sides);
-    if (fflush(stdout) != 0) {
-        return SYSTEM_EXIT_ARGUMENT;
-    }
-    if (code != SYSTEM_EXIT_DONE) {
-        system_exit(code);
-    }
-    return EXIT_SUCCESS;
+    return run((spy_sides)sides, arguments[2], arguments[3], (uint32_t)frames);
 }

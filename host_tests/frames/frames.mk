@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# build/host/frames: a scene's frames by any clipper and any method, as a dump.
+# build/host/frames: a scene's frames by any clipper and any visibility method, as a dump.
 
 FRAMES_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/frames/*.c)) \
     $(BUILD)/host/objects/frames/path.o

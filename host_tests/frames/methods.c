@@ -15,7 +15,7 @@ static const named_clipper clippers[] = {
     {"left", &fxl_clipper_left, NULL},
 };
 
-static const named_hidden methods[] = {
+static const named_visibility methods[] = {
     {"sorted", &fxl_visibility_sorted},
     {"spans", &fxl_visibility_spans},
     {"tree", &fxl_visibility_bsp},
@@ -32,7 +32,7 @@ const named_clipper *find_clipper(const char *name)
     return NULL;
 }
 
-const named_hidden *find_hidden(const char *name)
+const named_visibility *find_visibility(const char *name)
 {
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         if (strcmp(methods[i].name, name) == 0) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clippers and hidden-surface methods by their names in the comparison. */
+/* Clippers and visibility methods by the names that options of programs give them. */
 #ifndef FRAMES_METHODS_H
 #define FRAMES_METHODS_H
 
@@ -8,16 +8,16 @@
 typedef struct {
     const char *name;
     const fxl_clipper *clipper;
-    const fxl_raster_backend *painter; /* its own; null: the method's */
+    const fxl_raster_backend *backend; /* its own; null: that of the visibility method */
 } named_clipper;
 
 typedef struct {
     const char *name;
-    const fxl_visibility *hidden;
-} named_hidden;
+    const fxl_visibility *visibility;
+} named_visibility;
 
-/* Null where there is none of that name. */
+/* Null if no clipper or method has the name. */
 const named_clipper *find_clipper(const char *name);
-const named_hidden *find_hidden(const char *name);
+const named_visibility *find_visibility(const char *name);
 
 #endif

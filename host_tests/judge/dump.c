@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge/dump.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "frames/read_file.h"
 
 enum {
     HEAD_SIZE = 16 + 768,
@@ -13,26 +14,6 @@ enum {
     COUNTERS_SIZE = 4 * 9 + 4 + 8, /* counters, steps clamped, instructions */
     TAIL_SIZE = 12
 };
-
-uint8_t *judge_read_file(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        return NULL;
-    }
-    uint8_t *bytes = NULL;
-    long length = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    if (length >= 0 && length < LONG_MAX && fseek(file, 0, SEEK_SET) == 0) {
-        bytes = malloc((size_t)length + 1);
-        if (bytes && fread(bytes, 1, (size_t)length, file) != (size_t)length) {
-            free(bytes);
-            bytes = NULL;
-        }
-        *size = (size_t)length;
-    }
-    fclose(file);
-    return bytes;
-}
 
 static uint8_t *frame_at(const judge_dump *dump, uint32_t frame)
 {
@@ -51,7 +32,7 @@ static const char *check_dump(judge_dump *dump)
         return "it is not a frame dump (no FXLD at its start)";
     }
     if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 10) != 0) {
-        return "it is a frame dump of another version";
+        return "this version of the frame dump is not known";
     }
     dump->width = ref_u16(bytes + 6);
     dump->height = ref_u16(bytes + 8);
@@ -84,7 +65,7 @@ static const char *check_dump(judge_dump *dump)
 const char *judge_dump_open(const char *path, judge_dump *dump)
 {
     memset(dump, 0, sizeof *dump);
-    dump->bytes = judge_read_file(path, &dump->size);
+    dump->bytes = read_file(path, &dump->size);
     const char *wrong = dump->bytes ? check_dump(dump) : "it cannot be read";
     if (wrong) {
         judge_dump_close(dump);

@@ -2,23 +2,24 @@
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
  *     [--clipper NAME] [--hidden NAME]
  *
- * Renders every frame of a board's dump with the double-precision twin, from
- * the pose in the dump, and says how many pixels differ and how far from an
- * edge. Exit code 0: it ran, whatever it found; 2: an input is unusable, the
- * dump is of another walk, or an output cannot be written. */
+ * Renders every frame of a board's dump with the reference renderer in double precision, from
+ * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
+ * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
+ * or an output cannot be written. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "frames/read_file.h"
 #include "judge/verdict.h"
 #include "judge/walk.h"
 
 typedef struct {
     const char *scene, *dump, *json, *twin;
-    unsigned cuts; /* of the board's clipper */
-    bool by_tree;  /* the board's order was the scene's tree's */
+    unsigned cuts; /* the planes that the board's clipper cuts by */
+    bool by_bsp;   /* the board drew in the order of the scene's BSP */
     double distance;
 } options;
 
@@ -29,7 +30,7 @@ typedef struct {
     judge_walk walk;
 } session;
 
-/* A growing text. */
+/* A text that grows. */
 typedef struct {
     char *text;
     size_t length, capacity;
@@ -69,7 +70,7 @@ __attribute__((format(printf, 2, 3))) static void say(report *out, const char *f
     out->length += (size_t)length;
 }
 
-/* null where there is no distance: nothing differs, or nothing explains. */
+/* null where there is no distance: no pixel differs, or no distance explains it */
 static void say_distance(report *out, const char *name, double distance)
 {
     if (distance >= 0 && isfinite(distance)) {
@@ -163,9 +164,9 @@ static bool parse_options(int count, char **arguments, options *wanted)
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
-            /* Who draws what first covers a pixel gives the same picture. */
-            wanted->by_tree = strncmp(value, "tree", 4) == 0;
-            if (!wanted->by_tree && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
+            /* A span buffer gives the same picture as drawing over. */
+            wanted->by_bsp = strncmp(value, "tree", 4) == 0;
+            if (!wanted->by_bsp && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
                 return false;
             }
         } else if (strcmp(name, "--distance") == 0) {
@@ -181,11 +182,11 @@ static bool parse_options(int count, char **arguments, options *wanted)
     return wanted->scene && wanted->dump && wanted->json;
 }
 
-/* 0, or 2 after saying why. */
+/* Returns 0, or 2 after it said why. */
 static int open_inputs(const options *wanted, session *run)
 {
     size_t size;
-    uint8_t *bytes = judge_read_file(wanted->scene, &size);
+    uint8_t *bytes = read_file(wanted->scene, &size);
     if (!bytes) {
         return fail("%s: it cannot be read", wanted->scene);
     }
@@ -220,7 +221,7 @@ static int judge(const options *wanted, session *run)
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_tree, wanted->distance,
+        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_bsp, wanted->distance,
                       run->frames, wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# build/host/judge: a board's frames against the twin's.
+# build/host/judge: a board's frames against the reference renderer's.
 
 JUDGE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/judge/*.c))
 HOST_TOOLS += $(BUILD)/host/judge
@@ -11,7 +11,7 @@ $(BUILD)/host/objects/judge/%.o: host_tests/judge/%.c
 	$(HOSTCC) $(WARNINGS) -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -pthread \
 	    -Ihost_tests -MMD -MP -c $< -o $@
 
-$(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/libreference.a $(BUILD)/host/liboracle.a
+$(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o $(BUILD)/host/libreference.a $(BUILD)/host/liboracle.a
 	$(HOST_SAY)
 	$(HOSTCC) -pthread $^ -lm -o $@
 

@@ -16,13 +16,13 @@ enum {
     THREADS_MAX = 16
 };
 
-/* What the threads share. Each takes the next frame under the lock; frames and
- * twin are written at the frame's own place only. */
+/* What the threads share. Each takes the next frame under the lock. It writes only to that
+ * frame's place in frames and twin. */
 typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
     unsigned cuts;
-    bool by_tree;
+    bool by_bsp;
     double distance;
     judge_frame *frames;
     judge_dump *twin;
@@ -34,9 +34,9 @@ typedef struct {
 
 static judge_box *boxes_of(const ref_renderer *renderer)
 {
-    judge_box *boxes = malloc((renderer->list.count + 1) * sizeof *boxes);
-    for (size_t i = 0; boxes && i < renderer->list.count; i++) {
-        boxes[i] = judge_box_of_drawn(&renderer->list.drawn[i]);
+    judge_box *boxes = malloc((renderer->display_list.count + 1) * sizeof *boxes);
+    for (size_t i = 0; boxes && i < renderer->display_list.count; i++) {
+        boxes[i] = judge_box_of_drawn(&renderer->display_list.drawn[i]);
     }
     return boxes;
 }
@@ -57,15 +57,15 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
     }
 }
 
-/* Sets the pixel's distance. True where near and far, moved by the bound on depths, were
- * needed for it. */
+/* Sets the pixel's distance. Returns true where explaining it needs near and far moved by the
+ * bound on depths. */
 static bool explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     judge_sample *pixel)
 {
     for (int doubt = 0; doubt < 2; doubt++) {
-        double distance = judge_explain(renderer->list.drawn, boxes, renderer->list.count,
-                                        work->image->background, pixel->x + 0.5, pixel->y + 0.5,
-                                        pixel->board, doubt);
+        double distance = judge_explain(renderer->display_list.drawn, boxes,
+                                        renderer->display_list.count, work->image->background,
+                                        pixel->x + 0.5, pixel->y + 0.5, pixel->board, doubt);
         if (doubt == 0 || distance <= work->distance) {
             pixel->distance = distance;
         }
@@ -87,32 +87,32 @@ static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
         .width = lens->width,
         .height = lens->height,
         .focal = (int32_t)lround(lens->focal * REF_ONE),
-        .near = (int32_t)lround(lens->near * REF_ONE),
-        .far = (int32_t)lround(lens->far * REF_ONE),
+        .near = (int32_t)lround(lens->near_z * REF_ONE),
+        .far = (int32_t)lround(lens->far_z * REF_ONE),
         .inset = (int32_t)lround(lens->inset * REF_ONE),
     };
 }
 
-/* Whether the pixel's centre lies exactly on an edge of a polygon that was
- * drawn about there: then double cannot tell its side, and only the exact
- * judge is asked. */
+/* Tells whether the pixel's centre lies exactly on an edge of a polygon that was drawn about
+ * there. Then double cannot tell its side, and the exact test decides. */
 static bool is_tied(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     const oracle_tie_view *view, int column, int row)
 {
     const ref_scene *scene = renderer->scene;
     double x = column + 0.5, y = row + 0.5;
-    for (size_t i = 0; i < renderer->list.count; i++) {
+    for (size_t i = 0; i < renderer->display_list.count; i++) {
         const judge_box *box = &boxes[i];
         if (box->left - x > work->distance || x - box->right > work->distance ||
             box->top - y > work->distance || y - box->bottom > work->distance) {
             continue;
         }
-        const ref_instance *object = &scene->objects[renderer->list.drawn[i].object];
-        const ref_model *model = &scene->models[object->model];
-        const ref_face *face = &scene->faces[model->first_face + renderer->list.drawn[i].face];
+        const ref_instance *instance = &scene->instances[renderer->display_list.drawn[i].instance];
+        const ref_model *model = &scene->models[instance->model];
+        const ref_face *face =
+            &scene->faces[model->first_face + renderer->display_list.drawn[i].face];
         int32_t vertices[3 * UINT8_MAX];
         for (int corner = 0; corner < face->count; corner++) {
-            ref_lattice_point point = ref_face_vertex(scene, object, face, corner);
+            ref_lattice_point point = ref_face_vertex(scene, instance, face, corner);
             vertices[3 * corner] = point.x;
             vertices[3 * corner + 1] = point.y;
             vertices[3 * corner + 2] = point.z;
@@ -131,7 +131,7 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
     const uint8_t *board = judge_dump_pixels(work->dump, number);
     judge_frame *frame = &work->frames[number];
     *frame = (judge_frame){.max_distance = -1};
-    judge_box *boxes = NULL; /* made at the first difference */
+    judge_box *boxes = NULL; /* allocated at the first difference */
     ref_pose pose = judge_dump_pose(work->dump, number);
     oracle_tie_view view = tie_view(work, &pose);
     for (int y = 0; y < work->dump->height; y++) {
@@ -168,7 +168,7 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, 
     return compare_pixels(work, renderer, pixels, number);
 }
 
-/* Under the lock. Silent in the first second and between whole seconds. */
+/* Called under the lock. Prints nothing in the first second, and then at most once a second. */
 static void report_progress(job *work)
 {
     time_t now = time(NULL);
@@ -190,7 +190,7 @@ static void *run_worker(void *argument)
     bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
     bool sound = pixels && ready;
     renderer.cuts = work->cuts;
-    renderer.by_tree = work->by_tree;
+    renderer.by_bsp = work->by_bsp;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
@@ -210,13 +210,13 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_tree,
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
                   double distance, judge_frame *frames, judge_dump *twin)
 {
     job work = {.image = image,
                 .dump = dump,
                 .cuts = cuts,
-                .by_tree = by_tree,
+                .by_bsp = by_bsp,
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# build/host/live: the twin's frames and outlines, pose by pose, for the live window.
+# build/host/live: the reference renderer's frames and outlines, pose by pose, for the live window.
 
 LIVE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/live/*.c))
 HOST_TOOLS += $(BUILD)/host/live
@@ -9,7 +9,8 @@ $(BUILD)/host/objects/live/%.o: host_tests/live/%.c
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -MMD -MP -c $< -o $@
 
-$(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/judge/dump.o $(BUILD)/host/libreference.a
+$(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o \
+    $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* live SCENE.fxls
  *
- * Draws with the double-precision twin, pose by pose. A request on standard
+ * Draws with the reference renderer, pose by pose. A request on standard
  * input is 32 bytes, an answer on standard output a head of 16 bytes and what
  * the request asked for; all little-endian, as in docs/formats.md, section 1:
  *
@@ -17,7 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "judge/dump.h"
+#include "frames/read_file.h"
+#include "reference/render.h"
+#include "reference/scene.h"
 #include "reference/fill.h"
 
 enum {
@@ -60,8 +62,8 @@ static void put_f32(uint8_t *to, double value)
 static size_t outlines_size(const ref_renderer *renderer)
 {
     size_t size = 0;
-    for (size_t i = 0; i < renderer->list.count; i++) {
-        size += 4 + 8 * (size_t)renderer->list.drawn[i].polygon.count;
+    for (size_t i = 0; i < renderer->display_list.count; i++) {
+        size += 4 + 8 * (size_t)renderer->display_list.drawn[i].polygon.count;
     }
     return size;
 }
@@ -94,8 +96,8 @@ static bool collect_outlines(session *run, size_t *size)
         run->outlines_capacity = 2 * *size;
     }
     uint8_t *to = run->outlines;
-    for (size_t i = 0; i < run->renderer.list.count; i++) {
-        to = put_outline(to, &run->renderer.list.drawn[i].polygon);
+    for (size_t i = 0; i < run->renderer.display_list.count; i++) {
+        to = put_outline(to, &run->renderer.display_list.drawn[i].polygon);
     }
     return true;
 }
@@ -156,7 +158,7 @@ static int serve(session *run)
 static int open_scene(const char *path, session *run)
 {
     size_t size;
-    uint8_t *bytes = judge_read_file(path, &size);
+    uint8_t *bytes = read_file(path, &size);
     if (!bytes) {
         return fail(path, "it cannot be read");
     }

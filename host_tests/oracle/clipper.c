@@ -35,7 +35,7 @@ oracle_space oracle_clipper_space(const fxl_view *view)
 
 double oracle_clipper_bound(const fxl_lens *lens)
 {
-    if (chosen == &fxl_clipper_world) { /* two units of the world where near is */
+    if (chosen == &fxl_clipper_world) { /* two units of the world at the near plane */
         return 1.25 + 2.0 * lens->focal / lens->near_z;
     }
     if (own_integers && is_normalised()) {
@@ -68,7 +68,7 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
             break;
         }
         if (*count == room_for) {
-            abort(); /* the caller's room is too small */
+            abort(); /* the caller's array is too small */
         }
         now = chosen->next(&face.placed, &work, &screens[*count]);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* vertex_unclipped: transform and project a visible vertex; against the exact
- * quotient, given the 16.16 vertex and eye, the 2.30 matrix and the 16.16 focal
- * length. Everything fits 128 bits: focal X is below 2^91. */
+/* vertex_unclipped: transforms and projects a visible vertex. Compares it with the exact
+ * quotient, given the 16.16 vertex and eye, the 2.30 matrix and the 16.16 focal length.
+ * Everything fits 128 bits: focal X is below 2^91. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,7 +10,7 @@
 #include "reference/transform.h"
 #include "stages/bridge.h"
 
-/* In 1/65536 pixel: what double leaves of a coordinate of up to 2^26 units. */
+/* In 1/65536 pixel: the error of double for a coordinate of up to 2^26 units. */
 #define TWIN_BOUND 1e-6
 
 static void generate(oracle_random *random, uint64_t index, oracle_input *input)
@@ -54,7 +54,7 @@ static double error_of(int64_t got, int64_t focal, int64_t side, int64_t z)
     return (double)fabsl((long double)difference / (long double)z);
 }
 
-/* How far the double twin lands from the exact place, given the same integers. */
+/* Returns how far the reference renderer is from the exact position, given the same integers. */
 static double twin_error(const oracle_setup *setup, const fxl_point *vertex,
                          const oracle_view_point *exact)
 {

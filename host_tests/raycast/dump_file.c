@@ -38,7 +38,7 @@ dump dump_read(const char *path)
     if (file.size < HEAD + TAIL || memcmp(bytes, "FXLD", 4) != 0)
         unusable("%s: not a frame dump", path);
     if (get_u16(bytes + 4) != 2)
-        unusable("%s: a frame dump of another version", path);
+        unusable("%s: this version of the frame dump is not known", path);
     dump d = {.width = get_u16(bytes + 6), .height = get_u16(bytes + 8)};
     size_t frame_size = 8 + POSE + (size_t)d.width * d.height + AFTER_PIXELS;
     const uint8_t *tail = bytes + file.size - TAIL;

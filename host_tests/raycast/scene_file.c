@@ -61,7 +61,7 @@ static void open_image(reader *r, const char *path)
     if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
     if ((get_u16(bytes + 4) != 2 && get_u16(bytes + 4) != 3) || get_u16(bytes + 6) != HEADER)
-        unusable("%s: a scene image of another version", path);
+        unusable("%s: this version of the scene image is not known", path);
     uint32_t size = get_u32(bytes + 8);
     if (size < HEADER || size > r->image.size)
         unusable("%s: %zu bytes of a scene image of %u", path, r->image.size, size);
@@ -69,10 +69,10 @@ static void open_image(reader *r, const char *path)
         unusable("%s: the checksum does not match", path);
     r->image.size = size;
     r->vertices = table_at(r, 88, VERTEX, "vertices");
-    r->corners = table_at(r, 96, CORNER, "corners");
+    r->corners = table_at(r, 96, CORNER, "indices");
     r->faces = table_at(r, 104, FACE, "faces");
     r->models = table_at(r, 112, MODEL, "models");
-    r->objects = table_at(r, 120, OBJECT, "objects");
+    r->objects = table_at(r, 120, OBJECT, "instances");
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *object)
@@ -86,24 +86,24 @@ static void add_face(const reader *r, const uint8_t *object, const uint8_t *mode
     world_polygon *polygon = &w->polygons[w->polygon_count++];
     *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = face[17]};
     if (polygon->count < 3)
-        unusable("%s: a face of %u corners", r->path, polygon->count);
+        unusable("%s: a face of %u vertices", r->path, polygon->count);
     for (uint32_t i = 0; i < polygon->count; i++) {
         uint64_t corner = (uint64_t)get_u32(face + 12) + i;
-        uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "corner"));
+        uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
         vertex += get_u32(model);
         const uint8_t *at = entry_of(r, r->vertices, vertex, VERTEX, "vertex");
         w->corners[w->corner_count++] = vector_plus(point_at(object), point_at(at));
     }
 }
 
-/* Counts faces and corners first, so that each array is allocated once. */
+/* Counts faces and vertices first, so that each array is allocated once. */
 static world world_of(const reader *r)
 {
     world w = {0};
     uint64_t faces = 0, corners = 0;
     for (int pass = 0; pass < 2; pass++) {
         for (uint32_t o = 0; o < r->objects.count; o++) {
-            const uint8_t *object = entry_of(r, r->objects, o, OBJECT, "object");
+            const uint8_t *object = entry_of(r, r->objects, o, OBJECT, "instance");
             const uint8_t *model = model_of(r, object);
             for (uint32_t f = 0; f < get_u32(model + 12); f++) {
                 uint64_t number = (uint64_t)get_u32(model + 8) + f;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Facing (SPEC.md, section 4.5), exact; and a face as a polygon of the world. */
+/* The facing test (SPEC.md, section 4.5), exact; and a face as a polygon of the world. */
 #ifndef REF_CULL_H
 #define REF_CULL_H
 
 #include "reference/scene.h"
 
-bool ref_face_is_front(const ref_scene *scene, const ref_instance *object, const ref_face *face,
+bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye);
-void ref_face_to_polygon(const ref_scene *scene, const ref_instance *object, const ref_face *face,
+void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                          ref_polygon *polygon);
 
 #endif

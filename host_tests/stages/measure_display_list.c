@@ -18,7 +18,7 @@ stages_tally stages_list_tally(const char *input)
     };
 }
 
-/* One polygon's rows, on both sides. */
+/* Compares one polygon's rows on both sides. */
 static fxl_rows measure_rows(stages_tally *tally, const fxl_screen_polygon *polygon,
                              ref_drawn *drawn, uint16_t height)
 {
@@ -41,7 +41,7 @@ static int same(const fxl_display_list_record *record, const ref_drawn *drawn)
     return equal;
 }
 
-/* Whether both lists give back the same polygons for some rows. */
+/* Tells whether both lists return the same polygons for the wanted rows. */
 static int plays_alike(const fxl_display_list *list, const ref_display_list *twin, fxl_rows wanted)
 {
     ref_rows rows = {wanted.first, wanted.end};

@@ -12,9 +12,10 @@ stages_tally stages_transform_tally(const char *input)
         .stage = "transform",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "largest coordinate difference of a view point from the twin's, both given the "
-                   "same camera matrix and point; the twin sums in 64 bits, which hold every "
-                   "such sum",
+        .measure =
+            "largest coordinate difference of a view point from the reference's, both given the "
+            "same camera matrix and point; the reference sums in 64 bits, which hold every "
+            "such sum",
         .bound = "0",
     };
 }
@@ -38,8 +39,9 @@ stages_tally stages_project_tally(const char *input)
         .stage = "project",
         .input = input,
         .unit = "1/65536 pixel",
-        .measure = "larger coordinate difference of a screen point from the twin's, both given the "
-                   "same view point and focal length",
+        .measure =
+            "larger coordinate difference of a screen point from the reference's, both given the "
+            "same view point and focal length",
         .bound = "0.5 + 2^-31 |x - width/2| + 2^-30, likewise y, in 1/65536 pixel",
     };
 }
@@ -56,7 +58,7 @@ int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_
     }
     ref_screen_point exact = ref_project_point(&exact_lens, &exact_view);
     double reach = fmax(fabs(exact.x), fabs(exact.y)) - FXL_SCREEN_COORDINATE_MAX / REF_ONE;
-    if (status != FXL_OK) { /* right only at the range's end, to within the rounding */
+    if (status != FXL_OK) { /* correct only at the end of the range, to within the rounding */
         tally->mismatched += status != FXL_E_RANGE || reach * REF_ONE < -1;
         return 0;
     }
@@ -64,7 +66,7 @@ int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_
     double dx = fabs(screen->x - exact.x * REF_ONE), dy = fabs(screen->y - exact.y * REF_ONE);
     double off_x = fabs(exact.x - exact_lens.width / 2.0) * REF_ONE;
     double off_y = fabs(exact.y - exact_lens.height / 2.0) * REF_ONE;
-    /* 1e-6: the twin's own rounding to double, 2^-42 pixel. */
+    /* 1e-6 covers the reference renderer's own rounding to double, 2^-42 pixel. */
     int within = dx <= 0.5 + 0x1p-31 * off_x + 0x1p-30 + 1e-6 &&
                  dy <= 0.5 + 0x1p-31 * off_y + 0x1p-30 + 1e-6;
     stages_count(tally, fmax(dx, dy), within);

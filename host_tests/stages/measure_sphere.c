@@ -15,13 +15,15 @@ stages_tally stages_sphere_tally(const char *input)
         .stage = "sphere",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "how far from the twin's reach, radius + 2^-9, a plane lies about which the two "
-                   "disagree, both given the same camera matrix, planes, centre and radius",
+        .measure =
+            "how far from the reference's reach, radius + 2^-9, a plane lies about which the two "
+            "disagree, both given the same camera matrix, planes, centre and radius",
         .bound = "64",
     };
 }
 
-/* How far the reach by which a plane was judged must be from the twin's. */
+/* Returns how far the reach that explains the library's result for a plane must be from that of
+ * the reference renderer. */
 static double off_by(const ref_sphere_distances *distances, double reach, uint32_t fixed,
                      uint32_t exact)
 {

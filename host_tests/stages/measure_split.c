@@ -21,9 +21,10 @@ stages_tally stages_split_tally(const char *input)
         .stage = "split",
         .input = input,
         .unit = "1/65536 world unit",
-        .measure = "splitting in the world: largest coordinate difference of a point of either "
-                   "part from the twin's, both given the same piece and plane; max_from_plane is "
-                   "the largest distance of a new point from the exact plane",
+        .measure =
+            "splitting in the world: largest coordinate difference of a point of either "
+            "part from the reference's, both given the same piece and plane; max_from_plane is "
+            "the largest distance of a new point from the exact plane",
         .bound = "0; 0.87 from the plane",
         .extra_names = {"max_from_plane"},
     };
@@ -50,7 +51,7 @@ static int is_of(const ref_piece *piece, const ref_lattice_point *point)
     return 0;
 }
 
-/* As cycles: which point comes first is not laid down. */
+/* Compares outlines as cycles: which point comes first is not specified. */
 static double difference(const ref_piece *a, const ref_piece *b, int shift)
 {
     double largest = 0;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Frames by a tree: before the double twin, before rays, and whatever bands, list and room."""
+"""Frames by a tree: before the reference renderer, before rays, and whatever bands, list and room."""
 
 import json
 import random
@@ -30,7 +30,7 @@ def draw(build, scene, out, hidden="tree", **options):
 
 
 def verdicts(build, scene, drawn, folder, hidden="tree", every=1):
-    """(the judge's, the third judge's) on a dump."""
+    """(the judge's, the ray-cast oracle's) on a dump."""
     run(build / "host/judge", scene, drawn, "--json", folder / "judge.json", "--twin",
         folder / "twin.fxld", "--hidden", hidden)
     run(build / "host/raycast", scene, folder / "twin.fxld", "--json", folder / "rays.json",
@@ -98,7 +98,7 @@ def test_a_ball_anywhere_among_the_beams(build, folder):
 
 def test_balls_in_parts_of_a_tree_that_are_out_of_sight(build, folder):
     """Among the cubes of W1 nodes are left out by their spheres, but not the pieces below them.
-    Balls may hide each other by distance alone, which rays would tell: the twin judges."""
+    Balls may hide each other by distance alone, which rays would tell: the reference renderer judges."""
     data = tomllib.loads((CHECKOUT / "scenes/w1.toml").read_text(encoding="utf-8"))
     data["objects"].append({"solid": "octahedron", "scale": 3, "moves": True, "colour_index": 9,
                             "colour_step": 20, "positions": [
@@ -122,7 +122,7 @@ def test_distance_errs_where_the_tree_is_right(build, folder):
     for hidden in ("sorted", "tree"):
         drawn = draw(build, scene, folder / "both.fxld", hidden, pieces=ROOM)
         judge, rays = verdicts(build, scene, drawn, folder, hidden)
-        assert judge["pixels_unexplained"] == 0     # each twin has its own order
+        assert judge["pixels_unexplained"] == 0     # each reference has its own order
         found[hidden] = rays["pixels_unexplained"]
     assert found["tree"] == 0 and found["sorted"] > 1000
 

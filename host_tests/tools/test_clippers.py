@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The family of clippers against the twin, given the same polygons (docs/extras/clippers.md)."""
+"""The other clippers against the reference renderer, given the same polygons (docs/extras/clippers.md)."""
 
 import json
 import subprocess

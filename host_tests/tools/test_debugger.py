@@ -60,7 +60,7 @@ def started_in(folder):
 @pytest.mark.parametrize("board", [BOARD, ELSEWHERE])
 def test_a_file_of_commands(board, tmp_path):
     image, commands = flashed(board, tmp_path), tmp_path / "commands"
-    commands.write_text("break fxl_frame_begin\ncontinue\nbacktrace\nprint renderer->scene->object_count\n"
+    commands.write_text("break fxl_frame_begin\ncontinue\nbacktrace\nprint renderer->scene->instance_count\n"
                         "print/x *pose\ndelete\ncontinue\n", encoding="ascii")
     done = run_cli("gdb", *words(image, built(f"{board}/walk.elf"), "--frames", 2, "--commands", commands,
                                  board=board), TMPDIR=str(tmp_path))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every scene of the project, walked on the emulated board, before the double twin and the third judge."""
+"""Every scene of the project, walked on the emulated board, before the reference renderer and the ray-cast oracle."""
 
 import json
 import pathlib
@@ -14,7 +14,7 @@ from fixel.programs import HostPrograms
 # What the scene may cost in pixels that differ from double, of a million.
 SCENES = {"plaza": 10, "w1": 10, "w3": 10, "tiny": 10, "cube": 10}
 MODELS = CHECKOUT.parent / "shared" / "models"
-# The third judge takes every so-manieth frame.
+# The ray-cast oracle takes every nth frame.
 EVERY = {"plaza": 5, "w1": 3}
 
 

@@ -3,7 +3,7 @@
 
 What the firmware took for keys is worked out from the poses in its dump. It must
 be what was pressed; the same keys as a path of steps must give the same frames on
-the host, bit for bit, and the same walk by the double twin.
+the host, bit for bit, and the same walk by the reference renderer.
 """
 
 import dataclasses

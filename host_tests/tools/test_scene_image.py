@@ -142,7 +142,7 @@ def test_the_radius_stands_in_the_model():
     image.unpack(patched(blob, at, struct.pack("<i", image.RADIUS_MAX)))
 
 
-def test_sorted_models_have_keys():
+def test_sorted_models_have_face_bounds():
     made = scene()
     made.models = [*made.models, Model(list(SQUARE), [Face(UP, (1, 2, 3), 7), Face(UP, (0, 1, 2, 3), 8)],
                                        image.SORTED)]
@@ -152,7 +152,7 @@ def test_sorted_models_have_keys():
     assert count == 2 and offset + 40 == len(blob)
     # Heights over the origin and the doubled middles of the boxes: the square is in y = 0.
     assert struct.unpack_from("<q3i", blob, offset) == (0, 0, 0, 0)
-    for data, at, status in ((b"\1", offset, "key"), (b"\1", offset + 39, "key"), (b"\1", 144, "index"),
+    for data, at, status in ((b"\1", offset, "face bounds"), (b"\1", offset + 39, "face bounds"), (b"\1", 144, "index"),
                              (b"\3", 144, "offset"), (b"\1", table(blob, 4)[0] + 24, "reserved"),
                              (b"\1", table(blob, 4)[0] + 28 + 24, "index"),
                              (b"\0", table(blob, 4)[0] + 28 + 16, "count"), (b"\0", 144, "offset")):

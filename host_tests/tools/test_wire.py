@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wireframes of whole paths: both line clippers, bands, and the twin (docs/extras/wire.md)."""
+"""Wireframes of whole paths: both line clippers, bands, and the reference renderer (docs/extras/wire.md)."""
 
 import json
 

@@ -32,14 +32,14 @@ void test_a_sound_tree(void)
 void test_whose_it_is(void)
 {
     made->tiny->scene.bsp_instance = TINY_OBJECTS;
-    expect(FXL_E_INDEX, "tree", 0);
+    expect(FXL_E_INDEX, "BSP tree", 0);
     made->tiny->scene.bsp_instance = 0; /* its model is convex */
-    expect(FXL_E_RESERVED, "tree", 0);
+    expect(FXL_E_RESERVED, "BSP tree", 0);
     made->tiny->objects[2].model = 1;
-    expect(FXL_E_BSP, "object", 2);
+    expect(FXL_E_BSP, "instance", 2);
     made->tiny->models[0].kind = FXL_MODEL_SORTED;
     made->tiny->scene.face_bounds = NULL;
-    expect(FXL_E_BSP, "object", 0);
+    expect(FXL_E_BSP, "instance", 0);
     made->tiny->models[0].kind = FXL_MODEL_SORTED; /* on another layer it may be */
     made->tiny->scene.face_bounds = NULL;
     made->tiny->objects[0].layer = 1;
@@ -50,14 +50,14 @@ void test_whose_it_is(void)
 void test_counts(void)
 {
     made->tiny->scene.bsp_node_count = 0;
-    expect(FXL_E_COUNT, "node table", 0);
+    expect(FXL_E_COUNT, "BSP node table", 0);
     made->tiny->scene.bsp_node_count = FXL_BSP_NODES_MAX + 1;
-    expect(FXL_E_COUNT, "node table", 0);
+    expect(FXL_E_COUNT, "BSP node table", 0);
     made->tiny->scene.bsp_nodes = NULL;
-    expect(FXL_E_COUNT, "node table", 0);
+    expect(FXL_E_COUNT, "BSP node table", 0);
     made->tiny->scene.bsp_nodes = NULL;
     made->tiny->scene.bsp_node_count = 0;
-    expect(FXL_E_COUNT, "node table", 0); /* but it says whose it is */
+    expect(FXL_E_COUNT, "BSP node table", 0); /* but it says whose it is */
     made->tiny->scene.bsp_nodes = NULL;
     made->tiny->scene.bsp_node_count = 0;
     made->tiny->scene.bsp_instance = 0;
@@ -67,14 +67,14 @@ void test_counts(void)
 void test_planes(void)
 {
     made->nodes[3].reserved = 1;
-    expect(FXL_E_RESERVED, "tree node", 3);
+    expect(FXL_E_RESERVED, "BSP node", 3);
     made->nodes[3].normal.y += 8;
-    expect(FXL_E_NORMAL, "tree node", 3);
+    expect(FXL_E_NORMAL, "BSP node", 3);
     made->nodes[2].distance_high = 0x20000000u; /* 2^61 and the least bit more */
     made->nodes[2].distance_low = 1;
-    expect(FXL_E_RANGE, "tree node", 2);
+    expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[2].distance_high = 0xDFFFFFFFu;
-    expect(FXL_E_RANGE, "tree node", 2);
+    expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[2].distance_high = 0x20000000u; /* 2^61 itself, and then no face is near */
     made->nodes[2].distance_low = 0;
     expect(FXL_E_PLANARITY, "face", 8);
@@ -101,19 +101,19 @@ void test_faces_lie_on_the_plane(void)
 void test_spheres(void)
 {
     made->nodes[3].radius = -1;
-    expect(FXL_E_RANGE, "tree node", 3);
+    expect(FXL_E_RANGE, "BSP node", 3);
     made->nodes[0].radius = FXL_RADIUS_MAX + 1;
-    expect(FXL_E_RANGE, "tree node", 0);
+    expect(FXL_E_RANGE, "BSP node", 0);
     made->nodes[2].centre.z = FXL_COORDINATE_MAX - Q16(10) + 1; /* its object stands at 10 */
-    expect(FXL_E_RANGE, "tree node", 2);
+    expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[2].centre.y = -FXL_COORDINATE_MAX - 1;
-    expect(FXL_E_RANGE, "tree node", 2);
+    expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[5].radius = Q16(1.7); /* sqrt(3) is more */
-    expect(FXL_E_RADIUS, "tree node", 5);
+    expect(FXL_E_RADIUS, "BSP node", 5);
     made->nodes[0].radius = TINY_RADIUS - 1; /* less than that below it */
-    expect(FXL_E_RADIUS, "tree node", 1);
+    expect(FXL_E_RADIUS, "BSP node", 1);
     made->nodes[5].centre.x = 1; /* as large, and elsewhere */
-    expect(FXL_E_RADIUS, "tree node", 5);
+    expect(FXL_E_RADIUS, "BSP node", 5);
     made->nodes[5].centre.x = 3; /* 5 away from the one above, which is 5 larger */
     made->nodes[5].centre.y = -4;
     for (int i = 0; i < 5; i++) {
@@ -125,41 +125,41 @@ void test_spheres(void)
     for (int i = 0; i < 5; i++) {
         made->nodes[i].radius = TINY_RADIUS + 4;
     }
-    expect(FXL_E_RADIUS, "tree node", 5);
+    expect(FXL_E_RADIUS, "BSP node", 5);
 }
 
 void test_every_face_has_one_node(void)
 {
     made->nodes[1].first_face = 2;
-    expect(FXL_E_INDEX, "tree node", 1);
+    expect(FXL_E_INDEX, "BSP node", 1);
     made->nodes[5].face_count = 0;
-    expect(FXL_E_COUNT, "node table", 0);
+    expect(FXL_E_COUNT, "BSP node table", 0);
     made->nodes[5].face_count = 2;
-    expect(FXL_E_INDEX, "tree node", 5);
+    expect(FXL_E_INDEX, "BSP node", 5);
     made->nodes[5].face_count = 0xFFFF;
-    expect(FXL_E_INDEX, "tree node", 5);
+    expect(FXL_E_INDEX, "BSP node", 5);
 }
 
 void test_links(void)
 {
     made->nodes[0].parent = 0;
-    expect(FXL_E_BSP, "tree node", 0);
+    expect(FXL_E_BSP, "BSP node", 0);
     made->nodes[3].back = 3; /* round and round */
-    expect(FXL_E_BSP, "tree node", 3);
+    expect(FXL_E_BSP, "BSP node", 3);
     made->nodes[3].back = 0;
-    expect(FXL_E_BSP, "tree node", 3);
+    expect(FXL_E_BSP, "BSP node", 3);
     made->nodes[3].back = 5; /* 4 hangs nowhere */
-    expect(FXL_E_BSP, "tree node", 3);
+    expect(FXL_E_BSP, "BSP node", 3);
     made->nodes[3].back = FXL_BSP_NONE;
-    expect(FXL_E_BSP, "tree node", 4);
+    expect(FXL_E_BSP, "BSP node", 4);
     made->nodes[5].front = 6; /* past the end */
-    expect(FXL_E_BSP, "tree node", 5);
+    expect(FXL_E_BSP, "BSP node", 5);
     made->nodes[5].front = 0xFFFE;
-    expect(FXL_E_BSP, "tree node", 5);
+    expect(FXL_E_BSP, "BSP node", 5);
     made->nodes[4].parent = 2;
-    expect(FXL_E_BSP, "tree node", 3);
+    expect(FXL_E_BSP, "BSP node", 3);
     made->nodes[2].front = 3; /* twice */
-    expect(FXL_E_BSP, "tree node", 2);
+    expect(FXL_E_BSP, "BSP node", 2);
     made->nodes[2].front = 3; /* in front instead of behind: sound, for this check */
     made->nodes[2].back = FXL_BSP_NONE;
     expect(FXL_OK, NULL, 0);
@@ -184,7 +184,7 @@ void test_depth(void)
         }
         made->tiny->scene.bsp_nodes = chain;
         made->tiny->scene.bsp_node_count = count;
-        expect(count == FXL_BSP_DEPTH_MAX + 1 ? FXL_OK : FXL_E_BSP, "tree node", FXL_BSP_DEPTH_MAX);
+        expect(count == FXL_BSP_DEPTH_MAX + 1 ? FXL_OK : FXL_E_BSP, "BSP node", FXL_BSP_DEPTH_MAX);
     }
 #endif
 }

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "counted_spans.h"
+#include "frames/session.h"
 #include "path.h"
 
 enum {
@@ -35,24 +36,17 @@ typedef struct {
 
 /* How a frame is drawn. */
 typedef struct {
-    const fxl_visibility *hidden;
-    const fxl_clipper *clipper;
-    uint32_t words, room_size, rows;
+    session_settings settings;
+    uint32_t rows;
 } way;
 
 typedef struct {
-    const fxl_scene_image *image;
+    session run;
     uint32_t width, height;
     uint8_t *frames[2], *covered, *writes;
-    fxl_order_entry *order;
-    fxl_cached_vertex *cache;
-    uint32_t *list;
-    void *room, *pieces, *light;
-    uint32_t light_size; /* bytes: 0 where the scene has no beams */
-    uint32_t walk_room;  /* bytes: what comes before the painter's room */
     uint64_t seed;
-    bool tree;
-} session;
+    bool bsp;
+} comparison;
 
 static int fail(const char *what, const char *why)
 {
@@ -61,7 +55,7 @@ static int fail(const char *what, const char *why)
 }
 
 /* splitmix64, public domain: below `end`. */
-static uint32_t any(session *with, uint32_t end)
+static uint32_t any(comparison *with, uint32_t end)
 {
     uint64_t z = with->seed += 0x9E3779B97F4A7C15u;
     z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
@@ -69,61 +63,45 @@ static uint32_t any(session *with, uint32_t end)
     return (uint32_t)((z ^ z >> 31) >> 32) % end;
 }
 
-/* False where the library refuses what it should not. */
-static bool draw(const session *with, const way *by, const fxl_pose *pose, uint8_t background,
+/* False if the library refuses what it must not refuse. */
+static bool draw(comparison *with, const way *by, const fxl_pose *pose, uint8_t background,
                  uint8_t *frame, fxl_counters *counters)
 {
-    static fxl_renderer renderer;
-    const fxl_scene *scene = &with->image->scene;
-    const fxl_memory memory = {with->order, scene->order_needed, with->list,
-                               by->words,   with->cache,         CACHE};
-    if (fxl_renderer_init_with(&renderer, scene, &with->image->lens, &memory) != FXL_OK ||
-        fxl_renderer_set_clipper(&renderer, by->clipper, NULL, 0) != FXL_OK ||
-        fxl_renderer_set_visibility(&renderer, by->hidden, with->room, by->room_size) != FXL_OK) {
+    if (session_set_up(&with->run, &by->settings) != FXL_OK ||
+        session_draw(&with->run, pose, by->rows, background, frame) != FXL_OK) {
         return false;
     }
-    if (with->light_size > 0 &&
-        fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit, with->light,
-                               with->light_size) != FXL_OK) {
-        return false;
-    }
-    if (with->tree) {
-        fxl_bsp_workspace *room = with->room;
-        room->pieces = with->pieces;
-        room->pieces_size = PIECES;
-    }
-    if (fxl_frame_begin(&renderer, pose) != FXL_OK) {
-        return false;
-    }
-    for (uint32_t row = 0; row < with->height; row += by->rows) {
-        uint32_t rows = row + by->rows > with->height ? with->height - row : by->rows;
-        fxl_band band = {frame + (size_t)row * with->width, (uint16_t)with->width,
-                         (uint16_t)with->width, (uint16_t)row, (uint16_t)rows};
-        fxl_fill_band(&band, background);
-        if (fxl_frame_draw(&renderer, &band) != FXL_OK) {
-            return false;
-        }
-    }
-    *counters = renderer.workspace.counters;
+    *counters = with->run.renderer.workspace.counters;
     return true;
 }
 
-static way any_way(session *with, const fxl_clipper *clipper, uint32_t number, tally *to)
+/* No display list; where there is one, what any_way says. */
+static session_settings settings_of(const fxl_visibility *visibility, const fxl_clipper *clipper)
 {
-    static fxl_visibility hidden;
-    const uint32_t least = with->walk_room + FXL_SPAN_BUFFER_BYTES_LEAST(with->width, with->height);
-    const uint32_t most = with->walk_room + FXL_SPAN_BUFFER_BYTES(with->height, INTERVALS);
-    way by = {.hidden = &hidden, .clipper = clipper};
-    hidden = with->tree ? fxl_visibility_bsp_spans : fxl_visibility_spans;
+    return (session_settings){.clipper = clipper,
+                              .visibility = visibility,
+                              .cache_entries = CACHE,
+                              .pieces_bytes = PIECES};
+}
+
+static way any_way(comparison *with, const fxl_clipper *clipper, uint32_t number, tally *to)
+{
+    static fxl_visibility visibility;
+    const uint32_t least = FXL_SPAN_BUFFER_BYTES_LEAST(with->width, with->height);
+    const uint32_t most = FXL_SPAN_BUFFER_BYTES(with->height, INTERVALS);
+    way by = {.settings = settings_of(&visibility, clipper)};
+    visibility = with->bsp ? fxl_visibility_bsp_spans : fxl_visibility_spans;
     if (number == 0) { /* each pixel counted as it is written */
-        hidden.backend =
+        visibility.backend =
             counted_begin(with->writes, with->frames[1], with->width * with->height)->backend;
     } else if (number == 1) {
-        hidden.backend = &fxl_raster_spans_box;
+        visibility.backend = &fxl_raster_spans_box;
     }
     uint32_t list = any(with, 3), pool = number == 0 ? 2 : any(with, 3), bands = any(with, 4);
-    by.words = list == 0 ? 0 : list == 1 ? any(with, 4000) : PLENTY;
-    by.room_size = pool == 0 ? least : pool == 1 ? least + any(with, 12 * with->height) : most;
+    by.settings.display_list_words = list == 0 ? 0 : list == 1 ? any(with, 4000) : PLENTY;
+    by.settings.raster_bytes = pool == 0   ? least
+                               : pool == 1 ? least + any(with, 12 * with->height)
+                                           : most;
     by.rows = bands == 0   ? with->height
               : bands == 1 ? 1 + any(with, with->height)
               : bands == 2 ? 8
@@ -135,7 +113,7 @@ static way any_way(session *with, const fxl_clipper *clipper, uint32_t number, t
     return by;
 }
 
-static void count_writes(const session *with, const fxl_counters *counters, tally *to)
+static void count_writes(const comparison *with, const fxl_counters *counters, tally *to)
 {
     if (counters->split_bands > 0) {
         return; /* then some are written again, as stated */
@@ -148,13 +126,12 @@ static void count_writes(const session *with, const fxl_counters *counters, tall
     }
 }
 
-static bool take_frame(session *with, const fxl_pose *pose, tally *to)
+static bool take_frame(comparison *with, const fxl_pose *pose, tally *to)
 {
     const fxl_clipper *clipper = to->frames % 4 == 3 ? &fxl_clipper_world : &fxl_clipper_view;
-    const way painted = {.hidden = with->tree ? &fxl_visibility_bsp : &fxl_visibility_sorted,
-                         .clipper = clipper,
-                         .room_size = with->walk_room,
-                         .rows = with->height};
+    const way painted = {
+        .settings = settings_of(with->bsp ? &fxl_visibility_bsp : &fxl_visibility_sorted, clipper),
+        .rows = with->height};
     const uint32_t pixels = with->width * with->height;
     fxl_counters expected, found;
     if (!draw(with, &painted, pose, BACKGROUND, with->frames[0], &expected)) {
@@ -218,81 +195,46 @@ static void print(const tally *of)
     puts("}");
 }
 
-/* Null where it cannot be read. Lives until the program ends. */
-static void *read_file(const char *path, size_t *size)
+static void reserve(comparison *with)
 {
-    FILE *file = fopen(path, "rb");
-    void *bytes = NULL;
-    long length = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    if (length > 0 && fseek(file, 0, SEEK_SET) == 0) {
-        bytes = malloc((size_t)length);
-        *size = bytes ? fread(bytes, 1, (size_t)length, file) : 0;
-    }
-    if (file) {
-        fclose(file);
-    }
-    return bytes;
-}
-
-static bool need(void *memory)
-{
-    return memory != NULL;
-}
-
-static bool open_session(session *with, const fxl_scene_image *image, uint64_t seed, bool tree)
-{
-    with->image = image;
-    with->seed = seed;
-    with->tree = tree;
-    with->light_size =
-        image->scene.beams != NULL
-            ? fxl_beam_light_workspace_size(image->scene.beams, image->scene.beam_count)
-            : 0;
-    with->walk_room =
-        tree ? (fxl_visibility_bsp.submit_workspace_size(&image->scene) + 7u) & ~7u : 0;
-    with->width = image->lens.width;
-    with->height = image->lens.height;
+    session_settings most = settings_of(
+        with->bsp ? &fxl_visibility_bsp_spans : &fxl_visibility_spans, &fxl_clipper_view);
+    with->width = with->run.image.lens.width;
+    with->height = with->run.image.lens.height;
     const size_t pixels = (size_t)with->width * with->height;
-    return need(with->frames[0] = malloc(pixels)) && need(with->frames[1] = malloc(pixels)) &&
-           need(with->writes = malloc(pixels)) && need(with->covered = malloc(pixels)) &&
-           need(with->order = calloc(image->scene.order_needed, sizeof *with->order)) &&
-           need(with->cache = calloc(CACHE, sizeof *with->cache)) &&
-           need(with->list = malloc(PLENTY * sizeof *with->list)) &&
-           need(with->pieces = malloc(PIECES)) &&
-           need(with->light = malloc(with->light_size + 8)) &&
-           need(with->room =
-                    malloc(with->walk_room + FXL_SPAN_BUFFER_BYTES(with->height, INTERVALS)));
+    most.display_list_words = PLENTY;
+    most.raster_bytes = FXL_SPAN_BUFFER_BYTES(with->height, INTERVALS);
+    session_reserve(&with->run, &most);
+    with->frames[0] = session_memory(pixels);
+    with->frames[1] = session_memory(pixels);
+    with->writes = session_memory(pixels);
+    with->covered = session_memory(pixels);
 }
 
-static int run(const char *path, uint32_t frames, uint64_t seed, bool tree)
+static int run(const char *path, uint32_t frames, uint64_t seed, bool bsp)
 {
-    size_t size = 0;
-    void *bytes = read_file(path, &size);
-    if (bytes == NULL) {
-        return fail(path, "it cannot be read");
+    static comparison with;
+    const fxl_scene_image *image = &with.run.image;
+    const char *wrong = session_open(&with.run, path);
+    if (wrong) {
+        return fail(path, wrong);
     }
-    fxl_scene_image image;
-    fxl_status status = fxl_scene_open(bytes, size, &image, NULL);
-    if (status != FXL_OK) {
-        return fail(path, fxl_status_text(status));
+    if (bsp && image->scene.bsp_nodes == NULL) {
+        return fail(path, "it has no BSP tree");
     }
-    if (tree && image.scene.bsp_nodes == NULL) {
-        return fail(path, "it has no tree");
-    }
-    session with;
-    if (!open_session(&with, &image, seed, tree)) {
-        return fail(path, "there is not enough memory");
-    }
+    with.seed = seed;
+    with.bsp = bsp;
+    reserve(&with);
     tally found = {0};
     walk_path walked;
-    walk_path_begin(&walked, &image, false);
-    for (uint32_t number = 0; number < image.frame_count; number++) {
+    walk_path_begin(&walked, image, false);
+    for (uint32_t number = 0; number < image->frame_count; number++) {
         if (walk_path_next(&walked, 0) != FXL_OK) {
-            return fail(path, "its path is no path");
+            return fail(path, "its path leaves the world");
         }
         /* The frames-th part that this frame opens: of all as many as were asked for. */
-        bool taken = (uint64_t)number * frames / image.frame_count !=
-                     ((uint64_t)number + 1) * frames / image.frame_count;
+        bool taken = (uint64_t)number * frames / image->frame_count !=
+                     ((uint64_t)number + 1) * frames / image->frame_count;
         if (taken && !take_frame(&with, &walked.viewer.pose, &found)) {
             return fail(path, "a frame was refused");
         }

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# build/host/hidden: a scene's frames by the methods for hidden surfaces, one against the other.
+# build/host/hidden: a scene's frames by every visibility method, compared with each other.
 
 HIDDEN_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/visibility/*.c)) \
-    $(BUILD)/host/objects/visibility/counted_spans.o $(BUILD)/host/objects/visibility/path.o
+    $(BUILD)/host/objects/visibility/counted_spans.o $(BUILD)/host/objects/visibility/path.o \
+    $(BUILD)/host/objects/frames/session.o $(BUILD)/host/objects/frames/read_file.o
 HOST_TOOLS += $(BUILD)/host/hidden
 
-HIDDEN_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ilib/include -Ilib -Ihost_tests/unit \
+HIDDEN_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ilib/include -Ilib -Ihost_tests -Ihost_tests/unit \
     -Ifirmware/walk -MMD -MP -c
 
 $(BUILD)/host/objects/visibility/%.o: host_tests/visibility/%.c

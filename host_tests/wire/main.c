@@ -2,8 +2,8 @@
 /* wire SCENE.fxls OUT.fxld [--frames N]
  *
  * Draws a scene's path as wireframes into a frame dump, with both line clippers and in bands
- * of several heights, which must agree, and compares it with the twin in double. Prints what
- * it found as JSON. Exit code 0: it ran; 2: it could not. */
+ * of several heights, which must agree, and compares it with the reference renderer. Prints
+ * what it found as JSON. Exit code 0: it ran; 2: it could not. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,13 +11,15 @@
 
 #include "fixel/all.h"
 #include "frames/dump.h"
+#include "frames/read_file.h"
+#include "frames/session.h"
 #include "path.h"
 #include "reference/wire.h"
 
 #define EXPLAINED_AT (1.0 / 8192)
 
-static uint8_t pixels[2][FXL_SCREEN_MAX * FXL_SCREEN_MAX], twin[FXL_SCREEN_MAX * FXL_SCREEN_MAX];
-static uint32_t image_words[(16u << 20) / 4 + 1]; /* aligned for the image */
+static uint8_t pixels[2][FXL_SCREEN_MAX * FXL_SCREEN_MAX];
+static uint8_t expected[FXL_SCREEN_MAX * FXL_SCREEN_MAX]; /* the reference renderer's */
 
 typedef struct {
     uint64_t lines, clipped, lit, differing, unexplained, disagreeing;
@@ -30,45 +32,42 @@ static int fail(const char *where, const char *what)
     return 2;
 }
 
-static int draw(fxl_wire *wire, const fxl_scene_image *image, const fxl_pose *pose, uint32_t rows,
-                uint8_t *to)
+static fxl_status draw_band(void *wire, const fxl_band *band)
 {
-    const uint16_t width = image->lens.width, height = image->lens.height;
-    int done = fxl_wire_begin(wire, pose) == FXL_OK;
-    for (uint32_t row = 0; done && row < height; row += rows) {
-        const uint32_t left = height - row;
-        fxl_band band = {to + (size_t)row * width, width, width, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, image->background);
-        done = fxl_wire_draw(wire, &band) == FXL_OK;
-    }
-    return done;
+    return fxl_wire_draw(wire, band);
+}
+
+static bool draw(fxl_wire *wire, const fxl_scene_image *image, const fxl_pose *pose, uint32_t rows,
+                 uint8_t *to)
+{
+    return fxl_wire_begin(wire, pose) == FXL_OK &&
+           session_draw_bands(&image->lens, rows, image->background, to, draw_band, wire) == FXL_OK;
 }
 
 static void compare(const ref_wire *lines, const fxl_scene_image *image, findings *found)
 {
     const int width = image->lens.width, height = image->lens.height;
-    const ref_band band = {twin, width, width, 0, height};
-    memset(twin, image->background, (size_t)width * (size_t)height);
+    const ref_band band = {expected, width, width, 0, height};
+    memset(expected, image->background, (size_t)width * (size_t)height);
     for (size_t i = 0; i < lines->count; i++) {
-        ref_wire_draw(&lines->lines[i], &band);
+        ref_wire_line(&lines->lines[i], &band);
     }
     for (int i = 0; i < width * height; i++) {
         found->lit += pixels[0][i] != image->background;
         found->disagreeing += pixels[0][i] != pixels[1][i];
-        if (pixels[0][i] == twin[i]) {
+        if (pixels[0][i] == expected[i]) {
             continue;
         }
-        int near = 0;
-        for (size_t k = 0; k < lines->count && !near; k++) {
-            near = ref_wire_is_near(&lines->lines[k], i % width, i / width, EXPLAINED_AT);
+        int is_near = 0;
+        for (size_t k = 0; k < lines->count && !is_near; k++) {
+            is_near = ref_wire_is_near(&lines->lines[k], i % width, i / width, EXPLAINED_AT);
         }
         found->differing++;
-        found->unexplained += !near;
+        found->unexplained += !is_near;
     }
 }
 
-static int draw_all(const fxl_scene_image *image, const ref_scene_image *reference, dump *to,
+static bool draw_all(const fxl_scene_image *image, const ref_scene_image *reference, dump *to,
                     uint32_t frames, findings *found)
 {
     static fxl_wire by_planes, by_codes;
@@ -76,7 +75,7 @@ static int draw_all(const fxl_scene_image *image, const ref_scene_image *referen
     ref_wire lines = {0};
     const size_t area = (size_t)image->lens.width * image->lens.height;
     walk_path_begin(&path, image, false);
-    int done =
+    bool done =
         fxl_wire_init(&by_planes, &image->scene, &image->lens, fxl_line_by_planes) == FXL_OK &&
         fxl_wire_init(&by_codes, &image->scene, &image->lens, fxl_line_by_codes) == FXL_OK;
     for (uint32_t i = 0; done && i < frames; i++) {
@@ -114,7 +113,7 @@ static int save(const char *out, const fxl_scene_image *image, const ref_scene_i
         return fail(out, strerror(errno));
     }
     dump_begin(&to, file, image, frames);
-    const int done = draw_all(image, reference, &to, frames, found);
+    const bool done = draw_all(image, reference, &to, frames, found);
     const bool saved = dump_end(&to);
     if (fclose(file) != 0 || !saved) {
         return fail(out, "it cannot be written");
@@ -128,18 +127,18 @@ int main(int count, char **arguments)
     if (count != 3 && !asked) {
         return fail("usage", "wire SCENE.fxls OUT.fxld [--frames N]");
     }
-    FILE *file = fopen(arguments[1], "rb");
-    const size_t size = file ? fread(image_words, 1, sizeof image_words, file) : 0;
-    if (file) {
-        fclose(file);
+    size_t size;
+    uint8_t *bytes = read_file(arguments[1], &size);
+    if (!bytes) {
+        return fail(arguments[1], "it cannot be read");
     }
     fxl_scene_image image;
     ref_scene_image reference;
-    const fxl_status status = fxl_scene_open(image_words, size, &image, NULL);
+    const fxl_status status = fxl_scene_open(bytes, size, &image, NULL);
     if (status != FXL_OK) {
         return fail(arguments[1], fxl_status_text(status));
     }
-    const char *wrong = ref_scene_open((const uint8_t *)image_words, size, &reference);
+    const char *wrong = ref_scene_open(bytes, size, &reference);
     if (wrong) {
         return fail(arguments[1], wrong);
     }
@@ -148,6 +147,7 @@ int main(int count, char **arguments)
     findings found = {0};
     const int code = save(arguments[2], &image, &reference, frames, &found);
     ref_scene_close(&reference);
+    free(bytes);
     if (code != 0) {
         return code;
     }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# build/host/wire: a scene's frames as wireframes, against the twin's.
+# build/host/wire: a scene's frames as wireframes, against the reference renderer's.
 
 WIRE_OBJECTS := $(BUILD)/host/objects/wire/main.o $(BUILD)/host/objects/frames/dump.o \
-    $(BUILD)/host/objects/frames/path.o
+    $(BUILD)/host/objects/frames/path.o $(BUILD)/host/objects/frames/session.o $(BUILD)/host/objects/frames/read_file.o
 HOST_TOOLS += $(BUILD)/host/wire
 
 $(BUILD)/host/objects/wire/%.o: host_tests/wire/%.c

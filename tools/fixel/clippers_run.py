@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs the programs of make clippers: on the host with the double twin, and on emulated cores."""
+"""Runs the programs of make clippers: on the host with the reference renderer, and on emulated cores."""
 
 import collections
 import dataclasses

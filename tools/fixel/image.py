@@ -182,9 +182,9 @@ def _head(blob):
     if zlib.crc32(blob[16:size]) != crc:
         fail("crc", "the checksum does not match: the image is damaged")
     if fields[13] or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
-        fail("reserved", "a reserved field of the header is not zero, or the path kind is unknown")
+        fail("reserved", "a reserved field of the header is not zero, or the kind of the path is unknown")
     if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
-        fail("version", f"version {VERSION_MORE} of a scene image without a tree or beams")
+        fail("version", f"version {VERSION_MORE} of a scene image without a BSP tree or beams")
     return fields
 
 
@@ -213,7 +213,7 @@ def check_coordinates(point, what):
 
 def _check_gait(gait):
     if any(not 0 <= value <= GAIT_MAX for value in gait[:3]) or not 0 <= gait[3] <= TURN_MAX:
-        fail("range", "the gait is out of range (0..256 units a step, at most 1/4 turn a step)")
+        fail("range", "the motion limits are out of range (0..256 units a step, at most 1/4 turn a step)")
 
 
 def check_plane(normal, points, what):
@@ -246,7 +246,7 @@ def _tables(blob, fields):
     for (offset, count), (name, entry, low, high) in zip(places, limits):
         if name in ("keys", "nodes") and not count:
             if offset:
-                fail("offset", f"the header says where {name} are, but that there are none")
+                fail("offset", f"the header gives an offset of {name}, but a count of 0")
             tables.append([])
             continue
         if not low <= count <= high:
@@ -266,7 +266,7 @@ def _check_faces(faces, corners):
         if not 3 <= count <= FACE_VERTICES_MAX:
             fail("count", f"face {i}: {count} vertices are outside 3..{FACE_VERTICES_MAX}")
         if first + count > len(corners):
-            fail("index", f"face {i} reaches past the table of corners")
+            fail("index", f"face {i} reaches past the table of indices")
 
 
 def _read_models(models, vertices, corners, faces):
@@ -304,10 +304,10 @@ def _read_objects(objects, models):
     result = []
     for i, (*centre, model, layer, reserved) in enumerate(objects):
         if reserved:
-            fail("reserved", f"object {i}: a reserved field is not zero")
+            fail("reserved", f"instance {i}: a reserved field is not zero")
         if model >= len(models):
-            fail("index", f"object {i}: model {model} of {len(models)}")
-        check_coordinates(centre, f"the centre of object {i}")
+            fail("index", f"instance {i}: model {model} of {len(models)}")
+        check_coordinates(centre, f"the centre of instance {i}")
         result.append(Object(tuple(centre), model, layer))
     return result
 
@@ -320,7 +320,7 @@ def _check_extents(objects, models):
             axes = list(zip(*models[item.model].vertices))
             boxes[item.model] = [[min(a) for a in axes], [max(a) for a in axes]]
         for end in boxes[item.model]:
-            check_coordinates([c + e for c, e in zip(item.centre, end)], f"a vertex of object {i}")
+            check_coordinates([c + e for c, e in zip(item.centre, end)], f"a vertex of instance {i}")
 
 
 def _check_path(kind, path, frames):
@@ -328,7 +328,7 @@ def _check_path(kind, path, frames):
         if kind == POSES:
             check_coordinates(entry[:3], f"pose {i}")
         elif entry[0] & ~0xFF or entry[1] < 1:
-            fail("range", f"stride {i}: keys {entry[0]:#x}, {entry[1]} frames")
+            fail("range", f"path segment {i}: keys {entry[0]:#x}, {entry[1]} frames")
     total = len(path) if kind == POSES else sum(n for _, n in path)
     if total != frames or not 1 <= frames <= 1_000_000:
         fail("count", f"the path has {total} frames, the header says {frames}")
@@ -359,7 +359,7 @@ def unpack(blob):
         tree = Tree([Node.unpack(node) for node in nodes], fields[43])
         check_tree(tree, models, objects)
     elif fields[43]:
-        fail("count", "the header says whose the tree is, but there is none")
+        fail("count", "the header names a BSP instance, but there is no BSP tree")
     beams = [image_beam.unpack(beam, i) for i, beam in enumerate(light[0])] if light else []
     lit = bytes(light[1][0]) if light else bytes(range(256))
     image_beam.check(beams, models)

@@ -22,11 +22,11 @@ def check(models, first_keys, keys):
         has = keys and model.kind == SORTED
         wanted = [key_of(model, face) for face in model.faces] if has else []
         if not wanted and first_key:
-            fail("reserved", f"model {i} has no keys, but says where they are")
+            fail("reserved", f"model {i} has no face bounds, but gives their place")
         if wanted and (first_key != first or first + len(wanted) > len(keys)):
-            fail("index", f"model {i}: its keys do not follow those before, or are not all there")
+            fail("index", f"model {i}: its face bounds do not follow those of the model before, or some are missing")
         if wanted != keys[first:first + len(wanted)]:
-            fail("key", f"model {i}: a key is not what the face's vertices and its normal say")
+            fail("face bounds", f"model {i}: the bounds of a face differ from those of its vertices and its normal")
         first += len(wanted)
     if first != len(keys):
-        fail("count", f"{len(keys)} keys of {first} faces of sorted models")
+        fail("count", f"{len(keys)} face bounds, but the sorted models have {first} faces")

@@ -51,16 +51,16 @@ class Tree:
 
 def _check_owner(tree, models, objects):
     if tree.object >= len(objects):
-        fail("index", f"the tree is of object {tree.object} of {len(objects)}")
+        fail("index", f"the BSP instance is {tree.object} of {len(objects)}")
     number = objects[tree.object].model
     if models[number].kind != SORTED:
-        fail("reserved", f"the tree's object {tree.object} has a model that is not sorted")
+        fail("reserved", f"the BSP instance {tree.object} has a model that is not sorted")
     for i, item in enumerate(objects):
         if item.model == number and i != tree.object:
-            fail("tree", f"object {i} has the model of the tree's object {tree.object}")
+            fail("bsp", f"instance {i} has the model of the BSP instance {tree.object}")
         if item.layer == objects[tree.object].layer and models[item.model].kind == SORTED and \
                 i != tree.object:
-            fail("tree", f"object {i}, on the layer of the tree, is not convex")
+            fail("bsp", f"instance {i} is on the layer of the BSP instance, and its model is not convex")
     return models[number]
 
 
@@ -73,12 +73,12 @@ def _check_links(nodes):
             continue
         if number != numbers or number >= len(nodes) or nodes[number].parent != parent or \
                 depth > DEPTH_MAX:
-            fail("tree", f"node {number} does not hang where the nodes say, or too deep")
+            fail("bsp", f"BSP node {number} is not where its parent says, or is too deep")
         numbers += 1
         pending += [(nodes[number].back, number, depth + 1),
                     (nodes[number].front, number, depth + 1)]
     if numbers != len(nodes):
-        fail("tree", f"node {numbers} hangs nowhere")
+        fail("bsp", f"node {numbers} has no parent")
 
 
 def _check_sphere(i, node, tree, model, origin):

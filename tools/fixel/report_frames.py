@@ -97,7 +97,7 @@ def default_sources():
 
 
 def _judge(build, walk, folder):
-    """The board's dump of a walk, the twin's, and the verdict."""
+    """The board's dump of a walk, the reference renderer's, and the verdict."""
     file, drawn, twin = (folder / name for name in ("walk.fxls", "board.fxld", "double.fxld"))
     image.save(file, image.pack(walk.scene))
     run_board("host", file, build / "boards/host/walk", drawn)
@@ -150,7 +150,7 @@ def judge_walks(build, found, folder):
 
 
 def cast_rays(build, walk, folder, wanted):
-    """The third judge's verdict on about so many of the twin's frames of a walk."""
+    """The ray-cast oracle's verdict on about so many reference frames of a walk."""
     with Progress("casting rays"):
         _judge(build, walk, folder)
         every = max(1, walk.scene.frames // wanted)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline; the contract is
- * lib/include/fixel/stage/clipper.h, the bits are those of lib/kernels/portable/clip_by_view.c. */
+/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/clipper.h states
+ * what it requires and returns; it gives the same bits as
+ * lib/kernels/portable/clip_by_view.c. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -10,7 +11,7 @@
     .syntax unified
     .thumb
 
-/* On the stack: placed, face, work, screen, r4-r11, the vertex, lr. */
+/* On the stack: model_view, face, work, screen, r4-r11, the vertex, lr. */
 #define AT_FACE     4
 #define AT_SCREEN   12
 #define AT_VERTEX   48
@@ -21,45 +22,45 @@ entries .req r5
 mask    .req r6
 tag     .req r7
 point   .req r8
-corner  .req r9
+index   .req r9     /* address of the next index */
 count   .req r10
 of_any  .req r11
-state   .req r12
+flags   .req r12
 
     .section .text.fxl_clip_by_view, "ax", %progbits
     .global fxl_clip_by_view
     .type fxl_clip_by_view, %function
     .thumb_func
 
-/* r0: placed, r1: face, r2: work, r3: screen */
+/* r0: model_view, r1: face, r2: work, r3: screen */
 fxl_clip_by_view:
     push    {r0-r12, lr}
-    ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, corners */
+    ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, indices */
     ldr     r2, [r1, #FACE_FIRST_INDEX]
     ldrb    count, [r1, #FACE_COUNT]
-    add     corner, corner, r2, lsl #1
+    add     index, index, r2, lsl #1
     add     point, r3, #SCREEN_POLYGON_POINTS
     mov     of_any, #0
     mvn     of_all, #0
-.Lcorner:
-    ldrh    r1, [corner], #2
+.Lvertex:
+    ldrh    r1, [index], #2
     and     r2, r1, mask
     add     r2, r2, r2, lsl #2              /* 40 bytes each */
     add     vertex, entries, r2, lsl #3
-    ldrd    r0, state, [vertex]
+    ldrd    r0, flags, [vertex]
     add     r3, r1, tag
     cmp     r0, r3
-    bne     .Lunknown
-.Lknown:
-    lsls    r0, state, #24
+    bne     .Lmiss
+.Lcached:
+    lsls    r0, flags, #24
     bne     .Lunprojected
 .Lready:
     ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
-    orr     of_any, of_any, state
-    and     of_all, of_all, state
+    orr     of_any, of_any, flags
+    and     of_all, of_all, flags
     stm     point!, {r0, r1}
     subs    count, count, #1
-    bne     .Lcorner
+    bne     .Lvertex
 
     ldr     r1, [sp, #AT_FACE]
     ldr     r2, [sp, #AT_SCREEN]
@@ -77,16 +78,16 @@ fxl_clip_by_view:
     add     sp, sp, #16
     pop     {r4-r12, pc}
 
-.Lunknown:
+.Lmiss:
     ldr     r0, [sp]
     str     vertex, [sp, #AT_VERTEX]
     bl      fxl_transform_vertex
     ldr     vertex, [sp, #AT_VERTEX]
-    ldr     state, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
-    b       .Lknown
+    ldr     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
+    b       .Lcached
 
 .Lunprojected:
-    cmp     state, #VERTEX_UNPROJECTED
+    cmp     flags, #VERTEX_UNPROJECTED
     bne     .Loutside
     str     vertex, [sp, #AT_VERTEX]
     ldr     r0, [sp]
@@ -104,8 +105,8 @@ fxl_clip_by_view:
     asrs    r0, r0, #16
     asrs    r1, r1, #16
     lsls    r1, r1, #20
-    orr     state, r1, r0, lsl #8
-    str     state, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
+    orr     flags, r1, r0, lsl #8
+    str     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
     b       .Lready
 
 .Loutside:

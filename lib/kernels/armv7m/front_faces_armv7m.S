@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_front_faces for Armv7-M and Armv8-M Mainline; the sums and their bounds stand in
- * lib/src/view/front_faces.h. */
+/* fxl_front_faces for Armv7-M and Armv8-M Mainline. lib/src/view/front_faces.h defines the sums
+ * and their bounds. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -13,23 +13,23 @@
 #define COUNT   36          /* on the stack */
 
 face    .req r0
-key     .req r1             /* the next one's */
+bounds  .req r1             /* of the next face */
 entry   .req r3
-left    .req lr             /* faces still to be looked at, this one included */
+left    .req lr             /* faces still to be tested, including this one */
 
     .section .text.fxl_front_faces, "ax", %progbits
     .global fxl_front_faces
     .type fxl_front_faces, %function
     .thumb_func
 
-/* r0: faces, r1: keys, r2: from, r3: entry; on the stack: count */
+/* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count */
 fxl_front_faces:
     push    {r4-r11, lr}
     ldm     r2, {r4-r6}
     ldr     left, [sp, #COUNT]
 .Lface:
     ldm     face, {r7-r9}
-    ldrd    r10, r11, [key], #FACE_BOUNDS_SIZE
+    ldrd    r10, r11, [bounds], #FACE_BOUNDS_SIZE
     smull   r7, r12, r7, r4
     smlal   r7, r12, r8, r5
     smlal   r7, r12, r9, r6
@@ -37,8 +37,8 @@ fxl_front_faces:
     cmp     r10, r7
     sbcs    r11, r11, r12
     bge     .Lnext                          /* turned away */
-    ldr     r7, [key, #FACE_BOUNDS_BOX_X - FACE_BOUNDS_SIZE]
-    ldrd    r8, r9, [key, #FACE_BOUNDS_BOX_Y - FACE_BOUNDS_SIZE]
+    ldr     r7, [bounds, #FACE_BOUNDS_BOX_X - FACE_BOUNDS_SIZE]
+    ldrd    r8, r9, [bounds, #FACE_BOUNDS_BOX_Y - FACE_BOUNDS_SIZE]
     sub     r7, r7, r4, lsl #1
     sub     r8, r8, r5, lsl #1
     sub     r9, r9, r6, lsl #1

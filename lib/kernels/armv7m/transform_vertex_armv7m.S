@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_transform_vertex for Armv7-M and Armv8-M Mainline; the sums, their bounds and the
- * bound of the upper words stand in lib/src/math/arith.h and lib/src/view/outside.h.
+/* fxl_transform_vertex for Armv7-M and Armv8-M Mainline. lib/src/math/arith.h (fxl_dot) and
+ * lib/src/view/outside.h define the sums and derive their bounds.
  *
- * Products go where sums are wanted, loads by several words. A point that the
- * upper words leave open is measured by fxl_outcode. */
+ * If the upper words of a distance do not decide a sign, fxl_outcode computes the outcode. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -14,7 +13,7 @@
     .thumb
 
 entry       .req r2
-view        .req r3         /* then what comes after what was read of it */
+view        .req r3         /* then the address after the part of the view read so far */
 planes      .req lr         /* in the lowest byte */
 
     .section .text.fxl_transform_vertex, "ax", %progbits
@@ -22,7 +21,7 @@ planes      .req lr         /* in the lowest byte */
     .type fxl_transform_vertex, %function
     .thumb_func
 
-/* r0: placed, r1: number, r2: entry */
+/* r0: model_view, r1: number, r2: entry */
 fxl_transform_vertex:
     push    {r3-r11, lr}
     ldm     r0!, {r3-r7}                    /* view, -, -, tag, vertices */
@@ -54,12 +53,12 @@ fxl_transform_vertex:
     strd    r10, r0, [entry, #CACHED_VERTEX_POSITION + VIEW_POINT_Z]
 
     lsls    r1, planes, #24
-    beq     decided                         /* inside of all planes */
+    beq     decided                         /* inside all planes */
     adds    view, view, #VIEW_FRUSTUM - VIEW_ROTATION - ROTATION_SIZE
     ldm     view, {r4-r7}
     ldr     r9, [view, #FRUSTUM_INSET_UPPER]
     asr     r9, r9, #2
-    subs    r9, r9, #4                      /* makes distances 4 larger: open is 0..7 */
+    subs    r9, r9, #4                      /* distances become 4 larger: 0..7 is undecided */
     smull   r1, r4, r4, r11
     smull   r1, r5, r5, r0
     subs    r5, r5, r9
@@ -76,16 +75,16 @@ fxl_transform_vertex:
     cmphs   r11, #8
     cmphs   r12, #8 /* bug: v7m-outcode */
     cmphs   r9, #8
-    blo     open
+    blo     undecided
 
-    ldrd    r4, r5, [view, #FRUSTUM_NEAR_Z] /* near, far */
+    ldrd    r4, r5, [view, #FRUSTUM_NEAR_Z] /* near_z, far_z */
     ldrd    r6, r7, [view, #FRUSTUM_FAR_Z]
     subs    r4, r10, r4
     sbc     r5, r0, r5
     subs    r6, r6, r10
     sbc     r7, r7, r0
-    lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; where none
-                                               is open, 4 more change none */
+    lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
+                                               changes no sign that is decided */
     lsrs    r7, r7, #31
     orr     r1, r1, r7, lsl #1
     lsr     r8, r8, #31
@@ -103,7 +102,7 @@ decided:
     str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
     pop     {r3-r11, pc}
 
-open:
+undecided:
     mov     r4, entry
     mov     r0, view
     uxtb    r1, planes

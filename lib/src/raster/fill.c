@@ -4,8 +4,8 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 
-/* With FXL_SMALL rows are memset's, and no trapezoid is filled: 240 bytes less on a Cortex-M3,
- * and fewer instructions. */
+/* With FXL_SMALL a row is a call of memset, and no trapezoid is filled: 240 bytes less on a
+ * Cortex-M3, and fewer instructions. */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)
 {
     FXL_ASSERT(span->x0 >= 0 && span->x0 < span->x1 && span->x1 <= band->width);

@@ -11,19 +11,19 @@ const char *fxl_status_text(fxl_status status)
     case FXL_E_RANGE:
         return "a number is outside its stated range";
     case FXL_E_CAPACITY:
-        return "the memory handed in, or a capacity set at build, does not suffice";
+        return "the caller's memory, or a capacity that the build sets, is too small";
     case FXL_E_DEGENERATE:
         return "a polygon has fewer than three vertices";
     case FXL_E_ORDER:
-        return "a call came out of order";
+        return "a function was called before another that must come first";
     case FXL_E_ALIGNMENT:
-        return "an address or offset is not a multiple of four";
+        return "an address or an offset is not a multiple of four";
     case FXL_E_SIZE:
-        return "the image is shorter than it says, or longer than allowed";
+        return "the image is shorter than its header says, or longer than allowed";
     case FXL_E_MAGIC:
         return "this is not a scene image";
     case FXL_E_VERSION:
-        return "the scene image has another version";
+        return "this version of the scene image is not known";
     case FXL_E_CRC:
         return "the checksum does not match";
     case FXL_E_OFFSET:
@@ -37,13 +37,13 @@ const char *fxl_status_text(fxl_status status)
     case FXL_E_PLANARITY:
         return "a face vertex lies off the plane of its face";
     case FXL_E_RESERVED:
-        return "a reserved field or a kind holds an unknown value";
+        return "a reserved field or a kind has an unknown value";
     case FXL_E_RADIUS:
         return "a vertex lies farther from its model's origin than the model's radius";
     case FXL_E_FACE_BOUNDS:
-        return "a face's key is not what its vertices and its normal say";
+        return "the stored bounds of a face differ from those of its vertices and its normal";
     case FXL_E_BSP:
-        return "the nodes of a tree do not hang together, or lie too deep";
+        return "the nodes of the BSP tree do not form one tree, or the tree is too deep";
     case FXL_STATUS_COUNT:
         break;
     }

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+#include "frames/session.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "frames/read_file.h"
+
+void *session_memory(size_t size)
+{
+    void *memory = calloc(size > 0 ? size : 1, 1);
+    if (!memory) {
+        fputs("error: there is not enough memory\n", stderr);
+        exit(2);
+    }
+    return memory;
+}
+
+const char *session_open(session *run, const char *path)
+{
+    size_t size;
+    const uint8_t *bytes = read_file(path, &size);
+    if (!bytes) {
+        return "it cannot be read";
+    }
+    fxl_status status = fxl_scene_open(bytes, size, &run->image, NULL);
+    return status == FXL_OK ? NULL : fxl_status_text(status);
+}
+
+uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility)
+{
+    return visibility->submit_workspace_size
+               ? (visibility->submit_workspace_size(&run->image.scene) + 7u) & ~7u
+               : 0;
+}
+
+static uint32_t beam_light_bytes(const fxl_scene *scene)
+{
+    return scene->beam_count > 0 ? fxl_beam_light_workspace_size(scene->beams, scene->beam_count)
+                                 : 0;
+}
+
+void session_reserve(session *run, const session_settings *most)
+{
+    const fxl_scene *scene = &run->image.scene;
+    run->memory = (fxl_memory){session_memory(scene->order_needed * sizeof(fxl_order_entry)),
+                               scene->order_needed,
+                               session_memory(sizeof(uint32_t) * (size_t)most->display_list_words),
+                               most->display_list_words,
+                               session_memory(most->cache_entries * sizeof(fxl_cached_vertex)),
+                               most->cache_entries};
+    run->workspace = session_memory(session_submit_bytes(run, most->visibility) +
+                                    (size_t)most->raster_bytes);
+    run->pieces = session_memory(most->pieces_bytes);
+    run->beam_light = session_memory(beam_light_bytes(scene));
+}
+
+static bool goes_by_bsp(const session *run, const fxl_visibility *visibility)
+{
+    return run->image.scene.bsp_nodes &&
+           visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
+}
+
+fxl_status session_set_up(session *run, const session_settings *settings)
+{
+    const fxl_scene *scene = &run->image.scene;
+    fxl_renderer *renderer = &run->renderer;
+    fxl_memory memory = run->memory;
+    memory.display_list_capacity = settings->display_list_words;
+    memory.cache_capacity = settings->cache_entries;
+    fxl_status status = fxl_renderer_init_with(renderer, scene, &run->image.lens, &memory);
+    if (status == FXL_OK) {
+        status = fxl_renderer_set_clipper(renderer, settings->clipper, &run->clipper_workspace,
+                                          sizeof run->clipper_workspace);
+    }
+    if (status == FXL_OK) {
+        status = fxl_renderer_set_visibility(
+            renderer, settings->visibility, run->workspace,
+            session_submit_bytes(run, settings->visibility) + settings->raster_bytes);
+    }
+    if (status == FXL_OK && scene->beam_count > 0) {
+        status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,
+                                        run->beam_light, beam_light_bytes(scene));
+    }
+    if (status == FXL_OK && goes_by_bsp(run, settings->visibility)) {
+        fxl_bsp_workspace *bsp = run->workspace;
+        bsp->pieces = run->pieces;
+        bsp->pieces_size = settings->pieces_bytes;
+    }
+    return status;
+}
+
+fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
+                              uint8_t *pixels, session_band_drawer *draw, void *with)
+{
+    fxl_status status = FXL_OK;
+    rows = rows > 0 ? rows : lens->height;
+    for (uint32_t row = 0; status == FXL_OK && row < lens->height; row += rows) {
+        const uint32_t left = lens->height - row;
+        const fxl_band band = {pixels + (size_t)row * lens->width, lens->width, lens->width,
+                               (uint16_t)row, (uint16_t)(rows < left ? rows : left)};
+        fxl_fill_band(&band, background);
+        status = draw(with, &band);
+    }
+    return status;
+}
+
+fxl_status session_draw_band(void *renderer, const fxl_band *band)
+{
+    return fxl_frame_draw(renderer, band);
+}
+
+fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8_t background,
+                        uint8_t *pixels)
+{
+    fxl_status status = fxl_frame_begin(&run->renderer, pose);
+    return status == FXL_OK ? session_draw_bands(&run->image.lens, rows, background, pixels,
+                                                 session_draw_band, &run->renderer)
+                            : status;
+}

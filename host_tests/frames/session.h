@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene image and a renderer for it with all the memory that it wants: what the programs
+ * share that draw frames on the host. */
+#ifndef FRAMES_SESSION_H
+#define FRAMES_SESSION_H
+
+#include "fixel/all.h"
+
+/* How frames are drawn. In session_reserve: the largest that session_set_up is given. */
+typedef struct {
+    const fxl_clipper *clipper;
+    const fxl_visibility *visibility;
+    uint32_t display_list_words, cache_entries;
+    uint32_t raster_bytes; /* for the raster backend */
+    uint32_t pieces_bytes; /* for the pieces of movers, if the scene has a BSP tree */
+} session_settings;
+
+typedef struct {
+    fxl_scene_image image;
+    fxl_renderer renderer;
+    fxl_clipper_workspace clipper_workspace;
+    fxl_memory memory;
+    void *workspace, *pieces, *beam_light; /* the visibility method's, the tree's, the beams' */
+} session;
+
+/* Zeroed memory that lives until the program ends. Without memory, the program ends with 2. */
+void *session_memory(size_t size);
+
+/* Reads and opens a scene image, which stays open until the program ends. Null, or what is
+ * wrong. */
+const char *session_open(session *run, const char *path);
+
+/* Allocates the memory of a renderer that is set up with these settings or smaller ones, and
+ * with any visibility method if the settings name a method by BSP tree. */
+void session_reserve(session *run, const session_settings *most);
+
+/* Sets the renderer up anew. What the library answers. */
+fxl_status session_set_up(session *run, const session_settings *settings);
+
+/* Bytes of the workspace that stand before the raster backend's. */
+uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility);
+
+/* Draws a frame into pixels, which are as large as the lens says: begins it, fills each band of
+ * so many rows (0: the whole frame) with the background, and draws the band. Ends at the first
+ * status that is not FXL_OK. */
+fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8_t background,
+                        uint8_t *pixels);
+
+/* The bands alone, drawn by any function: with the renderer of a frame that has begun,
+ * session_draw_band; with a wire, fxl_wire_draw. */
+typedef fxl_status session_band_drawer(void *with, const fxl_band *band);
+fxl_status session_draw_band(void *renderer, const fxl_band *band);
+fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
+                              uint8_t *pixels, session_band_drawer *draw, void *with);
+
+#endif
