@@ -8,7 +8,9 @@
 #   view    the same, and Python packages for a web page
 #   report  the same as run, GMP, and Python packages for plots
 #   units   the same as run, and Ruby with CMock
-#   test    all of these, Chromium, which opens the report, GDB and OpenOCD, pytest
+#   test    all of these, Chromium, which opens the report, GDB and OpenOCD, pytest, and the
+#           compilers that the library is tried with: g++, Clang, GCC for RISC-V (64 MB to
+#           fetch, 380 MB on disk), CMake
 #   lib     cross compiler
 #   format  clang-format
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run
@@ -54,6 +56,12 @@ need_gmp() { compiles gcc gmp.h || need libgmp-dev; }
 need_browser() { has chromium || need chromium; }
 need_debugger() { has gdb-multiarch || need gdb-multiarch; }
 need_openocd() { has openocd || need openocd; }
+need_compilers() {
+    has g++ || need g++
+    clang=$(find_clang) && has "clang++${clang#clang}" || need clang
+    has riscv64-unknown-elf-gcc || need gcc-riscv64-unknown-elf
+    has cmake || need cmake
+}
 # A run-time library has no command of its own: ask the compiler to link one.
 need_fuzzer() {
     clang=$(find_clang) || { need clang; need llvm; need libclang-rt-dev; return; }
@@ -100,6 +108,7 @@ find_missing() {
         units) need_board; need_cmock ;;
         test)
             need_board; need_gmp; need_cmock; need_browser; need_debugger; need_openocd
+            need_compilers
             need_python view report test ;;
         lib) need_cross_compiler ;;
         fuzz) need_host_compiler; need_fuzzer; need_python run ;;

@@ -12,8 +12,8 @@ static fxl_order_entry entries[MANY];
 /* The definition (SPEC.md, section 6): whether a is drawn before b. */
 static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
-    if (a->layer != b->layer) {
-        return a->layer < b->layer;
+    if (a->instance.layer != b->instance.layer) {
+        return a->instance.layer < b->instance.layer;
     }
     if (fxl_order_distance(a) != fxl_order_distance(b)) {
         return fxl_order_distance(a) > fxl_order_distance(b);
@@ -172,7 +172,7 @@ void test_nothing_and_one_entry(void)
     fxl_order_sort(entries, 1);
     fxl_order_sort_faces(entries, 0);
     TEST_ASSERT_EQUAL_UINT64(7, fxl_order_distance(&entries[0]));
-    TEST_ASSERT_EQUAL_UINT32(3, entries[0].layer);
+    TEST_ASSERT_EQUAL_UINT32(3, entries[0].instance.layer);
 }
 
 void test_distance_is_exact_at_the_ends(void)
@@ -286,7 +286,7 @@ void test_objects_by_layer_then_far_to_near(void)
         TEST_ASSERT_EQUAL_UINT64(
             fxl_distance_squared(&before_all.position, &tiny->objects[entry->index].centre),
             fxl_order_distance(entry));
-        TEST_ASSERT_EQUAL_UINT32(0, entry->planes);
+        TEST_ASSERT_EQUAL_UINT32(0, entry->instance.planes);
     }
     tiny->objects[0].layer = 1;
     tiny->objects[1].layer = 255;
@@ -295,7 +295,7 @@ void test_objects_by_layer_then_far_to_near(void)
     TEST_ASSERT_EQUAL_UINT32(0, entries[0].index);
     TEST_ASSERT_EQUAL_UINT32(2, entries[1].index);
     TEST_ASSERT_EQUAL_UINT32(1, entries[2].index);
-    TEST_ASSERT_EQUAL_UINT32(255, entries[2].layer);
+    TEST_ASSERT_EQUAL_UINT32(255, entries[2].instance.layer);
 }
 
 void test_equally_far_objects_by_number(void)
@@ -322,9 +322,9 @@ void test_objects_out_of_sight_are_left_out(void)
     TEST_ASSERT_EQUAL_UINT32(2, order_from(tiny, &between, &left_out));
     TEST_ASSERT_EQUAL_UINT32(6, left_out);
     TEST_ASSERT_EQUAL_UINT32(2, entries[0].index);
-    TEST_ASSERT_EQUAL_HEX32(1u << FXL_PLANE_LEFT, entries[0].planes);
+    TEST_ASSERT_EQUAL_HEX32(1u << FXL_PLANE_LEFT, entries[0].instance.planes);
     TEST_ASSERT_EQUAL_UINT32(1, entries[1].index);
-    TEST_ASSERT_EQUAL_HEX32(0, entries[1].planes);
+    TEST_ASSERT_EQUAL_HEX32(0, entries[1].instance.planes);
     const fxl_pose behind = {{0, 0, Q16(40)}, 0, 0, 0};
     TEST_ASSERT_EQUAL_UINT32(0, order_from(tiny, &behind, &left_out));
     TEST_ASSERT_EQUAL_UINT32(18, left_out);

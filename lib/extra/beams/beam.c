@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/extra/beams/beam.h"
 
-#include <string.h>
-
 #include "../../src/math/arith.h"
 #include "fixel/stage/plane.h"
 #include "../../src/math/square_root.h"
 #include "../../src/math/unit_vector.h"
+#include "../../src/math/memory.h"
 
 /* How exactly the side of a plane on which a window's corner lies is known, in units of 2^-46. A
  * normal's error of 2 units in each of three components, times a difference below 2^30, is below

@@ -139,7 +139,8 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
             return fxl_renderer_refuse(renderer, status);
         }
     }
-    renderer->beam_light = beam_count > 0 ? build(beams, beam_count, lit, workspace) : NULL;
+    renderer->beam_light =
+        beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace) : NULL;
     renderer->frame.ready = false;
     return FXL_OK;
 }

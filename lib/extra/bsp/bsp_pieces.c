@@ -26,7 +26,7 @@ fxl_bsp_parts fxl_bsp_parts_of(const fxl_scene *scene, fxl_bsp_workspace *worksp
     parts.busy = parts.sides + (scene->bsp_node_count + 31) / 32;
     parts.leaves = (uint16_t *)(parts.busy + (scene->bsp_node_count + 31) / 32);
     parts.whole = (fxl_bsp_item *)(void *)(parts.leaves + 2 * scene->bsp_node_count);
-    parts.items = workspace->pieces;
+    parts.items = (fxl_bsp_item *)workspace->pieces;
     parts.vertices = workspace->pieces == NULL
                          ? NULL
                          : (fxl_bsp_vertex *)(void *)((uint8_t *)workspace->pieces +
@@ -79,7 +79,7 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes,
+    fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
                                &on->renderer->frame.view, &on->workspace->cache);
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
@@ -182,7 +182,7 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     }
     fxl_pieces pieces;
     fxl_pieces_begin(&pieces, on);
-    pieces.planes = entry->planes;
+    pieces.planes = entry->instance.planes;
     if (light != NULL && light->reaches(light, scene, instance)) {
         const fxl_face face = {.count = item->count, .colour = item->colour};
         (void)light->split(light, &pieces, &face, points, item->count);

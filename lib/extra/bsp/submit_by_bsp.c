@@ -27,7 +27,7 @@ typedef struct {
     bool reverse;                /* near to far */
 } bsp_traversal;
 
-_Static_assert(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "docs/extras/bsp.md");
+FXL_STATIC_ASSERT(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "docs/extras/bsp.md");
 
 uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
 {
@@ -49,11 +49,12 @@ static void find_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace)
     const fxl_frame *frame = &on->renderer->frame;
     const uint32_t layer = scene->instances[scene->bsp_instance].layer;
     uint32_t first = 0, end;
-    while (first < frame->visible_count && frame->order[first].layer != layer) {
+    while (first < frame->visible_count && frame->order[first].instance.layer != layer) {
         first++;
     }
     workspace->owner = FXL_ITEM_NONE;
-    for (end = first; end < frame->visible_count && frame->order[end].layer == layer; end++) {
+    for (end = first; end < frame->visible_count && frame->order[end].instance.layer == layer;
+         end++) {
         if (frame->order[end].index == scene->bsp_instance) {
             workspace->owner = (uint16_t)end;
         }
@@ -313,7 +314,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     if (renderer->scene->bsp_nodes == NULL) {
         return fxl_submit_by_distance(on);
     }
-    fxl_bsp_workspace *workspace = renderer->submit_workspace;
+    fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->submit_workspace;
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
     if (on->display_list != NULL) {
         find_layer(on, workspace);

@@ -25,9 +25,10 @@ typedef struct {
 /* A bit that only these clippers use: the vertex lies beyond what the range of the screen holds. */
 #define FXL_VERTEX_BEYOND_GUARD_BAND 0x40u
 
-_Static_assert((FXL_PLANES_ALL & FXL_VERTEX_BEYOND_GUARD_BAND) == 0 &&
-                   (FXL_VERTEX_UNPROJECTED & (FXL_PLANES_ALL | FXL_VERTEX_BEYOND_GUARD_BAND)) == 0,
-               "all share a byte");
+FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_BEYOND_GUARD_BAND) == 0 &&
+                      (FXL_VERTEX_UNPROJECTED & (FXL_PLANES_ALL | FXL_VERTEX_BEYOND_GUARD_BAND)) ==
+                          0,
+                  "all share a byte");
 
 /* Returns the cache entry for a vertex. *is_new tells that it held another vertex; then only its
  * tag has been changed so far. */

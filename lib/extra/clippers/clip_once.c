@@ -288,7 +288,8 @@ static bool find_visible_part(const pass *on, int plane, const fxl_varying_verte
         }
     }
     if (enter->plane == FXL_PLANE_COUNT) {
-        *enter = (fxl_plane_intersection){enter_hidden, 0, 1};
+        const fxl_plane_intersection hidden = {enter_hidden, 0, 1};
+        *enter = hidden;
     }
     uint32_t met = (uint32_t)1 << plane | (uint32_t)1 << enter->plane;
     *leave = find_leave(on, from, to, met);

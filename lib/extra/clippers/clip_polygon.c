@@ -38,16 +38,16 @@ typedef struct {
 
 static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
-    const fxl_varying_polygon *in = cut->in;
-    fxl_varying_polygon *out = cut->out;
+    const fxl_varying_polygon *in = (const fxl_varying_polygon *)cut->in;
+    fxl_varying_polygon *out = (fxl_varying_polygon *)cut->out;
     fxl_copy_vertex(&in->vertices[from], in->carried, &out->vertices[to]);
 }
 
 /* An end that counts as outside by the sliver rule alone stands for the intersection. */
 static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
-    const fxl_varying_polygon *in = cut->in;
-    fxl_varying_polygon *out = cut->out;
+    const fxl_varying_polygon *in = (const fxl_varying_polygon *)cut->in;
+    fxl_varying_polygon *out = (fxl_varying_polygon *)cut->out;
     const fxl_q18_46 *distances = cut->distances;
     if (distances[outside] >= 0) {
         copy(cut, outside, to);
@@ -82,10 +82,12 @@ typedef struct {
 
 static inline fxl_clip_result by_plane(const void *with, int plane, const void *in, void *out)
 {
-    const clipping *by = with;
+    const clipping *by = (const clipping *)with;
     fxl_clip_workspace *workspace = by->workspace;
-    by->measure(by->planes, plane, in, &workspace->stats, workspace->distances);
-    return fxl_clip_polygon(in, workspace->distances, &workspace->stats, out);
+    by->measure(by->planes, plane, (const fxl_varying_polygon *)in, &workspace->stats,
+                workspace->distances);
+    return fxl_clip_polygon((const fxl_varying_polygon *)in, workspace->distances,
+                            &workspace->stats, (fxl_varying_polygon *)out);
 }
 
 fxl_clip_result fxl_clip_polygon_by_planes(const fxl_varying_polygon *in, uint32_t any,
@@ -101,6 +103,6 @@ fxl_clip_result fxl_clip_polygon_by_planes(const fxl_varying_polygon *in, uint32
     const void *left;
     fxl_clip_result cut = fxl_cut_by_planes(in, workspace->polygons, sizeof workspace->polygons[0],
                                             any, 0, by_plane, &by, &left);
-    *result = left;
+    *result = (const fxl_varying_polygon *)left;
     return cut;
 }

@@ -34,14 +34,14 @@ static fxl_q16_16 interpolate(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction
 
 static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
-    const fxl_polygon *in = cut->in;
-    fxl_polygon *out = cut->out;
+    const fxl_polygon *in = (const fxl_polygon *)cut->in;
+    fxl_polygon *out = (fxl_polygon *)cut->out;
     out->vertices[to] = in->vertices[from];
 }
 
 static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
-    const fxl_polygon *in = cut->in;
+    const fxl_polygon *in = (const fxl_polygon *)cut->in;
     const fxl_vertex *a = &in->vertices[inside], *b = &in->vertices[outside];
     fxl_vertex *vertex = &((fxl_polygon *)cut->out)->vertices[to];
     fxl_q1_31 fraction = intersection_fraction(cut->distances[inside], cut->distances[outside]);
@@ -79,10 +79,10 @@ typedef struct {
 
 static inline fxl_clip_result by_plane(const void *with, int plane, const void *current, void *out)
 {
-    const clipping *to = with;
+    const clipping *to = (const clipping *)with;
     fxl_q18_46 *distances = to->work->distances;
-    const fxl_polygon *in = current;
-    fxl_polygon *left = out;
+    const fxl_polygon *in = (const fxl_polygon *)current;
+    fxl_polygon *left = (fxl_polygon *)out;
     fxl_clip_result cut = fxl_clip_world_to_plane(in, &to->frustum->planes[plane], left, distances);
     fxl_clip_stats_add(to->stats, distances, in->count, cut == FXL_CLIP_CUT ? left->count : 0);
     return cut;
@@ -97,7 +97,7 @@ fxl_clip_result fxl_clip_world_by_planes(const fxl_polygon *in, const fxl_frustu
     const void *left;
     fxl_clip_result cut = fxl_cut_by_planes(in, work->polygons, sizeof work->polygons[0], planes,
                                             FXL_PLANES_ALL, by_plane, &to, &left);
-    *result = left;
+    *result = (const fxl_polygon *)left;
     return cut;
 }
 

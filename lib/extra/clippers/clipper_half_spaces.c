@@ -7,7 +7,7 @@
 
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
-    return model_view->view->clipper_workspace;
+    return (fxl_volume_workspace *)model_view->view->clipper_workspace;
 }
 
 /* Transforms as fxl_transform_vertex does, to the same integers. */

@@ -3,7 +3,7 @@
 
 static fxl_once_workspace *workspace_of(const fxl_model_view *model_view)
 {
-    return model_view->view->clipper_workspace;
+    return (fxl_once_workspace *)model_view->view->clipper_workspace;
 }
 
 static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)

@@ -53,8 +53,10 @@ static fxl_half_space side_plane(bool upright, fxl_q16_16 across, fxl_q16_16 alo
 /* Depths in 16.16 are below 2^31, so these are below 2^61. */
 static void set_depths(fxl_volume *volume, fxl_q18_46 near_z, fxl_q18_46 far_z)
 {
-    volume->planes[FXL_PLANE_NEAR] = (fxl_half_space){{0, 0, FXL_Q2_30_ONE}, -near_z};
-    volume->planes[FXL_PLANE_FAR] = (fxl_half_space){{0, 0, -FXL_Q2_30_ONE}, far_z};
+    const fxl_half_space nearest = {{0, 0, FXL_Q2_30_ONE}, -near_z};
+    const fxl_half_space farthest = {{0, 0, -FXL_Q2_30_ONE}, far_z};
+    volume->planes[FXL_PLANE_NEAR] = nearest;
+    volume->planes[FXL_PLANE_FAR] = farthest;
 }
 
 void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint32_t screen,
@@ -70,9 +72,11 @@ void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint
             /* bug: guard-wide */
             *to = side_plane(upright, sign * focal, FXL_GUARD_PIXELS * FXL_Q16_16_ONE);
         } else if (upright) {
-            *to = (fxl_half_space){{0, sign * sides->y_side, sides->y_depth}, -sides->inset};
+            const fxl_half_space side = {{0, sign * sides->y_side, sides->y_depth}, -sides->inset};
+            *to = side;
         } else {
-            *to = (fxl_half_space){{sign * sides->x_side, 0, sides->x_depth}, -sides->inset};
+            const fxl_half_space side = {{sign * sides->x_side, 0, sides->x_depth}, -sides->inset};
+            *to = side;
         }
     }
 }
@@ -154,7 +158,7 @@ fxl_clip_result fxl_clip_to_half_space(const fxl_varying_polygon *in, const fxl_
 static void measure(const void *planes, int plane, const fxl_varying_polygon *polygon,
                     fxl_clip_stats *stats, fxl_q18_46 *distances)
 {
-    const fxl_volume *volume = planes;
+    const fxl_volume *volume = (const fxl_volume *)planes;
     stats->distances += polygon->count;
     for (uint32_t i = 0; i < polygon->count; i++) {
         distances[i] =

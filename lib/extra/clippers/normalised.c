@@ -163,7 +163,7 @@ fxl_q18_46 fxl_normalised_distance(const fxl_normalised *frustum, int plane,
 static void measure(const void *planes, int plane, const fxl_varying_polygon *polygon,
                     fxl_clip_stats *stats, fxl_q18_46 *distances)
 {
-    const fxl_normalised *frustum = planes;
+    const fxl_normalised *frustum = (const fxl_normalised *)planes;
     (void)stats; /* the distances are sums, without products */
     for (uint32_t i = 0; i < polygon->count; i++) {
         distances[i] = fxl_normalised_distance(frustum, plane, &polygon->vertices[i].position);

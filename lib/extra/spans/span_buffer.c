@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/extra/spans/span_buffer.h"
 
-#include <string.h>
-
 #include "../../src/math/arith.h"
 #include "../../src/raster/fill_row.h"
+#include "../../src/math/memory.h"
 
-_Static_assert(sizeof(fxl_covered) == 6, "docs/extras/spans.md");
-_Static_assert(FXL_SCREEN_MAX < FXL_COVERED_END, "a pixel fits, and every row can be counted");
-_Static_assert(FXL_SPAN_BUFFER_ROW(FXL_SCREEN_MAX) < FXL_COVERED_END, "a row fits a pool");
+FXL_STATIC_ASSERT(sizeof(fxl_covered) == 6, "docs/extras/spans.md");
+FXL_STATIC_ASSERT(FXL_SCREEN_MAX < FXL_COVERED_END, "a pixel fits, and every row can be counted");
+FXL_STATIC_ASSERT(FXL_SPAN_BUFFER_ROW(FXL_SCREEN_MAX) < FXL_COVERED_END, "a row fits a pool");
 
 fxl_span_buffer *fxl_span_buffer_make(void *memory, uint32_t size, uint16_t height)
 {
     FXL_ASSERT(memory != NULL && size >= FXL_SPAN_BUFFER_BYTES(height, 1));
-    fxl_span_buffer *buffer = memory;
+    fxl_span_buffer *buffer = (fxl_span_buffer *)memory;
     uint32_t pool = (size - FXL_SPAN_BUFFER_BYTES(height, 0)) / (uint32_t)sizeof(fxl_covered);
     buffer->rows = (uint16_t *)(void *)(buffer + 1);
     buffer->pool = (fxl_covered *)(void *)((uint8_t *)memory + FXL_SPAN_BUFFER_BYTES(height, 0));
@@ -46,7 +45,8 @@ static inline bool insert(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, 
     } else {
         return false;
     }
-    buffer->pool[number] = (fxl_covered){(uint16_t)x0, (uint16_t)x1, *link};
+    const fxl_covered interval = {(uint16_t)x0, (uint16_t)x1, *link};
+    buffer->pool[number] = interval;
     *link = (uint16_t)number;
     return true;
 }

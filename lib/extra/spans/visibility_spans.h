@@ -13,7 +13,7 @@ void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, con
 
 static inline fxl_span_buffer *fxl_spans_of(const fxl_workspace *workspace)
 {
-    return workspace->raster_workspace;
+    return (fxl_span_buffer *)workspace->raster_workspace;
 }
 
 #endif

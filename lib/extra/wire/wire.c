@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/extra/wire.h"
 
-#include <string.h>
-
 #include "fixel/stage/cull.h"
 #include "fixel/stage/sphere.h"
 #include "fixel/stage/transform.h"
+#include "../../src/math/memory.h"
 
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper)

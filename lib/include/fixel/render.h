@@ -16,6 +16,10 @@
 #include "fixel/stage/scan.h"
 #include "fixel/stage/visibility.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* --- records -------------------------------------------------------------------------- */
 
 /* What a first program chooses; fxl_config_default fills it in. */
@@ -176,5 +180,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
  * not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

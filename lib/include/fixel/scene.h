@@ -7,6 +7,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The most elements of a scene. FXL_SCENE_PLACED_MAX limits the sum of the vertex counts of all
  * instances' models: it bounds the time of the checks. FXL_SCENE_IMAGE_MAX is in bytes. */
 #define FXL_SCENE_IMAGE_MAX         (16u * 1024u * 1024u)
@@ -25,7 +29,7 @@
 
 /* The largest distance of a vertex of a BSP node's faces from the node's plane, in units of
  * 1/65536. */
-#define FXL_BSP_PLANARITY_MAX ((fxl_q16_16)8)
+#define FXL_BSP_PLANARITY_MAX FXL_CAST(fxl_q16_16, 8)
 
 /* The number that stands for no BSP node. */
 #define FXL_BSP_NONE 0xFFFFu
@@ -138,7 +142,7 @@ typedef struct {
     fxl_angle turn;          /* angle per step, at most a quarter turn */
 } fxl_motion_limits;
 
-#define FXL_MOTION_MAX ((fxl_q16_16)(256 * 65536))
+#define FXL_MOTION_MAX FXL_CAST(fxl_q16_16, 256 * 65536)
 
 /* A player: the eye, its speed, and a count. */
 typedef struct {
@@ -219,5 +223,9 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
  * untouched. */
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

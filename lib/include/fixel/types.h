@@ -9,6 +9,10 @@
 
 #include "fixel/config.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Number formats and the ranges of every public input.
  *
  * The name of a type states its format: fxl_q16_16 has 16 bits before and
@@ -35,12 +39,12 @@ typedef uint32_t fxl_q1_31; /* fractions 0..1 inclusive; unit 2^-31 */
 typedef int64_t fxl_q18_46; /* exact products q16_16 x q2_30 and their sums */
 typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 
-#define FXL_Q16_16_ONE ((fxl_q16_16)65536)
-#define FXL_Q2_30_ONE  ((fxl_q2_30)1073741824)
-#define FXL_Q1_31_ONE  ((fxl_q1_31)2147483648u)
+#define FXL_Q16_16_ONE FXL_CAST(fxl_q16_16, 65536)
+#define FXL_Q2_30_ONE  FXL_CAST(fxl_q2_30, 1073741824)
+#define FXL_Q1_31_ONE  FXL_CAST(fxl_q1_31, 2147483648u)
 
 /* 90 degrees. */
-#define FXL_ANGLE_QUARTER ((fxl_angle)0x40000000u)
+#define FXL_ANGLE_QUARTER FXL_CAST(fxl_angle, 0x40000000u)
 
 /* Constants of a program. They are integer constant expressions if their arguments are, and use no
  * floating-point number. They evaluate an argument more than once.
@@ -63,34 +67,34 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 /* World coordinates of vertices, centres of instances and the eye: |c| <= 8191.
  * Then a difference of two is below 2^30 units, a sum of three products with
  * a unit vector is below 2^61, and a squared distance is below 2^62. */
-#define FXL_COORDINATE_MAX ((fxl_q16_16)(8191 * 65536))
+#define FXL_COORDINATE_MAX FXL_CAST(fxl_q16_16, 8191 * 65536)
 
 /* A model's vertices lie within 2 * 8191 of its origin in each coordinate, so
  * no radius needs to be larger than sqrt(3) * 16382 = 28374.5. */
-#define FXL_RADIUS_MAX ((fxl_q16_16)(28375 * 65536))
+#define FXL_RADIUS_MAX FXL_CAST(fxl_q16_16, 28375 * 65536)
 
 /* Screen width and height in pixels: 1..1024. */
 #define FXL_SCREEN_MAX 1024
 
 /* Horizontal field of view: 10..150 degrees. */
-#define FXL_FOV_MIN ((fxl_angle)119304648u)
-#define FXL_FOV_MAX ((fxl_angle)1789569706u)
+#define FXL_FOV_MIN FXL_CAST(fxl_angle, 119304648u)
+#define FXL_FOV_MAX FXL_CAST(fxl_angle, 1789569706u)
 
 /* In world units. Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
-#define FXL_NEAR_MIN  ((fxl_q16_16)256)
-#define FXL_FAR_MAX   ((fxl_q16_16)(32767 * 65536))
+#define FXL_NEAR_MIN  FXL_CAST(fxl_q16_16, 256)
+#define FXL_FAR_MAX   FXL_CAST(fxl_q16_16, 32767 * 65536)
 #define FXL_INSET_MAX FXL_Q16_16_ONE
 /* The Black Book's chapter 65 has an inset (its epsilon) of 0.0001. Fixel needs none. Without an
  * inset, a vertex that the clipper makes lies less than 128/65536 pixel beyond the border of the
  * screen with any lens, and less than 3/65536 pixel with a lens of a usual aspect. An inset leaves
  * a border of background if focal * inset * sqrt(1 + (width / 2 focal)^2) / near is above
  * 1/2 pixel. */
-#define FXL_INSET_DEFAULT ((fxl_q16_16)0)
+#define FXL_INSET_DEFAULT FXL_CAST(fxl_q16_16, 0)
 
 /* Screen coordinates that project returns and scan accepts: |c| <= 4095 pixels.
  * A vertex inside the frustum lies on the screen. The rest of the range is a
  * margin for the clipper's rounding at the smallest near plane. */
-#define FXL_SCREEN_COORDINATE_MAX ((fxl_q16_16)(4095 * 65536))
+#define FXL_SCREEN_COORDINATE_MAX FXL_CAST(fxl_q16_16, 4095 * 65536)
 
 /* The most vertices of a face that this build draws: 24 with the default capacity.
  * Each of six planes adds at most one vertex to a convex polygon. The other two of
@@ -100,8 +104,8 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 /* The largest distance of a face's vertex from the plane through the face's first
  * vertex with the face's stated normal, in units of 1/65536. The largest difference
  * of the squared length of that normal from 1, in units of 2^-60. */
-#define FXL_PLANARITY_MAX           ((fxl_q16_16)4)
-#define FXL_NORMAL_SQUARE_MAX_ERROR ((int64_t)1 << 32)
+#define FXL_PLANARITY_MAX           FXL_CAST(fxl_q16_16, 4)
+#define FXL_NORMAL_SQUARE_MAX_ERROR (FXL_CAST(int64_t, 1) << 32)
 
 /* The result of a public function. If the input is wrong, the function returns a
  * status other than FXL_OK and changes nothing. A bug of the library itself is an
@@ -313,5 +317,9 @@ typedef struct {
     uint32_t spilled;       /* of those drawn: not in the display list, computed for every band */
     uint32_t split_bands;   /* bands, or parts of bands, that were drawn again in halves */
 } fxl_counters;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -18,7 +18,8 @@ typedef struct {
 /* Requires 1 <= height <= FXL_EDGE_HEIGHT_MAX. */
 static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
 {
-    return (fxl_edge_divider){height};
+    fxl_edge_divider divider = {height};
+    return divider;
 }
 
 /* The largest shift such that 2^shift is not above 2^32 / height. So it is above

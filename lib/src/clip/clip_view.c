@@ -64,15 +64,15 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
 
 static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
-    const fxl_view_polygon *in = cut->in;
-    fxl_view_polygon *out = cut->out;
+    const fxl_view_polygon *in = (const fxl_view_polygon *)cut->in;
+    fxl_view_polygon *out = (fxl_view_polygon *)cut->out;
     out->vertices[to] = in->vertices[from];
 }
 
 static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
-    const fxl_view_polygon *in = cut->in;
-    fxl_view_polygon *out = cut->out;
+    const fxl_view_polygon *in = (const fxl_view_polygon *)cut->in;
+    fxl_view_polygon *out = (fxl_view_polygon *)cut->out;
     const fxl_view_point *from = &in->vertices[inside].position;
     const fxl_view_point *end = &in->vertices[outside].position;
     const uint64_t fraction = intersection_fraction(cut->distances[inside], cut->distances[outside]);
@@ -108,9 +108,9 @@ typedef struct {
 
 static inline fxl_clip_result by_plane(const void *with, int plane, const void *current, void *out)
 {
-    const clipping *to = with;
-    const fxl_view_polygon *in = current;
-    fxl_view_polygon *left = out;
+    const clipping *to = (const clipping *)with;
+    const fxl_view_polygon *in = (const fxl_view_polygon *)current;
+    fxl_view_polygon *left = (fxl_view_polygon *)out;
     fxl_clip_result cut = fxl_clip_view_to_plane(in, to->frustum, plane, left, to->work->distances);
     fxl_clip_stats_add(to->stats, to->work->distances, in->count,
                        cut == FXL_CLIP_CUT ? left->count : 0);
@@ -125,7 +125,7 @@ fxl_clip_result fxl_clip_view_by_planes(const fxl_view_polygon *in, const fxl_vi
     const void *left;
     fxl_clip_result cut = fxl_cut_by_planes(in, work->polygons, sizeof work->polygons[0], planes, 0,
                                             by_plane, &to, &left);
-    *result = left;
+    *result = (const fxl_view_polygon *)left;
     return cut;
 }
 

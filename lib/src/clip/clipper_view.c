@@ -5,28 +5,9 @@
 #include "clip_stats.h"
 #include "vertex_flags.h"
 
-_Static_assert((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
-                   (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,
-               "planes and the flag share a byte");
-
-/* The kernels in assembly have the offsets of these members. */
-#ifdef __arm__
-_Static_assert(offsetof(fxl_model_view, entries) == 4 && offsetof(fxl_model_view, mask) == 8 &&
-                   offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, indices) == 20 &&
-                   sizeof(fxl_cached_vertex) == 40 &&
-                   offsetof(fxl_cached_vertex, clip_flags) == 4 &&
-                   offsetof(fxl_cached_vertex, screen) == 8 &&
-                   offsetof(fxl_cached_vertex, position) == 16,
-               "lib/kernels: cached vertex");
-_Static_assert(offsetof(fxl_face, first_index) == 12 && offsetof(fxl_face, count) == 16 &&
-                   offsetof(fxl_face, colour) == 17 && offsetof(fxl_screen_polygon, colour) == 0 &&
-                   offsetof(fxl_screen_polygon, count) == 1 &&
-                   offsetof(fxl_screen_polygon, points) == 4,
-               "lib/kernels: face and polygon");
-_Static_assert(offsetof(fxl_view, projection) == 68 && FXL_CLIP_INSIDE == 0 &&
-                   FXL_CLIP_RANGE == 5 && FXL_CLIP_BETWEEN == 6,
-               "lib/kernels: projection and results");
-#endif
+FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
+                      (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,
+                  "planes and the flag share a byte");
 
 fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
                                    fxl_clipper_work *workspace, fxl_screen_polygon *screen)
@@ -48,9 +29,9 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     }
     assembled->colour = face->colour;
     assembled->count = face->count;
-    fxl_clip_result result = fxl_clip_view_by_planes(assembled, &view->view_frustum,
-                                                     (fxl_planes)(of_any & FXL_PLANES_ALL), work,
-                                                     view->clipper_workspace, &clipped);
+    fxl_clip_result result = fxl_clip_view_by_planes(
+        assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work,
+        (fxl_clip_stats *)view->clipper_workspace, &clipped);
     if (clipped == NULL) {
         return result;
     }

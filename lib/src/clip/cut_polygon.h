@@ -7,7 +7,7 @@
 
 #include "fixel/types.h"
 
-_Static_assert(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
+FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
 
 /* A polygon and the one that it becomes, of whatever type a clipper has. */
 typedef struct {

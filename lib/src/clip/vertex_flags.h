@@ -7,6 +7,10 @@
 #include "../math/pixel_centre.h"
 #include "fixel/stage/clipper.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Assembles a face, cuts it by the planes that a vertex is outside of, and projects it. It serves
  * the faces with a vertex that is outside a plane; with FXL_SMALL, all faces. */
 fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
@@ -26,5 +30,9 @@ static inline uint32_t fxl_vertex_place_flags(const fxl_screen_point *screen)
     FXL_ASSERT(column <= FXL_SCREEN_MAX && row <= FXL_SCREEN_MAX);
     return row << 20 | column << 8;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

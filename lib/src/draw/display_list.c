@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/stage/display_list.h"
 
-#include <string.h>
-
 #include "../math/arith.h"
+#include "../math/memory.h"
 
 /* A record: first row and, above it, end row, 16 bits each; a word that is the polygon's first:
  * colour, count, kind and reserved; then x and y of each point, read where they lie. */
-_Static_assert(sizeof(fxl_screen_point) == 2 * sizeof(uint32_t), "two words a point");
+FXL_STATIC_ASSERT(sizeof(fxl_screen_point) == 2 * sizeof(uint32_t), "two words a point");
 FXL_STATIC_ASSERT(offsetof(fxl_screen_polygon, points) == sizeof(uint32_t),
                   "a word before the points");
-_Static_assert(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
+FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
 
 static bool meet(fxl_rows a, fxl_rows b)
 {

@@ -10,8 +10,7 @@
  * The clipper transforms, clips and projects (fxl_clipper.clip); the visibility method gives
  * the faces in their order (fxl_visibility.submit) and owns the raster backend, which scans
  * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
-#include <string.h>
-
+#include "../math/memory.h"
 #include "renderer.h"
 #include "submit.h"
 

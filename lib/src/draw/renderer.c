@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A renderer and its settings. */
-#include <string.h>
-
+#include "../math/memory.h"
 #include "renderer.h"
 
 #ifdef __arm__

@@ -8,7 +8,7 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_e
     const fxl_renderer *renderer = on->renderer;
     const fxl_instance *instance = &renderer->scene->instances[entry->index];
     const fxl_beam_light *light = renderer->beam_light;
-    fxl_model_view_of_instance(model_view, renderer->scene, instance, entry->planes,
+    fxl_model_view_of_instance(model_view, renderer->scene, instance, entry->instance.planes,
                                &renderer->frame.view, &on->workspace->cache);
     if (light != NULL && light->reaches(light, renderer->scene, instance)) {
         model_view->beam_light = light;

@@ -14,7 +14,13 @@
 /* An assertion, for bugs of the library itself. A test build aborts on it, a proof takes
  * it as a goal, and a build without FXL_ASSERT_HOOK omits it. */
 #ifdef FXL_ASSERT_HOOK
+#ifdef __cplusplus
+extern "C" {
+#endif
 void fxl_assert_failed(const char *file, int line);
+#ifdef __cplusplus
+}
+#endif
 #define FXL_ASSERT(condition) \
     do { \
         if (!(condition)) { \
@@ -27,11 +33,11 @@ void fxl_assert_failed(const char *file, int line);
 
 /* The C standard leaves right shifts of negative numbers to the implementation. They are
  * arithmetic on every compiler that Fixel is built with. */
-_Static_assert((-3 >> 1) == -2, "needs arithmetic right shift");
+FXL_STATIC_ASSERT((-3 >> 1) == -2, "needs arithmetic right shift");
 
 /* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
  * computed in int or unsigned. */
-_Static_assert(sizeof(int) >= 4, "needs an int of at least 32 bits");
+FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
 
 /* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow for
  * |value| <= 2^62. Error: half a unit of the result. */

@@ -8,6 +8,10 @@
 #include "../../kernels/edge_divide.h"
 #include "../../kernels/multiply.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* An edge on a row and its step to the next row, as integers with remainders. */
 typedef struct {
     int32_t x;           /* first pixel whose centre is not left of the edge */
@@ -130,5 +134,9 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     }
     return rows;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,20 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/stage/fill.h"
 
-#include <string.h>
-
 #include "../math/arith.h"
-
-/* The kernels in assembly have the offsets of these members, for pointers of 32 bits. */
-#ifdef __arm__
-_Static_assert(offsetof(fxl_band, pixels) == 0 && offsetof(fxl_band, stride) == 6 &&
-                   offsetof(fxl_band, first_row) == 8,
-               "fill_rows.S");
-_Static_assert(offsetof(fxl_trapezoid, end_row) == 2 && offsetof(fxl_trapezoid, edges) == 4 &&
-                   offsetof(fxl_edge, fraction) == 4 && offsetof(fxl_edge, step) == 8 &&
-                   offsetof(fxl_edge, step_fraction) == 12 && sizeof(fxl_edge) == 16,
-               "fill_rows.S");
-#endif
+#include "../math/memory.h"
 
 /* With FXL_SMALL a row is a call of memset, and no trapezoid is filled: 240 bytes less on a
  * Cortex-M3, and fewer instructions. */

@@ -5,16 +5,6 @@
 #include "edge.h"
 #include "active_edges.h"
 
-/* The kernels in assembly have the offsets of these members, for pointers of 32 bits. */
-#ifdef __arm__
-_Static_assert(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4 &&
-                   offsetof(fxl_scan, by_chains) == 5 && offsetof(fxl_scan, end_row) == 6 &&
-                   offsetof(fxl_scan, chains) == 8 && offsetof(fxl_scan, trapezoid) == 20 &&
-                   sizeof(fxl_chain) == 4 && offsetof(fxl_chain, onward) == 1 &&
-                   offsetof(fxl_chain, end_row) == 2,
-               "chains.S");
-#endif
-
 /* The result of one pass over the vertices of an outline. */
 typedef struct {
     uint32_t top;    /* the highest vertex, or one of several */
@@ -174,8 +164,9 @@ const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)
     }
     scan->trapezoid.first_row = span.y;
     scan->trapezoid.end_row = (int16_t)(span.y + 1);
-    scan->trapezoid.edges[0] = (fxl_edge){span.x0, 0, 0, 0};
-    scan->trapezoid.edges[1] = (fxl_edge){span.x1, 0, 0, 0};
+    const fxl_edge left = {span.x0, 0, 0, 0}, right = {span.x1, 0, 0, 0};
+    scan->trapezoid.edges[0] = left;
+    scan->trapezoid.edges[1] = right;
     return &scan->trapezoid;
 }
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Opens a scene image (docs/formats.md, section 1) in place. */
-#include <string.h>
-
 #include "../math/arith.h"
+#include "../math/memory.h"
 #include "crc.h"
 #include "fault.h"
 #include "fixel/scene.h"
@@ -39,22 +38,22 @@ typedef struct {
     uint32_t reserved;
 } beam_header;
 
-_Static_assert(sizeof(header) == 160, "docs/formats.md, section 1");
-_Static_assert(offsetof(header, start) == 40, "docs/formats.md, section 1");
-_Static_assert(offsetof(header, palette) == 80, "docs/formats.md, section 1");
-_Static_assert(offsetof(header, frame_count) == 136, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_point) == 12, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_face) == 20, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_model) == 28, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
-_Static_assert(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
-_Static_assert(sizeof(beam_header) == 16, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
-_Static_assert(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
-_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
+FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, frame_count) == 136, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_point) == 12, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_face) == 20, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_model) == 28, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(beam_header) == 16, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
 #define MAGIC           0x534C5846u /* "FXLS" */
 #define VERSION         2u
@@ -214,30 +213,35 @@ static const void *at(const header *head, uint32_t offset)
 
 static void point_to_tables(const header *head, fxl_scene_image *opened)
 {
-    opened->palette = at(head, head->palette.offset);
-    opened->scene.vertices = at(head, head->vertices.offset);
-    opened->scene.indices = at(head, head->indices.offset);
-    opened->scene.faces = at(head, head->faces.offset);
-    opened->scene.models = at(head, head->models.offset);
-    opened->scene.instances = at(head, head->instances.offset);
-    opened->scene.face_bounds =
-        head->face_bounds.count > 0 ? at(head, head->face_bounds.offset) : NULL;
+    opened->palette = (const uint8_t *)at(head, head->palette.offset);
+    opened->scene.vertices = (const fxl_point *)at(head, head->vertices.offset);
+    opened->scene.indices = (const uint16_t *)at(head, head->indices.offset);
+    opened->scene.faces = (const fxl_face *)at(head, head->faces.offset);
+    opened->scene.models = (const fxl_model *)at(head, head->models.offset);
+    opened->scene.instances = (const fxl_instance *)at(head, head->instances.offset);
+    opened->scene.face_bounds = head->face_bounds.count > 0
+                                    ? (const fxl_face_bounds *)at(head, head->face_bounds.offset)
+                                    : NULL;
     opened->scene.face_bounds_count = head->face_bounds.count;
-    opened->scene.bsp_nodes = head->bsp_nodes.count > 0 ? at(head, head->bsp_nodes.offset) : NULL;
+    opened->scene.bsp_nodes =
+        head->bsp_nodes.count > 0 ? (const fxl_bsp_node *)at(head, head->bsp_nodes.offset) : NULL;
     opened->scene.bsp_node_count = head->bsp_nodes.count;
     opened->scene.bsp_instance = head->bsp_instance;
     if (beam_header_of(head) != NULL) {
-        opened->scene.beams = at(head, beam_header_of(head)->beams.offset);
+        opened->scene.beams = (const fxl_beam *)at(head, beam_header_of(head)->beams.offset);
         opened->scene.beam_count = beam_header_of(head)->beams.count;
-        opened->scene.lit = at(head, beam_header_of(head)->lit);
+        opened->scene.lit = (const uint8_t *)at(head, beam_header_of(head)->lit);
     }
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.index_count = head->indices.count;
     opened->scene.face_count = head->faces.count;
     opened->scene.model_count = head->models.count;
     opened->scene.instance_count = head->instances.count;
-    opened->poses = head->path_kind == PATH_POSES ? at(head, head->path.offset) : NULL;
-    opened->segments = head->path_kind == PATH_SEGMENTS ? at(head, head->path.offset) : NULL;
+    opened->poses =
+        head->path_kind == PATH_POSES ? (const fxl_pose *)at(head, head->path.offset) : NULL;
+    opened->segments = head->path_kind == PATH_SEGMENTS
+                           ? (const fxl_path_segment *)at(head, head->path.offset)
+                           : NULL;
     opened->path_count = head->path.count;
     opened->frame_count = head->frame_count;
 }
@@ -277,7 +281,7 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
     if ((uintptr_t)image % 4 != 0) {
         return fxl_fault_at(fault, "image", 0, FXL_E_ALIGNMENT);
     }
-    const header *head = image;
+    const header *head = (const header *)image;
     fxl_status status = check_envelope(head, size);
     if (status != FXL_OK) {
         return fxl_fault_at(fault, "image", 0, status);

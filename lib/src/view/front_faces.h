@@ -7,6 +7,10 @@
 #include "../math/arith.h"
 #include "fixel/stage/order.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Below 2^62 for |value| < 2^31. */
 static inline uint64_t fxl_square(int32_t value)
 {
@@ -30,5 +34,9 @@ static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const f
  * Requires count >= 1, and the eye relative to the model's origin, each coordinate below 2^30. */
 fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
                                  const fxl_point *eye, fxl_order_entry *entry, uint32_t count);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,23 +6,7 @@
 /* The unit of the cache's count in a tag. The lower bits of a tag are the vertex's number. */
 #define TAG_INSTANCE ((uint32_t)1 << 16)
 
-_Static_assert(FXL_MODEL_VERTICES_MAX < TAG_INSTANCE, "a vertex number fits a tag");
-
-/* The kernels in assembly have the offsets of these members. */
-#ifdef __arm__
-_Static_assert(offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, vertices) == 16 &&
-                   offsetof(fxl_model_view, offset) == 24 && offsetof(fxl_model_view, planes) == 36,
-               "lib/kernels: model view");
-_Static_assert(offsetof(fxl_view, camera.right) == 12 && offsetof(fxl_view, view_frustum) == 96 &&
-                   offsetof(fxl_view_frustum, y_side) == 8 &&
-                   offsetof(fxl_view_frustum, near_z) == 16 &&
-                   offsetof(fxl_view_frustum, far_z) == 24 &&
-                   offsetof(fxl_view_frustum, inset) == 32,
-               "lib/kernels: view");
-_Static_assert(offsetof(fxl_cached_vertex, clip_flags) == 4 &&
-                   offsetof(fxl_cached_vertex, position) == 16 && FXL_VERTEX_UNPROJECTED == 0x80u,
-               "lib/kernels: cached vertex");
-#endif
+FXL_STATIC_ASSERT(FXL_MODEL_VERTICES_MAX < TAG_INSTANCE, "a vertex number fits a tag");
 
 static void forget_all(fxl_vertex_cache *cache)
 {
@@ -82,7 +66,7 @@ void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *poin
     static const uint16_t indices[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
                                        11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                                        22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
-    _Static_assert(sizeof indices / sizeof indices[0] >= FXL_POLYGON_CAPACITY, "all indices");
+    FXL_STATIC_ASSERT(sizeof indices / sizeof indices[0] >= FXL_POLYGON_CAPACITY, "all indices");
     const fxl_point *eye = &view->camera.position;
     model_view->tag = next_tag(cache);
     model_view->view = view;

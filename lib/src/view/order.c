@@ -5,13 +5,6 @@
 #include "../scene/face_bounds.h"
 #include "front_faces.h"
 
-#ifdef __arm__
-_Static_assert(sizeof(fxl_face) == 20 && offsetof(fxl_face, normal) == 0 &&
-                   sizeof(fxl_face_bounds) == 20 && offsetof(fxl_face_bounds, box_x) == 8 &&
-                   sizeof(fxl_order_entry) == 12 && offsetof(fxl_order_entry, index) == 8,
-               "front_faces.S");
-#endif
-
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));
@@ -40,13 +33,13 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
 static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
     uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
-    if (a->layer == b->layer) {
+    if (a->instance.layer == b->instance.layer) {
         if (from_a > from_b) { /* bug: near-first */
             return true;
         }
         return from_a == from_b && a->index < b->index; /* bug: half-distance */
     }
-    return a->layer < b->layer;
+    return a->instance.layer < b->instance.layer;
 }
 
 /* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place, without
@@ -292,7 +285,7 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
         fxl_order_entry *entry = &entries[count++];
         *entry = fxl_order_entry_of(fxl_distance_squared(&camera->position, &instance->centre),
                                     (uint16_t)i, instance->layer);
-        entry->planes = (uint8_t)planes;
+        entry->instance.planes = (uint8_t)planes;
     }
     fxl_order_sort(entries, count);
     return count;

@@ -9,15 +9,6 @@
  * depth: so half the screen must be less than twice the focal length, with a margin. */
 #define FAST_FOCAL_END ((uint32_t)1 << 26)
 
-/* The kernels in assembly have the offsets of these members. */
-_Static_assert(offsetof(fxl_projection, depth_min) == 4 &&
-                   offsetof(fxl_projection, factor_less_1) == 8 &&
-                   offsetof(fxl_projection, factor_2) == 12 &&
-                   offsetof(fxl_projection, factor_17) == 16 &&
-                   offsetof(fxl_projection, centre_x) == 20 &&
-                   offsetof(fxl_projection, centre_y) == 24 && offsetof(fxl_view_point, z) == 16,
-               "lib/kernels");
-
 /* A scaled depth: depth = z 2^-shift, rounded, from 2^30 to 2^31. As z is below 2^61 and at
  * least 2^37, shift is within 7..30. */
 typedef struct {

@@ -7,6 +7,10 @@
 
 #include "fixel/stage/visibility.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* How far a traversal has come in the BSP. */
 typedef struct {
     uint16_t node;
@@ -40,5 +44,9 @@ extern const fxl_visibility fxl_visibility_bsp;
 
 /* Draws the same near to far into a span buffer. */
 extern const fxl_visibility fxl_visibility_bsp_spans;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Moves a player by one step. keys is an OR of FXL_KEY_... The step has four parts, in this
  * order:
  *   1. Each pair of turning keys adds limits->turn to an angle or subtracts it. Angles wrap. The
@@ -21,5 +25,9 @@
  * of range): *viewer untouched. */
 fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
                            bool *clamped);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include "fixel/scene.h"
 #include "fixel/stage/view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The type of fxl_line_by_planes and fxl_line_by_codes. */
 typedef bool (*fxl_wire_clipper)(fxl_clip_line *line, const fxl_volume *volume,
                                  uint32_t *intersections);
@@ -53,5 +57,9 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
  * 0..FXL_SCREEN_MAX. */
 void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
                    const fxl_band *band);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

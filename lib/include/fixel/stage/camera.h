@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The view matrix: the position of the eye, and the rows of the world-to-view rotation. */
 typedef struct {
     fxl_point position;
@@ -21,5 +25,9 @@ typedef struct {
  * Source: Listing 65.3, UpdateViewPos. SPEC.md, section 1.4, says where sign and order of the
  * angles follow the Black Book's text and not its listing. */
 fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "fixel/stage/outcode.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The workspace of fxl_clip_view_to_planes. The caller owns it. It keeps nothing from
  * one call to the next. */
 typedef struct {
@@ -44,5 +48,9 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
 fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                         fxl_planes planes, fxl_clip_view_work *work,
                                         const fxl_view_polygon **result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include "fixel/stage/clip_view.h"
 #include "fixel/stage/model_view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The workspace of fxl_clip_world_to_frustum (extra/clippers/clip_world.h). The caller
  * owns it. It keeps nothing from one call to the next. */
 typedef struct {
@@ -71,5 +75,9 @@ extern const fxl_clipper fxl_clipper_half_spaces; /* any six homogeneous half-sp
 extern const fxl_clipper fxl_clipper_triangles;   /* triangles; borders in two dimensions */
 extern const fxl_clipper fxl_clipper_near;        /* near and far alone: the scan does the rest */
 extern const fxl_clipper fxl_clipper_left;        /* near, far and the left side */
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

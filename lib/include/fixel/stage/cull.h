@@ -5,6 +5,10 @@
 
 #include "fixel/stage/model_view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Whether a face of an instance is turned towards the eye:
  *   normal . (eye - first vertex) > 0.
  * Requires a checked scene, and an eye within FXL_COORDINATE_MAX.
@@ -17,5 +21,9 @@ bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, con
  * Requires face->count <= FXL_FACE_VERTICES_MAX. Exact. */
 void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,
                          fxl_polygon *polygon);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The words of 32 bits that a polygon of so many vertices takes in a display list: one for its
  * rows, one for its kind, colour and count, and two for each point, unchanged. */
 #define FXL_DISPLAY_LIST_WORDS(vertices) (2u + 2u * (vertices))
@@ -35,5 +39,9 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
  * untouched. Exact. */
 bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t *place,
                            fxl_display_list_record *record);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

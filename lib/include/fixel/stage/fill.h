@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Sets the pixels of a trapezoid, and no other byte, with aligned stores only.
  * Requires a trapezoid that scan returned for this band. It is a kernel: each family
  * of cores has its own (lib/kernels), and all write the same bytes. */
@@ -16,5 +20,9 @@ void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour);
 
 /* Sets every pixel of the band. The bytes between width and stride are untouched. */
 void fxl_fill_band(const fxl_band *band, uint8_t colour);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

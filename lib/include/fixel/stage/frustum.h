@@ -6,6 +6,10 @@
 #include "fixel/stage/camera.h"
 #include "fixel/stage/lens.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The planes, in the order of clipping. Near and far come first. So a polygon that is
  * nearly parallel to them is cut by its exact distances, before the side planes have
  * rounded any vertex. */
@@ -55,5 +59,9 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
  * 1/65536 (exactly, except for the length of the normal).
  * Source: A4 (Listing 65.3, SetUpFrustum). */
 void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Makes a lens from a horizontal field of view:
  *   focal = (width / 2) / tan(fov / 2), for both axes (square pixels).
  * width and height are in pixels; near_z, far_z and inset are in world units.
@@ -15,5 +19,9 @@
  * Error of focal: at most 1 unit of 1/65536 pixel plus focal * 2^-27. Source: A4. */
 fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
                              fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

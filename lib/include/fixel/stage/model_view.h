@@ -8,6 +8,10 @@
 #include "fixel/scene.h"
 #include "fixel/stage/view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A clip flag: the vertex was not projected yet, so `screen` has no meaning. */
 #define FXL_VERTEX_UNPROJECTED 0x80u
 
@@ -93,5 +97,9 @@ static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_vi
     }
     return entry;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

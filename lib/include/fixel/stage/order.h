@@ -6,6 +6,16 @@
 #include "fixel/scene.h"
 #include "fixel/stage/sphere.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where an instance comes in the order of drawing, and what it may cross. */
+typedef struct {
+    uint8_t layer;
+    uint8_t planes; /* that the instance may cross (fxl_sphere_planes) */
+} fxl_order_instance;
+
 /* An instance or a face, with its key. The squared distance is an integer, in units of
  * 2^-32 (instances) or 2^-34 (faces). It has two halves because a member of 64 bits
  * would make the entry 16 bytes instead of 12. */
@@ -17,30 +27,27 @@ typedef struct {
     uint32_t distance_high;
     uint16_t index; /* of an instance of the scene, or of a face of its model */
     union {
-        struct {
-            uint8_t layer;
-            uint8_t planes; /* that the instance may cross (fxl_sphere_planes) */
-        };
+        fxl_order_instance instance;
         uint16_t next; /* of faces, while they are sorted: the next entry of a chain */
     };
 } fxl_order_entry;
 
-_Static_assert(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
+FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
 
 static inline fxl_order_entry fxl_order_entry_of(uint64_t distance, uint16_t index, uint8_t layer)
 {
-    fxl_order_entry entry = {
-        .distance_low = (uint32_t)distance,
-        .distance_high = (uint32_t)(distance >> 32),
-        .index = index,
-        .layer = layer,
-    };
+    fxl_order_entry entry;
+    entry.distance_low = FXL_CAST(uint32_t, distance);
+    entry.distance_high = FXL_CAST(uint32_t, distance >> 32);
+    entry.index = index;
+    entry.instance.layer = layer;
+    entry.instance.planes = 0;
     return entry;
 }
 
 static inline uint64_t fxl_order_distance(const fxl_order_entry *entry)
 {
-    return (uint64_t)entry->distance_high << 32 | entry->distance_low;
+    return FXL_CAST(uint64_t, entry->distance_high) << 32 | entry->distance_low;
 }
 
 /* The squared distance of a point from the eye, in units of 2^-32.
@@ -82,5 +89,9 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
  * faces. Exact. */
 uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_instance *instance, const fxl_point *eye,
                          fxl_order_entry *entries);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

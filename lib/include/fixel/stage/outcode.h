@@ -5,10 +5,14 @@
 
 #include "fixel/stage/frustum.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A set of planes: bit n stands for plane n (FXL_PLANE_...). */
 typedef uint8_t fxl_planes;
 
-#define FXL_PLANES_ALL ((fxl_planes)((1u << FXL_PLANE_COUNT) - 1u))
+#define FXL_PLANES_ALL FXL_CAST(fxl_planes, (1u << FXL_PLANE_COUNT) - 1u)
 
 /* Those of the given planes that the point lies outside of.
  * Requires |x|, |y|, |z| < 2^61 units.
@@ -16,5 +20,9 @@ typedef uint8_t fxl_planes;
  * Source: A10. */
 fxl_planes fxl_outcode(const fxl_view_frustum *frustum, fxl_planes planes,
                        const fxl_view_point *point);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The plane through a point, with a unit normal that points inside, moved inward by
  * inset world units.
  * Requires |point| <= FXL_COORDINATE_MAX in each coordinate, a normal of unit length to
@@ -16,5 +20,9 @@ fxl_plane fxl_plane_from_point(const fxl_point *point, const fxl_direction *norm
  * Requires |point| <= FXL_COORDINATE_MAX in each coordinate, and a plane made by
  * fxl_plane_from_point. Exact, and so is its sign. Source: B2. */
 fxl_q18_46 fxl_plane_distance(const fxl_plane *plane, const fxl_point *point);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,8 +5,12 @@
 
 #include "fixel/stage/lens.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The least depth that can be projected: 2^-9 world unit, half the nearest near plane. */
-#define FXL_PROJECT_DEPTH_MIN ((fxl_q18_46)1 << 37)
+#define FXL_PROJECT_DEPTH_MIN (FXL_CAST(fxl_q18_46, 1) << 37)
 
 /* Projects a point (X, Y, Z) of the view:
  *   x = width/2 + focal X / Z, y = height/2 - focal Y / Z,
@@ -48,5 +52,9 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
  * Source: A6 (Listing 65.3, ProjectPolygon). */
 fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,
                                fxl_screen_polygon *screen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -14,6 +14,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A chain: the edges on one side of an outline, from its top to its bottom. */
 typedef struct {
     uint8_t vertex;  /* at which the next edge begins */
@@ -96,5 +100,9 @@ static inline bool fxl_scan_is_over(const fxl_scan *scan)
  * Returns false if there are no more: span untouched. A scan is read either by
  * trapezoids or by spans, not by both. Exact. Source: A6. */
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

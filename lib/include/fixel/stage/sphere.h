@@ -6,6 +6,10 @@
 
 #include "fixel/stage/frustum.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The result of fxl_sphere_planes for a sphere that lies outside one of the planes. */
 #define FXL_SPHERE_OUTSIDE (1u << FXL_PLANE_COUNT)
 
@@ -22,5 +26,9 @@
  * Error: 2^-10 unit in the reach. Source: A9. */
 uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
                            const fxl_point *centre, fxl_q16_16 radius);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "fixel/stage/camera.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Transforms a point: *view becomes the point relative to the eye along right, up and
  * forward. Requires |point| <= FXL_COORDINATE_MAX in each coordinate.
  * Exact, given the camera's matrix: three sums in 64 bits, below 2^61 units of 2^-46.
@@ -15,5 +19,9 @@ void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_v
  * and count. Source: A6. */
 void fxl_transform_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
                            fxl_view_polygon *view);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 #include "fixel/stage/frustum.h"
 #include "fixel/stage/project.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A view. The caller owns it, and sets first the lens, then the pose of each frame. */
 typedef struct {
     fxl_camera camera;
@@ -28,5 +32,9 @@ fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 /* Sets up the planes in the world: fxl_clipper.begin of clippers that clip there. Requires a pose.
  * Error: that of fxl_frustum_from_camera. */
 void fxl_view_set_world_frustum(fxl_view *view);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include "fixel/scene.h"
 #include "fixel/stage/scan.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct fxl_renderer fxl_renderer;
 struct fxl_workspace;                       /* fixel/render.h */
 typedef struct fxl_traversal fxl_traversal; /* lib/src/draw/submit.h, which is internal */
@@ -69,5 +73,9 @@ extern const fxl_visibility fxl_visibility_spans;
 /* The span buffer, with every pixel of a polygon's bounding box tested (extra/spans/scan_box.h). */
 extern const fxl_raster_backend fxl_raster_spans_box;
 extern const fxl_visibility fxl_visibility_spans_box;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

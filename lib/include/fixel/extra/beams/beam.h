@@ -8,6 +8,10 @@
 
 #include "fixel/scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Makes the beam that falls through a window from a light at a point, or from a direction. The
  * window is a convex polygon of 3 to FXL_BEAM_PLANES_MAX - 1 corners, in either winding. The
  * beam has a plane for each side of the window, in order; the side goes from its corner to the
@@ -45,5 +49,9 @@ bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl
  * means that the sphere is behind one plane by 2^-14 unit or more.
  * Requires a centre in range, 0 <= radius <= FXL_RADIUS_MAX, a checked beam. */
 bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 #include "fixel/extra/beams/beam.h"
 #include "fixel/render.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
  * needs 1,320, 1,408 or 1,624 on a 32-bit core. Returns 0 where fxl_beams_fit does not allow the
  * beams. Requires checked beams. */
@@ -20,5 +24,9 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
 fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
                                   uint32_t beam_count, const uint8_t *lit, void *workspace,
                                   uint32_t workspace_size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

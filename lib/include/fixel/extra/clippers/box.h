@@ -8,6 +8,10 @@
 #include "fixel/scene.h"
 #include "fixel/stage/sphere.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* An axis-aligned box of the world: least <= point <= most in each coordinate. */
 typedef struct {
     fxl_point least, most;
@@ -30,5 +34,9 @@ void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, f
  * Requires a frustum made by its function, and corners within FXL_COORDINATE_MAX. Costs at most
  * twelve sums of three 32 x 32 -> 64 bit products. */
 uint32_t fxl_box_planes(const fxl_frustum *frustum, const fxl_box *box);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/extra/clippers/normalised.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The memory that the clipper needs beside its input. The caller owns it. Between calls only
  * stats has a meaning. */
 typedef struct {
@@ -34,5 +38,9 @@ typedef struct {
 fxl_clip_result fxl_clip_once(const fxl_varying_polygon *in, const fxl_normalised *frustum,
                               fxl_clip_once_workspace *workspace,
                               const fxl_varying_polygon **result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/stage/clipper.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Clips a polygon to one plane. A vertex at distance >= 0 is inside. Where an edge crosses the
  * plane, the new vertex is computed from the inside end towards the outside end. So two polygons
  * that share the edge get the same vertex bit for bit. A vertex exactly on the plane is not
@@ -27,5 +31,9 @@ fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *
  * those of fxl_clip_world_to_plane. */
 fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
                                           fxl_clip_world_work *work, const fxl_polygon **result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "fixel/extra/clippers/clip_record.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A point (x, y, z, 1) of the view is inside where
  *   normal . (x, y, z) + offset >= 0.
  * The normal need not have unit length: |x| + |y| + |z| < 2^31. |offset| < 2^62, in units of
@@ -75,5 +79,9 @@ fxl_clip_result fxl_clip_to_half_space(const fxl_varying_polygon *in, const fxl_
 fxl_clip_result fxl_clip_to_volume(const fxl_varying_polygon *in, const fxl_volume *volume,
                                    fxl_clip_workspace *workspace,
                                    const fxl_varying_polygon **result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/extra/clippers/half_space.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A line between two points of the view. Its varyings are cut with it. */
 typedef struct {
     fxl_varying_vertex from, to;
@@ -28,5 +32,9 @@ bool fxl_line_by_planes(fxl_clip_line *line, const fxl_volume *volume, uint32_t 
  * fxl_line_by_planes, and no more intersections. Requirements, result and error are those of
  * fxl_line_by_planes. */
 bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *intersections);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/extra/clippers/clip_record.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A row of the matrix: 2^-shift times a direction in 2.30. The direction is at least 1/2 and at
  * most 1 long. */
 typedef struct {
@@ -73,5 +77,9 @@ fxl_clip_result fxl_clip_normalised(const fxl_varying_polygon *in, const fxl_nor
  * the result is more than 4095 pixels off. */
 fxl_status fxl_normalised_project(const fxl_normalised *frustum, const fxl_view_point *point,
                                   fxl_screen_point *screen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

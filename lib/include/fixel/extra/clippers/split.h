@@ -6,6 +6,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A polygon of the world, or a part of one. */
 typedef struct {
     uint32_t count; /* 3..FXL_POLYGON_CAPACITY; 2: an edge, in both directions */
@@ -40,5 +44,9 @@ fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q1
  * fxl_split_edge. */
 fxl_split_result fxl_split_piece(const fxl_piece *in, const fxl_plane *plane, fxl_piece *front,
                                  fxl_piece *back);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

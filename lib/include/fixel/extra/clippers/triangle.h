@@ -7,6 +7,10 @@
 
 #include "fixel/extra/clippers/half_space.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct {
     fxl_varying_vertex corners[3];
 } fxl_clip_triangle;
@@ -85,5 +89,9 @@ fxl_clip_result fxl_triangle_begin(const fxl_clip_triangle *in, uint32_t carried
  * null, if a vertex leaves the range of the screen; the guard band rules that out. */
 const fxl_screen_triangle *fxl_triangle_next(const fxl_volume *volume, const fxl_lens *lens,
                                              fxl_triangle_workspace *workspace, fxl_status *status);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/stage/scan.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The state of a scan. The caller owns it; only scan_box.c uses its members. */
 typedef struct {
     const fxl_screen_point *points;
@@ -22,5 +26,9 @@ void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fx
 /* Gives the next span; false when there are no more. The order and the pixels are exactly those
  * of fxl_scan_next. */
 bool fxl_scan_box_next(fxl_scan_box *scan, fxl_span *span);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "fixel/types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* An interval of covered pixels x0 <= x < x1 of a row; next is the number of the next interval
  * to the right. */
 typedef struct {
@@ -28,12 +32,12 @@ typedef struct {
 } fxl_span_buffer;
 
 /* How many intervals always suffice for one row of this width in pixels. */
-#define FXL_SPAN_BUFFER_ROW(width) (((uint32_t)(width) + 1u) / 2u) /* bug: pool-odd */
+#define FXL_SPAN_BUFFER_ROW(width) ((FXL_CAST(uint32_t, width) + 1u) / 2u) /* bug: pool-odd */
 
 /* Size in bytes for bands of so many rows and a pool of so many intervals. */
 #define FXL_SPAN_BUFFER_BYTES(rows, intervals) \
-    ((uint32_t)(sizeof(fxl_span_buffer) + ((uint32_t)(rows) + 1u) / 2u * 4u + \
-                (uint32_t)(intervals) * sizeof(fxl_covered)))
+    FXL_CAST(uint32_t, sizeof(fxl_span_buffer) + (FXL_CAST(uint32_t, rows) + 1u) / 2u * 4u + \
+                           FXL_CAST(uint32_t, intervals) * sizeof(fxl_covered))
 
 /* The smallest size for a screen, in bytes: its pool suffices for any one row. */
 #define FXL_SPAN_BUFFER_BYTES_LEAST(width, height) \
@@ -58,8 +62,13 @@ bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trapezoi
 /* Converts a span to a trapezoid of one row. */
 static inline fxl_trapezoid fxl_trapezoid_of_span(const fxl_span *span)
 {
-    return (fxl_trapezoid){
-        span->y, (int16_t)(span->y + 1), {{span->x0, 0, 0, 0}, {span->x1, 0, 0, 0}}};
+    fxl_trapezoid trapezoid = {
+        span->y, FXL_CAST(int16_t, span->y + 1), {{span->x0, 0, 0, 0}, {span->x1, 0, 0, 0}}};
+    return trapezoid;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -3,6 +3,7 @@
  * lib/kernels/portable/project_inside.c defines the letters and shows that nothing
  * overflows. The reciprocal of 16 bits is that of divide.h. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV6M
 
@@ -10,16 +11,6 @@
     .syntax unified
     .thumb
 
-/* Offsets in fxl_projection (project.c asserts them), fxl_view_point and fxl_screen_point. */
-#define FACTOR      0
-#define DEPTH_MIN   4
-#define FACTOR_2    12
-#define FACTOR_17   16
-#define CENTRE_X    20
-#define CENTRE_Y    24
-#define VIEW_X      0
-#define VIEW_Y      8
-#define VIEW_Z      16
 /* Offsets on the stack; above these are r4 to r7 and lr. */
 #define HALF        0
 #define SCALE       4
@@ -43,7 +34,7 @@
     orrs    r7, r7, r4
     lsls    r6, r6, r5
     ldr     r0, [sp, #PROJECTION]
-    ldr     r0, [r0, #FACTOR]
+    ldr     r0, [r0, #PROJECTION_FACTOR]
     ldr     r5, [sp, #HALF]
     movs    r1, r7                          /* P + h: F x + h and ... */
     muls    r1, r0
@@ -124,8 +115,8 @@ slow_path:
 fxl_project_inside:
     push    {r0-r2, r4-r7, lr}
     sub     sp, sp, #12
-    ldr     r3, [r1, #VIEW_Z + 4]
-    ldr     r4, [r0, #DEPTH_MIN]
+    ldr     r3, [r1, #VIEW_POINT_Z + 4]
+    ldr     r4, [r0, #PROJECTION_DEPTH_MIN]
     cmp     r3, r4
     blt     slow_path
 
@@ -150,7 +141,7 @@ fxl_project_inside:
     blt     1f
     adds    r5, r5, #1
     lsls    r3, r3, #1
-1:  ldr     r6, [r1, #VIEW_Z]
+1:  ldr     r6, [r1, #VIEW_POINT_Z]
     movs    r7, #32
     subs    r7, r7, r5
     lsrs    r6, r6, r7
@@ -185,8 +176,8 @@ fxl_project_inside:
     asrs    r2, r2, #27
     adds    r4, r4, r2
 
-    ldr     r1, [r0, #FACTOR_17]
-    ldr     r0, [r0, #FACTOR_2]
+    ldr     r1, [r0, #PROJECTION_FACTOR_17]
+    ldr     r0, [r0, #PROJECTION_FACTOR_2]
     divide_half
     movs    r2, r0
     muls    r2, r3
@@ -201,21 +192,21 @@ fxl_project_inside:
     adds    r5, r5, r0
     str     r5, [sp, #SCALE]
 
-    offset  VIEW_X
+    offset  VIEW_POINT_X
     cmp     r1, r3                          /* carry: one less */
     ldr     r2, [sp, #PROJECTION]
-    ldr     r2, [r2, #CENTRE_X]
+    ldr     r2, [r2, #PROJECTION_CENTRE_X]
     adcs    r0, r0, r2
     ldr     r2, [sp, #SCREEN]
     str     r0, [r2]
-    offset  VIEW_Y
+    offset  VIEW_POINT_Y
     subs    r3, r3, #1
     cmp     r3, r1                          /* no carry: one less */
     ldr     r2, [sp, #PROJECTION]
-    ldr     r4, [r2, #CENTRE_Y]
+    ldr     r4, [r2, #PROJECTION_CENTRE_Y]
     sbcs    r4, r4, r0
     ldr     r2, [sp, #SCREEN]
-    str     r4, [r2, #4]
+    str     r4, [r2, #SCREEN_POINT_Y]
     movs    r0, #0                          /* FXL_OK */
     add     sp, sp, #24
     pop     {r4-r7, pc}

@@ -6,19 +6,13 @@
  * to the step. So a row's span goes from one address to the other, and a step is two
  * additions an edge. Every store is aligned. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M && (!FXL_KERNELS_MVE || defined FXL_ROWS_BY_VECTORS)
 
 
     .syntax unified
     .thumb
-
-/* Offsets in fxl_band and fxl_trapezoid; fill.c asserts them. */
-#define PIXELS      0
-#define STRIDE      6
-#define FIRST_ROW   8       /* of the band */
-#define END_ROW     2       /* of the trapezoid; its first row is at 0 */
-#define EDGES       4
 
 pixel       .req r0     /* the next address to store to, aligned to four */
 bytes       .req r1     /* bytes still to be stored */
@@ -55,11 +49,11 @@ rows        .req r12    /* rows still to be filled */
 /* r0: band, r1: trapezoid, r2: colour */
 fxl_fill_trapezoid:
     push    {r4-r11, lr}
-    ldrsh   rows, [r1, #END_ROW]
-    ldrsh   r4, [r1], #EDGES
-    ldrh    r5, [r0, #FIRST_ROW]
-    ldrh    lr, [r0, #STRIDE]
-    ldr     r3, [r0, #PIXELS]
+    ldrsh   rows, [r1, #TRAPEZOID_END_ROW]
+    ldrsh   r4, [r1], #TRAPEZOID_EDGES
+    ldrh    r5, [r0, #BAND_FIRST_ROW]
+    ldrh    lr, [r0, #BAND_STRIDE]
+    ldr     r3, [r0, #BAND_PIXELS]
     sub     rows, rows, r4
     subs    r4, r4, r5
     mla     r0, r4, lr, r3

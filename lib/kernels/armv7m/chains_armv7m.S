@@ -4,6 +4,7 @@
  * lib/kernels/portable/chains.c. The arithmetic, with its bounds, is that of
  * lib/src/raster/edge.h and lib/kernels/armv7m/edge_divide.h. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
@@ -11,17 +12,13 @@
     .syntax unified
     .thumb
 
-/* Offsets in fxl_scan; scan.c asserts them. */
-#define POINTS      0
-#define COUNT       4
-#define BY_CHAINS   5
-#define END_ROW     6
-#define VERTEX      8       /* of chain 0; those of chain 1 are larger by 4 */
-#define ONWARD      9
-#define CHAIN_END   10
-#define FIRST_ROW   20      /* of the trapezoid */
-#define LAST_END    22
-#define EDGES       24      /* x, fraction, step, step_fraction; 16 bytes an edge */
+/* Offsets in fxl_scan. */
+#define VERTEX      (SCAN_CHAINS + CHAIN_VERTEX) /* of chain 0; chain 1 is CHAIN_SIZE further on */
+#define ONWARD      (SCAN_CHAINS + CHAIN_ONWARD)
+#define CHAIN_END   (SCAN_CHAINS + CHAIN_END_ROW)
+#define FIRST_ROW   (SCAN_TRAPEZOID + TRAPEZOID_FIRST_ROW)
+#define LAST_END    (SCAN_TRAPEZOID + TRAPEZOID_END_ROW)
+#define EDGES       (SCAN_TRAPEZOID + TRAPEZOID_EDGES)
 
     .section .text.fxl_scan_next_trapezoid, "ax", %progbits
     .global fxl_scan_next_trapezoid
@@ -32,7 +29,7 @@
  * times the side, lr: the y of the row's centres in 16.16. */
 fxl_scan_next_trapezoid:
     ldrsh   r1, [r0, #LAST_END]
-    ldrsh   r2, [r0, #END_ROW]
+    ldrsh   r2, [r0, #SCAN_END_ROW]
     cmp     r1, r2
     bge     .Lnone
     push    {r3-r11, lr}
@@ -49,7 +46,7 @@ fxl_scan_next_trapezoid:
     sub     r7, r3, r0
     add     r7, r0, r7, lsl #2
     ldrd    r8, r9, [r7, #EDGES]
-    ldrd    r10, r11, [r7, #EDGES + 8]
+    ldrd    r10, r11, [r7, #EDGES + EDGE_STEP]
     mla     r8, r10, r6, r8
     movs    r4, #0
     umlal   r9, r4, r11, r6
@@ -61,7 +58,7 @@ fxl_scan_next_trapezoid:
     movlt   r2, r5
     cmp     r3, r0
     bne     .Lready
-    adds    r3, r3, #4
+    adds    r3, r3, #CHAIN_SIZE
     b       .Lside
 .Lready:
     asr     lr, lr, #16
@@ -70,7 +67,7 @@ fxl_scan_next_trapezoid:
     adds    r0, r0, #FIRST_ROW
     pop     {r3-r11, pc}
 .Lnone:
-    ldrb    r1, [r0, #BY_CHAINS]
+    ldrb    r1, [r0, #SCAN_BY_CHAINS]
     cbz     r1, .Lactive_edges
     movs    r0, #0
     bx      lr
@@ -81,8 +78,8 @@ fxl_scan_next_trapezoid:
 .Lbegin:
     ldrb    r6, [r3, #VERTEX]
     ldrb    r7, [r3, #ONWARD]
-    ldrb    r1, [r0, #COUNT]
-    ldr     r9, [r0, #POINTS]
+    ldrb    r1, [r0, #SCAN_COUNT]
+    ldr     r9, [r0, #SCAN_POINTS]
     b       .Ltest_edge
 .Lnext_edge:
     mov     r6, r10
@@ -162,7 +159,7 @@ fxl_scan_next_trapezoid:
     lsl     r4, r11, #2
     divide  r4
     adc     r4, r4, #0
-    strd    r4, r1, [r6, #EDGES + 8]
+    strd    r4, r1, [r6, #EDGES + EDGE_STEP]
     ldrsh   r5, [r3, #CHAIN_END]
     lsrs    r6, r8, #8 /* bug: v7m-band-start */
     beq     .Lside_done
@@ -188,7 +185,7 @@ fxl_scan_next_trapezoid:
     sub     r7, r3, r0
     add     r6, r0, r7, lsl #2
     strd    r4, r1, [r6, #EDGES]
-    strd    r1, r1, [r6, #EDGES + 8]
+    strd    r1, r1, [r6, #EDGES + EDGE_STEP]
     b       .Lside_done
 
     /* Start the edge from its exact remainder. r8: bottom, r9: top, r5: end row. */
@@ -211,7 +208,7 @@ fxl_scan_next_trapezoid:
     beq     .Lside_done
     mov     r5, r7                  /* the same edge is set again from that row on */
     strh    r5, [r3, #CHAIN_END]
-    ldr     r6, [r0, #POINTS]
+    ldr     r6, [r0, #SCAN_POINTS]
     sub     r6, r9, r6
     lsrs    r6, r6, #3
     strb    r6, [r3, #VERTEX]

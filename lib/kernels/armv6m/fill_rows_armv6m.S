@@ -7,19 +7,13 @@
  * additions an edge. The lower registers have the values that change; the upper registers
  * have the steps. Every store is aligned. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV6M
 
 
     .syntax unified
     .thumb
-
-/* Offsets in fxl_band and fxl_trapezoid; fill.c asserts them. */
-#define PIXELS      0
-#define STRIDE      6
-#define FIRST_ROW   8       /* of the band */
-#define END_ROW     2       /* of the trapezoid; its first row is at 0 */
-#define EDGES       4
 
 left        .req r0     /* address of the left edge's pixel */
 right       .req r1     /* address of the right edge's pixel: one past the span */
@@ -64,35 +58,35 @@ fxl_fill_trapezoid:
     mov     r6, r10
     mov     r7, r11
     push    {r4-r7}
-    movs    r4, #END_ROW
+    movs    r4, #TRAPEZOID_END_ROW
     ldrsh   r3, [r1, r4]
-    movs    r4, #0
+    movs    r4, #TRAPEZOID_FIRST_ROW
     ldrsh   r4, [r1, r4]
     subs    r3, r3, r4
     mov     rows, r3
-    ldrh    r5, [r0, #FIRST_ROW]
+    ldrh    r5, [r0, #BAND_FIRST_ROW]
     subs    r4, r4, r5
-    ldrh    r5, [r0, #STRIDE]
+    ldrh    r5, [r0, #BAND_STRIDE]
     muls    r4, r5
-    ldr     r6, [r0, #PIXELS]
+    ldr     r6, [r0, #BAND_PIXELS]
     adds    r4, r4, r6          /* address of the first row */
     lsls    r6, r2, #8
     orrs    r2, r6
     lsls    r6, r2, #16
     orrs    r2, r6
     mov     lr, r2
-    adds    r1, #EDGES
+    adds    r1, #TRAPEZOID_EDGES
     ldm     r1!, {r0, r2, r6, r7}
     adds    left, left, r4
     adds    r6, r6, r5
     mov     left_step, r6
     mov     left_step_fraction, r7
-    ldr     r6, [r1, #8]
-    ldr     r7, [r1, #12]
+    ldr     r6, [r1, #EDGE_STEP]
+    ldr     r7, [r1, #EDGE_STEP_FRACTION]
     adds    r6, r6, r5
     mov     right_step, r6
     mov     right_step_fraction, r7
-    ldr     right_fraction, [r1, #4]
+    ldr     right_fraction, [r1, #EDGE_FRACTION]
     ldr     right, [r1]
     adds    right, right, r4
     mov     colour, lr

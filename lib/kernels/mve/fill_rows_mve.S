@@ -8,14 +8,8 @@
 
 #if FXL_KERNELS_MVE
 
-    .arch   armv8.1-m.main
-    .arch_extension mve
 #define FXL_ROWS_BY_VECTORS 1
 
-/* The compiler's flags name a core without MVE (lib/lib.mk). */
-    .arch   armv8.1-m.main
-    .arch_extension mve
-
-#include "../armv7m/fill_rows.S"
+#include "../armv7m/fill_rows_armv7m.S"
 
 #endif

@@ -3,26 +3,13 @@
  * what it requires and returns; it gives the same bits as
  * lib/kernels/portable/clip_by_view.c. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
 
     .syntax unified
     .thumb
-
-/* Offsets in fxl_face, fxl_cached_vertex, fxl_screen_polygon and fxl_view, and results:
- * clipper_view.c asserts them. fxl_model_view begins with view, entries, mask, tag, vertices,
- * indices. */
-#define FIRST_INDEX  12
-#define COUNT        16      /* and the colour beside it */
-#define CLIP_FLAGS   4
-#define SCREEN       8
-#define POSITION     16
-#define POINTS       4
-#define PROJECTION   68
-#define UNPROJECTED  0x80
-#define RANGE        5
-#define BETWEEN      6
 
 /* On the stack: model_view, face, work, screen, r4-r11, the vertex, lr. */
 #define AT_FACE     4
@@ -49,10 +36,10 @@ flags   .req r12
 fxl_clip_by_view:
     push    {r0-r12, lr}
     ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, indices */
-    ldr     r2, [r1, #FIRST_INDEX]
-    ldrb    count, [r1, #COUNT]
+    ldr     r2, [r1, #FACE_FIRST_INDEX]
+    ldrb    count, [r1, #FACE_COUNT]
     add     index, index, r2, lsl #1
-    add     point, r3, #POINTS
+    add     point, r3, #SCREEN_POLYGON_POINTS
     mov     of_any, #0
     mvn     of_all, #0
 .Lvertex:
@@ -68,7 +55,7 @@ fxl_clip_by_view:
     lsls    r0, flags, #24
     bne     .Lunprojected
 .Lready:
-    ldrd    r0, r1, [vertex, #SCREEN]
+    ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
     orr     of_any, of_any, flags
     and     of_all, of_all, flags
     stm     point!, {r0, r1}
@@ -77,7 +64,7 @@ fxl_clip_by_view:
 
     ldr     r1, [sp, #AT_FACE]
     ldr     r2, [sp, #AT_SCREEN]
-    ldrh    r3, [r1, #COUNT]
+    ldrh    r3, [r1, #FACE_COUNT]            /* and the colour beside it */
     rev16   r3, r3                          /* colour, count */
     strh    r3, [r2]
     eor     r1, of_any, of_all
@@ -86,7 +73,7 @@ fxl_clip_by_view:
     it      ne
     lsrsne  r2, r1, #20                     /* rows */
     it      eq
-    moveq   r0, #BETWEEN
+    moveq   r0, #CLIP_BETWEEN
 .Ldone:
     add     sp, sp, #16
     pop     {r4-r12, pc}
@@ -96,22 +83,22 @@ fxl_clip_by_view:
     str     vertex, [sp, #AT_VERTEX]
     bl      fxl_transform_vertex
     ldr     vertex, [sp, #AT_VERTEX]
-    ldr     flags, [vertex, #CLIP_FLAGS]
+    ldr     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
     b       .Lcached
 
 .Lunprojected:
-    cmp     flags, #UNPROJECTED
+    cmp     flags, #VERTEX_UNPROJECTED
     bne     .Loutside
     str     vertex, [sp, #AT_VERTEX]
     ldr     r0, [sp]
     ldr     r0, [r0]
-    add     r1, vertex, #POSITION
-    adds    r2, vertex, #SCREEN
-    adds    r0, r0, #PROJECTION
+    add     r1, vertex, #CACHED_VERTEX_POSITION
+    adds    r2, vertex, #CACHED_VERTEX_SCREEN
+    adds    r0, r0, #VIEW_PROJECTION
     bl      fxl_project_inside
     cbnz    r0, .Lrange
     ldr     vertex, [sp, #AT_VERTEX]
-    ldrd    r0, r1, [vertex, #SCREEN]
+    ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
     movw    r3, #0x7FFF
     add     r0, r0, r3
     add     r1, r1, r3
@@ -119,7 +106,7 @@ fxl_clip_by_view:
     asrs    r1, r1, #16
     lsls    r1, r1, #20
     orr     flags, r1, r0, lsl #8
-    str     flags, [vertex, #CLIP_FLAGS]
+    str     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
     b       .Lready
 
 .Loutside:
@@ -127,7 +114,7 @@ fxl_clip_by_view:
     b.w     fxl_clip_assembled
 
 .Lrange:
-    movs    r0, #RANGE
+    movs    r0, #CLIP_RANGE
     b       .Ldone
 
     .size fxl_clip_by_view, . - fxl_clip_by_view

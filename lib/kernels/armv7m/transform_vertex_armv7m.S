@@ -4,21 +4,13 @@
  *
  * If the upper words of a distance do not decide a sign, fxl_outcode computes the outcode. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
 
     .syntax unified
     .thumb
-
-/* Offsets in fxl_view, fxl_view_frustum and fxl_cached_vertex. fxl_model_view is view,
- * entries, mask, tag, vertices, indices, offset, planes. model_view.c asserts them. */
-#define ROTATION    12      /* three rows of three */
-#define FRUSTUM     96      /* side and depth of x, of y; near_z, far_z, inset */
-#define INSET_UPPER 36
-#define CLIP_FLAGS  4
-#define POSITION    16
-#define UNPROJECTED 0x80
 
 entry       .req r2
 view        .req r3         /* then the address after the part of the view read so far */
@@ -43,28 +35,28 @@ fxl_transform_vertex:
     add     r8, r8, r5
     add     r9, r9, r6
 
-    adds    view, view, #ROTATION
+    adds    view, view, #VIEW_ROTATION
     ldm     view!, {r4-r6}
     smull   r10, r11, r4, r7
     smlal   r10, r11, r5, r8
     smlal   r10, r11, r6, r9
-    strd    r10, r11, [entry, #POSITION]
+    strd    r10, r11, [entry, #CACHED_VERTEX_POSITION]
     ldm     view!, {r4-r6}
     smull   r10, r12, r4, r7
     smlal   r10, r12, r5, r8
     smlal   r10, r12, r6, r9
-    strd    r10, r12, [entry, #POSITION + 8]
+    strd    r10, r12, [entry, #CACHED_VERTEX_POSITION + VIEW_POINT_Y]
     ldm     view!, {r4-r6}
     smull   r10, r0, r4, r7
     smlal   r10, r0, r5, r8
     smlal   r10, r0, r6, r9
-    strd    r10, r0, [entry, #POSITION + 16]
+    strd    r10, r0, [entry, #CACHED_VERTEX_POSITION + VIEW_POINT_Z]
 
     lsls    r1, planes, #24
     beq     decided                         /* inside all planes */
-    adds    view, view, #FRUSTUM - ROTATION - 36
+    adds    view, view, #VIEW_FRUSTUM - VIEW_ROTATION - ROTATION_SIZE
     ldm     view, {r4-r7}
-    ldr     r9, [view, #INSET_UPPER]
+    ldr     r9, [view, #FRUSTUM_INSET_UPPER]
     asr     r9, r9, #2
     subs    r9, r9, #4                      /* distances become 4 larger: 0..7 is undecided */
     smull   r1, r4, r4, r11
@@ -85,8 +77,8 @@ fxl_transform_vertex:
     cmphs   r9, #8
     blo     undecided
 
-    ldrd    r4, r5, [view, #16]             /* near_z, far_z */
-    ldrd    r6, r7, [view, #24]
+    ldrd    r4, r5, [view, #FRUSTUM_NEAR_Z] /* near_z, far_z */
+    ldrd    r6, r7, [view, #FRUSTUM_FAR_Z]
     subs    r4, r10, r4
     sbc     r5, r0, r5
     subs    r6, r6, r10
@@ -106,18 +98,18 @@ fxl_transform_vertex:
     and     r1, r1, planes
 
 decided:
-    orr     r1, r1, #UNPROJECTED
-    str     r1, [entry, #CLIP_FLAGS]
+    orr     r1, r1, #VERTEX_UNPROJECTED
+    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
     pop     {r3-r11, pc}
 
 undecided:
     mov     r4, entry
     mov     r0, view
     uxtb    r1, planes
-    add     r2, entry, #POSITION
+    add     r2, entry, #CACHED_VERTEX_POSITION
     bl      fxl_outcode
-    orr     r0, r0, #UNPROJECTED
-    str     r0, [r4, #CLIP_FLAGS]
+    orr     r0, r0, #VERTEX_UNPROJECTED
+    str     r0, [r4, #CACHED_VERTEX_CLIP_FLAGS]
     pop     {r3-r11, pc}
 
     .size fxl_transform_vertex, . - fxl_transform_vertex

@@ -6,16 +6,13 @@
  * with F is accumulated onto half the depth. The comparison that decides the rounding leaves
  * its result in the carry, which is added together with the centre. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
 
     .syntax unified
     .thumb
-
-/* Offset in fxl_projection, which begins with factor, depth_min, factor_less_1, factor_2,
- * factor_17; fxl_view_point is x, y, z. project.c asserts them. */
-#define CENTRES 20
 
 projection  .req r0
 view        .req r1     /* later 2^n, then 2^(n - 3) */
@@ -64,7 +61,7 @@ fxl_project_inside:
     smull   r4, r5, scale, r5               /* the quotient, or one less */
     mls     lr, r5, depth, lr
     cmp     lr, depth                       /* carry: one less */
-    ldrd    r4, r8, [projection, #CENTRES]
+    ldrd    r4, r8, [projection, #PROJECTION_CENTRE_X]
     adc     r5, r5, r4 /* bug: v7m-x-carry */
 
     umull   r6, upper, r6, power

@@ -2,6 +2,7 @@
 /* fxl_front_faces for Armv7-M and Armv8-M Mainline. lib/src/view/front_faces.h defines the sums
  * and their bounds. */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
@@ -9,10 +10,6 @@
     .syntax unified
     .thumb
 
-/* sizeof fxl_face and fxl_face_bounds; order.c asserts them. fxl_face_bounds is the height, low
- * and high word, and the box's x, y, z. */
-#define FACE    20
-#define BOUNDS  20
 #define COUNT   36          /* on the stack */
 
 face    .req r0
@@ -32,16 +29,16 @@ fxl_front_faces:
     ldr     left, [sp, #COUNT]
 .Lface:
     ldm     face, {r7-r9}
-    ldrd    r10, r11, [bounds], #BOUNDS
+    ldrd    r10, r11, [bounds], #FACE_BOUNDS_SIZE
     smull   r7, r12, r7, r4
     smlal   r7, r12, r8, r5
     smlal   r7, r12, r9, r6
-    adds    face, face, #FACE
+    adds    face, face, #FACE_SIZE
     cmp     r10, r7
     sbcs    r11, r11, r12
     bge     .Lnext                          /* turned away */
-    ldr     r7, [bounds, #8 - BOUNDS]
-    ldrd    r8, r9, [bounds, #12 - BOUNDS]
+    ldr     r7, [bounds, #FACE_BOUNDS_BOX_X - FACE_BOUNDS_SIZE]
+    ldrd    r8, r9, [bounds, #FACE_BOUNDS_BOX_Y - FACE_BOUNDS_SIZE]
     sub     r7, r7, r4, lsl #1
     sub     r8, r8, r5, lsl #1
     sub     r9, r9, r6, lsl #1

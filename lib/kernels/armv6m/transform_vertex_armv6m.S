@@ -4,6 +4,7 @@
  * is made of four products of 16 by 16. One factor is at most 2^30 and the other is below
  * 2^30, so the sum of the two middle products fits 32 bits (multiply.h). */
 #include "../family.h"
+#include "../offsets.h"
 
 #if FXL_KERNELS_ARMV6M
 
@@ -11,26 +12,10 @@
     .syntax unified
     .thumb
 
-/* Offsets in fxl_model_view, fxl_view, fxl_view_frustum and fxl_cached_vertex; model_view.c
- * asserts them. */
-#define TAG         12
-#define VERTICES    16
-#define OFFSET      24
-#define PLANES      36
-#define ROTATION    12
-#define FRUSTUM     96
-#define X_SIDE      0
-#define X_DEPTH     4
-#define Y_SIDE      8
-#define Y_DEPTH     12
-#define NEAR        16
-#define FAR         24
-#define INSET_UPPER 36
-#define CLIP_FLAGS       4
-#define POSITION_X  16
-#define POSITION_Y  24
-#define POSITION_Z  32
-#define UNPROJECTED 0x80
+/* Offsets in fxl_cached_vertex. */
+#define POSITION_X (CACHED_VERTEX_POSITION + VIEW_POINT_X)
+#define POSITION_Y (CACHED_VERTEX_POSITION + VIEW_POINT_Y)
+#define POSITION_Z (CACHED_VERTEX_POSITION + VIEW_POINT_Z)
 /* Offsets on the stack. FROM_EYE is the vertex relative to the eye, x, y, z; later the inset
  * takes the place of x. */
 #define FROM_EYE    0
@@ -123,23 +108,23 @@ fxl_transform_vertex:
     push    {r2, r4-r7, lr}
     sub     sp, sp, #16
     str     r0, [sp, #MODEL_VIEW]
-    ldr     r3, [r0, #TAG]
+    ldr     r3, [r0, #MODEL_VIEW_TAG]
     adds    r3, r3, r1
     str     r3, [r2]
     lsls    r3, r1, #1
     adds    r1, r1, r3
     lsls    r1, r1, #2
-    ldr     r3, [r0, #VERTICES]
+    ldr     r3, [r0, #MODEL_VIEW_VERTICES]
     adds    r1, r1, r3
     ldm     r1!, {r3-r5}
     ldr     r6, [r0]                        /* view */
-    adds    r0, r0, #OFFSET
+    adds    r0, r0, #MODEL_VIEW_OFFSET
     ldm     r0!, {r1, r2, r7}
     adds    r3, r3, r1
     adds    r4, r4, r2
     adds    r5, r5, r7
     movs    r1, r6
-    adds    r1, r1, #ROTATION
+    adds    r1, r1, #VIEW_ROTATION
     mov     r6, sp
     stm     r6!, {r3-r5}
     row     POSITION_X
@@ -148,21 +133,21 @@ fxl_transform_vertex:
 
     movs    r6, #0
     ldr     r0, [sp, #MODEL_VIEW]
-    adds    r0, r0, #PLANES
+    adds    r0, r0, #MODEL_VIEW_PLANES
     ldrb    r0, [r0]
     cmp     r0, #0
     bne     some_planes
 decided:
-    movs    r0, #UNPROJECTED
+    movs    r0, #VERTEX_UNPROJECTED
     orrs    r6, r6, r0
-    str     r6, [r2, #CLIP_FLAGS]
+    str     r6, [r2, #CACHED_VERTEX_CLIP_FLAGS]
     add     sp, sp, #20
     pop     {r4-r7, pc}
 
 undecided:
     movs    r0, r1
     ldr     r1, [sp, #MODEL_VIEW]
-    adds    r1, r1, #PLANES
+    adds    r1, r1, #MODEL_VIEW_PLANES
     ldrb    r1, [r1]
     ldr     r2, [sp, #ENTRY]
     adds    r2, r2, #POSITION_X
@@ -172,36 +157,36 @@ undecided:
     b       decided
 
 some_planes:
-    adds    r1, r1, #FRUSTUM - ROTATION - 36
-    ldr     r0, [r1, #INSET_UPPER]
+    adds    r1, r1, #VIEW_FRUSTUM - VIEW_ROTATION - ROTATION_SIZE
+    ldr     r0, [r1, #FRUSTUM_INSET_UPPER]
     asrs    r0, r0, #2
     subs    r0, r0, #4
     str     r0, [sp, #INSET]
-    pair    X_SIDE, X_DEPTH, POSITION_X
+    pair    FRUSTUM_X_SIDE, FRUSTUM_X_DEPTH, POSITION_X
     mov     r12, r6
-    pair    Y_SIDE, Y_DEPTH, POSITION_Y
+    pair    FRUSTUM_Y_SIDE, FRUSTUM_Y_DEPTH, POSITION_Y
     lsls    r6, r6, #2
     mov     r7, r12
     orrs    r6, r6, r7
     ldr     r2, [sp, #ENTRY]
     ldr     r3, [r2, #POSITION_Z]
     ldr     r4, [r2, #POSITION_Z + 4]
-    ldr     r0, [r1, #FAR]
-    ldr     r5, [r1, #FAR + 4]
+    ldr     r0, [r1, #FRUSTUM_FAR_Z]
+    ldr     r5, [r1, #FRUSTUM_FAR_Z + 4]
     subs    r0, r0, r3
     sbcs    r5, r5, r4
     lsrs    r5, r5, #31
     lsls    r6, r6, #1
     orrs    r6, r6, r5
-    ldr     r0, [r1, #NEAR]
-    ldr     r5, [r1, #NEAR + 4]
+    ldr     r0, [r1, #FRUSTUM_NEAR_Z]
+    ldr     r5, [r1, #FRUSTUM_NEAR_Z + 4]
     subs    r3, r3, r0
     sbcs    r4, r4, r5
     lsrs    r4, r4, #31
     lsls    r6, r6, #1
     orrs    r6, r6, r4
     ldr     r0, [sp, #MODEL_VIEW]
-    adds    r0, r0, #PLANES
+    adds    r0, r0, #MODEL_VIEW_PLANES
     ldrb    r0, [r0]
     ands    r6, r6, r0
     b       decided

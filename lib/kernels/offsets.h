@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/* What kernels in assembly know of the records: offsets and sizes in bytes where a pointer has 32
+ * bits, and values. For assembly, and for offsets.c, which asserts each. A kernel loads several
+ * members at once where they stand one after the other here. */
+#ifndef FXL_OFFSETS_H
+#define FXL_OFFSETS_H
+
+/* fxl_band */
+#define BAND_PIXELS    0
+#define BAND_STRIDE    6
+#define BAND_FIRST_ROW 8
+
+/* fxl_edge */
+#define EDGE_X             0
+#define EDGE_FRACTION      4
+#define EDGE_STEP          8
+#define EDGE_STEP_FRACTION 12
+#define EDGE_SIZE          16
+
+/* fxl_trapezoid */
+#define TRAPEZOID_FIRST_ROW 0
+#define TRAPEZOID_END_ROW   2
+#define TRAPEZOID_EDGES     4
+
+/* fxl_chain */
+#define CHAIN_VERTEX  0
+#define CHAIN_ONWARD  1
+#define CHAIN_END_ROW 2
+#define CHAIN_SIZE    4
+
+/* fxl_scan */
+#define SCAN_POINTS    0
+#define SCAN_COUNT     4
+#define SCAN_BY_CHAINS 5
+#define SCAN_END_ROW   6
+#define SCAN_CHAINS    8
+#define SCAN_TRAPEZOID 20
+
+/* fxl_view_point */
+#define VIEW_POINT_X 0
+#define VIEW_POINT_Y 8
+#define VIEW_POINT_Z 16
+
+/* fxl_screen_point */
+#define SCREEN_POINT_X 0
+#define SCREEN_POINT_Y 4
+
+/* fxl_screen_polygon */
+#define SCREEN_POLYGON_COLOUR 0
+#define SCREEN_POLYGON_COUNT  1
+#define SCREEN_POLYGON_POINTS 4
+
+/* fxl_face */
+#define FACE_NORMAL      0
+#define FACE_FIRST_INDEX 12
+#define FACE_COUNT       16
+#define FACE_COLOUR      17
+#define FACE_SIZE        20
+
+/* fxl_face_bounds */
+#define FACE_BOUNDS_HEIGHT_LOW  0
+#define FACE_BOUNDS_HEIGHT_HIGH 4
+#define FACE_BOUNDS_BOX_X       8
+#define FACE_BOUNDS_BOX_Y       12
+#define FACE_BOUNDS_BOX_Z       16
+#define FACE_BOUNDS_SIZE        20
+
+/* fxl_order_entry */
+#define ORDER_DISTANCE_LOW  0
+#define ORDER_DISTANCE_HIGH 4
+#define ORDER_INDEX         8
+#define ORDER_SIZE          12
+
+/* fxl_cached_vertex */
+#define CACHED_VERTEX_TAG        0
+#define CACHED_VERTEX_CLIP_FLAGS 4
+#define CACHED_VERTEX_SCREEN     8
+#define CACHED_VERTEX_POSITION   16
+#define CACHED_VERTEX_SIZE       40
+
+/* fxl_model_view */
+#define MODEL_VIEW_VIEW     0
+#define MODEL_VIEW_ENTRIES  4
+#define MODEL_VIEW_MASK     8
+#define MODEL_VIEW_TAG      12
+#define MODEL_VIEW_VERTICES 16
+#define MODEL_VIEW_INDICES  20
+#define MODEL_VIEW_OFFSET   24
+#define MODEL_VIEW_PLANES   36
+
+/* fxl_view; its rotation is right, up and forward of the camera. */
+#define VIEW_ROTATION   12
+#define VIEW_PROJECTION 68
+#define VIEW_FRUSTUM    96
+#define ROTATION_SIZE   36
+
+/* fxl_view_frustum */
+#define FRUSTUM_X_SIDE      0
+#define FRUSTUM_X_DEPTH     4
+#define FRUSTUM_Y_SIDE      8
+#define FRUSTUM_Y_DEPTH     12
+#define FRUSTUM_NEAR_Z      16
+#define FRUSTUM_FAR_Z       24
+#define FRUSTUM_INSET       32
+#define FRUSTUM_INSET_UPPER 36 /* the upper word of the inset */
+
+/* fxl_projection */
+#define PROJECTION_FACTOR        0
+#define PROJECTION_DEPTH_MIN     4
+#define PROJECTION_FACTOR_LESS_1 8
+#define PROJECTION_FACTOR_2      12
+#define PROJECTION_FACTOR_17     16
+#define PROJECTION_CENTRE_X      20
+#define PROJECTION_CENTRE_Y      24
+
+/* FXL_VERTEX_UNPROJECTED, FXL_CLIP_INSIDE, FXL_CLIP_RANGE, FXL_CLIP_BETWEEN */
+#define VERTEX_UNPROJECTED 0x80
+#define CLIP_INSIDE        0
+#define CLIP_RANGE         5
+#define CLIP_BETWEEN       6
+
+#endif
