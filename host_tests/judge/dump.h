@@ -26,7 +26,7 @@ const uint8_t *judge_dump_palette(const judge_dump *dump);
 /* Makes a dump with another renderer's pixels and counters: the same head and
  * poses, no instructions, refused calls, spilled polygons or clamped steps. False where memory
  * is short. */
-bool judge_dump_like(const judge_dump *board, judge_dump *twin);
+bool judge_dump_like(const judge_dump *board, judge_dump *reference);
 void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
                     const ref_counters *counters);
 

@@ -17,15 +17,15 @@
 #include "judge/walk.h"
 
 typedef struct {
-    const char *scene, *dump, *json, *twin;
+    const char *scene, *dump, *json, *reference;
     unsigned cuts; /* of the board's clipper */
-    bool by_tree;  /* the board's order was the scene's tree's */
+    bool by_bsp;   /* the board's order was the scene's tree's */
     double distance;
 } options;
 
 typedef struct {
     ref_scene_image image;
-    judge_dump dump, twin;
+    judge_dump dump, reference;
     judge_frame *frames;
     judge_walk walk;
 } session;
@@ -95,7 +95,7 @@ static void say_frame(report *out, uint32_t number, const judge_frame *frame)
         for (uint32_t i = 0; i < shown; i++) {
             const judge_sample *pixel = &frame->samples[i];
             say(out, "%s{\"x\": %d, \"y\": %d, \"board\": %d, \"twin\": %d, ", i ? ", " : "",
-                pixel->x, pixel->y, pixel->board, pixel->twin);
+                pixel->x, pixel->y, pixel->board, pixel->reference);
             say_distance(out, "distance_px", pixel->distance);
             say(out, "}");
         }
@@ -158,15 +158,15 @@ static bool parse_options(int count, char **arguments, options *wanted)
         if (strcmp(name, "--json") == 0) {
             wanted->json = value;
         } else if (strcmp(name, "--twin") == 0) {
-            wanted->twin = value;
+            wanted->reference = value;
         } else if (strcmp(name, "--clipper") == 0) {
             if (!ref_clipper_cuts(value, &wanted->cuts)) {
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
             /* Who draws what first covers a pixel gives the same picture. */
-            wanted->by_tree = strncmp(value, "tree", 4) == 0;
-            if (!wanted->by_tree && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
+            wanted->by_bsp = strncmp(value, "tree", 4) == 0;
+            if (!wanted->by_bsp && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
                 return false;
             }
         } else if (strcmp(name, "--distance") == 0) {
@@ -220,13 +220,13 @@ static int judge(const options *wanted, session *run)
         return code;
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
-    if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_tree, wanted->distance,
-                      run->frames, wanted->twin ? &run->twin : NULL)) {
+    if (!run->frames || (wanted->reference && !judge_dump_like(&run->dump, &run->reference)) ||
+        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_bsp, wanted->distance,
+                      run->frames, wanted->reference ? &run->reference : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }
-    if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
-        return fail("%s: it cannot be written", wanted->twin);
+    if (wanted->reference && !judge_dump_save(&run->reference, wanted->reference)) {
+        return fail("%s: it cannot be written", wanted->reference);
     }
     report out = {0};
     say_all(&out, wanted, run);
@@ -245,7 +245,7 @@ int main(int count, char **arguments)
     session run = {0};
     int code = judge(&wanted, &run);
     free(run.frames);
-    judge_dump_close(&run.twin);
+    judge_dump_close(&run.reference);
     judge_dump_close(&run.dump);
     ref_scene_close(&run.image);
     return code;

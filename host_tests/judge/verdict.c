@@ -22,10 +22,10 @@ typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
     unsigned cuts;
-    bool by_tree;
+    bool by_bsp;
     double distance;
     judge_frame *frames;
-    judge_dump *twin;
+    judge_dump *reference;
     pthread_mutex_t lock;
     uint32_t next, done;
     time_t reported;
@@ -107,12 +107,12 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
             box->top - y > work->distance || y - box->bottom > work->distance) {
             continue;
         }
-        const ref_instance *object = &scene->objects[renderer->list.drawn[i].object];
-        const ref_model *model = &scene->models[object->model];
+        const ref_instance *instance = &scene->instances[renderer->list.drawn[i].instance];
+        const ref_model *model = &scene->models[instance->model];
         const ref_face *face = &scene->faces[model->first_face + renderer->list.drawn[i].face];
         int32_t vertices[3 * UINT8_MAX];
         for (int corner = 0; corner < face->count; corner++) {
-            ref_lattice_point point = ref_face_vertex(scene, object, face, corner);
+            ref_lattice_point point = ref_face_vertex(scene, instance, face, corner);
             vertices[3 * corner] = point.x;
             vertices[3 * corner + 1] = point.y;
             vertices[3 * corner + 2] = point.z;
@@ -125,7 +125,7 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
 }
 
 /* False where memory is short. */
-static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *twin,
+static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *reference,
                            uint32_t number)
 {
     const uint8_t *board = judge_dump_pixels(work->dump, number);
@@ -135,14 +135,14 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
     ref_pose pose = judge_dump_pose(work->dump, number);
     oracle_tie_view view = tie_view(work, &pose);
     for (int y = 0; y < work->dump->height; y++) {
-        for (int x = 0; x < work->dump->width; x++, board++, twin++) {
-            if (*board == *twin) {
+        for (int x = 0; x < work->dump->width; x++, board++, reference++) {
+            if (*board == *reference) {
                 continue;
             }
             if (!boxes && !(boxes = boxes_of(renderer))) {
                 return false;
             }
-            judge_sample pixel = {x, y, *board, *twin, 0};
+            judge_sample pixel = {x, y, *board, *reference, 0};
             frame->near_far += explain(work, renderer, boxes, &pixel);
             count_pixel(frame, &pixel, work->distance);
             frame->tied += is_tied(work, renderer, boxes, &view, x, y);
@@ -162,8 +162,8 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, 
     }
     ref_fill_band(&band, work->image->background);
     ref_frame_draw(renderer, &band);
-    if (work->twin) {
-        judge_dump_put(work->twin, number, pixels, &renderer->counters);
+    if (work->reference) {
+        judge_dump_put(work->reference, number, pixels, &renderer->counters);
     }
     return compare_pixels(work, renderer, pixels, number);
 }
@@ -190,7 +190,7 @@ static void *run_worker(void *argument)
     bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
     bool sound = pixels && ready;
     renderer.cuts = work->cuts;
-    renderer.by_tree = work->by_tree;
+    renderer.by_bsp = work->by_bsp;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
@@ -210,16 +210,16 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_tree,
-                  double distance, judge_frame *frames, judge_dump *twin)
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
+                  double distance, judge_frame *frames, judge_dump *reference)
 {
     job work = {.image = image,
                 .dump = dump,
                 .cuts = cuts,
-                .by_tree = by_tree,
+                .by_bsp = by_bsp,
                 .distance = distance,
                 .frames = frames,
-                .twin = twin,
+                .reference = reference,
                 .lock = PTHREAD_MUTEX_INITIALIZER,
                 .reported = time(NULL)};
     pthread_t threads[THREADS_MAX];

@@ -12,7 +12,7 @@ enum {
 /* One pixel that is not explained. */
 typedef struct {
     int x, y;
-    uint8_t board, twin;
+    uint8_t board, reference;
     double distance; /* infinite where nothing explains it */
 } judge_sample;
 
@@ -30,7 +30,7 @@ typedef struct {
  * room for dump->frame_count. cuts: the planes that the board's clipper cuts by
  * (reference/clipper.h). by_tree: whether its order was the scene's tree's. twin (may be null)
  * receives the twin's pixels. Progress on stderr. False where memory is short. */
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_tree,
-                  double distance, judge_frame *frames, judge_dump *twin);
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
+                  double distance, judge_frame *frames, judge_dump *reference);
 
 #endif

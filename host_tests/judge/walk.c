@@ -39,8 +39,9 @@ static const char *compare_strides(const ref_scene_image *image, const judge_dum
             stride++;
             done = 0;
         }
-        double pushed = fmin(image->gait.speed_max, fabs(viewer.speed) + image->gait.acceleration);
-        ref_player_step(&viewer, stride->keys, &image->gait);
+        double pushed = fmin(image->motion_limits.speed_max,
+                             fabs(viewer.speed) + image->motion_limits.acceleration);
+        ref_player_step(&viewer, stride->keys, &image->motion_limits);
         done++;
         walk->max_bound += 0.51 + pushed * REF_ONE * 0x1p-29;
 

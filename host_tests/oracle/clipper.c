@@ -50,16 +50,16 @@ int oracle_clipper_wants_triangles(void)
 }
 
 fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
-                                    fxl_screen_polygon *screens, int room_for, int *count)
+                                    fxl_screen_polygon *screens, int workspace_for, int *count)
 {
     static fxl_clipper_work work;
-    static fxl_clipper_workspace room;
+    static fxl_clipper_workspace workspace;
     static polygon_face face;
-    memset(&room, 0, sizeof room);
-    view->clipper_workspace = &room;
+    memset(&workspace, 0, sizeof workspace);
+    view->clipper_workspace = &workspace;
     view->frame += 1;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = chosen->clip(&face.placed, &face.face, &work, &screens[0]);
+    fxl_clip_result result = chosen->clip(&face.model_view, &face.face, &work, &screens[0]);
     fxl_clip_result now = result;
     *count = 0;
     while (now == FXL_CLIP_INSIDE || now == FXL_CLIP_CUT || now == FXL_CLIP_BETWEEN) {
@@ -67,10 +67,10 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
         if (chosen->next == NULL) {
             break;
         }
-        if (*count == room_for) {
+        if (*count == workspace_for) {
             abort(); /* the caller's room is too small */
         }
-        now = chosen->next(&face.placed, &work, &screens[*count]);
+        now = chosen->next(&face.model_view, &work, &screens[*count]);
     }
     return result;
 }

@@ -25,7 +25,7 @@ enum {
     TOUCHING,
     REFUSED,
     BEYOND,
-    TWIN_BEYOND
+    REFERENCE_BEYOND
 };
 
 /* What is counted as beyond. */
@@ -70,8 +70,8 @@ static double distance(const oracle_outline *exact, const oracle_spot *spots, in
 
 /* Whether the double twin's outline, from the same integers and planes of its
  * own, is beyond the bound. */
-static int twin_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
-                          const oracle_outline *exact)
+static int reference_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
+                               const oracle_outline *exact)
 {
     ref_camera camera = bridge_camera(&setup->view.camera);
     ref_lens lens = bridge_lens(&setup->view.lens);
@@ -131,7 +131,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     }
     verdict->extras[TOUCHING] = exact.count == 0 || screen.count == 0;
     verdict->value = distance(&exact, spots, screen.count);
-    verdict->extras[TWIN_BEYOND] = (uint64_t)twin_is_beyond(&setup, &polygon, &exact);
+    verdict->extras[REFERENCE_BEYOND] = (uint64_t)reference_is_beyond(&setup, &polygon, &exact);
     verdict->extras[BEYOND] = verdict->value > BOUND;
     return ORACLE_COUNTED;
 }

@@ -10,7 +10,7 @@ __extension__ typedef __int128 wide;
 /* In units of 2^-46; exact. */
 static wide height(const ref_scene *scene, const ref_bsp_node *node, const ref_lattice_point *point)
 {
-    const ref_lattice_point *centre = &scene->objects[scene->tree_object].centre;
+    const ref_lattice_point *centre = &scene->instances[scene->bsp_instance].centre;
     return (wide)node->normal[0] * ((int64_t)point->x - centre->x) +
            (wide)node->normal[1] * ((int64_t)point->y - centre->y) +
            (wide)node->normal[2] * ((int64_t)point->z - centre->z) - node->distance;
@@ -131,54 +131,54 @@ static ref_bsp_result cut_piece(const ref_scene *scene, ref_bsp_pieces *all, siz
     }
     if (!ahead || !behind) {
         go_on(scene, piece, behind);
-        return REF_TREE_CUT;
+        return REF_BSP_CUT;
     }
     const ref_bsp_piece whole = *piece;
     ref_bsp_piece front = whole, back = whole;
     if (!divide(scene, all, first, &whole, &front.shape, &back.shape)) {
-        return REF_TREE_WHOLE;
+        return REF_BSP_WHOLE;
     }
     go_on(scene, &front, false);
     go_on(scene, &back, true);
     all->pieces[number] = front;
-    return append(all, &back) ? REF_TREE_CUT : REF_TREE_MEMORY;
+    return append(all, &back) ? REF_BSP_CUT : REF_BSP_MEMORY;
 }
 
 bool ref_bsp_faces(const ref_scene *scene, uint32_t number, const ref_lattice_point *eye,
                    ref_bsp_pieces *pieces)
 {
-    const ref_instance *object = &scene->objects[number];
-    const ref_model *model = &scene->models[object->model];
+    const ref_instance *instance = &scene->instances[number];
+    const ref_model *model = &scene->models[instance->model];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
-        ref_bsp_piece piece = {.object = number, .face = i, .shape = {.count = face->count}};
+        ref_bsp_piece piece = {.instance = number, .face = i, .shape = {.count = face->count}};
         for (int k = 0; k < face->count; k++) {
-            piece.shape.points[k] = ref_face_vertex(scene, object, face, k);
+            piece.shape.points[k] = ref_face_vertex(scene, instance, face, k);
         }
-        if (ref_face_is_front(scene, object, face, eye) && !append(pieces, &piece)) {
+        if (ref_face_is_front(scene, instance, face, eye) && !append(pieces, &piece)) {
             return false;
         }
     }
     return true;
 }
 
-ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t object, const ref_lattice_point *eye,
+ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
                            ref_bsp_pieces *pieces)
 {
     const size_t first = pieces->count;
-    if (!ref_bsp_faces(scene, object, eye, pieces)) {
-        return REF_TREE_MEMORY;
+    if (!ref_bsp_faces(scene, instance, eye, pieces)) {
+        return REF_BSP_MEMORY;
     }
-    ref_bsp_result result = REF_TREE_CUT;
+    ref_bsp_result result = REF_BSP_CUT;
     for (uint32_t node = 0; node < scene->node_count; node++) {
         const size_t count = pieces->count;
-        for (size_t i = first; i < count && result == REF_TREE_CUT; i++) {
+        for (size_t i = first; i < count && result == REF_BSP_CUT; i++) {
             if (!pieces->pieces[i].in_leaf && pieces->pieces[i].node == node) {
                 result = cut_piece(scene, pieces, first, i);
             }
         }
     }
-    if (result != REF_TREE_CUT) {
+    if (result != REF_BSP_CUT) {
         pieces->count = first;
     }
     return result;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A tree (docs/extras/bsp.md), exact in 128 bits, and objects in pieces. */
-#ifndef REF_TREE_H
-#define REF_TREE_H
+#ifndef REF_BSP_H
+#define REF_BSP_H
 
 #include "reference/split.h"
 #include "reference/scene.h"
@@ -11,7 +11,7 @@ bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
 
 /* A piece of a face: at a node, or in the leaf on one side of it. */
 typedef struct {
-    uint32_t object, face, node;
+    uint32_t instance, face, node;
     bool in_leaf, behind;
     ref_piece shape;
 } ref_bsp_piece;
@@ -22,18 +22,18 @@ typedef struct {
 } ref_bsp_pieces;
 
 typedef enum {
-    REF_TREE_CUT,
-    REF_TREE_WHOLE, /* a piece would have more vertices than a face may: none are kept */
-    REF_TREE_MEMORY /* is short */
+    REF_BSP_CUT,
+    REF_BSP_WHOLE, /* a piece would have more vertices than a face may: none are kept */
+    REF_BSP_MEMORY /* is short */
 } ref_bsp_result;
 
 /* Appends an object's faces that face the eye as pieces at the root. False where memory is short.
  */
-bool ref_bsp_faces(const ref_scene *scene, uint32_t object, const ref_lattice_point *eye,
+bool ref_bsp_faces(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
                    ref_bsp_pieces *pieces);
 
 /* Appends the pieces of an object's faces that face the eye, each in its leaf. */
-ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t object, const ref_lattice_point *eye,
+ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
                            ref_bsp_pieces *pieces);
 
 #endif

@@ -5,23 +5,23 @@
 
 __extension__ typedef __int128 wide;
 
-bool ref_face_is_front(const ref_scene *scene, const ref_instance *object, const ref_face *face,
+bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye)
 {
-    ref_lattice_point first = ref_face_vertex(scene, object, face, 0);
+    ref_lattice_point first = ref_face_vertex(scene, instance, face, 0);
     wide sum = (wide)face->normal[0] * ((int64_t)eye->x - first.x) +
                (wide)face->normal[1] * ((int64_t)eye->y - first.y) +
                (wide)face->normal[2] * ((int64_t)eye->z - first.z);
     return sum > 0;
 }
 
-void ref_face_to_polygon(const ref_scene *scene, const ref_instance *object, const ref_face *face,
+void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                          ref_polygon *polygon)
 {
     polygon->colour = face->colour;
     polygon->count = face->count;
     for (int i = 0; i < face->count; i++) {
-        ref_lattice_point corner = ref_face_vertex(scene, object, face, i);
+        ref_lattice_point corner = ref_face_vertex(scene, instance, face, i);
         polygon->vertices[i] = (ref_vertex){.position = ref_point_from_lattice(&corner)};
     }
 }

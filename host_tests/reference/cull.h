@@ -5,9 +5,9 @@
 
 #include "reference/scene.h"
 
-bool ref_face_is_front(const ref_scene *scene, const ref_instance *object, const ref_face *face,
+bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye);
-void ref_face_to_polygon(const ref_scene *scene, const ref_instance *object, const ref_face *face,
+void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                          ref_polygon *polygon);
 
 #endif

@@ -10,7 +10,7 @@
 typedef struct {
     ref_screen_polygon polygon; /* no points: the twin leaves it out, but see below */
     ref_rows rows;
-    uint32_t object, face; /* numbers in the scene and in the model */
+    uint32_t instance, face; /* numbers in the scene and in the model */
 
     /* Whether the rounding of depths may decide what near and far leave of it
      * (docs/accuracy.md, section 4).

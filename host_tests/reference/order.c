@@ -24,12 +24,12 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
 }
 
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                     const ref_instance *object, const ref_face *face)
+                                     const ref_instance *instance, const ref_face *face)
 {
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
     int64_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
-        ref_lattice_point corner = ref_face_vertex(scene, object, face, i);
+        ref_lattice_point corner = ref_face_vertex(scene, instance, face, i);
         widen(&low[0], &high[0], corner.x);
         widen(&low[1], &high[1], corner.y);
         widen(&low[2], &high[2], corner.z);
@@ -61,30 +61,30 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
                              ref_order_entry *entries)
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_instance *object = &scene->objects[i];
-        ref_point centre = ref_point_from_lattice(&object->centre);
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const ref_instance *instance = &scene->instances[i];
+        ref_point centre = ref_point_from_lattice(&instance->centre);
         ref_sphere_distances distances = ref_sphere_measure(camera, frustum, &centre);
-        double radius = scene->models[object->model].radius / REF_ONE;
+        double radius = scene->models[instance->model].radius / REF_ONE;
         if (ref_sphere_planes(&distances, radius) != REF_SPHERE_OUTSIDE) {
             entries[count++] =
-                (ref_order_entry){ref_distance_squared(eye, &object->centre), i, object->layer};
+                (ref_order_entry){ref_distance_squared(eye, &instance->centre), i, instance->layer};
         }
     }
     ref_order_sort(entries, count);
     return count;
 }
 
-uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *object,
+uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                          const ref_lattice_point *eye, ref_order_entry *entries)
 {
-    const ref_model *model = &scene->models[object->model];
+    const ref_model *model = &scene->models[instance->model];
     uint32_t count = 0;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
-        if (ref_face_is_front(scene, object, face, eye)) {
+        if (ref_face_is_front(scene, instance, face, eye)) {
             entries[count++] =
-                (ref_order_entry){ref_face_distance_squared(eye, scene, object, face), i, 0};
+                (ref_order_entry){ref_face_distance_squared(eye, scene, instance, face), i, 0};
         }
     }
     ref_order_sort(entries, count);

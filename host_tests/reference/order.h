@@ -15,7 +15,7 @@ typedef struct {
 
 ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point);
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                     const ref_instance *object, const ref_face *face);
+                                     const ref_instance *instance, const ref_face *face);
 
 /* Layer upward, distance downward, index upward. */
 void ref_order_sort(ref_order_entry *entries, uint32_t count);
@@ -25,7 +25,7 @@ void ref_order_sort(ref_order_entry *entries, uint32_t count);
 uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *eye,
                              const ref_camera *camera, const ref_view_frustum *frustum,
                              ref_order_entry *entries);
-uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *object,
+uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                          const ref_lattice_point *eye, ref_order_entry *entries);
 
 #endif

@@ -28,16 +28,17 @@ static double held(double value, double limit)
     return fmax(-limit, fmin(limit, value));
 }
 
-void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *gait)
+void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *motion_limits)
 {
-    viewer->yaw = turned(viewer->yaw, pressed(keys, REF_KEY_RIGHT, REF_KEY_LEFT), gait->turn);
-    viewer->pitch =
-        turned(viewer->pitch, pressed(keys, REF_KEY_PITCH_UP, REF_KEY_PITCH_DOWN), gait->turn);
-    viewer->roll =
-        turned(viewer->roll, pressed(keys, REF_KEY_ROLL_LEFT, REF_KEY_ROLL_RIGHT), gait->turn);
+    viewer->yaw =
+        turned(viewer->yaw, pressed(keys, REF_KEY_RIGHT, REF_KEY_LEFT), motion_limits->turn);
+    viewer->pitch = turned(viewer->pitch, pressed(keys, REF_KEY_PITCH_UP, REF_KEY_PITCH_DOWN),
+                           motion_limits->turn);
+    viewer->roll = turned(viewer->roll, pressed(keys, REF_KEY_ROLL_LEFT, REF_KEY_ROLL_RIGHT),
+                          motion_limits->turn);
 
-    double push = gait->acceleration * pressed(keys, REF_KEY_FORWARD, REF_KEY_BACK);
-    viewer->speed = held(viewer->speed + push, gait->speed_max);
+    double push = motion_limits->acceleration * pressed(keys, REF_KEY_FORWARD, REF_KEY_BACK);
+    viewer->speed = held(viewer->speed + push, motion_limits->speed_max);
 
     ref_point forward = ref_forward(viewer->yaw, viewer->pitch);
     double x = viewer->position.x + forward.x * viewer->speed;
@@ -46,5 +47,5 @@ void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits 
     viewer->position.z = held(z, REF_COORDINATE_MAX);
     viewer->clamped += viewer->position.x != x || viewer->position.z != z;
 
-    viewer->speed = copysign(fmax(fabs(viewer->speed) - gait->friction, 0), viewer->speed);
+    viewer->speed = copysign(fmax(fabs(viewer->speed) - motion_limits->friction, 0), viewer->speed);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The walk (docs/extras/player.md), in double. */
-#ifndef REF_VIEWER_H
-#define REF_VIEWER_H
+#ifndef REF_PLAYER_H
+#define REF_PLAYER_H
 
 #include "reference/record.h"
 
@@ -31,6 +31,6 @@ typedef struct {
 } ref_player;
 
 ref_player ref_player_at(const ref_pose *pose);
-void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *gait);
+void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *motion_limits);
 
 #endif

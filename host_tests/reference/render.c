@@ -25,9 +25,9 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
     renderer->scene = scene;
     renderer->lens = *lens;
     renderer->cuts = REF_CUT_ALL;
-    renderer->objects = calloc(scene->object_count, sizeof *renderer->objects);
+    renderer->instances = calloc(scene->instance_count, sizeof *renderer->instances);
     renderer->faces = calloc((size_t)faces + 1, sizeof *renderer->faces);
-    if (!renderer->objects || !renderer->faces) {
+    if (!renderer->instances || !renderer->faces) {
         ref_renderer_close(renderer);
         return false;
     }
@@ -36,7 +36,7 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
 
 void ref_renderer_close(ref_renderer *renderer)
 {
-    free(renderer->objects);
+    free(renderer->instances);
     free(renderer->faces);
     ref_display_list_close(&renderer->list);
     memset(renderer, 0, sizeof *renderer);
@@ -111,10 +111,10 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
     }
 }
 
-bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t object,
+bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
                         uint32_t face, ref_counters *counters)
 {
-    ref_drawn drawn = {.object = object, .face = face};
+    ref_drawn drawn = {.instance = instance, .face = face};
     count(put_on_screen(renderer, whole, 0, &drawn.polygon), counters);
     if (face == REF_NO_FACE) {
         return true;
@@ -145,16 +145,16 @@ static void count_once(const ref_counters *pieces, ref_counters *counters)
 }
 
 /* A face of an object that a beam may reach: in pieces, lit and dark. */
-static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+static bool take_lit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
 {
     ref_lit_pieces pieces; /* judges run in threads */
     const ref_scene *scene = renderer->scene;
-    const ref_instance *object = &scene->objects[object_number];
-    const ref_face *face = &scene->faces[scene->models[object->model].first_face + face_number];
+    const ref_instance *instance = &scene->instances[instance_number];
+    const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
     ref_piece whole = {.count = face->count};
     ref_counters counted = {0};
     for (int i = 0; i < whole.count; i++) {
-        whole.points[i] = ref_face_vertex(scene, object, face, i);
+        whole.points[i] = ref_face_vertex(scene, instance, face, i);
     }
     if (!ref_beam_light_split(scene, &whole, face->normal, &pieces)) {
         pieces.count = 1;
@@ -167,7 +167,7 @@ static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!ref_submit_polygon(renderer, &polygon, object_number, face_number, &counted)) {
+        if (!ref_submit_polygon(renderer, &polygon, instance_number, face_number, &counted)) {
             return false;
         }
     }
@@ -175,31 +175,31 @@ static bool take_lit_face(ref_renderer *renderer, uint32_t object_number, uint32
     return true;
 }
 
-bool ref_submit_face(ref_renderer *renderer, uint32_t object_number, uint32_t face_number)
+bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
 {
-    const ref_instance *object = &renderer->scene->objects[object_number];
-    const ref_model *model = &renderer->scene->models[object->model];
-    if (ref_beam_light_reaches(renderer->scene, &object->centre, model->radius)) {
-        return take_lit_face(renderer, object_number, face_number);
+    const ref_instance *instance = &renderer->scene->instances[instance_number];
+    const ref_model *model = &renderer->scene->models[instance->model];
+    if (ref_beam_light_reaches(renderer->scene, &instance->centre, model->radius)) {
+        return take_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
-    ref_face_to_polygon(renderer->scene, object,
+    ref_face_to_polygon(renderer->scene, instance,
                         &renderer->scene->faces[model->first_face + face_number], &whole);
-    return ref_submit_polygon(renderer, &whole, object_number, face_number, &renderer->counters);
+    return ref_submit_polygon(renderer, &whole, instance_number, face_number, &renderer->counters);
 }
 
 bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
 {
     const ref_scene *scene = renderer->scene;
-    const ref_instance *object = &scene->objects[number];
-    const ref_model *model = &scene->models[object->model];
+    const ref_instance *instance = &scene->instances[number];
+    const ref_model *model = &scene->models[instance->model];
     uint32_t count = 0;
     if (model->kind == REF_MODEL_SORTED) {
-        count = ref_order_faces(scene, object, &renderer->eye, renderer->faces);
+        count = ref_order_faces(scene, instance, &renderer->eye, renderer->faces);
     } else {
         for (uint32_t i = 0; i < model->face_count; i++) {
             const ref_face *face = &scene->faces[model->first_face + i];
-            if (ref_face_is_front(scene, object, face, &renderer->eye)) {
+            if (ref_face_is_front(scene, instance, face, &renderer->eye)) {
                 renderer->faces[count++].index = i;
             }
         }
@@ -217,7 +217,7 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
 static bool take_by_distance(ref_renderer *renderer, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        if (!ref_submit_instance(renderer, renderer->objects[i].index)) {
+        if (!ref_submit_instance(renderer, renderer->instances[i].index)) {
             return false;
         }
     }
@@ -228,8 +228,8 @@ static bool take_by_distance(ref_renderer *renderer, uint32_t count)
 static void count_left_out(ref_renderer *renderer)
 {
     uint32_t faces = 0;
-    for (uint32_t i = 0; i < renderer->scene->object_count; i++) {
-        faces += renderer->scene->models[renderer->scene->objects[i].model].face_count;
+    for (uint32_t i = 0; i < renderer->scene->instance_count; i++) {
+        faces += renderer->scene->models[renderer->scene->instances[i].model].face_count;
     }
     renderer->counters.outside += faces - renderer->counters.in;
     renderer->counters.in = faces;
@@ -261,10 +261,10 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     renderer->counters = (ref_counters){0};
     renderer->list.count = 0;
     uint32_t count = ref_order_instances(renderer->scene, &renderer->eye, &renderer->camera,
-                                         &renderer->view_frustum, renderer->objects);
-    const bool by_tree = renderer->by_tree && renderer->scene->nodes;
-    if (!(by_tree ? ref_submit_by_bsp(renderer, renderer->objects, count)
-                  : take_by_distance(renderer, count))) {
+                                         &renderer->view_frustum, renderer->instances);
+    const bool by_bsp = renderer->by_bsp && renderer->scene->nodes;
+    if (!(by_bsp ? ref_submit_by_bsp(renderer, renderer->instances, count)
+                 : take_by_distance(renderer, count))) {
         return false;
     }
     count_left_out(renderer);

@@ -15,12 +15,12 @@ typedef struct {
     ref_frustum frustum; /* what cuts */
     ref_view_frustum view_frustum;
     ref_lattice_point eye;
-    ref_order_entry *objects, *faces;
+    ref_order_entry *instances, *faces;
     unsigned cuts; /* of the planes, those that cut: REF_CUT_ALL unless set between frames */
     ref_counters counters;
     ref_display_list list; /* the frame's polygons */
     bool keeps_doubt;      /* set before a frame: the list tells what depends on rounding */
-    bool by_tree;     /* set before a frame: what hides what is the scene's tree, if it has one */
+    bool by_bsp;      /* set before a frame: what hides what is the scene's tree, if it has one */
     uint32_t unsplit; /* objects of the frame that were not cut to the tree */
 } ref_renderer;
 

@@ -17,15 +17,15 @@ typedef struct {
 static bool take_node_faces(const visit *at, const ref_bsp_node *node)
 {
     const ref_scene *scene = at->scene;
-    const ref_instance *object = &scene->objects[scene->tree_object];
-    const ref_model *model = &scene->models[object->model];
+    const ref_instance *instance = &scene->instances[scene->bsp_instance];
+    const ref_model *model = &scene->models[instance->model];
     for (uint32_t i = node->first_face; at->in_sight && i < node->first_face + node->face_count;
          i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
         at->renderer->counters.in++;
-        if (!ref_face_is_front(scene, object, face, &at->renderer->eye)) {
+        if (!ref_face_is_front(scene, instance, face, &at->renderer->eye)) {
             at->renderer->counters.backfacing++;
-        } else if (!ref_submit_face(at->renderer, scene->tree_object, i)) {
+        } else if (!ref_submit_face(at->renderer, scene->bsp_instance, i)) {
             return false;
         }
     }
@@ -40,13 +40,13 @@ static bool take_leaf(const visit *at, uint32_t node, bool behind)
         if (piece->node != node || piece->behind != behind) {
             continue;
         }
-        const ref_model *model = &at->scene->models[at->scene->objects[piece->object].model];
+        const ref_model *model = &at->scene->models[at->scene->instances[piece->instance].model];
         ref_polygon polygon = {.colour = at->scene->faces[model->first_face + piece->face].colour,
                                .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!ref_submit_polygon(at->renderer, &polygon, piece->object, piece->face,
+        if (!ref_submit_polygon(at->renderer, &polygon, piece->instance, piece->face,
                                 &counted_already)) {
             return false;
         }
@@ -75,17 +75,17 @@ static bool take_side(const visit *at, uint32_t number, bool behind)
 /* Every face of an object that may move, once. */
 static bool count_faces(ref_renderer *renderer, uint32_t number)
 {
-    const ref_instance *object = &renderer->scene->objects[number];
-    const ref_model *model = &renderer->scene->models[object->model];
+    const ref_instance *instance = &renderer->scene->instances[number];
+    const ref_model *model = &renderer->scene->models[instance->model];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &renderer->scene->faces[model->first_face + i];
         renderer->counters.in++;
-        if (!ref_face_is_front(renderer->scene, object, face, &renderer->eye)) {
+        if (!ref_face_is_front(renderer->scene, instance, face, &renderer->eye)) {
             renderer->counters.backfacing++;
             continue;
         }
         ref_polygon polygon;
-        ref_face_to_polygon(renderer->scene, object, face, &polygon);
+        ref_face_to_polygon(renderer->scene, instance, face, &polygon);
         if (!ref_submit_polygon(renderer, &polygon, number, REF_NO_FACE, &renderer->counters)) {
             return false;
         }
@@ -97,13 +97,13 @@ static bool count_faces(ref_renderer *renderer, uint32_t number)
 static bool put_whole(const ref_renderer *renderer, uint32_t number, ref_bsp_pieces *pieces)
 {
     const ref_scene *scene = renderer->scene;
-    const ref_instance *object = &scene->objects[number];
+    const ref_instance *instance = &scene->instances[number];
     const size_t first = pieces->count;
     uint32_t node = 0, below = 0;
     bool behind = false;
     while (below != REF_NODE_NONE) {
         node = below;
-        behind = !ref_bsp_is_front(scene, &scene->nodes[node], &object->centre);
+        behind = !ref_bsp_is_front(scene, &scene->nodes[node], &instance->centre);
         below = behind ? scene->nodes[node].back : scene->nodes[node].front;
     }
     if (!ref_bsp_faces(scene, number, &renderer->eye, pieces)) {
@@ -123,12 +123,12 @@ static bool cut_mover(visit *at, uint32_t number)
         return false;
     }
     switch (ref_bsp_cut(at->scene, number, &at->renderer->eye, &at->pieces)) {
-    case REF_TREE_CUT:
+    case REF_BSP_CUT:
         return true;
-    case REF_TREE_WHOLE:
+    case REF_BSP_WHOLE:
         at->renderer->unsplit++;
         return put_whole(at->renderer, number, &at->pieces);
-    case REF_TREE_MEMORY:
+    case REF_BSP_MEMORY:
         break;
     }
     return false;
@@ -140,7 +140,7 @@ static bool take_layer(ref_renderer *renderer, const ref_order_entry *entries, u
     visit at = {.renderer = renderer, .scene = renderer->scene};
     bool sound = true;
     for (uint32_t i = 0; i < count && sound; i++) {
-        if (entries[i].index == at.scene->tree_object) {
+        if (entries[i].index == at.scene->bsp_instance) {
             at.in_sight = true;
         } else {
             sound = cut_mover(&at, entries[i].index);
@@ -153,7 +153,7 @@ static bool take_layer(ref_renderer *renderer, const ref_order_entry *entries, u
 
 bool ref_submit_by_bsp(ref_renderer *renderer, const ref_order_entry *entries, uint32_t count)
 {
-    const uint32_t layer = renderer->scene->objects[renderer->scene->tree_object].layer;
+    const uint32_t layer = renderer->scene->instances[renderer->scene->bsp_instance].layer;
     renderer->unsplit = 0;
     for (uint32_t i = 0; i < count;) {
         uint32_t end = i;

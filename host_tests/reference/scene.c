@@ -51,14 +51,14 @@ ref_pose ref_pose_read(const uint8_t *bytes)
                       ref_u32(bytes + 20)};
 }
 
-ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *object,
+ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner)
 {
-    const ref_model *model = &scene->models[object->model];
+    const ref_model *model = &scene->models[instance->model];
     uint32_t number = scene->corners[face->first_corner + (uint32_t)corner];
     ref_lattice_point vertex = scene->vertices[model->first_vertex + number];
-    return (ref_lattice_point){object->centre.x + vertex.x, object->centre.y + vertex.y,
-                               object->centre.z + vertex.z};
+    return (ref_lattice_point){instance->centre.x + vertex.x, instance->centre.y + vertex.y,
+                               instance->centre.z + vertex.z};
 }
 
 /* A table of the image: where its entries are, or null with *count 0. */
@@ -92,16 +92,17 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     const uint8_t *corners = table_at(bytes, size, 96, 2, 4000000, &scene->corner_count);
     const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
     const uint8_t *models = table_at(bytes, size, 112, 28, 65535, &scene->model_count);
-    const uint8_t *objects = table_at(bytes, size, 120, 16, 65535, &scene->object_count);
-    if (!vertices || !corners || !faces || !models || !objects) {
+    const uint8_t *instances = table_at(bytes, size, 120, 16, 65535, &scene->instance_count);
+    if (!vertices || !corners || !faces || !models || !instances) {
         return false;
     }
     scene->vertices = calloc(scene->vertex_count, sizeof *scene->vertices);
     scene->corners = calloc(scene->corner_count, sizeof *scene->corners);
     scene->faces = calloc(scene->face_count, sizeof *scene->faces);
     scene->models = calloc(scene->model_count, sizeof *scene->models);
-    scene->objects = calloc(scene->object_count, sizeof *scene->objects);
-    if (!scene->vertices || !scene->corners || !scene->faces || !scene->models || !scene->objects) {
+    scene->instances = calloc(scene->instance_count, sizeof *scene->instances);
+    if (!scene->vertices || !scene->corners || !scene->faces || !scene->models ||
+        !scene->instances) {
         return false;
     }
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
@@ -120,9 +121,9 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
         scene->models[i] = (ref_model){ref_u32(p),      ref_u32(p + 4), ref_u32(p + 8),
                                        ref_u32(p + 12), p[16],          ref_i32(p + 20)};
     }
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const uint8_t *p = objects + 16 * (size_t)i;
-        scene->objects[i] = (ref_instance){point_read(p), ref_u16(p + 12), p[14]};
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const uint8_t *p = instances + 16 * (size_t)i;
+        scene->instances[i] = (ref_instance){point_read(p), ref_u16(p + 12), p[14]};
     }
     return true;
 }
@@ -167,17 +168,17 @@ static bool geometry_is_sound(const ref_scene *scene)
             return false;
         }
     }
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_instance *object = &scene->objects[i];
-        if (object->model >= scene->model_count || !inside_world(&object->centre)) {
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const ref_instance *instance = &scene->instances[i];
+        if (instance->model >= scene->model_count || !inside_world(&instance->centre)) {
             return false;
         }
-        const ref_model *model = &scene->models[object->model];
+        const ref_model *model = &scene->models[instance->model];
         for (uint32_t v = 0; v < model->vertex_count; v++) {
             ref_lattice_point p = scene->vertices[model->first_vertex + v];
-            if (!coordinate_is_sound((int64_t)p.x + object->centre.x) ||
-                !coordinate_is_sound((int64_t)p.y + object->centre.y) ||
-                !coordinate_is_sound((int64_t)p.z + object->centre.z)) {
+            if (!coordinate_is_sound((int64_t)p.x + instance->centre.x) ||
+                !coordinate_is_sound((int64_t)p.y + instance->centre.y) ||
+                !coordinate_is_sound((int64_t)p.z + instance->centre.z)) {
                 return false;
             }
         }
@@ -187,21 +188,21 @@ static bool geometry_is_sound(const ref_scene *scene)
 
 /* True where there is none. Nodes are listed as one comes upon them, so a child's number is
  * greater than its parent's: no way down ends where it began. */
-static bool read_tree(const uint8_t *bytes, size_t size, ref_scene *scene)
+static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
     if (ref_u16(bytes + 4) == 2) {
         return ref_u32(bytes + 148) == 0 && ref_u32(bytes + 152) == 0 && ref_u32(bytes + 156) == 0;
     }
-    scene->tree_object = ref_u32(bytes + 156);
+    scene->bsp_instance = ref_u32(bytes + 156);
     if (ref_u32(bytes + 152) == 0) {
-        return ref_u32(bytes + 148) == 0 && scene->tree_object == 0;
+        return ref_u32(bytes + 148) == 0 && scene->bsp_instance == 0;
     }
     const uint8_t *nodes = table_at(bytes, size, 148, 48, 65535, &scene->node_count);
     scene->nodes = nodes ? calloc(scene->node_count, sizeof *scene->nodes) : NULL;
-    if (!scene->nodes || scene->tree_object >= scene->object_count) {
+    if (!scene->nodes || scene->bsp_instance >= scene->instance_count) {
         return false;
     }
-    const ref_model *model = &scene->models[scene->objects[scene->tree_object].model];
+    const ref_model *model = &scene->models[scene->instances[scene->bsp_instance].model];
     for (uint32_t i = 0; i < scene->node_count; i++) {
         const uint8_t *p = nodes + 48 * (size_t)i;
         ref_bsp_node *node = &scene->nodes[i];
@@ -328,8 +329,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     }
     image->background = bytes[36];
     image->start = ref_pose_read(bytes + 40);
-    image->gait = (ref_motion_limits){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
-                                      ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
+    image->motion_limits =
+        (ref_motion_limits){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
+                            ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
     uint32_t colours;
     const uint8_t *palette = table_at(bytes, stated, 80, 3, 256, &colours);
     if (!palette || colours != 256) {
@@ -340,7 +342,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";
     }
-    if (!read_tree(bytes, stated, &image->scene)) {
+    if (!read_bsp(bytes, stated, &image->scene)) {
         return "the scene image's BSP tree is not usable";
     }
     if (!read_beams(bytes, stated, &image->scene)) {
@@ -368,7 +370,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.corners);
     free(image->scene.faces);
     free(image->scene.models);
-    free(image->scene.objects);
+    free(image->scene.instances);
     free(image->scene.nodes);
     free(image->scene.beams);
     free(image->poses);

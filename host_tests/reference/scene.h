@@ -60,10 +60,10 @@ typedef struct {
     uint16_t *corners;
     ref_face *faces;
     ref_model *models;
-    ref_instance *objects;
-    uint32_t vertex_count, corner_count, face_count, model_count, object_count;
+    ref_instance *instances;
+    uint32_t vertex_count, corner_count, face_count, model_count, instance_count;
     ref_bsp_node *nodes; /* null where there is no tree */
-    uint32_t node_count, tree_object;
+    uint32_t node_count, bsp_instance;
     ref_beam *beams; /* null where there are none */
     uint32_t beam_count;
     uint8_t lit[256]; /* the colour that each colour has in a beam */
@@ -75,7 +75,7 @@ typedef struct {
     uint8_t background;
     uint8_t palette[768];
     ref_pose start;
-    ref_motion_limits gait;
+    ref_motion_limits motion_limits;
     ref_pose *poses;           /* null where the path is strides */
     ref_path_segment *strides; /* null where the path is poses */
     uint32_t path_count, frame_count;
@@ -99,7 +99,7 @@ int32_t ref_i32(const uint8_t *bytes);
 ref_pose ref_pose_read(const uint8_t *bytes);
 
 /* A corner of a face in the world, exactly. */
-ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *object,
+ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner);
 
 #endif

@@ -52,18 +52,18 @@ bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens
     ref_half_space planes[REF_PLANE_COUNT];
     ref_volume_from_lens(lens, planes);
     wire->count = 0;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        const ref_instance *object = &scene->objects[i];
-        const ref_model *model = &scene->models[object->model];
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const ref_instance *instance = &scene->instances[i];
+        const ref_model *model = &scene->models[instance->model];
         for (uint32_t f = 0; f < model->face_count; f++) {
             const ref_face *face = &scene->faces[model->first_face + f];
-            if (!ref_face_is_front(scene, object, face, &pose->position)) {
+            if (!ref_face_is_front(scene, instance, face, &pose->position)) {
                 continue;
             }
             for (int k = 0; k < face->count; k++) {
-                const ref_lattice_point a = ref_face_vertex(scene, object, face, k);
+                const ref_lattice_point a = ref_face_vertex(scene, instance, face, k);
                 const ref_lattice_point b =
-                    ref_face_vertex(scene, object, face, (k + 1) % face->count);
+                    ref_face_vertex(scene, instance, face, (k + 1) % face->count);
                 const ref_volume_vertex from = vertex_of(&camera, &a), to = vertex_of(&camera, &b);
                 ref_wide enter, leave;
                 if (!ref_clip_line(&from, &to, planes, REF_PLANE_COUNT, &enter, &leave)) {

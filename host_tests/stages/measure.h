@@ -26,7 +26,7 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
 
 /* An object's box on both sides: the same answer, which it gives. */
 uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
-                            const fxl_instance *object);
+                            const fxl_instance *instance);
 
 /* A face of an object of which the library's sphere or box said `planes`, by the twin's
  * distances of its vertices. Where it is not so, a mismatch. */

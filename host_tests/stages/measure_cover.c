@@ -23,7 +23,7 @@ typedef struct {
     fxl_span_buffer *buffer;
     fxl_band band;
     ref_cover cover;
-    ref_band twin;
+    ref_band reference;
 } sides;
 
 /* Runs of the band, or -1 where they are not in order or touch. */
@@ -57,8 +57,8 @@ static bool cover_polygon(sides *of, const fxl_screen_polygon *polygon, stages_t
         const ref_span same = {span.y, span.x0, span.x1};
         const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
         bool taken = fxl_span_buffer_draw(of->buffer, &row, polygon->colour, &of->band);
-        if (taken !=
-            ref_cover_span(&of->cover, &same, polygon->colour, &of->twin, of->buffer->capacity)) {
+        if (taken != ref_cover_span(&of->cover, &same, polygon->colour, &of->reference,
+                                    of->buffer->capacity)) {
             tally->mismatched++;
             return false;
         }
@@ -73,7 +73,7 @@ static uint32_t differing(const sides *of)
 {
     uint32_t wrong = 0;
     for (int i = 0; i < of->band.rows * of->band.width; i++) {
-        wrong += of->band.pixels[i] != of->twin.pixels[i];
+        wrong += of->band.pixels[i] != of->reference.pixels[i];
     }
     return wrong;
 }
@@ -87,11 +87,11 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
     void *room = malloc(size);
     bool *covered = malloc(pixels * sizeof *covered);
     sides of = {.band = {calloc(pixels, 1), width, width, rows.first, height},
-                .twin = {calloc(pixels, 1), width, width, rows.first, height}};
-    if (room && covered && of.band.pixels && of.twin.pixels) {
+                .reference = {calloc(pixels, 1), width, width, rows.first, height}};
+    if (room && covered && of.band.pixels && of.reference.pixels) {
         of.buffer = fxl_span_buffer_make(room, size, height);
         fxl_span_buffer_begin(of.buffer, &of.band);
-        ref_cover_begin(&of.cover, covered, &of.twin);
+        ref_cover_begin(&of.cover, covered, &of.reference);
         for (uint32_t i = 0, more = 1; i < count && more; i++) {
             more = cover_polygon(&of, &polygons[i], tally);
             uint32_t wrong = differing(&of);
@@ -104,5 +104,5 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
     free(room);
     free(covered);
     free(of.band.pixels);
-    free(of.twin.pixels);
+    free(of.reference.pixels);
 }
