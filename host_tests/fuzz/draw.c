@@ -83,7 +83,8 @@ static fxl_clip_result checked_next(const fxl_model_view *model_view, fxl_clippe
 static const fxl_clipper *checked(uint32_t number)
 {
     static const fxl_clipper checked_view = {.clip = checked_by_view};
-    static const fxl_clipper checked_world = {.clip = checked_by_world, .in_world = true};
+    static const fxl_clipper checked_world = {.clip = checked_by_world,
+                                              .begin = fxl_view_set_world_frustum};
     static const fxl_clipper *const family[DRAW_CLIPPERS - 2] = {
         &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
         &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
@@ -93,7 +94,7 @@ static const fxl_clipper *checked(uint32_t number)
     }
     of_family = family[number - 2];
     made = (fxl_clipper){checked_clip, of_family->next != NULL ? checked_next : NULL,
-                         of_family->workspace_size, of_family->in_world};
+                         of_family->workspace_size, of_family->begin};
     return &made;
 }
 

@@ -50,7 +50,8 @@ static void check_box(const fxl_scene *scene, const fxl_instance *instance, fxl_
     uint32_t seen = 0;
     fxl_box box;
     fxl_box_of_instance(scene, instance, &box);
-    uint32_t planes = fxl_box_planes(fxl_view_set_world_frustum(view), &box);
+    fxl_view_set_world_frustum(view);
+    uint32_t planes = fxl_box_planes(&view->frustum, &box);
     for (uint32_t i = 0; i < model->vertex_count; i++) {
         const fxl_point *vertex = &scene->vertices[model->first_vertex + i];
         const fxl_point at = {instance->centre.x + vertex->x, instance->centre.y + vertex->y,

@@ -70,7 +70,7 @@ static void misuse_scan(const fxl_band *band)
 {
     fxl_scan scan;
     fxl_span span;
-    const fxl_screen_polygon polygon = {0, 3, FXL_POLYGON_FLAT, {{0, 0}}};
+    const fxl_screen_polygon polygon = {0, 3, FXL_POLYGON_FLAT, 0, {{0, 0}}};
     bool legal = band->width >= 1 && band->width <= FXL_SCREEN_MAX && band->rows >= 1 &&
                  band->first_row + band->rows <= FXL_SCREEN_MAX;
     DEMAND(fxl_scan_begin(&polygon, band, NULL) == FXL_E_ARGUMENT);

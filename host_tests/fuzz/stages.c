@@ -158,7 +158,8 @@ void fuzz_clip_world(fuzz_input *in)
     fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
     fxl_view_set_lens(&view, &lens);
     DEMAND(fxl_view_set_pose(&view, &pose) == FXL_OK);
-    const fxl_frustum *frustum = fxl_view_set_world_frustum(&view);
+    fxl_view_set_world_frustum(&view);
+    const fxl_frustum *frustum = &view.frustum;
     polygon.colour = 7;
     polygon.textured = true;
     polygon.count = (uint8_t)(3 + fuzz_below(in, FXL_POLYGON_CAPACITY - 2));

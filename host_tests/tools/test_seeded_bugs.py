@@ -19,7 +19,7 @@ def test_each_marker_stands_once_and_has_a_bug():
     """read() refuses anything else, as the next tests show."""
     marked = bugs.markers(CHECKOUT)
     assert all(len(places) == 1 for places in marked.values())
-    assert sorted(marked) == sorted(bug.marker for bug in bugs.read(CHECKOUT) if bug.marker)
+    assert sorted(marked) == sorted(bug.marker for bug in bugs.read(CHECKOUT))
 
 
 @pytest.fixture

@@ -119,6 +119,22 @@ void test_halves_go_upward(void)
     }
 }
 
+/* The same three pixels further out, where no kernel takes its short way. */
+void test_halves_go_upward_beside_the_screen(void)
+{
+    fxl_lens lens = unit_lens(2, 2);
+    lens.focal = Q16(1);
+    for (int bit = 37; bit <= 59; bit++) {
+        int64_t depth = (int64_t)1 << bit, half = 3 * depth + (depth >> 17);
+        TEST_ASSERT_EQUAL_INT32(Q16(4) + 1, project(&lens, half, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(4), project(&lens, half - 1, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(-2), project(&lens, -half, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(-2) - 1, project(&lens, -half - 1, 0, depth).x);
+        TEST_ASSERT_EQUAL_INT32(Q16(-2) - 1, project(&lens, 0, half, depth).y);
+        TEST_ASSERT_EQUAL_INT32(Q16(4), project(&lens, 0, -half, depth).y);
+    }
+}
+
 /* The whole side counts: its last bit moves the outcome. */
 void test_no_bit_of_the_side_is_lost(void)
 {

@@ -179,7 +179,8 @@ static bool has_area(const fxl_screen_polygon *polygons, int count)
 static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *b, bool *cut)
 {
     double enter = 0, leave = 1;
-    const fxl_plane *planes = fxl_view_set_world_frustum(view)->planes;
+    fxl_view_set_world_frustum(view);
+    const fxl_plane *planes = view->frustum.planes;
     for (int i = 0; i < FXL_PLANE_COUNT; i++) {
         double from = (double)fxl_plane_distance(&planes[i], &a->position);
         double to = (double)fxl_plane_distance(&planes[i], &b->position);

@@ -5,8 +5,7 @@ A line of the library is marked by a comment at its end, or by one alone on the 
 
     screen->y = centre_y - y; /* bug: screen-y-up */
 
-host_tests/seeded_bugs/bugs.toml says what the line becomes. A bug of a file that is about to be
-replaced may name the file, a text that it holds once, and what that becomes.
+host_tests/seeded_bugs/bugs.toml says what the line becomes.
 """
 
 import dataclasses
@@ -25,31 +24,22 @@ SOURCES = (".c", ".h", ".S")
 MARKER = re.compile(r"/\* bug: (\S+) \*/")
 # A whole line: its indentation, the code, the marker, and what goes on with a macro.
 MARKED = r"^(?P<indent>[ \t]*)(?P<code>[^\n]*?)[ \t]*/\* bug: {} \*/(?P<macro>[ \t]*\\?)\n"
-COMMON = {"name": str, "kind": str, "why": str, "tests": list}
-BY_MARKER = {**COMMON, "marker": str, "becomes": str}
-BY_TEXT = {**COMMON, "file": str, "find": str, "replace": str}
+FIELDS = {"marker": str, "name": str, "kind": str, "becomes": str, "why": str, "tests": list}
 
 
 @dataclasses.dataclass
 class Bug:
     """A line and the same line with a mistake, and which tests are likeliest to see it."""
+    marker: str
     name: str
     kind: str
+    becomes: str
     why: str
     tests: list
     file: str
-    marker: str = ""
-    becomes: str = ""
-    find: str = ""
-    replace: str = ""
 
     def seed(self, text):
         """The text of the bug's file with the bug in it."""
-        if not self.marker:
-            if text.count(self.find) != 1:
-                raise ToolError(f"bug '{self.name}': its text is in {self.file} {text.count(self.find)} times, "
-                                f"not once; bring {BUGS} up to date with the library")
-            return text.replace(self.find, self.replace)
         match = re.search(MARKED.format(re.escape(self.marker)), text, re.MULTILINE)
         if not match:
             raise ToolError(f"bug '{self.marker}': {self.file} has no line that ends with its marker")
@@ -81,7 +71,7 @@ def read(root):
     bugs = [_bug(entry, number, path, marked) for number, entry in enumerate(entries)]
     if not bugs:
         raise ToolError(f"{path}: holds no [[bug]]")
-    names = [bug.marker for bug in bugs if bug.marker]
+    names = [bug.marker for bug in bugs]
     for name in sorted({name for name in names if names.count(name) > 1}):
         raise ToolError(f"{path}: two bugs have the marker '{name}'")
     for name in sorted(set(marked) - set(names)):
@@ -92,14 +82,11 @@ def read(root):
 
 
 def _bug(entry, number, path, marked):
-    fields = BY_MARKER if "marker" in entry else BY_TEXT
-    for field, kind in fields.items():
+    for field, kind in FIELDS.items():
         if not isinstance(entry.get(field), kind):
             raise ToolError(f"{path}: bug {number}: '{field}' is missing or no {kind.__name__}")
-    if set(entry) != set(fields):
-        raise ToolError(f"{path}: bug {number}: unknown {', '.join(set(entry) - set(fields))}")
-    if "marker" not in entry:
-        return Bug(**entry)
+    if set(entry) != set(FIELDS):
+        raise ToolError(f"{path}: bug {number}: unknown {', '.join(sorted(set(entry) - set(FIELDS)))}")
     places = marked.get(entry["marker"], [])
     if len(places) != 1:
         where = f": {', '.join(places)}" if places else ""
@@ -108,10 +95,7 @@ def _bug(entry, number, path, marked):
 
 
 def _check_place(root, bug):
-    try:
-        text = (pathlib.Path(root) / bug.file).read_text(encoding="utf-8")
-    except OSError as error:
-        raise ToolError(f"bug '{bug.name}': {bug.file} cannot be read: {error.strerror}") from error
+    text = (pathlib.Path(root) / bug.file).read_text(encoding="utf-8")
     if bug.seed(text) == text:
         raise ToolError(f"bug '{bug.name}': it changes nothing in {bug.file}")
 

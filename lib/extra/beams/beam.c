@@ -231,8 +231,9 @@ static bool window_plane(const fxl_beam *beam, const fxl_point *window, fxl_plan
     return !fxl_within(along, CORNER_TOLERANCE);
 }
 
-static fxl_status through_window(fxl_beam *made, const fxl_point *window, uint32_t count,
-                                 fxl_beam *beam)
+/* kind and x, y, z as the beam has them: where its light is, or which way it travels. */
+static fxl_status through_window(uint8_t kind, int32_t x, int32_t y, int32_t z,
+                                 const fxl_point *window, uint32_t count, fxl_beam *beam)
 {
     if (window == NULL || beam == NULL) {
         return FXL_E_ARGUMENT;
@@ -245,18 +246,24 @@ static fxl_status through_window(fxl_beam *made, const fxl_point *window, uint32
             return FXL_E_RANGE;
         }
     }
+    fxl_beam made;
+    memset(&made, 0, sizeof made);
+    made.kind = kind;
+    made.from[0] = x;
+    made.from[1] = y;
+    made.from[2] = z;
     fxl_plane plane;
     for (uint32_t i = 0; i < count; i++) {
-        if (!side_plane(made, window, count, i, &plane)) {
+        if (!side_plane(&made, window, count, i, &plane)) {
             return FXL_E_DEGENERATE;
         }
-        store(made, &plane);
+        store(&made, &plane);
     }
-    if (!window_plane(made, window, &plane)) {
+    if (!window_plane(&made, window, &plane)) {
         return FXL_E_DEGENERATE;
     }
-    store(made, &plane);
-    *beam = *made;
+    store(&made, &plane);
+    *beam = made;
     return FXL_OK;
 }
 
@@ -269,13 +276,7 @@ fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, 
     if (!fxl_point_in_range(light)) {
         return FXL_E_RANGE;
     }
-    fxl_beam made;
-    memset(&made, 0, sizeof made);
-    made.kind = FXL_BEAM_POINT;
-    made.from[0] = light->x;
-    made.from[1] = light->y;
-    made.from[2] = light->z;
-    return through_window(&made, window, count, beam);
+    return through_window(FXL_BEAM_POINT, light->x, light->y, light->z, window, count, beam);
 }
 
 fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
@@ -287,11 +288,5 @@ fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point 
     if (!fxl_is_unit(travel)) {
         return FXL_E_RANGE;
     }
-    fxl_beam made;
-    memset(&made, 0, sizeof made);
-    made.kind = FXL_BEAM_DIRECTION;
-    made.from[0] = travel->x;
-    made.from[1] = travel->y;
-    made.from[2] = travel->z;
-    return through_window(&made, window, count, beam);
+    return through_window(FXL_BEAM_DIRECTION, travel->x, travel->y, travel->z, window, count, beam);
 }

@@ -33,11 +33,13 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
            rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
 }
 
-static bool reaches(const fxl_beam_light *light, const fxl_point *centre, fxl_q16_16 radius)
+static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
+                    const fxl_instance *instance)
 {
     const lighting *of = (const lighting *)light;
+    const fxl_q16_16 radius = scene->models[instance->model].radius;
     for (uint32_t i = 0; i < of->beam_count; i++) {
-        if (fxl_beam_reaches(&of->beams[i], centre, radius)) {
+        if (fxl_beam_reaches(&of->beams[i], &instance->centre, radius)) {
             return true;
         }
     }

@@ -59,16 +59,13 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
 }
 
 /* What a face that faces the eye comes to, whole. */
-static fxl_outcome outcome_of(const fxl_traversal *on, const fxl_model_view *model_view,
-                              const fxl_face *face)
+static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_clipper *clipper = on->renderer->clipper;
-    fxl_clip_result cut =
-        clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
-    while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && clipper->next != NULL) {
-        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+    while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && on->clipper->next != NULL) {
+        cut = fxl_next_polygon(model_view, on);
         outcome |= (fxl_outcome)1 << cut;
     }
     return outcome;
@@ -82,13 +79,13 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &on->frame->view,
-                               &on->workspace->cache);
+    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes,
+                               &on->renderer->frame.view, &on->workspace->cache);
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         on->counters->in += 1;
         if (fxl_model_view_face_is_front(&model_view, face)) {
-            (void)fxl_count_outcome(on, outcome_of(on, &model_view, face), on->display_list->used);
+            (void)fxl_count_outcome(on, outcome_of(&model_view, face, on), on->display_list->used);
         } else {
             on->counters->backfacing += 1;
         }
@@ -134,9 +131,9 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
         if (at == workspace->owner) {
             continue;
         }
-        const fxl_instance *instance = &scene->instances[on->frame->order[at].index];
-        count_faces(on, &on->frame->order[at]);
-        if (fxl_bsp_cut(&cutter, instance, &on->frame->view.camera.position, at)) {
+        const fxl_instance *instance = &scene->instances[on->renderer->frame.order[at].index];
+        count_faces(on, &on->renderer->frame.order[at]);
+        if (fxl_bsp_cut(&cutter, instance, &on->renderer->frame.view.camera.position, at)) {
             for (uint32_t i = cutter.first_item; i < cutter.item_count; i++) {
                 put_into_leaf(scene, &parts, parts.movers + i, reverse);
             }
@@ -156,28 +153,15 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
     workspace->used = cutter.most;
 }
 
-/* The faces of an object that is in no pieces, from *number on, in the order of the walk. */
+/* The faces of an instance that is in no pieces, and so convex, from *number on. */
 static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
 {
-    const fxl_renderer *renderer = on->renderer;
-    const fxl_scene *scene = renderer->scene;
-    const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_model *model = &scene->models[instance->model];
-    const fxl_beam_light *light = fxl_instance_light(on, instance);
-    fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &on->frame->view,
-                               &on->workspace->cache);
-    for (; *number < model->face_count; *number += 1) {
-        uint32_t at =
-            renderer->visibility->front_to_back ? model->face_count - 1u - *number : *number;
-        const fxl_face *face = &scene->faces[model->first_face + at];
-        if (fxl_model_view_face_is_front(&model_view, face) &&
-            !fxl_submit_face_lit(on, light, &model_view, face)) {
-            return false;
-        }
-    }
-    *number = 0;
-    return true;
+    fxl_resume_point resume = {.faces = *number};
+    fxl_traversal faces = *on;
+    faces.resume = &resume;
+    bool done = fxl_submit_instance(&faces, entry);
+    *number = done ? 0 : resume.faces;
+    return done;
 }
 
 static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
@@ -185,9 +169,9 @@ static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
-    const fxl_order_entry *entry = &on->frame->order[item->entry];
+    const fxl_order_entry *entry = &on->renderer->frame.order[item->entry];
     const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_beam_light *light = fxl_instance_light(on, instance);
+    const fxl_beam_light *light = renderer->beam_light;
     fxl_point points[FXL_FACE_VERTICES_MAX];
     uint32_t vertex = item->first;
     for (uint32_t i = 0; i < item->count; i++) {
@@ -198,7 +182,7 @@ static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
     fxl_pieces pieces;
     fxl_pieces_begin(&pieces, on);
     pieces.planes = entry->planes;
-    if (light != NULL) {
+    if (light != NULL && light->reaches(light, scene, instance)) {
         const fxl_face face = {.count = item->count, .colour = item->colour};
         (void)light->split(light, &pieces, &face, points, item->count);
     } else {
@@ -223,8 +207,9 @@ bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, 
         fxl_traversal uncounted = *on;
         uncounted.counters = &counters;
         bool whole = item->first == FXL_ITEM_NONE;
-        bool fitted = whole ? walk_whole(&uncounted, &on->frame->order[item->entry], &place->face)
-                            : walk_piece(&uncounted, &parts, item);
+        bool fitted =
+            whole ? walk_whole(&uncounted, &on->renderer->frame.order[item->entry], &place->face)
+                  : walk_piece(&uncounted, &parts, item);
         on->counters->spilled += counters.spilled;
         if (!fitted) {
             return false;

@@ -19,7 +19,6 @@ typedef struct {
     fxl_bsp_workspace *workspace;
     uint32_t *sides, *busy;
     fxl_model_view *model_view;  /* null: the tree's object is not in sight */
-    const fxl_beam_light *light; /* null: none may light the tree's instance */
     fxl_point from;              /* the eye, as the tree's object sees it */
     const fxl_bsp_node *asked;   /* whose sphere was asked last, */
     uint32_t answer;             /* and what it said */
@@ -47,7 +46,7 @@ uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
 static void find_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 {
     const fxl_scene *scene = on->renderer->scene;
-    const fxl_frame *frame = on->frame;
+    const fxl_frame *frame = &on->renderer->frame;
     const uint32_t layer = scene->instances[scene->bsp_instance].layer;
     uint32_t first = 0, end;
     while (first < frame->visible_count && frame->order[first].layer != layer) {
@@ -176,8 +175,7 @@ static bool submit_faces(bsp_traversal *traversal, fxl_bsp_resume_point *place)
             &faces[traversal->reverse ? node->face_count - 1 - place->index : place->index];
         if (!fxl_model_view_face_is_front(traversal->model_view, face)) {
             counters->backfacing += 1;
-        } else if (!fxl_submit_face_lit(traversal->on, traversal->light, traversal->model_view,
-                                        face)) {
+        } else if (!fxl_submit_face(traversal->model_view, face, traversal->on)) {
             return false;
         }
         counters->in += 1;
@@ -275,7 +273,7 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
     const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[scene->bsp_instance];
-    const fxl_point *eye = &on->frame->view.camera.position;
+    const fxl_point *eye = &on->renderer->frame.view.camera.position;
     fxl_model_view model_view;
     /* Eye and centre are within FXL_COORDINATE_MAX: below 2^30. */
     bsp_traversal traversal = {.on = on,
@@ -287,13 +285,10 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
                                         eye->z - instance->centre.z},
                                .reverse = renderer->visibility->front_to_back};
     if (workspace->owner != FXL_ITEM_NONE) {
-        fxl_model_view_of_instance(&model_view, scene, instance,
-                                   on->frame->order[workspace->owner].planes, &on->frame->view,
-                                   &on->workspace->cache);
+        (void)fxl_view_instance(on, &on->renderer->frame.order[workspace->owner], &model_view);
         traversal.model_view = &model_view;
         traversal.planes = model_view.planes;
         traversal.inside_end = traversal.planes == 0 ? scene->bsp_node_count : 0;
-        traversal.light = fxl_instance_light(on, instance);
     }
     fxl_bsp_resume_point place = {0, 0, 0, FIRST};
     if (on->resume->faces != 0) {
@@ -310,7 +305,7 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
 bool fxl_submit_by_bsp(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
-    const uint32_t count = on->frame->visible_count;
+    const uint32_t count = on->renderer->frame.visible_count;
     if (renderer->scene->bsp_nodes == NULL) {
         return fxl_submit_by_distance(on);
     }
@@ -325,7 +320,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
         const uint32_t at = renderer->visibility->front_to_back ? count - 1 - number : number;
         const bool by_tree = at >= workspace->first && at < workspace->end;
         if (!(by_tree ? submit_layer(on, workspace, &parts)
-                      : fxl_submit_instance(on, &on->frame->order[at]))) {
+                      : fxl_submit_instance(on, &on->renderer->frame.order[at]))) {
             return false;
         }
         on->resume->instances =

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
+#include "../../src/clip/cut_polygon.h"
 #include "../../src/math/arith.h"
 #include "intersection.h"
-
-_Static_assert(FXL_POLYGON_CAPACITY <= 32, "a bit a vertex");
 
 /* By the sliver rule whether a vertex is inside depends
  * on the vertex before, all the way round: the walk begins after a vertex that
@@ -31,53 +30,33 @@ uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46
     return bits;
 }
 
+/* A cut whose crossings are counted. */
 typedef struct {
-    const fxl_varying_polygon *in;
-    const fxl_q18_46 *distances;
-    fxl_varying_polygon *out;
-    uint32_t count; /* of out, so far */
-} cutting;
+    fxl_cut cut;
+    fxl_clip_stats *stats;
+} counted_cut;
 
-/* Room for one more vertex; null when the polygon is full. */
-static fxl_varying_vertex *append(cutting *cut)
+static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
-    if (cut->count == FXL_POLYGON_CAPACITY) {
-        return NULL;
-    }
-    return &cut->out->vertices[cut->count++];
+    const fxl_varying_polygon *in = cut->in;
+    fxl_varying_polygon *out = cut->out;
+    fxl_copy_vertex(&in->vertices[from], in->carried, &out->vertices[to]);
 }
 
-static bool append_copy(cutting *cut, uint32_t which)
+/* An end that only counts as outside stands for the crossing. */
+static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
-    fxl_varying_vertex *vertex = append(cut);
-    if (vertex == NULL) {
-        return false;
-    }
-    fxl_copy_vertex(&cut->in->vertices[which], cut->in->carried, vertex);
-    return true;
-}
-
-/* Emits the crossing between a vertex that counts as inside and one that does
- * not. An inside end on the plane is that crossing already; one that only counts
- * as outside stands for it. */
-static bool append_crossing(cutting *cut, uint32_t inside, uint32_t outside, fxl_clip_stats *stats)
-{
+    const fxl_varying_polygon *in = cut->in;
+    fxl_varying_polygon *out = cut->out;
     const fxl_q18_46 *distances = cut->distances;
-    if (distances[inside] == 0) {
-        return true;
-    }
     if (distances[outside] >= 0) {
-        return append_copy(cut, outside);
+        copy(cut, outside, to);
+        return;
     }
-    fxl_varying_vertex *vertex = append(cut);
-    if (vertex == NULL) {
-        return false;
-    }
-    stats->intersections += 1;
-    fxl_intersection_vertex(&cut->in->vertices[inside], &cut->in->vertices[outside],
+    ((const counted_cut *)cut)->stats->intersections += 1;
+    fxl_intersection_vertex(&in->vertices[inside], &in->vertices[outside],
                             fxl_intersection_fraction(distances[inside], distances[outside]),
-                            cut->in->carried, vertex);
-    return true;
+                            in->carried, &out->vertices[to]);
 }
 
 fxl_clip_result fxl_clip_polygon(const fxl_varying_polygon *in, const fxl_q18_46 *distances,
@@ -85,29 +64,28 @@ fxl_clip_result fxl_clip_polygon(const fxl_varying_polygon *in, const fxl_q18_46
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
     uint32_t bits = fxl_inside_bits(distances, in->count, stats->sliver);
-    if (bits == UINT32_MAX >> (32u - in->count)) {
-        return FXL_CLIP_INSIDE;
+    counted_cut counted = {{in, out, distances, 0}, stats};
+    fxl_clip_result result = fxl_cut_polygon(&counted.cut, copy, cross, bits, in->count);
+    if (result == FXL_CLIP_CUT) {
+        out->colour = in->colour;
+        out->carried = in->carried;
+        out->count = (uint8_t)counted.cut.count;
     }
-    if (bits == 0) {
-        return FXL_CLIP_OUTSIDE;
-    }
-    cutting cut = {in, distances, out, 0};
-    for (uint32_t current = 0; current < in->count; current++) {
-        uint32_t next = current + 1 == in->count ? 0 : current + 1;
-        bool from = (bits >> current & 1u) != 0, to = (bits >> next & 1u) != 0;
-        if ((from && !append_copy(&cut, current)) ||
-            (from && !to && !append_crossing(&cut, current, next, stats)) ||
-            (!from && to && !append_crossing(&cut, next, current, stats))) {
-            return FXL_CLIP_CAPACITY;
-        }
-    }
-    if (cut.count < 3) {
-        return FXL_CLIP_DEGENERATE;
-    }
-    out->colour = in->colour;
-    out->carried = in->carried;
-    out->count = (uint8_t)cut.count;
-    return FXL_CLIP_CUT;
+    return result;
+}
+
+typedef struct {
+    fxl_measure measure;
+    const void *planes;
+    fxl_clip_workspace *workspace;
+} clipping;
+
+static inline fxl_clip_result by_plane(const void *with, int plane, const void *in, void *out)
+{
+    const clipping *by = with;
+    fxl_clip_workspace *workspace = by->workspace;
+    by->measure(by->planes, plane, in, &workspace->stats, workspace->distances);
+    return fxl_clip_polygon(in, workspace->distances, &workspace->stats, out);
 }
 
 fxl_clip_result fxl_clip_polygon_by_planes(const fxl_varying_polygon *in, uint32_t any,
@@ -119,25 +97,10 @@ fxl_clip_result fxl_clip_polygon_by_planes(const fxl_varying_polygon *in, uint32
     if (all != 0) {
         return FXL_CLIP_OUTSIDE;
     }
-    const fxl_varying_polygon *current = in;
-    uint32_t spare = in == &workspace->polygons[0] ? 1 : 0;
-    fxl_clip_result so_far = FXL_CLIP_INSIDE;
-    for (int plane = 0; any >> plane != 0; plane++) {
-        if ((any >> plane & 1u) == 0) {
-            continue;
-        }
-        fxl_varying_polygon *out = &workspace->polygons[spare];
-        measure(planes, plane, current, &workspace->stats, workspace->distances);
-        fxl_clip_result cut =
-            fxl_clip_polygon(current, workspace->distances, &workspace->stats, out);
-        if (cut == FXL_CLIP_CUT) {
-            current = out;
-            spare ^= 1u;
-            so_far = FXL_CLIP_CUT;
-        } else if (cut != FXL_CLIP_INSIDE) {
-            return cut;
-        }
-    }
-    *result = current;
-    return so_far;
+    const clipping by = {measure, planes, workspace};
+    const void *left;
+    fxl_clip_result cut = fxl_cut_by_planes(in, workspace->polygons, sizeof workspace->polygons[0],
+                                            any, 0, by_plane, &by, &left);
+    *result = left;
+    return cut;
 }

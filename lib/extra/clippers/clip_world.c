@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/extra/clippers/clip_world.h"
 
+#include "../../src/clip/cut_polygon.h"
 #include "../../src/math/arith.h"
 #include "clip_world_by_planes.h"
 #include "fixel/stage/plane.h"
@@ -31,121 +32,73 @@ static fxl_q16_16 interpolate(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction
     return (fxl_q16_16)(from + fxl_round_shift(fxl_multiply_s64(extent, fraction), 31));
 }
 
-/* Where the edge from an inside to an outside vertex crosses the plane. Always
- * in this direction, so that both owners of an edge get the same bits. */
-static fxl_vertex crossing_vertex(const fxl_vertex *inside, const fxl_vertex *outside,
-                                  fxl_q1_31 fraction, bool textured)
+static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
-    fxl_vertex vertex;
-    const fxl_point *from = &inside->position;
-    const fxl_point *to = &outside->position;
-    vertex.position.x = interpolate(from->x, to->x, fraction);
-    vertex.position.y = interpolate(from->y, to->y, fraction);
-    vertex.position.z = interpolate(from->z, to->z, fraction);
-    vertex.u = textured ? interpolate(inside->u, outside->u, fraction) : 0;
-    vertex.v = textured ? interpolate(inside->v, outside->v, fraction) : 0;
-    return vertex;
+    const fxl_polygon *in = cut->in;
+    fxl_polygon *out = cut->out;
+    out->vertices[to] = in->vertices[from];
 }
 
-/* Fills in every vertex's distance; answers how many are inside. */
-static uint32_t measure(const fxl_polygon *polygon, const fxl_plane *plane, fxl_q18_46 *distances)
+static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
-    uint32_t inside_count = 0;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        distances[i] = fxl_plane_distance(plane, &polygon->vertices[i].position);
-        inside_count += distances[i] >= 0;
-    }
-    return inside_count;
-}
-
-/* Appends a vertex; false when the polygon is full. */
-static bool append(fxl_polygon *polygon, uint32_t *count, const fxl_vertex *vertex)
-{
-    if (*count == FXL_POLYGON_CAPACITY) {
-        return false;
-    }
-    polygon->vertices[*count] = *vertex;
-    *count += 1;
-    return true;
-}
-
-/* Emits the crossing of the edge between two vertices of which one is inside.
- * An inside vertex that lies on the plane is that crossing already. */
-static bool append_crossing(const fxl_polygon *in, const fxl_q18_46 *distances, uint32_t current,
-                            uint32_t next, fxl_polygon *out, uint32_t *count)
-{
-    uint32_t inside = distances[current] >= 0 ? current : next;
-    uint32_t outside = inside == current ? next : current;
-    if (distances[inside] == 0) {
-        return true;
-    }
-    fxl_q1_31 fraction = crossing_fraction(distances[inside], distances[outside]);
-    fxl_vertex vertex =
-        crossing_vertex(&in->vertices[inside], &in->vertices[outside], fraction, in->textured);
-    return append(out, count, &vertex);
+    const fxl_polygon *in = cut->in;
+    const fxl_vertex *a = &in->vertices[inside], *b = &in->vertices[outside];
+    fxl_vertex *vertex = &((fxl_polygon *)cut->out)->vertices[to];
+    fxl_q1_31 fraction = crossing_fraction(cut->distances[inside], cut->distances[outside]);
+    vertex->position.x = interpolate(a->position.x, b->position.x, fraction);
+    vertex->position.y = interpolate(a->position.y, b->position.y, fraction);
+    vertex->position.z = interpolate(a->position.z, b->position.z, fraction);
+    vertex->u = in->textured ? interpolate(a->u, b->u, fraction) : 0;
+    vertex->v = in->textured ? interpolate(a->v, b->v, fraction) : 0;
 }
 
 fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *plane,
                                         fxl_polygon *out, fxl_q18_46 *distances)
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
-    uint32_t inside_count = measure(in, plane, distances);
-    if (inside_count == in->count) {
-        return FXL_CLIP_INSIDE;
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < in->count; i++) {
+        distances[i] = fxl_plane_distance(plane, &in->vertices[i].position);
+        bits |= fxl_cut_bit(distances[i], i);
     }
-    if (inside_count == 0) {
-        return FXL_CLIP_OUTSIDE;
+    fxl_cut cut = {in, out, distances, 0};
+    fxl_clip_result result = fxl_cut_polygon(&cut, copy, cross, bits, in->count);
+    if (result == FXL_CLIP_CUT) {
+        out->colour = in->colour;
+        out->textured = in->textured;
+        out->count = (uint8_t)cut.count;
     }
-    uint32_t count = 0;
-    for (uint32_t current = 0; current < in->count; current++) {
-        uint32_t next = current + 1 == in->count ? 0 : current + 1;
-        bool current_inside = distances[current] >= 0;
-        bool next_inside = distances[next] >= 0;
-        if (current_inside && !append(out, &count, &in->vertices[current])) {
-            return FXL_CLIP_CAPACITY;
-        }
-        if (current_inside != next_inside &&
-            !append_crossing(in, distances, current, next, out, &count)) {
-            return FXL_CLIP_CAPACITY;
-        }
-    }
-    if (count < 3) {
-        return FXL_CLIP_DEGENERATE;
-    }
-    out->colour = in->colour;
-    out->textured = in->textured;
-    out->count = (uint8_t)count;
-    return FXL_CLIP_CUT;
+    return result;
 }
 
+typedef struct {
+    const fxl_frustum *frustum;
+    fxl_clip_world_work *work;
+    fxl_clip_stats *stats;
+} clipping;
+
+static inline fxl_clip_result by_plane(const void *with, int plane, const void *current, void *out)
+{
+    const clipping *to = with;
+    fxl_q18_46 *distances = to->work->distances;
+    const fxl_polygon *in = current;
+    fxl_polygon *left = out;
+    fxl_clip_result cut = fxl_clip_world_to_plane(in, &to->frustum->planes[plane], left, distances);
+    fxl_clip_stats_add(to->stats, distances, in->count, cut == FXL_CLIP_CUT ? left->count : 0);
+    return cut;
+}
+
+/* Rounding may have put a new vertex outside of any plane, so after a cut all are asked. */
 fxl_clip_result fxl_clip_world_by_planes(const fxl_polygon *in, const fxl_frustum *frustum,
                                          unsigned planes, fxl_clip_world_work *work,
                                          fxl_clip_stats *stats, const fxl_polygon **result)
 {
-    const fxl_polygon *current = in;
-    uint32_t spare = in == &work->polygons[0] ? 1 : 0;
-    fxl_clip_result all = FXL_CLIP_INSIDE;
-    for (uint32_t i = 0; planes >> i != 0; i++) {
-        if ((planes >> i & 1u) == 0) {
-            continue;
-        }
-        fxl_polygon *out = &work->polygons[spare];
-        fxl_clip_result cut =
-            fxl_clip_world_to_plane(current, &frustum->planes[i], out, work->distances);
-        fxl_clip_stats_add(stats, work->distances, current->count,
-                           cut == FXL_CLIP_CUT ? out->count : 0);
-        if (cut == FXL_CLIP_CUT) {
-            current = out;
-            spare ^= 1u;
-            all = FXL_CLIP_CUT;
-            planes = FXL_PLANES_ALL; /* rounding may have put a new vertex outside of any */
-        } else if (cut != FXL_CLIP_INSIDE) {
-            *result = NULL;
-            return cut;
-        }
-    }
-    *result = current;
-    return all;
+    const clipping to = {frustum, work, stats};
+    const void *left;
+    fxl_clip_result cut = fxl_cut_by_planes(in, work->polygons, sizeof work->polygons[0], planes,
+                                            FXL_PLANES_ALL, by_plane, &to, &left);
+    *result = left;
+    return cut;
 }
 
 fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,

@@ -3,6 +3,7 @@
  * shortens spans on the right and leaves out rows. */
 #include "guard_band.h"
 
+/* bug: left-to-scan */
 #define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR | 1u << FXL_PLANE_LEFT)
 
 static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
@@ -12,4 +13,4 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return fxl_clip_with_guard_band(model_view, face, SCREEN, screen);
 }
 
-const fxl_clipper fxl_clipper_left = {clip, NULL, sizeof(fxl_volume_workspace), false};
+const fxl_clipper fxl_clipper_left = {clip, NULL, sizeof(fxl_volume_workspace), NULL};

@@ -14,8 +14,8 @@ static fxl_cached_vertex *see(const fxl_model_view *model_view, uint32_t number)
 static fxl_status project(const fxl_model_view *model_view, const fxl_view_point *point,
                           fxl_screen_point *screen)
 {
-    return fxl_normalised_project(&room_of(model_view)->frustum, point,
-                                  screen); /* bug: once-project */
+    /* bug: once-project */
+    return fxl_normalised_project(&room_of(model_view)->frustum, point, screen);
 }
 
 static fxl_varying_polygon *input(const fxl_model_view *model_view)
@@ -43,4 +43,4 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return fxl_clip_common_face(model_view, face, screen, &way, FXL_PLANES_ALL);
 }
 
-const fxl_clipper fxl_clipper_once = {clip, NULL, sizeof(fxl_once_workspace), false};
+const fxl_clipper fxl_clipper_once = {clip, NULL, sizeof(fxl_once_workspace), NULL};

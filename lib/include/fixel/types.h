@@ -17,13 +17,16 @@
  * floor(x + 1/2). The reasons for the ranges stand in SPEC.md.
  */
 
-/* A cast, and an assertion of the compiler's, as C and C++ each have them. */
+/* A cast, an assertion of the compiler's, and an object's alignment to 8 bytes, as C and C++
+ * each have them. */
 #ifdef __cplusplus
 #define FXL_CAST(type, value) static_cast<type>(value)
 #define FXL_STATIC_ASSERT     static_assert
+#define FXL_ALIGN_8           alignas(8)
 #else
 #define FXL_CAST(type, value) ((type)(value))
 #define FXL_STATIC_ASSERT     _Static_assert
+#define FXL_ALIGN_8           _Alignas(8)
 #endif
 
 typedef int32_t fxl_q16_16; /* world units, pixels, texels; unit 1/65536 */
@@ -244,7 +247,8 @@ typedef struct {
 typedef struct {
     uint8_t colour;
     uint8_t count;
-    uint8_t kind; /* how it is filled: FXL_POLYGON_FLAT */
+    uint8_t kind;     /* how it is filled: FXL_POLYGON_FLAT */
+    uint8_t reserved; /* 0 */
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
 

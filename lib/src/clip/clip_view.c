@@ -3,6 +3,7 @@
 
 #include "../math/arith.h"
 #include "clip_stats.h"
+#include "cut_polygon.h"
 #include "../math/divide_wide.h"
 
 /* The upper 32 bits; by an unsigned shift, which compilers see through. */
@@ -60,114 +61,71 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* Where the edge from an inside to an outside vertex crosses the plane. Always
- * in this direction, so that both owners of an edge get the same bits. */
-static void set_crossing(const fxl_view_point *inside, const fxl_view_point *outside,
-                         uint64_t fraction, fxl_view_point *point)
+static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
-    point->x = interpolate(inside->x, outside->x, fraction);
-    point->y = interpolate(inside->y, outside->y, fraction);
-    point->z = interpolate(inside->z, outside->z, fraction);
+    const fxl_view_polygon *in = cut->in;
+    fxl_view_polygon *out = cut->out;
+    out->vertices[to] = in->vertices[from];
 }
 
-/* Fills in every vertex's distance; answers how many are inside. */
-static uint32_t measure(const fxl_view_polygon *polygon, const fxl_view_frustum *frustum, int plane,
-                        fxl_q18_46 *distances)
+static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
-    uint32_t inside_count = 0;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        distances[i] = fxl_view_distance(frustum, plane, &polygon->vertices[i].position);
-        inside_count += distances[i] >= 0;
-    }
-    return inside_count;
-}
-
-/* Appends a vertex; false when the polygon is full. */
-static bool append(fxl_view_polygon *polygon, uint32_t *count, const fxl_view_point *point)
-{
-    if (*count == FXL_POLYGON_CAPACITY) {
-        return false;
-    }
-    polygon->vertices[*count].position = *point;
-    *count += 1;
-    return true;
-}
-
-/* Emits what an edge contributes: its first vertex if that is inside, then the
- * crossing if one end is inside and the other outside. An inside end that lies
- * on the plane is that crossing already. */
-static bool append_edge(const fxl_view_polygon *in, const fxl_q18_46 *distances, uint32_t current,
-                        uint32_t next, fxl_view_polygon *out, uint32_t *count)
-{
-    const bool current_inside = distances[current] >= 0;
-    const uint32_t inside = current_inside ? current : next;
-    const uint32_t outside = current_inside ? next : current;
+    const fxl_view_polygon *in = cut->in;
+    fxl_view_polygon *out = cut->out;
     const fxl_view_point *from = &in->vertices[inside].position;
-    if (current_inside && !append(out, count, from)) {
-        return false;
-    }
-    if (distances[inside] <= 0 || distances[outside] >= 0) {
-        return true;
-    }
-    fxl_view_point crossing;
-    set_crossing(from, &in->vertices[outside].position,
-                 crossing_fraction(distances[inside], distances[outside]), &crossing);
-    return append(out, count, &crossing);
+    const fxl_view_point *end = &in->vertices[outside].position;
+    const uint64_t fraction = crossing_fraction(cut->distances[inside], cut->distances[outside]);
+    fxl_view_point *point = &out->vertices[to].position;
+    point->x = interpolate(from->x, end->x, fraction);
+    point->y = interpolate(from->y, end->y, fraction);
+    point->z = interpolate(from->z, end->z, fraction);
 }
 
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        int plane, fxl_view_polygon *out, fxl_q18_46 *distances)
 {
     FXL_ASSERT(in != out && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
-    uint32_t inside_count = measure(in, frustum, plane, distances);
-    if (inside_count == in->count) {
-        return FXL_CLIP_INSIDE;
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < in->count; i++) {
+        distances[i] = fxl_view_distance(frustum, plane, &in->vertices[i].position);
+        bits |= fxl_cut_bit(distances[i], i);
     }
-    if (inside_count == 0) {
-        return FXL_CLIP_OUTSIDE;
+    fxl_cut cut = {in, out, distances, 0};
+    fxl_clip_result result = fxl_cut_polygon(&cut, copy, cross, bits, in->count);
+    if (result == FXL_CLIP_CUT) {
+        out->colour = in->colour;
+        out->count = (uint8_t)cut.count;
     }
-    uint32_t count = 0;
-    for (uint32_t current = 0; current < in->count; current++) {
-        uint32_t next = current + 1 == in->count ? 0 : current + 1;
-        if (!append_edge(in, distances, current, next, out, &count)) {
-            return FXL_CLIP_CAPACITY;
-        }
-    }
-    if (count < 3) {
-        return FXL_CLIP_DEGENERATE;
-    }
-    out->colour = in->colour;
-    out->count = (uint8_t)count;
-    return FXL_CLIP_CUT;
+    return result;
+}
+
+typedef struct {
+    const fxl_view_frustum *frustum;
+    fxl_clip_view_work *work;
+    fxl_clip_stats *stats;
+} clipping;
+
+static inline fxl_clip_result by_plane(const void *with, int plane, const void *current, void *out)
+{
+    const clipping *to = with;
+    const fxl_view_polygon *in = current;
+    fxl_view_polygon *left = out;
+    fxl_clip_result cut = fxl_clip_view_to_plane(in, to->frustum, plane, left, to->work->distances);
+    fxl_clip_stats_add(to->stats, to->work->distances, in->count,
+                       cut == FXL_CLIP_CUT ? left->count : 0);
+    return cut;
 }
 
 fxl_clip_result fxl_clip_view_by_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                         fxl_planes planes, fxl_clip_view_work *work,
                                         fxl_clip_stats *stats, const fxl_view_polygon **result)
 {
-    const fxl_view_polygon *current = in;
-    uint32_t spare = in == &work->polygons[0] ? 1 : 0;
-    fxl_clip_result all = FXL_CLIP_INSIDE;
-    unsigned left = planes;
-    for (int plane = 0; left != 0; plane++, left >>= 1) {
-        if ((left & 1) == 0) {
-            continue;
-        }
-        fxl_view_polygon *out = &work->polygons[spare];
-        fxl_clip_result cut = fxl_clip_view_to_plane(current, frustum, plane, out, work->distances);
-        fxl_clip_stats_add(stats, work->distances, current->count,
-                           cut == FXL_CLIP_CUT ? out->count : 0);
-        if (cut == FXL_CLIP_CUT) {
-            current = out;
-            spare ^= 1u;
-            all = FXL_CLIP_CUT;
-        } else if (cut != FXL_CLIP_INSIDE) {
-            *result = NULL;
-            return cut;
-        }
-    }
-    *result = current;
-    return all; /* bug: cut-twice-whole */
+    const clipping to = {frustum, work, stats};
+    const void *left;
+    fxl_clip_result cut = fxl_cut_by_planes(in, work->polygons, sizeof work->polygons[0], planes, 0,
+                                            by_plane, &to, &left);
+    *result = left;
+    return cut;
 }
 
 fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,

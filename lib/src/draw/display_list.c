@@ -5,9 +5,11 @@
 
 #include "../math/arith.h"
 
-/* A record: first row and, above it, end row, 16 bits each; colour, count and kind, from the
- * lowest, 8 bits each; then x and y of each point. Points are read where they lie. */
+/* A record: first row and, above it, end row, 16 bits each; a word that is the polygon's first:
+ * colour, count, kind and reserved; then x and y of each point, read where they lie. */
 _Static_assert(sizeof(fxl_screen_point) == 2 * sizeof(uint32_t), "two words a point");
+FXL_STATIC_ASSERT(offsetof(fxl_screen_polygon, points) == sizeof(uint32_t),
+                  "a word before the points");
 _Static_assert(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
 
 static bool meet(fxl_rows a, fxl_rows b)
@@ -26,8 +28,7 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
     }
     uint32_t *to = list->words + list->used;
     to[0] = (uint32_t)rows.end << 16 | rows.first; /* bug: list-row-end */
-    to[1] = (uint32_t)polygon->kind << 16 | (uint32_t)polygon->count << 8 | polygon->colour;
-    memcpy(to + 2, polygon->points, polygon->count * sizeof polygon->points[0]);
+    memcpy(to + 1, polygon, (words - 1) * sizeof *to);
     list->used += words;
     return true;
 }
@@ -38,13 +39,13 @@ bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t
     while (*place < list->used) {
         const uint32_t *from = list->words + *place;
         fxl_rows reached = {(uint16_t)from[0], (uint16_t)(from[0] >> 16)};
-        uint8_t count = (uint8_t)(from[1] >> 8);
-        *place += FXL_DISPLAY_LIST_WORDS((uint32_t)count);
+        const uint8_t *head = (const uint8_t *)(from + 1); /* colour, count, kind */
+        *place += FXL_DISPLAY_LIST_WORDS((uint32_t)head[1]);
         if (meet(reached, rows)) {
             record->rows = reached;
-            record->colour = (uint8_t)from[1];
-            record->count = count;
-            record->kind = (uint8_t)(from[1] >> 16);
+            record->colour = head[0];
+            record->count = head[1];
+            record->kind = head[2];
             record->points = (const fxl_screen_point *)(const void *)(from + 2);
             return true;
         }

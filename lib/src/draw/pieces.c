@@ -7,7 +7,7 @@ void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on)
     pieces->on = on;
     pieces->planes = FXL_PLANES_ALL;
     pieces->outcome = 0;
-    pieces->used = on->display_list != NULL ? on->display_list->used : 0;
+    pieces->used = on->renderer->frame.display_list.used;
 }
 
 bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour)
@@ -16,9 +16,9 @@ bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t coun
     const fxl_face face = {.count = (uint8_t)count, .colour = colour};
     fxl_model_view model_view;
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    fxl_model_view_of_polygon(&model_view, points, pieces->planes, &on->frame->view,
+    fxl_model_view_of_polygon(&model_view, points, pieces->planes, &on->renderer->frame.view,
                               &on->workspace->cache);
-    pieces->outcome |= fxl_submit_polygons(on, &model_view, &face);
+    pieces->outcome |= fxl_submit_polygons(&model_view, &face, on);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 
@@ -27,10 +27,10 @@ bool fxl_pieces_end(fxl_pieces *pieces)
     return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);
 }
 
-bool fxl_submit_lit_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                         const fxl_face *face)
+bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
+                         const fxl_traversal *on)
 {
-    const fxl_beam_light *light = on->renderer->beam_light;
+    const fxl_beam_light *light = model_view->beam_light;
     const fxl_point *eye = &model_view->view->camera.position;
     const uint16_t *corners = model_view->indices + face->first_index;
     fxl_point points[FXL_FACE_VERTICES_MAX];

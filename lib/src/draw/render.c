@@ -27,6 +27,16 @@ static void begin_counters(fxl_counters *counters, uint32_t culled)
     counters->outside = culled;
 }
 
+static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
+{
+    if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
+        return FXL_SUBMIT_ANY;
+    }
+    return is_begin                                    ? FXL_SUBMIT_APPEND
+           : renderer->visibility->backend->draws_over ? FXL_SUBMIT_DRAW
+                                                       : FXL_SUBMIT_ANY;
+}
+
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 {
     if (renderer == NULL) {
@@ -45,8 +55,8 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     if (status != FXL_OK) {
         return fxl_renderer_refuse(renderer, status);
     }
-    if (renderer->clipper->in_world) {
-        fxl_view_set_world_frustum(&frame->view);
+    if (renderer->clipper->begin != NULL) {
+        renderer->clipper->begin(&frame->view);
     }
     /* cull and sort */
     uint32_t culled;
@@ -54,7 +64,6 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
         renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->order, &culled);
     begin_counters(&workspace->counters, culled);
     workspace->counted = false;
-    workspace->face_order = frame->order + renderer->scene->instance_count;
     /* bug: sorted-stale */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
     /* for each face: transform, clip, project, append */
@@ -62,11 +71,13 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     frame->resume.instances = 0;
     frame->resume.faces = 0;
     const fxl_traversal on = {.renderer = renderer,
-                              .frame = frame,
+                              .clipper = renderer->clipper,
                               .workspace = workspace,
                               .display_list = &frame->display_list,
+                              .band = NULL,
                               .resume = &frame->resume,
-                              .counters = &workspace->counters};
+                              .counters = &workspace->counters,
+                              .way = way_of(renderer, true)};
     (void)renderer->visibility->submit(&on);
     frame->ready = true;
     return FXL_OK;
@@ -80,7 +91,7 @@ static fxl_outcome deliver(const fxl_traversal *on)
 {
     fxl_workspace *workspace = on->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
-    fxl_rows rows = fxl_scan_rows(screen, on->frame->view.lens.height);
+    fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
     }
@@ -94,23 +105,26 @@ static fxl_outcome deliver(const fxl_traversal *on)
                : FXL_OUTCOME_FULL;
 }
 
-fxl_outcome fxl_submit_polygons(const fxl_traversal *on, const fxl_model_view *model_view,
-                                const fxl_face *face)
+/* Every polygon that a face gives; cut: the first one's result. */
+static fxl_outcome deliver_all(const fxl_traversal *on, const fxl_model_view *model_view,
+                               fxl_clip_result cut)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_clipper *clipper = on->renderer->clipper;
-    fxl_clip_result cut =
-        clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
         outcome |= deliver(on);
-        if (clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
+        if (on->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;
         }
-        cut = clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+        cut = fxl_next_polygon(model_view, on);
         outcome |= (fxl_outcome)1 << cut; /* bug: last-polygon */
     }
     return outcome;
+}
+
+fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
+                                const fxl_traversal *on)
+{
+    return deliver_all(on, model_view, fxl_first_polygon(model_view, face, on));
 }
 
 bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t used)
@@ -153,42 +167,43 @@ static void fill(fxl_scan *scan, uint8_t colour, const fxl_band *band)
     }
 }
 
-/* A face at once into a band, by the backend that draws over what is there, for a clipper that
- * gives one polygon at most: the rows are found once for scanning and counting. */
-static bool draw_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                      const fxl_face *face)
+/* The polygon on the screen straight into the band: its rows are found once, for scanning and
+ * for counting. */
+static void draw_at_once(const fxl_traversal *on)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_screen_polygon *screen = &workspace->screen;
+    const fxl_screen_polygon *screen = &on->workspace->screen;
+    fxl_scan *scan = &on->workspace->work.scan;
+    fxl_scan_outline(screen->points, screen->count, on->band, scan);
+    if (fxl_scan_is_on_screen(scan, on->renderer->frame.view.lens.height)) {
+        on->counters->spilled += 1;
+        fill(scan, screen->colour, on->band);
+    }
+}
+
+bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
+                     const fxl_traversal *on)
+{
     fxl_counters *counters = on->counters;
-    fxl_clip_result cut =
-        on->renderer->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
-    if (cut == FXL_CLIP_BETWEEN) {
+    if (model_view->beam_light != NULL) {
+        return model_view->beam_light->face(model_view, face, on);
+    }
+    const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
+    if (!FXL_IS_SMALL && cut == FXL_CLIP_BETWEEN) {
         counters->drawn += 1;
         return true;
     }
-    if (cut != FXL_CLIP_INSIDE && cut != FXL_CLIP_CUT) {
-        return fxl_count_outcome(on, (fxl_outcome)1 << cut, 0);
+    if (FXL_IS_SMALL || on->way == FXL_SUBMIT_ANY || cut > FXL_CLIP_CUT) {
+        const uint32_t used = on->renderer->frame.display_list.used;
+        return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
     }
-    fxl_scan *scan = &workspace->work.scan;
-    fxl_scan_outline(screen->points, screen->count, on->band, scan);
-    if (fxl_scan_is_on_screen(scan, on->frame->view.lens.height)) {
-        counters->spilled += 1;
-        fill(scan, screen->colour, on->band);
+    if (on->way == FXL_SUBMIT_DRAW) {
+        draw_at_once(on);
+    } else if (deliver(on) != 0) {
+        return false;
     }
     counters->drawn += 1;
     counters->clipped += cut == FXL_CLIP_CUT;
     return true;
-}
-
-bool fxl_submit_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                     const fxl_face *face)
-{
-    if (!FXL_IS_SMALL && on->draws_over) {
-        return draw_face(on, model_view, face);
-    }
-    uint32_t used = on->display_list != NULL ? on->display_list->used : 0;
-    return fxl_count_outcome(on, fxl_submit_polygons(on, model_view, face), used);
 }
 
 /* --- draw -------------------------------------------------------------------------------- */
@@ -212,7 +227,7 @@ static bool draw_display_list(const fxl_traversal *on)
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     fxl_display_list_record record;
     uint32_t place = 0;
-    while (fxl_display_list_next(&on->frame->display_list, wanted, &place, &record)) {
+    while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
         if (!backend->draw_polygon(on->workspace, record.points, record.count, record.colour,
                                    band)) {
             return false;
@@ -228,12 +243,13 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */
     fxl_counters uncounted = {0};
     const fxl_traversal on = {.renderer = renderer,
-                              .frame = &renderer->frame,
+                              .clipper = renderer->clipper,
                               .workspace = workspace,
+                              .display_list = NULL,
                               .band = band,
                               .resume = &resume,
                               .counters = workspace->counted ? &uncounted : &workspace->counters,
-                              .draws_over = backend->draws_over && renderer->clipper->next == NULL};
+                              .way = way_of(renderer, false)};
     if (backend->begin_band != NULL) {
         backend->begin_band(renderer, workspace, band);
     }

@@ -14,30 +14,6 @@ fxl_status fxl_renderer_refuse(fxl_renderer *renderer, fxl_status status)
     return status;
 }
 
-static void set_up_frame(fxl_frame *frame, const fxl_lens *lens, const fxl_memory *memory)
-{
-    fxl_view_set_lens(&frame->view, lens);
-    frame->order = memory->order;
-    frame->display_list.words = memory->display_list;
-    frame->display_list.capacity = memory->display_list_capacity;
-    frame->display_list.used = 0;
-    frame->background = 0;
-    frame->ready = false;
-}
-
-static void set_up_workspace(fxl_workspace *workspace, const fxl_memory *memory)
-{
-    if (memory->cache_capacity > 0) {
-        fxl_vertex_cache_init(&workspace->cache, memory->cache, memory->cache_capacity);
-    } else {
-        fxl_vertex_cache_init(&workspace->cache, &workspace->own_entry, 1);
-    }
-    workspace->raster_workspace = NULL;
-    workspace->raster_workspace_size = 0;
-    workspace->screen.kind = FXL_POLYGON_FLAT;
-    memset(&workspace->counters, 0, sizeof workspace->counters);
-}
-
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory)
 {
@@ -54,16 +30,23 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
         scene->order_needed < scene->instance_count) {
         return FXL_E_CAPACITY;
     }
+    fxl_frame *frame = &renderer->frame;
+    fxl_workspace *workspace = &renderer->workspace;
+    memset(renderer, 0, sizeof *renderer);
     renderer->scene = scene;
-    renderer->clipper = NULL;
-    renderer->visibility = NULL;
-    renderer->beam_light = NULL;
-    renderer->submit_workspace = NULL;
     /* The entries beyond the instances' are for the faces of one model. */
     renderer->instance_capacity =
         memory->order_capacity - (scene->order_needed - scene->instance_count);
-    set_up_frame(&renderer->frame, lens, memory);
-    set_up_workspace(&renderer->workspace, memory);
+    fxl_view_set_lens(&frame->view, lens);
+    frame->order = memory->order;
+    frame->display_list.words = memory->display_list;
+    frame->display_list.capacity = memory->display_list_capacity;
+    workspace->face_order = memory->order + renderer->instance_capacity;
+    if (memory->cache_capacity > 0) {
+        fxl_vertex_cache_init(&workspace->cache, memory->cache, memory->cache_capacity);
+    } else {
+        fxl_vertex_cache_init(&workspace->cache, &workspace->own_entry, 1);
+    }
     return FXL_OK;
 }
 

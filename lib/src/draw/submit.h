@@ -5,31 +5,32 @@
 
 #include "fixel/render.h"
 
+/* What becomes of a face of which the clipper gives one polygon at most. */
+typedef enum {
+    FXL_SUBMIT_ANY,    /* nothing is known: the clipper may give several, any backend draws */
+    FXL_SUBMIT_APPEND, /* it is appended to the display list */
+    FXL_SUBMIT_DRAW    /* it is drawn at once, over what is there */
+} fxl_submit_way;
+
 /* A traversal fills the display list (fxl_frame_begin), or draws into a band what the list had
  * no room for (fxl_frame_draw). */
 struct fxl_traversal {
     const fxl_renderer *renderer;
-    const fxl_frame *frame;
+    const fxl_clipper *clipper; /* the renderer's */
     fxl_workspace *workspace;
     fxl_display_list *display_list; /* the frame's, to be filled; null: a band is drawn */
     const fxl_band *band;           /* null: the display list is filled */
     fxl_resume_point *resume;       /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
-    bool draws_over; /* faces go straight into the band (fxl_raster_backend.draws_over) */
+    fxl_submit_way way;
 };
 
-/* transform -> clip -> project -> display list or band, for a face that faces the eye. Counts
- * it in everything but `in`. False where there is no room, in the list or in the backend's
- * workspace: the face is then not counted, and the list is as it was. */
-bool fxl_submit_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                     const fxl_face *face);
-
-/* The beams that may light an instance; null where none does. */
-const fxl_beam_light *fxl_instance_light(const fxl_traversal *on, const fxl_instance *instance);
-
-/* fxl_submit_face, or the light's own way for an instance that beams may light. */
-bool fxl_submit_face_lit(const fxl_traversal *on, const fxl_beam_light *light,
-                         const fxl_model_view *model_view, const fxl_face *face);
+/* transform -> clip -> project -> display list or band, for a face that faces the eye; split by
+ * beams before, where model_view->beam_light says so. Counts it in everything but `in`. False where
+ * there is no room, in the list or in the backend's workspace: the face is then not counted, and
+ * the list is as it was. */
+bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
+                     const fxl_traversal *on);
 
 /* The faces of an instance that are left, from on->resume->faces on: all of them counted, by
  * number or by distance, in the order of the method. False where the traversal was stopped. */
@@ -37,6 +38,11 @@ bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry);
 
 /* fxl_visibility.submit: the instances in sight by layer and distance. */
 bool fxl_submit_by_distance(const fxl_traversal *on);
+
+/* An instance of the order in the view of this frame, with the beams that may light it.
+ * Answers the instance. */
+const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
+                                      fxl_model_view *model_view);
 
 /* The display list, then the rest of the scene, into a band of a frame. False where the
  * backend's workspace is full: what was counted must then be forgotten. */
@@ -54,9 +60,26 @@ typedef uint32_t fxl_outcome;
 #define FXL_OUTCOME_SPILLED ((fxl_outcome)1 << 30) /* one was drawn that is not in the list */
 #define FXL_OUTCOME_FULL    ((fxl_outcome)1 << 31) /* no room: all else must be forgotten */
 
+/* transform -> clip -> project: a face's first polygon, into workspace->screen where one is left.
+ */
+static inline fxl_clip_result fxl_first_polygon(const fxl_model_view *model_view,
+                                                const fxl_face *face, const fxl_traversal *on)
+{
+    fxl_workspace *workspace = on->workspace;
+    return on->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+}
+
+/* The next one, of a clipper that has `next`. */
+static inline fxl_clip_result fxl_next_polygon(const fxl_model_view *model_view,
+                                               const fxl_traversal *on)
+{
+    fxl_workspace *workspace = on->workspace;
+    return on->clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+}
+
 /* transform -> clip -> project -> display list or band, for every polygon that a face gives. */
-fxl_outcome fxl_submit_polygons(const fxl_traversal *on, const fxl_model_view *model_view,
-                                const fxl_face *face);
+fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
+                                const fxl_traversal *on);
 
 /* Counts a face in everything but `in`: refused where one of its polygons was, else drawn where
  * one was. False where there was no room: then nothing is counted, and the display list is cut
@@ -89,10 +112,11 @@ bool fxl_pieces_end(fxl_pieces *pieces);
 /* What splits faces into the parts inside and outside of light beams. Its maker puts it first
  * in a record of its own; renderer->beam_light points there. */
 struct fxl_beam_light {
-    /* Whether a beam may reach a sphere of the world. */
-    bool (*reaches)(const fxl_beam_light *light, const fxl_point *centre, fxl_q16_16 radius);
+    /* Whether a beam may reach an instance. */
+    bool (*reaches)(const fxl_beam_light *light, const fxl_scene *scene,
+                    const fxl_instance *instance);
     /* Takes the faces of an instance that a beam may reach: fxl_submit_lit_face, or another. */
-    bool (*face)(const fxl_traversal *on, const fxl_model_view *model_view, const fxl_face *face);
+    bool (*face)(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on);
     /* Splits a polygon of the world, a piece or all of a face, and gives what it makes of it
      * to fxl_submit_piece. False where that answers false. */
     bool (*split)(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
@@ -100,7 +124,7 @@ struct fxl_beam_light {
 };
 
 /* fxl_beam_light.face: the face's polygon of the world, split, counted once. */
-bool fxl_submit_lit_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                         const fxl_face *face);
+bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
+                         const fxl_traversal *on);
 
 #endif

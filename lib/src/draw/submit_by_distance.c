@@ -2,28 +2,25 @@
 #include "../view/facing.h"
 #include "submit.h"
 
-const fxl_beam_light *fxl_instance_light(const fxl_traversal *on, const fxl_instance *instance)
+const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
+                                      fxl_model_view *model_view)
 {
-    const fxl_beam_light *light = on->renderer->beam_light;
-    if (light == NULL || light->reaches(light, &instance->centre,
-                                        on->renderer->scene->models[instance->model].radius)) {
-        return light;
+    const fxl_renderer *renderer = on->renderer;
+    const fxl_instance *instance = &renderer->scene->instances[entry->index];
+    const fxl_beam_light *light = renderer->beam_light;
+    fxl_model_view_of_instance(model_view, renderer->scene, instance, entry->planes,
+                               &renderer->frame.view, &on->workspace->cache);
+    if (light != NULL && light->reaches(light, renderer->scene, instance)) {
+        model_view->beam_light = light;
     }
-    return NULL;
-}
-
-bool fxl_submit_face_lit(const fxl_traversal *on, const fxl_beam_light *light,
-                         const fxl_model_view *model_view, const fxl_face *face)
-{
-    return light == NULL ? fxl_submit_face(on, model_view, face)
-                         : light->face(on, model_view, face);
+    return instance;
 }
 
 /* A convex instance: none of its faces hides another, so any order will do. Front to back
  * they come in reverse, so that the first face to cover a pixel is the one that would cover it
  * last back to front. */
 static bool submit_convex(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_model *model, const fxl_beam_light *light)
+                          const fxl_model *model)
 {
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
     const bool reverse = on->renderer->visibility->front_to_back; /* bug: reverse-rising */
@@ -33,7 +30,7 @@ static bool submit_convex(const fxl_traversal *on, const fxl_model_view *model_v
     for (number = first; number < model->face_count; number++) {
         if (!fxl_model_view_face_is_front(model_view, &faces[at])) {
             backfacing++;
-        } else if (!fxl_submit_face_lit(on, light, model_view, &faces[at])) {
+        } else if (!fxl_submit_face(model_view, &faces[at], on)) {
             break;
         }
         at += step;
@@ -46,16 +43,15 @@ static bool submit_convex(const fxl_traversal *on, const fxl_model_view *model_v
 
 /* The faces that face the eye, in their order; then the others are counted. */
 static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_instance *instance, const fxl_model *model,
-                          const fxl_beam_light *light)
+                          const fxl_instance *instance, const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
     fxl_workspace *workspace = on->workspace;
     fxl_order_entry *order = workspace->face_order;
     if (workspace->sorted_instance != on->resume->instances) {
         workspace->sorted_instance = on->resume->instances;
-        workspace->front_count =
-            (uint16_t)fxl_order_faces(scene, instance, &on->frame->view.camera.position, order);
+        workspace->front_count = (uint16_t)fxl_order_faces(
+            scene, instance, &on->renderer->frame.view.camera.position, order);
     }
     const fxl_face *faces = &scene->faces[model->first_face];
     const uint32_t first = on->resume->faces, front = workspace->front_count;
@@ -64,7 +60,7 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
     const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
     const fxl_order_entry *at = order + place;
     uint32_t number = first;
-    while (number < front && fxl_submit_face_lit(on, light, model_view, &faces[at->face])) {
+    while (number < front && fxl_submit_face(model_view, &faces[at->face], on)) {
         at += reverse ? -1 : 1;
         number++;
     }
@@ -80,24 +76,21 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
 
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_model *model = &scene->models[instance->model];
-    const fxl_beam_light *light = fxl_instance_light(on, instance);
-    fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->planes, &on->frame->view,
-                               &on->workspace->cache);
-    return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, instance, model, light)
-                                           : submit_convex(on, &model_view, model, light);
+    FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
+    const fxl_instance *instance = fxl_view_instance(on, entry, &model_view);
+    const fxl_model *model = &on->renderer->scene->models[instance->model];
+    return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, instance, model)
+                                           : submit_convex(on, &model_view, model);
 }
 
 bool fxl_submit_by_distance(const fxl_traversal *on)
 {
-    const uint32_t count = on->frame->visible_count;
+    const fxl_order_entry *order = on->renderer->frame.order;
+    const uint32_t count = on->renderer->frame.visible_count;
     const bool reverse = on->renderer->visibility->front_to_back;
     for (; on->resume->instances < count; on->resume->instances++) {
         const uint32_t number = on->resume->instances;
-        if (!fxl_submit_instance(on, &on->frame->order[reverse ? count - 1 - number : number])) {
+        if (!fxl_submit_instance(on, &order[reverse ? count - 1 - number : number])) {
             return false;
         }
         on->resume->faces = 0;

@@ -46,7 +46,7 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
 {
     FXL_ASSERT(denominator > 0);
     uint32_t rest;
-    int64_t sign = numerator >> 63;
+    int64_t sign = numerator >> 63; /* bug: negative-dividend */
     return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &rest) ^
            (int32_t)sign;
 }
@@ -55,7 +55,8 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
  * half that is cut off decides nothing. Costs half a unit. */
 static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
 {
-    return fxl_divide_down(numerator + (denominator >> 1), denominator);
+    /* bug: half-up */
+    return fxl_divide_down(numerator + (denominator >> 1), denominator); /* bug: half-down */
 }
 
 /* floor(numerator / denominator) and what is left, denominator > 0. */

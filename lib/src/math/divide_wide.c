@@ -18,14 +18,14 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
     /* The quotient's bits are 0 while what is left is shorter than the denominator: all of
      * these but the last are skipped. */
     unsigned bits = fxl_leading_zeros(left) - fxl_leading_zeros(denominator);
-    bits -= bits != 0;
+    bits -= bits != 0; /* bug: small-skip */
     left = left << bits | lower >> 1 >> (31 - bits);
     lower <<= bits;
     for (bits = 32 - bits; bits != 0; bits--) {
         bool carry = left >> 31 != 0;
         left = left << 1 | lower >> 31;
         lower <<= 1;
-        if (carry || left >= denominator) {
+        if (carry || left >= denominator) { /* bug: small-carry */
             left -= denominator;
             lower |= 1u;
         }

@@ -73,6 +73,7 @@ static void next_stretch(fxl_active_edges *crossings, int32_t *x0, int32_t *x1)
         winding += crossing->winding;
         crossing++;
         crossings->next += 1;
+        /* bug: even-odd */
     } while (crossings->next < crossings->found_count && (winding != 0 || crossing->x == *x1));
     FXL_ASSERT(winding == 0);
 }

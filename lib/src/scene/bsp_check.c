@@ -2,16 +2,8 @@
 #include "bsp_check.h"
 
 #include "bsp_node.h"
+#include "fault.h"
 #include "../math/unit_vector.h"
-
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
-{
-    if (fault != NULL) {
-        fault->what = what;
-        fault->index = index;
-    }
-    return status;
-}
 
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
  * other object's, so that nothing else is to be clipped to the tree with it. What is
@@ -19,12 +11,12 @@ static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index,
 static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_instance >= scene->instance_count) {
-        return fail(fault, "BSP tree", 0, FXL_E_INDEX);
+        return fxl_fault_at(fault, "BSP tree", 0, FXL_E_INDEX);
     }
     const fxl_instance *owner = &scene->instances[scene->bsp_instance];
     uint32_t model = owner->model;
     if (scene->models[model].kind != FXL_MODEL_SORTED) {
-        return fail(fault, "BSP tree", 0, FXL_E_RESERVED);
+        return fxl_fault_at(fault, "BSP tree", 0, FXL_E_RESERVED);
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
@@ -32,7 +24,7 @@ static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
         bool moves = instance->layer == owner->layer;
         if (instance != owner &&
             (shares || (moves && scene->models[instance->model].kind != FXL_MODEL_CONVEX))) {
-            return fail(fault, "instance", i, FXL_E_BSP);
+            return fxl_fault_at(fault, "instance", i, FXL_E_BSP);
         }
     }
     return FXL_OK;
@@ -125,24 +117,25 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
             status = FXL_E_RANGE;
         }
         if (status != FXL_OK) {
-            return fail(fault, "BSP node", i, status);
+            return fxl_fault_at(fault, "BSP node", i, status);
         }
         if (node->first_face != first || node->face_count > model->face_count - first) {
-            return fail(fault, "BSP node", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "BSP node", i, FXL_E_INDEX);
         }
         for (uint32_t j = 0; j < node->face_count; j++) {
             uint32_t number = model->first_face + first + j;
             if (!lies_on(scene, model, &scene->faces[number], node)) {
-                return fail(fault, "face", number, FXL_E_PLANARITY);
+                return fxl_fault_at(fault, "face", number, FXL_E_PLANARITY);
             }
         }
         if (!sphere_holds(scene, model, i)) {
-            return fail(fault, "BSP node", i, FXL_E_RADIUS);
+            return fxl_fault_at(fault, "BSP node", i, FXL_E_RADIUS);
         }
         first += node->face_count;
     }
     /* bug: tree-faces */
-    return first == model->face_count ? FXL_OK : fail(fault, "BSP node table", 0, FXL_E_COUNT);
+    return first == model->face_count ? FXL_OK
+                                      : fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
 }
 
 /* Goes through the tree as its nodes are listed, without a stack. Each step down
@@ -154,7 +147,7 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
     uint32_t at = 0, next = 1, depth = 0;
     bool front_done = false;
     if (nodes[0].parent != FXL_BSP_NONE) {
-        return fail(fault, "BSP node", 0, FXL_E_BSP);
+        return fxl_fault_at(fault, "BSP node", 0, FXL_E_BSP);
     }
     for (;;) {
         uint32_t below = front_done ? nodes[at].back : nodes[at].front;
@@ -162,7 +155,7 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
             /* bug: tree-parent */
             if (below != next || next >= scene->bsp_node_count || nodes[below].parent != at ||
                 depth == FXL_BSP_DEPTH_MAX) {
-                return fail(fault, "BSP node", at, FXL_E_BSP);
+                return fxl_fault_at(fault, "BSP node", at, FXL_E_BSP);
             }
             at = below;
             next += 1;
@@ -183,7 +176,8 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
             }
         }
     }
-    return next == scene->bsp_node_count ? FXL_OK : fail(fault, "BSP node", next, FXL_E_BSP);
+    return next == scene->bsp_node_count ? FXL_OK
+                                         : fxl_fault_at(fault, "BSP node", next, FXL_E_BSP);
 }
 
 fxl_status fxl_bsp_check(const fxl_scene *scene, fxl_scene_fault *fault)
@@ -191,10 +185,10 @@ fxl_status fxl_bsp_check(const fxl_scene *scene, fxl_scene_fault *fault)
     if (scene->bsp_nodes == NULL) {
         return scene->bsp_node_count == 0 && scene->bsp_instance == 0
                    ? FXL_OK
-                   : fail(fault, "BSP node table", 0, FXL_E_COUNT);
+                   : fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
     }
     if (scene->bsp_node_count == 0 || scene->bsp_node_count > FXL_BSP_NODES_MAX) {
-        return fail(fault, "BSP node table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
     }
     fxl_status status = check_owner(scene, fault);
     if (status == FXL_OK) {

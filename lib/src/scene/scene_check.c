@@ -6,17 +6,9 @@
 
 #include "../math/arith.h"
 #include "face_bounds.h"
+#include "fault.h"
 #include "scene_check.h"
 #include "../math/unit_vector.h"
-
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
-{
-    if (fault != NULL) {
-        fault->what = what;
-        fault->index = index;
-    }
-    return status;
-}
 
 static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 {
@@ -26,19 +18,19 @@ static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
-        return fail(fault, "vertex table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->index_count, 3, FXL_SCENE_INDICES_MAX)) {
-        return fail(fault, "index table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "index table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
-        return fail(fault, "face table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "face table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->model_count, 1, FXL_SCENE_MODELS_MAX)) {
-        return fail(fault, "model table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "model table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->instance_count, 1, FXL_SCENE_INSTANCES_MAX)) {
-        return fail(fault, "instance table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "instance table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -48,17 +40,17 @@ static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const fxl_face *face = &scene->faces[i];
         if (face->reserved != 0) {
-            return fail(fault, "face", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "face", i, FXL_E_RESERVED);
         }
         if (!count_in(face->count, 3, FXL_SCENE_FACE_VERTICES_MAX)) {
-            return fail(fault, "face", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "face", i, FXL_E_COUNT);
         }
         if (face->count > FXL_FACE_VERTICES_MAX) {
-            return fail(fault, "face", i, FXL_E_CAPACITY);
+            return fxl_fault_at(fault, "face", i, FXL_E_CAPACITY);
         }
         if (face->first_index > scene->index_count ||
             face->count > scene->index_count - face->first_index) {
-            return fail(fault, "face", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "face", i, FXL_E_INDEX);
         }
     }
     return FXL_OK;
@@ -71,7 +63,7 @@ static fxl_status check_corners(const fxl_scene *scene, const fxl_model *model,
         const fxl_face *face = &scene->faces[model->first_face + i];
         for (uint32_t corner = 0; corner < face->count; corner++) {
             if (scene->indices[face->first_index + corner] >= model->vertex_count) {
-                return fail(fault, "face", model->first_face + i, FXL_E_INDEX);
+                return fxl_fault_at(fault, "face", model->first_face + i, FXL_E_INDEX);
             }
         }
     }
@@ -87,19 +79,19 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
         const fxl_model *model = &scene->models[i];
         if (model->kind > FXL_MODEL_SORTED || model->reserved[0] != 0 || model->reserved[1] != 0 ||
             model->reserved[2] != 0) {
-            return fail(fault, "model", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "model", i, FXL_E_RESERVED);
         }
         if (model->radius < 0 || model->radius > FXL_RADIUS_MAX) {
-            return fail(fault, "model", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "model", i, FXL_E_RANGE);
         }
         if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
             !count_in(model->face_count, 1, FXL_MODEL_FACES_MAX)) {
-            return fail(fault, "model", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "model", i, FXL_E_COUNT);
         }
         if (model->first_vertex != vertex || model->first_face != face ||
             model->vertex_count > scene->vertex_count - vertex ||
             model->face_count > scene->face_count - face) {
-            return fail(fault, "model", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "model", i, FXL_E_INDEX);
         }
         vertex += model->vertex_count;
         face += model->face_count;
@@ -109,7 +101,7 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
         }
     }
     if (vertex != scene->vertex_count || face != scene->face_count) {
-        return fail(fault, "model", scene->model_count - 1, FXL_E_INDEX);
+        return fxl_fault_at(fault, "model", scene->model_count - 1, FXL_E_INDEX);
     }
     return FXL_OK;
 }
@@ -120,17 +112,17 @@ static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         if (instance->reserved != 0) {
-            return fail(fault, "instance", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "instance", i, FXL_E_RESERVED);
         }
         if (instance->model >= scene->model_count) {
-            return fail(fault, "instance", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "instance", i, FXL_E_INDEX);
         }
         if (!fxl_point_in_range(&instance->centre)) {
-            return fail(fault, "instance", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "instance", i, FXL_E_RANGE);
         }
         model_view += scene->models[instance->model].vertex_count;
         if (model_view > FXL_SCENE_PLACED_MAX) {
-            return fail(fault, "instance", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "instance", i, FXL_E_COUNT);
         }
     }
     return FXL_OK;
@@ -151,7 +143,7 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
             if (!placed_in_range(vertex->x, instance->centre.x) ||
                 !placed_in_range(vertex->y, instance->centre.y) ||
                 !placed_in_range(vertex->z, instance->centre.z)) {
-                return fail(fault, "instance", i, FXL_E_RANGE);
+                return fxl_fault_at(fault, "instance", i, FXL_E_RANGE);
             }
         }
     }
@@ -166,7 +158,7 @@ static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
         const fxl_point *vertex = &scene->vertices[i];
         if (!fxl_within(vertex->x, limit) || !fxl_within(vertex->y, limit) ||
             !fxl_within(vertex->z, limit)) {
-            return fail(fault, "vertex", i, FXL_E_RANGE);
+            return fxl_fault_at(fault, "vertex", i, FXL_E_RANGE);
         }
     }
     return FXL_OK;
@@ -184,7 +176,7 @@ static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
             int64_t square = (int64_t)vertex->x * vertex->x + (int64_t)vertex->y * vertex->y +
                              (int64_t)vertex->z * vertex->z;
             if (square > (int64_t)model->radius * model->radius) { /* bug: radius-plus */
-                return fail(fault, "vertex", number, FXL_E_RADIUS);
+                return fxl_fault_at(fault, "vertex", number, FXL_E_RADIUS);
             }
         }
     }
@@ -216,10 +208,10 @@ static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
         for (uint32_t j = 0; j < model->face_count; j++) {
             uint32_t number = model->first_face + j;
             if (!fxl_is_unit(&scene->faces[number].normal)) {
-                return fail(fault, "face", number, FXL_E_NORMAL);
+                return fxl_fault_at(fault, "face", number, FXL_E_NORMAL);
             }
             if (!is_flat(scene, model, &scene->faces[number])) {
-                return fail(fault, "face", number, FXL_E_PLANARITY);
+                return fxl_fault_at(fault, "face", number, FXL_E_PLANARITY);
             }
         }
     }
@@ -244,24 +236,24 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
         const fxl_model *model = &scene->models[i];
         if (scene->face_bounds == NULL || model->kind != FXL_MODEL_SORTED) {
             if (model->first_face_bounds != 0) {
-                return fail(fault, "model", i, FXL_E_RESERVED);
+                return fxl_fault_at(fault, "model", i, FXL_E_RESERVED);
             }
             continue;
         }
         if (model->first_face_bounds != first ||
             model->face_count > scene->face_bounds_count - first) {
-            return fail(fault, "model", i, FXL_E_INDEX);
+            return fxl_fault_at(fault, "model", i, FXL_E_INDEX);
         }
         for (uint32_t j = 0; j < model->face_count; j++) {
             const fxl_face *face = &scene->faces[model->first_face + j];
             if (!is_key_of(scene, model, face, &scene->face_bounds[first + j])) {
-                return fail(fault, "face", model->first_face + j, FXL_E_FACE_BOUNDS);
+                return fxl_fault_at(fault, "face", model->first_face + j, FXL_E_FACE_BOUNDS);
             }
         }
         first += model->face_count;
     }
     if (scene->face_bounds != NULL && first != scene->face_bounds_count) {
-        return fail(fault, "face bounds table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "face bounds table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -287,7 +279,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
     };
     if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {
-        return fail(fault, "scene", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "scene", 0, FXL_E_ARGUMENT);
     }
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         fxl_status status = checks[i](scene, fault);
@@ -305,9 +297,9 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes != NULL || scene->bsp_node_count != 0 || scene->bsp_instance != 0) {
-        return fail(fault, "BSP node table", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "BSP node table", 0, FXL_E_ARGUMENT);
     }
-    return scene->beam_count == 0 ? FXL_OK : fail(fault, "beam table", 0, FXL_E_ARGUMENT);
+    return scene->beam_count == 0 ? FXL_OK : fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
 }
 
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)

@@ -4,15 +4,7 @@
 #include "fixel/extra/beams/beam.h"
 #include "scene_check.h"
 #include "bsp_check.h"
-
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
-{
-    if (fault != NULL) {
-        fault->what = what;
-        fault->index = index;
-    }
-    return status;
-}
+#include "fault.h"
 
 static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 {
@@ -20,20 +12,20 @@ static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
         return FXL_OK;
     }
     if (scene->beams == NULL || scene->lit == NULL) {
-        return fail(fault, "beam table", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
     }
     if (scene->beam_count > FXL_BEAMS_MAX) {
-        return fail(fault, "beam table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "beam table", 0, FXL_E_COUNT);
     }
     for (uint32_t i = 0; i < scene->beam_count; i++) {
         fxl_status status = fxl_beam_check(&scene->beams[i]);
         if (status != FXL_OK) {
-            return fail(fault, "beam", i, status);
+            return fxl_fault_at(fault, "beam", i, status);
         }
     }
     for (uint32_t i = 0; i < scene->face_count; i++) {
         if (!fxl_beams_fit(scene->beams, scene->beam_count, scene->faces[i].count)) {
-            return fail(fault, "face", i, FXL_E_CAPACITY);
+            return fxl_fault_at(fault, "face", i, FXL_E_CAPACITY);
         }
     }
     return FXL_OK;

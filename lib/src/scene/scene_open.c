@@ -4,6 +4,7 @@
 
 #include "../math/arith.h"
 #include "crc.h"
+#include "fault.h"
 #include "fixel/scene.h"
 #include "fixel/stage/lens.h"
 #include "motion_limits.h"
@@ -65,15 +66,6 @@ enum {
     PATH_STRIDES = 1
 };
 
-static fxl_status fail(fxl_scene_fault *fault, const char *what, uint32_t index, fxl_status status)
-{
-    if (fault != NULL) {
-        fault->what = what;
-        fault->index = index;
-    }
-    return status;
-}
-
 /* Null where the scene has no beams. */
 static const lit_header *lit_of(const header *head)
 {
@@ -128,7 +120,7 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
     fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
                                           head->far_z, head->inset, &opened->lens);
     if (status != FXL_OK) {
-        return fail(fault, "lens", 0, status);
+        return fxl_fault_at(fault, "lens", 0, status);
     }
     opened->background = head->background;
     opened->start.pose = head->start;
@@ -139,10 +131,10 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
     opened->motion_limits.speed_max = head->speed_max;
     opened->motion_limits.turn = head->turn;
     if (!fxl_point_in_range(&head->start.position)) {
-        return fail(fault, "start pose", 0, FXL_E_RANGE);
+        return fxl_fault_at(fault, "start pose", 0, FXL_E_RANGE);
     }
     if (!fxl_motion_limits_in_range(&opened->motion_limits)) {
-        return fail(fault, "motion limits", 0, FXL_E_RANGE);
+        return fxl_fault_at(fault, "motion limits", 0, FXL_E_RANGE);
     }
     return FXL_OK;
 }
@@ -153,15 +145,15 @@ static fxl_status check_table(const header *head, const table *entry, uint32_t e
                               uint32_t count_max, const char *what, fxl_scene_fault *fault)
 {
     if (entry->count == 0 || entry->count > count_max) {
-        return fail(fault, what, 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, what, 0, FXL_E_COUNT);
     }
     if (entry->offset % 4 != 0) {
-        return fail(fault, what, 0, FXL_E_ALIGNMENT);
+        return fxl_fault_at(fault, what, 0, FXL_E_ALIGNMENT);
     }
     uint64_t bytes = (uint64_t)entry->count * entry_size;
     if (entry->offset < head->header_size || entry->offset > head->image_size ||
         bytes > head->image_size - entry->offset) {
-        return fail(fault, what, 0, FXL_E_OFFSET);
+        return fxl_fault_at(fault, what, 0, FXL_E_OFFSET);
     }
     return FXL_OK;
 }
@@ -187,13 +179,13 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
     };
     const size_t count = sizeof tables / sizeof tables[0];
     if (head->palette.count != PALETTE_ENTRIES) {
-        return fail(fault, "palette table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "palette table", 0, FXL_E_COUNT);
     }
     for (size_t i = 0; i < count; i++) {
         /* The last two need not be: without sorted models there are no keys. */
         if (i >= count - 2 && tables[i].entry->count == 0) {
             if (tables[i].entry->offset != 0) {
-                return fail(fault, tables[i].what, 0, FXL_E_OFFSET);
+                return fxl_fault_at(fault, tables[i].what, 0, FXL_E_OFFSET);
             }
             continue;
         }
@@ -254,22 +246,22 @@ static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fau
     for (uint32_t i = 0; i < opened->path_count; i++) {
         if (opened->poses != NULL) {
             if (!fxl_point_in_range(&opened->poses[i].position)) {
-                return fail(fault, "pose", i, FXL_E_RANGE);
+                return fxl_fault_at(fault, "pose", i, FXL_E_RANGE);
             }
             frames += 1;
             continue;
         }
         const fxl_path_segment *stride = &opened->segments[i];
         if ((stride->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
-            return fail(fault, "path segment", i, FXL_E_RESERVED);
+            return fxl_fault_at(fault, "path segment", i, FXL_E_RESERVED);
         }
         if (stride->frames == 0) {
-            return fail(fault, "path segment", i, FXL_E_COUNT);
+            return fxl_fault_at(fault, "path segment", i, FXL_E_COUNT);
         }
         frames += stride->frames;
     }
     if (frames != opened->frame_count || frames > FXL_SCENE_PATH_MAX) {
-        return fail(fault, "path table", 0, FXL_E_COUNT);
+        return fxl_fault_at(fault, "path table", 0, FXL_E_COUNT);
     }
     return FXL_OK;
 }
@@ -278,15 +270,15 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
                           fxl_scene_fault *fault)
 {
     if (image == NULL || opened == NULL) {
-        return fail(fault, "image", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "image", 0, FXL_E_ARGUMENT);
     }
     if ((uintptr_t)image % 4 != 0) {
-        return fail(fault, "image", 0, FXL_E_ALIGNMENT);
+        return fxl_fault_at(fault, "image", 0, FXL_E_ALIGNMENT);
     }
     const header *head = image;
     fxl_status status = check_envelope(head, size);
     if (status != FXL_OK) {
-        return fail(fault, "image", 0, status);
+        return fxl_fault_at(fault, "image", 0, status);
     }
     fxl_scene_image found;
     memset(&found, 0, sizeof found);

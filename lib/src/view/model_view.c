@@ -73,6 +73,7 @@ void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *sce
     model_view->offset.y = instance->centre.y - eye->y;
     model_view->offset.z = instance->centre.z - eye->z;
     model_view->planes = planes;
+    model_view->beam_light = NULL;
 }
 
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
@@ -93,4 +94,5 @@ void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *poin
     model_view->offset.y = -eye->y;
     model_view->offset.z = -eye->z;
     model_view->planes = planes;
+    model_view->beam_light = NULL;
 }

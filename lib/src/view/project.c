@@ -30,7 +30,7 @@ static scaled_depth scale_depth(fxl_q18_46 z)
     scaled_depth scaled;
     /* The upper word is at least 2^5. Of the 32 bits from the highest on, the last is rounded. */
     unsigned zeros = fxl_leading_zeros((uint32_t)((uint64_t)z >> 32));
-    uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32);
+    uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32); /* bug: depth-24 */
     scaled.shift = 33u - zeros;
     scaled.depth = (high >> 1) + (high & 1u);
     return scaled;
@@ -70,7 +70,7 @@ static bool place_of(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scal
     if (!fxl_within(product, fxl_multiply_su32(FXL_SCREEN_COORDINATE_MAX, scaled->depth))) {
         return false;
     }
-    *place = fxl_divide_round(product, scaled->depth);
+    *place = fxl_divide_round(product, scaled->depth); /* bug: project-cut */
     return true;
 }
 
@@ -88,7 +88,7 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
         return FXL_E_RANGE;
     }
     screen->x = x;
-    screen->y = -y;
+    screen->y = -y; /* bug: screen-y-up */
     return FXL_OK;
 }
 
@@ -119,6 +119,7 @@ fxl_status fxl_project_visible(const fxl_projection *projection, const fxl_view_
     int32_t upper = (int32_t)(view->z >> 32);
     /* With m < 2 z of upper words, |X| <= 2^32 (m + 1) <= 2 Z. */
     if (FXL_IS_SMALL || upper < projection->depth_min ||
+        /* bug: side-range */
         (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {
         return fxl_project_any(projection, view, screen);
     }

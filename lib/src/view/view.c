@@ -20,8 +20,7 @@ fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)
     return status;
 }
 
-const fxl_frustum *fxl_view_set_world_frustum(fxl_view *view)
+void fxl_view_set_world_frustum(fxl_view *view)
 {
     fxl_frustum_from_camera(&view->camera, &view->lens, &view->frustum);
-    return &view->frustum;
 }

@@ -37,7 +37,8 @@ typedef struct {
     fxl_clip_result (*next)(const fxl_model_view *model_view, fxl_clipper_work *work,
                             fxl_screen_polygon *screen);
     uint32_t workspace_size; /* bytes of the caller's memory, aligned to 8, that it wants */
-    bool in_world;           /* it clips to the world's planes: the view's frustum is set up */
+    /* Sets up what it wants of a frame, once the view has its pose. Null: nothing. */
+    void (*begin)(fxl_view *view);
 } fxl_clipper;
 
 extern const fxl_clipper fxl_clipper_view;  /* fxl_clip_by_view: used unless told otherwise */

@@ -31,6 +31,8 @@ typedef struct {
     uint32_t count; /* objects placed, from 1, in units of 2^16 */
 } fxl_vertex_cache;
 
+struct fxl_beam_light;
+
 /* The caller owns it. */
 typedef struct {
     const fxl_view *view;
@@ -41,6 +43,7 @@ typedef struct {
     const uint16_t *indices;    /* of the scene */
     fxl_point offset;           /* its centre less the eye; each below 2^30 */
     fxl_planes planes;          /* none of its vertices lies outside of another plane */
+    const struct fxl_beam_light *beam_light; /* beams that may light it; null: none */
 } fxl_model_view;
 
 /* A cache in memory of the caller, of the largest power of two of entries that

@@ -23,7 +23,8 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
 /* FXL_E_ARGUMENT, FXL_E_RANGE (pose): view untouched. */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 
-/* Works out the planes in the world, once a pose: for clippers that clip there. Answers them. */
-const fxl_frustum *fxl_view_set_world_frustum(fxl_view *view);
+/* Works out the planes in the world, once a pose: fxl_clipper.begin of clippers
+ * that clip there. */
+void fxl_view_set_world_frustum(fxl_view *view);
 
 #endif
