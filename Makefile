@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Fixel: every command. A command first calls tools/setup.sh, which installs what the command
-# lacks and says so; then a make of its own builds the files that it needs; then it runs a tool.
+# The commands. Each command first calls tools/setup.sh, which installs what the command lacks and
+# says so. Then a sub-make builds the files that the command needs. Then a tool runs.
 
 BUILD    := build
 HOSTCC   ?= gcc
@@ -67,27 +67,27 @@ SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 
 .PHONY: FORCE help test-programs set-up-lib $(COMMANDS)
 
-help: ## this list
+help: ## print this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
-	    while IFS=@ read -r name what; do printf '  %-14s %s\n' "$$name" "$$what"; done
+	    while IFS=@ read -r name what; do printf '  %-20s %s\n' "$$name" "$$what"; done
 	@echo "Boards: $(BOARDS)"
 
-all: ## build everything and run nothing
+all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board and compare with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+run: ## draw a scene's path on a board, compare it with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
 
-view: ## watch a board live on a web page of this machine, and walk [BOARD= SCENE= SCREEN= PORT= OPEN=1]
+view: ## show a board live on a web page of this machine, moved by keys [BOARD= SCENE= SCREEN= PORT= OPEN=1]
 	@tools/setup.sh view
 	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
 	    $(SCREEN_OPTION) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
-flash: ## write firmware and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
 	@tools/setup.sh $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 	@$(MAKE) $(WALK)
 ifeq ($(filter %.fxls,$(SCENE)),)
@@ -99,31 +99,31 @@ endif
 	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
 	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
 
-boot: ## power a board on from its flash image [BOARD=]
+boot: ## boot a board from its flash image [BOARD= FRAMES=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
 	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
 
-gdb: ## a debugger on firmware/walk, from the board's flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+gdb: ## open a debugger on a board, booted from its flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
 	@tools/setup.sh gdb
 	@$(MAKE) $(WALK)
 	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
 	    $(if $(GDB_COMMANDS),--commands '$(GDB_COMMANDS)')
 
-compare: ## compare two PNGs, folders of PNGs or frame dumps [A= B= TOLERANCE=0 OUT=]
+compare: ## compare two PNGs, folders of PNGs, or frame dumps [A= B= TOLERANCE=0 OUT=]
 ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: ## every claim measured, naive 16.16 and float beside: an HTML page, JSON [SAMPLES= SCENE= SEED=]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED=]
 	@tools/setup.sh report
 	@$(MAKE) $(HOST_WALK) $(WALK) $(HOST_TOOLS)
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
-wire: ## a scene's path as wireframes, drawn here and compared with double [SCENE= SCREEN= FRAMES= OUT=]
+wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= SCREEN= FRAMES= OUT=]
 	@tools/setup.sh run
 	@$(MAKE) $(BUILD)/host/wire
 	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) \
@@ -131,13 +131,13 @@ wire: ## a scene's path as wireframes, drawn here and compared with double [SCEN
 
 PICTURE ?= $(BUILD)/screen/$(BOARD).png
 
-screen: ## what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
+screen: ## save what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
 
-pictures: ## the README's pictures anew, from make run, make report and make view
+pictures: ## renew the pictures of the documents (needs make run and make report)
 	@tools/setup.sh test
 	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
@@ -151,7 +151,7 @@ pictures: ## the README's pictures anew, from make run, make report and make vie
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
-lib: ## the library and its headers for your own firmware [CORE=cortex-m3 SIZE=1]
+lib: ## build the library and its headers for your firmware [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
 $(BUILD)/lib/$(CORE)/flags: | set-up-lib
 set-up-lib:
 	@tools/setup.sh lib
@@ -159,7 +159,7 @@ set-up-lib:
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
 
-size: ## flash, RAM and worst stack; proof that the library has no float and no heap
+size: ## print flash, RAM and stack; check that the library has no float and no heap
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
@@ -188,67 +188,67 @@ UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)
 
 test-programs: $(TEST_PROGRAMS)
 
-test: ## every test: units on the host and on a board of each core, mocks, tools [BOARD= of one board ONLY=]
+test: ## run the tests, on the host and on a board of each core [BOARD= of one board, ONLY=]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
 	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
 
-boards: ## every board: memory, stack, speed, frames equal to the host's, unit tests
+boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests
 	@tools/setup.sh units
 	@$(MAKE) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
-bench: ## executed instructions of the workloads and kernels on four cores, the chapter's listing beside
+bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON
 	@tools/setup.sh report
 	@$(MAKE) bench-programs
 	@$(PY) tools/bench.py --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
-clippers: ## every clipper times every visibility method, measured and judged: an HTML page, JSON [FRAMES= ONLY=]
+clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]
 	@tools/setup.sh report
 	@$(MAKE) $(CLIPPERS_BUILT) $(HOST_WALK)
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
 	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
 
-clippers-accept: ## the last make clippers into docs/clipping.md and bench/clippers.json
+clippers-accept: ## take the last make clippers into docs/clipping.md and bench/clippers.json
 	@tools/setup.sh report
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --accept
 
-bench-diff: ## the last make bench against bench/baseline.json: what got slower, by how much [THRESHOLD=0.5]
+bench-diff: ## compare the last make bench with bench/baseline.json [THRESHOLD=0.5]
 	@tools/setup.sh tools
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')
 
-bench-baseline: ## the last make bench as the new baseline, and the tables of docs/performance.md anew
+bench-baseline: ## take the last make bench as the baseline, and renew the tables of docs/performance.md
 	@tools/setup.sh tools
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json --accept
 
 # CORE here is one of the bench's; the default of the other commands is none.
 PROFILE_CORE := $(if $(filter file,$(origin CORE)),m3,$(CORE))
 PROFILE_RENDERER := $(or $(RENDERER),fixel)
-profile: ## where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
+profile: ## show where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
 	@tools/setup.sh run
 	@$(MAKE) $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
 	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
 
-equality: ## every kernel of every core against the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
+equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
 	@tools/setup.sh run
 	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)') $(if $(JOBS),--jobs '$(JOBS)') \
 	    $(if $(KEEP),--keep '$(KEEP)')
 
-fuzz: ## libFuzzer over the scene loader and the whole pipeline, and the branches reached [SECONDS=60]
+fuzz: ## fuzz the scene loader and the whole pipeline, print the branches reached [SECONDS=60]
 	@tools/setup.sh fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS)
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
-seeded-bugs: ## break the library on purpose, one place at a time: the tests must see each
+seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
 	@tools/setup.sh units
 	@$(PY) tools/seeded_bugs.py --build $(BUILD)
 
-format: ## lay out the C sources with clang-format
+format: ## format the C sources with clang-format
 	@tools/setup.sh format
 	@find lib boards firmware host_tests bench -name '*.[ch]' -exec clang-format -i {} +
 

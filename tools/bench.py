@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Counts what drawing the workloads and the library's kernels take, in executed instructions.
+"""Counts the executed instructions of the workloads and of the library's kernels.
 
-Writes bench.json, bench.md, and plots. Two runs give the same numbers. Exit: 0 all was measured,
-1 a program of the bench failed or drew a wrong picture, 2 it could not be run.
+Writes the report bench.md, bench.json, and plots. Two runs give the same figures. Exit: 0 all was
+measured, 1 a program of the bench failed or drew a wrong picture, 2 the bench could not be run.
 """
 
 from fixel import interpreter
@@ -22,17 +22,17 @@ from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows,
 from fixel.errors import ToolError, run_main
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
-# A renderer that draws something else was measured in vain: the share of pixels that may differ from
-# the library's. The listing has no near plane and no outline exact to 1/65536 pixel.
+# The share of pixels in which a renderer may differ from the library: the listing has no near plane, and
+# its outlines are not exact to 1/65536 pixel. Figures of a renderer that draws something else mean nothing.
 DIFFERING_MAX = 0.002
 
 
 def tool_version(*command):
-    """The first line that a tool says of itself."""
+    """The first line of a tool's --version."""
     try:
         done = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError) as error:
-        raise ToolError(f"{command[0]} does not say its version: {error}") from error
+        raise ToolError(f"{command[0]} --version failed: {error}") from error
     return done.stdout.splitlines()[0]
 
 
@@ -40,22 +40,22 @@ def check_pictures(pictures):
     """Refuses figures of a renderer that did not draw the scene."""
     for row in pictures:
         if row["differing"] > DIFFERING_MAX * row["pixels"]:
-            raise ToolError(f"{row['renderer']} on {row['core']} draws {row['workload']} otherwise than the "
+            raise ToolError(f"{row['renderer']} on {row['core']} draws {row['workload']} unlike the "
                             f"library: {row['differing']:,} of {row['pixels']:,} pixels", exit_code=1)
 
 
 def check_small(drawn, small):
-    """Refuses figures of the small kernels where they set another pixel."""
+    """Refuses figures of the small library if a pixel differs."""
     for (core, workload), each in small.items():
         differing = int((each.pixels != drawn[core, workload, "fixel"].pixels).sum())
         if differing:
-            raise ToolError(f"the small kernels on {core} draw {workload} otherwise: {differing:,} pixels",
+            raise ToolError(f"the small library on {core} draws {workload} unlike the library: {differing:,} pixels",
                             exit_code=1)
 
 
 def draw_all(plan, cores, folder):
     """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and, of those that the plan asks
-    for, {(core, workload): (Profile, frames)} by stage and {(core, workload): Drawn} by the small kernels."""
+    for, {(core, workload): (Profile, frames)} by stage and {(core, workload): Drawn} by the small library."""
     images, units = {}, {}
     for name, workload in plan.workloads.items():
         images[name], scene = bench_plan.compile_scene(workload, folder)
@@ -65,8 +65,8 @@ def draw_all(plan, cores, folder):
                 for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
     small = {(core, name): (bench_run.draw, plan, core, "fixel-small", images[name])
              for core in plan.small["cores"] if core in cores for name in plan.small["workloads"]}
-    return (parallel.run("drawing the workloads", jobs), units, parallel.run("looking where it goes", profiles),
-            parallel.run("drawing with the small kernels", small))
+    return (parallel.run("drawing the workloads", jobs), units, parallel.run("profiling the workloads", profiles),
+            parallel.run("drawing with the small library", small))
 
 
 def measure(plan, cores, left_out):
@@ -103,10 +103,10 @@ def measure(plan, cores, left_out):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cores", nargs="+", default=list(bench_plan.CORES), help="of those that are built")
-    parser.add_argument("--left-out", nargs="*", default=[], help="cores that no board stands for")
+    parser.add_argument("--cores", nargs="+", default=list(bench_plan.CORES), help="cores to measure; their programs are built")
+    parser.add_argument("--left-out", nargs="*", default=[], help="cores that no board has")
     parser.add_argument("--out", default="build/bench", help="folder for the results")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     plan = bench_plan.Plan(options.build)
     qemu.find_qemu()
@@ -114,12 +114,12 @@ def main(argv):
     with output.replaced_folder(options.out, PATTERNS) as folder:
         for name, data in bench_plots.files(plan, result).items():
             (folder / name).write_bytes(data)
-        (folder / "bench.md").write_text(bench_page.markdown(plan, result), encoding="utf-8")
+        (folder / "bench.md").write_text(bench_page.report(plan, result), encoding="utf-8")
         output.write_json(folder / "bench.json", result)
     print(bench_page.terminal(plan, result))
     if options.left_out:
-        print(f"left out, since no board stands for them: {', '.join(options.left_out)}", file=sys.stderr)
-    print(f"tables, plots, JSON: {pathlib.Path(options.out)}", file=sys.stderr)
+        print(f"left out, because no board has the core: {', '.join(options.left_out)}", file=sys.stderr)
+    print(f"report, plots, JSON: {pathlib.Path(options.out)}", file=sys.stderr)
     return 0
 
 

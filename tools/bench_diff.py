@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What became slower or faster, larger or smaller, since the baseline; and a new baseline.
+"""Compares a run of make bench with the baseline, or makes the run the new baseline.
 
-Exit: 0 nothing of Fixel's became worse by more than the threshold, 1 something did, or is missing,
-2 there is nothing to compare. With --accept the run becomes the baseline, and the document's tables
-are made anew from it.
+Exit: 0 no figure of Fixel is worse by more than the threshold, 1 a figure is worse or missing, 2 there
+is nothing to compare. --accept makes the run the baseline, and renews the tables of docs/performance.md.
 """
 
 from fixel import interpreter
@@ -39,8 +38,8 @@ def read_rows(path):
 
 
 def changes(before, after):
-    """[(key, measure, old, new, percent)] of all that differs, the worst first. A renderer's code is
-    the same for all workloads, and stands here once."""
+    """[(key, measure, old, new, percent)] of each figure that differs, the worst first. The code of a renderer
+    is the same for all workloads, and is given once."""
     found = {}
     for key in before.keys() & after.keys():
         for measure in MEASURES:
@@ -53,7 +52,7 @@ def changes(before, after):
 
 
 def judge(found, missing, threshold):
-    """What is worse of Fixel's own by more than the threshold, as sentences."""
+    """Sentences: the figures of Fixel that are worse by more than the threshold, or missing."""
     worse = [f"{' '.join(key)}: {WORDS[measure][0]} by {percent:.2f} %"
              for key, measure, _, _, percent in found if key[1] == OURS and percent > threshold]
     return worse + [f"{' '.join(key)}: not measured any more" for key in sorted(missing)]
@@ -85,7 +84,7 @@ def compare(before, after, threshold):
     for sentence in worse:
         print(f"{coloured('WORSE', 'red')}: {sentence}")
     if not worse:
-        print(f"{coloured('pass', 'green')}: nothing of Fixel's is worse by more than {threshold:g} %")
+        print(f"{coloured('pass', 'green')}: no figure of Fixel is worse by more than {threshold:g} %")
     return 1 if worse else 0
 
 
@@ -93,7 +92,7 @@ def accept(data, baseline, document, plan):
     """Makes a run the baseline."""
     if data.get("left_out"):
         raise ToolError(f"a baseline needs every core; left out were: {', '.join(data['left_out'])}")
-    text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data)
+    text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data, bench_page.DOCUMENT)
     output.write_json(baseline, data)
     output.write_file(document, text)
     print(f"{baseline}, {document}: renewed", file=sys.stderr)

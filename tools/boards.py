@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every board beside the others: sizes, stack, speed, and whether its frames equal the host's.
+"""Compares all boards: sizes, stack, speed, and whether their frames equal the host's.
 
-Walks the scenes and runs the unit tests on all boards. The first scene must run
-on every one; a board without room for another says why. Exit: 0 if all frames
-that were drawn equal the host's and no unit test failed; 1 if not; 2 if there
-was nothing to compare with.
+Draws the scenes and runs the unit tests on all boards. The first scene must run on every board. If a board
+has no room for another scene, the table says why. Exit: 0 all frames equal the host's and no unit test failed,
+1 not, 2 there was nothing to compare with.
 """
 
 from fixel import interpreter
@@ -152,13 +151,13 @@ def notes(each):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--boards", nargs="+", required=True, help="all but the host, which they are compared with")
+    parser.add_argument("--boards", nargs="+", required=True, help="the boards; the host, which they are compared with, is not one of them")
     parser.add_argument("--scene", nargs="+", required=True, help="scenes; the first must run on every board")
     parser.add_argument("--board-unit", nargs="+", action="append", default=[], metavar=("BOARD", "ELF"),
                         help="a board and its Unity programs")
     parser.add_argument("--left-out", nargs="+", action="append", default=[], metavar=("BOARD", "TEST"),
                         help="a board and the tests that it has no room for")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     parser.add_argument("--out", default="build/boards.json", help="the JSON file to write")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(argv)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Powers a board on from its flash image and fetches its frame dump."""
+"""Boots a board from its flash image and fetches its frame dump."""
 
 from fixel import interpreter
 
@@ -22,11 +22,11 @@ def positive(text):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", required=True, help="the board that image and program must be for")
+    parser.add_argument("--board", required=True, help="the board of the image and the program")
     parser.add_argument("--image", required=True, help="the flash image")
     parser.add_argument("--elf", required=True, help="the program that the image holds")
     parser.add_argument("--dump", required=True, help="the frame dump to write (.fxld)")
-    parser.add_argument("--frames", type=positive, help="how many frames (the whole path)")
+    parser.add_argument("--frames", type=positive, help="number of frames (default: the whole path)")
     parser.add_argument("--timeout", type=float, default=60.0,
                         help="seconds without a new frame after which the board hangs (60)")
     options = parser.parse_args(argv)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every clipper times everything that hides what: drawn on emulated cores, judged against double.
+"""Compares every clipper with every visibility method: drawn on emulated cores, judged against double.
 
-Writes clippers.json and clippers.html (one self-contained page). Exit: 0 all is explained and every
-core drew what the host draws; 1 if not; 2 if it could not be run.
+Writes clippers.json and clippers.html (one self-contained page). Exit: 0 every pixel is explained and
+every core drew the frames of the host, 1 not, 2 the comparison could not be run.
 """
 
 from fixel import interpreter
@@ -33,7 +33,7 @@ def compile_scenes(plan, folder, frames):
             for tree in sorted({method["tree"] for method in plan.hidden.values()}):
                 jobs[name, tree] = (clippers_plan.compile_scene, plan, entry, folder, tree, frames)
         else:
-            print(f"left out, since it is not here: {entry['scene']}", file=sys.stderr)
+            print(f"left out, because the file is not here: {entry['scene']}", file=sys.stderr)
     return {key: {**plan.scenes[key[0]], "file": made[0], "image": made[1]}
             for key, made in parallel.run("compiling scenes", jobs).items()}
 
@@ -50,7 +50,7 @@ def measure(plan, cores, folder, frames):
         (core, each, scene["name"]): (clippers_run.on_core, plan, core, each, scene["file"])
         for core in cores for each, scene in tasks})
     first = next(iter(plan.hidden))
-    counted = parallel.run("counting what cutting takes", {
+    counted = parallel.run("counting the clippers' instructions", {
         (core, each.clipper, scene["name"]): (clippers_run.operations, plan, core, each.clipper, scene["file"])
         for core in cores for each, scene in tasks if each.hidden == first and not plan.hidden[first]["tree"]})
     sizes = {(core, each): clippers_run.size(plan, core, each) for core, each, _ in drawn}
@@ -63,16 +63,16 @@ def measure(plan, cores, folder, frames):
 
 
 def accept(plan, out):
-    """Makes the run that is there the one that docs/clipping.md tells of."""
+    """Takes the run in `out` into docs/clipping.md and bench/clippers.json."""
     result = read_json(pathlib.Path(out) / "clippers.json")
     if result["complaints"]:
-        raise ToolError(f"{out}: not all is as it should be: {result['complaints'][0]}")
+        raise ToolError(f"{out}: the comparison failed: {result['complaints'][0]}")
     missing = {(each.clipper, each.hidden, scene, core) for each in plan.combinations() for scene in plan.scenes
                for core in plan.cores} - {tuple(row[key] for key in ("clipper", "hidden", "scene", "board"))
                                           for row in result["rows"]}
     if missing:
-        raise ToolError(f"{out}: of all combinations {len(missing)} are missing, {' '.join(min(missing))} for one: "
-                        f"run make clippers without ONLY=, where all models are")
+        raise ToolError(f"{out}: {len(missing)} combinations are missing, for example {' '.join(min(missing))}: "
+                        f"run make clippers without ONLY=, on a machine that has all models")
     text = clippers_page.replace_tables(DOCUMENT.read_text(encoding="utf-8"), plan, result)
     output.write_file(KEPT, clippers_rows.as_lines(result))
     output.write_file(DOCUMENT, text)
@@ -82,13 +82,13 @@ def accept(plan, out):
 def read_options(argv):
     """The command line, checked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cores", nargs="*", default=list(clippers_plan.CORES), help="of those that are built")
-    parser.add_argument("--frames", type=int, help="of each scene, spread over its path (FRAMES=)")
+    parser.add_argument("--cores", nargs="*", default=list(clippers_plan.CORES), help="cores to measure; their programs are built")
+    parser.add_argument("--frames", type=int, help="number of frames of each scene, spread over its path (FRAMES=)")
     parser.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
     parser.add_argument("--out", default="build/clippers", help="folder for the results")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     parser.add_argument("--accept", action="store_true",
-                        help="only put the run that is there into docs/clipping.md and bench/clippers.json")
+                        help="only take the run in --out into docs/clipping.md and bench/clippers.json")
     options = parser.parse_args(argv)
     if options.frames is not None and not 1 <= options.frames <= FRAMES_MAX:
         parser.error(f"--frames {options.frames} is outside 1..{FRAMES_MAX}")

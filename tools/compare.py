@@ -153,7 +153,7 @@ def tolerance_of(text):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--a", default="", help="a PNG, a folder of PNGs, or a frame dump (A=)")
-    parser.add_argument("--b", default="", help="what it is compared with (B=)")
+    parser.add_argument("--b", default="", help="the other: a PNG, a folder of PNGs, or a frame dump (B=)")
     parser.add_argument("--tolerance", default="0",
                         help="largest difference of a colour channel that counts as equal")
     parser.add_argument("--out", help="folder for compare.json and the pictures")

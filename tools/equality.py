@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Compares each core's kernels with the portable ones, on the emulated core itself.
 
-A program holds both, feeds them all boundary inputs and so many random ones, and counts where
-they differ. Prints a line for each kernel as it ends; exit 1 where any differed. What is done is
-kept in a journal beside the programs: a kernel that this very program has compared already, with
-as many inputs, is not compared again.
+A program has both kernels, gives them the same boundary inputs and random inputs, and counts the
+differences. The tool prints a line for each kernel. Exit: 0 all kernels are equal, 1 a kernel differs.
+A journal beside the programs keeps what is done: the tool skips a kernel that the same program has
+already compared with as many inputs.
 """
 
 from fixel import interpreter
@@ -131,11 +131,11 @@ def jobs_of(elf):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("elf", nargs="+", help="a core's program")
+    parser.add_argument("elf", nargs="+", help="the program of a core")
     parser.add_argument("--thousands", type=int, default=10000, help="random inputs for each kernel, in thousands")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="kernels at a time")
-    parser.add_argument("--keep", metavar="FILE", help="write what was compared, for docs/performance.md")
-    parser.add_argument("--journal", help="what was compared (equality.json beside the first program)")
+    parser.add_argument("--keep", metavar="FILE", help="write the result, for the report of make bench")
+    parser.add_argument("--journal", help="the journal (default: equality.json beside the first program)")
     options = parser.parse_args(argv)
     if not 1 <= options.thousands <= THOUSANDS_MAX:
         raise ToolError(f"--thousands is 1 to {THOUSANDS_MAX:,}")

@@ -32,12 +32,12 @@ def write_image(options):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", required=True, help="the board that both must be for")
+    parser.add_argument("--board", required=True, help="the board of the program and the scene")
     parser.add_argument("--elf", required=True, help="the program")
     parser.add_argument("--scene", required=True, help="the scene image (.fxls)")
     parser.add_argument("--image", required=True, help="the flash image to write")
     parser.add_argument("--probe", default="", help="openocd: program the real board instead")
-    parser.add_argument("--dry-run", action="store_true", help="with --probe: only say what would be run")
+    parser.add_argument("--dry-run", action="store_true", help="with --probe: only print the command")
     options = parser.parse_args(argv)
     if options.probe and options.probe not in probe.PROBES:
         raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")

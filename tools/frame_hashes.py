@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Puts the frames of scenes on record in host_tests/frames/hashes.json. Alters no record.
+"""Adds the frame hashes of scenes to host_tests/frames/hashes.json. Changes no record.
 
     frame_hashes.py SCENE... [--build DIR]
 
-SCENE is a .toml, an .obj or an .fxls. Each is compiled, drawn on the host, and added under the
-CRC-32 of its image. An image that is on record already must draw what the record says.
-Exit: 0 all are on record; 1 an image draws something else than its record; 2 could not run.
+SCENE is a .toml, an .obj or an .fxls. The tool compiles each scene, draws it on the host, and adds it
+under the CRC-32 of its image. If an image has a record already, it must draw the same frames.
+Exit: 0 all scenes have records, 1 an image draws other frames than its record, 2 the tool could not run.
 """
 
 from fixel import interpreter

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fuzzes the scene loader and the whole pipeline, and says which branches were reached.
+"""Fuzzes the scene loader and the whole pipeline, and prints which branches were reached.
 
     fuzz.py --seconds N --build DIR [--clang CLANG]     what make fuzz does
     fuzz.py ... --renew-corpus                          then renews host_tests/fuzz/corpus
@@ -275,8 +275,8 @@ def print_result(result, total):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seconds", type=int, default=60, help="how long to fuzz")
-    parser.add_argument("--build", default="build", help="where the programs are")
+    parser.add_argument("--seconds", type=int, default=60, help="time of fuzzing")
+    parser.add_argument("--build", default="build", help="folder of the programs")
     parser.add_argument("--clang", default="clang", help="the clang that built them")
     parser.add_argument("--renew-corpus", action="store_true",
                         help="then renew the corpus of the repository")

@@ -15,11 +15,11 @@ from fixel.errors import run_main
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", required=True, help="the board that image and program must be for")
+    parser.add_argument("--board", required=True, help="the board of the image and the program")
     parser.add_argument("--image", required=True, help="the flash image")
     parser.add_argument("--elf", required=True, help="the program that the image holds")
-    parser.add_argument("--frames", type=positive, help="how many frames (the whole path)")
-    parser.add_argument("--commands", help="a file of GDB commands to run instead of asking for them")
+    parser.add_argument("--frames", type=positive, help="number of frames (default: the whole path)")
+    parser.add_argument("--commands", help="a file of GDB commands (default: GDB asks for them)")
     options = parser.parse_args(argv)
     return debug(options.board, options.elf, options.image, options.frames, options.commands)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes a page's picture anew from the frames of `make run` or `make wire`, some of them side by side."""
+"""Makes a picture of a document: frames of `make run` or `make wire`, side by side."""
 
 from fixel import interpreter
 
@@ -20,8 +20,8 @@ GAP = 8
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--run", type=pathlib.Path, required=True, help="where make run left its frames")
-    parser.add_argument("--frames", default=FRAMES, help="their numbers, like 30,45,105")
+    parser.add_argument("--run", type=pathlib.Path, required=True, help="folder of make run's frames")
+    parser.add_argument("--frames", default=FRAMES, help="numbers of the frames, like 30,45,105")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture")
     options = parser.parse_args(argv)
     files = [options.run / f"frame_{number:04d}.png" for number in map(int, options.frames.split(","))]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Where the instructions of a workload go: by function, by line, and as a flame graph.
+"""Shows where the instructions of a workload go: by function, by line, and as a flame graph.
 
 Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.toml).
 """
@@ -79,9 +79,9 @@ def main(argv):
     parser.add_argument("--workload", required=True)
     parser.add_argument("--core", required=True)
     parser.add_argument("--renderer", default="fixel")
-    parser.add_argument("--frames", type=int, help="how many frames; the whole path without")
+    parser.add_argument("--frames", type=int, help="number of frames (default: the whole path)")
     parser.add_argument("--out", help="folder for the results")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     plan = bench_plan.Plan(options.build)
     workload = plan.workload(options.workload)

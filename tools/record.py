@@ -88,7 +88,7 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True)
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the recording, a GIF")
     options = parser.parse_args(argv)
     output.write_file(options.out, record(options))

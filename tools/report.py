@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The precision report: every claim measured, and Fixel beside naive 16.16 and float32.
+"""Measures every claim about accuracy, and compares Fixel with plain 16.16 and float32.
 
-Writes report.json and report.html (one self-contained page). The same seed and
-number of samples give the same report on every machine. Exit: 0 if every claim
-holds and the ray-cast oracle agrees; 1 if not; 2 if the report could not be made.
+Writes report.json and report.html (one self-contained page). The same seed and number of samples give the
+same report on every machine. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 the report
+could not be made.
 """
 
 from fixel import interpreter
@@ -17,14 +17,14 @@ import sys
 import tempfile
 
 from fixel import (output, report_claims, report_frames, report_page, report_plots, report_scale,
-                   report_shards, report_twins)
+                   report_shards, report_stages)
 from fixel.errors import ToolError, run_main
 from fixel.programs import read_json
 from fixel.table import coloured, table
 
 PATTERNS = ["report.html", "report.json"]
 SAMPLES_MAX = 10 ** 12
-RAY_FRAMES = 12         # about how many frames the ray-cast oracle looks at
+RAY_FRAMES = 12         # about how many frames the ray-cast oracle judges
 # Below the default number of samples paths are cut in proportion, to no fewer frames than this.
 FEWEST_FRAMES = 2
 
@@ -45,7 +45,7 @@ def gather(options, work):
     sources = [options.scene] if options.scene else report_frames.default_sources()
     found = report_frames.walks(sources, work, limit)
     frames, pixels, shown = report_frames.judge_walks(build, found, work)
-    twins = report_twins.measure(build, found[0], options.samples, options.seed, work)
+    twins = report_stages.measure(build, found[0], options.samples, options.seed, work)
     third = report_frames.cast_rays(build, found[0], work, RAY_FRAMES)
     w1 = report_frames.walks([report_scale.SCENE], work, limit)[0].scene
     scales = report_scale.measure(build, options.board, w1, work)
@@ -63,8 +63,8 @@ def gather(options, work):
 
 
 def complaints(report):
-    """Everything that is not as it should be, in sentences."""
-    return report_claims.complaints(report) + report_twins.complaints(report["twins"])
+    """Everything that failed, as sentences."""
+    return report_claims.complaints(report) + report_stages.complaints(report["twins"])
 
 
 def print_report(report, out):
@@ -91,7 +91,7 @@ def print_report(report, out):
             print(f"  again: {claim['command']}")
     short = report_claims.shortfall(report)
     if short and not found:
-        print(f"fewer samples were asked for than the claims are about: {short}")
+        print(f"the report was asked for fewer samples than the claims are about: {short}")
     word = coloured("FAIL", "red") if found else coloured("pass", "green")
     print(f"{word}: {out}/report.html, {out}/report.json")
 
@@ -117,15 +117,15 @@ def read_options(argv):
     """The command line, checked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--samples", default=str(report_shards.SAMPLES),
-                        help="vertices; everything else in proportion (SAMPLES=)")
-    parser.add_argument("--seed", default="1", help="of the samples (SEED=)")
-    parser.add_argument("--scene", help="frames of this .toml, .obj or .fxls only (SCENE=)")
-    parser.add_argument("--board", default="mps2-an385", help="that the claim scale counts instructions on")
-    parser.add_argument("--processes", default="0", help="at a time; 0: as many as there are cores")
+                        help="number of vertices; the other samples are in proportion (SAMPLES=)")
+    parser.add_argument("--seed", default="1", help="seed of the random samples (SEED=)")
+    parser.add_argument("--scene", help="judge only the frames of this .toml, .obj or .fxls (SCENE=)")
+    parser.add_argument("--board", default="mps2-an385", help="board that counts instructions for the claim scale")
+    parser.add_argument("--processes", default="0", help="processes at a time; 0: one for each core")
     parser.add_argument("--out", default="build/report")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     parser.add_argument("--picture", metavar="FILE",
-                        help="only write a picture of the report that is there, for the README")
+                        help="only write the README's picture, from the report in --out")
     options = parser.parse_args(argv)
     options.samples = whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
     options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)

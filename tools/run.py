@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Walks a scene on a board, fetches the frames, and compares them with the host's and with double.
+"""Draws a scene's path on a board, and compares the frames with the host's and with double.
 
-Exit: 0 if the board's frames equal the host's byte for byte and every pixel
-that differs from double is explained; 1 if not; 2 if the run could not be made;
-the program's own code where it failed (boards/contract/system.h), 124 where it
-hung, 134 where the core locked up.
+Exit: 0 the board's frames equal the host's byte for byte, and every pixel that differs from double is
+explained; 1 not; 2 the run could not be made; 124 the program hung; 134 the core locked up; else the code
+of the program that failed (boards/contract/system.h).
 """
 
 from fixel import interpreter
@@ -195,10 +194,10 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
-    parser.add_argument("--frames", help="how many frames; the whole path without")
-    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
+    parser.add_argument("--frames", help="number of frames (default: the whole path)")
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     parser.add_argument("--out", default="build/run", help="folder for the results")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A picture of an emulated board's screen, as it is when the last frame was drawn."""
+"""Saves a picture of an emulated board's screen after the last frame."""
 
 from fixel import interpreter
 
@@ -43,12 +43,12 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--board", required=True, help="an emulated board with a screen")
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
-    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
-    parser.add_argument("--frames", help="how many frames; the whole path without")
-    parser.add_argument("--device", help="a display to be added to the board, as QEMU's -device has it")
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    parser.add_argument("--frames", help="number of frames (default: the whole path)")
+    parser.add_argument("--device", help="a display to add to the board, in the words of QEMU's -device")
     parser.add_argument("--out", required=True, type=pathlib.Path, help="the picture (.png)")
-    parser.add_argument("--build", default="build", help="where make builds")
-    parser.add_argument("--timeout", type=float, default=120.0, help="seconds that drawing may take (120)")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
+    parser.add_argument("--timeout", type=float, default=120.0, help="limit of the drawing time in seconds (120)")
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Flash, RAM and worst stack of the firmware and of the library for each core.
+"""Prints flash, RAM and stack of the firmware, and of the library for each core.
 
-Also proves on the Cortex-M0 build that the library draws in neither floating
-point nor a heap: by its undefined symbols, and by linking all of it with
-nothing but the compiler's own helpers. Exit 1 where that proof fails.
+Also checks on the Cortex-M0 build that the library links neither floating point nor a heap: by its undefined
+symbols, and by linking all of it with the compiler's own helpers alone. Exit 1 if the check fails.
 """
 
 from fixel import interpreter
@@ -209,7 +208,7 @@ def print_sizes(result):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
-    parser.add_argument("--elf", help="the firmware; without, only the library")
+    parser.add_argument("--elf", help="the firmware (default: only the library)")
     parser.add_argument("--usage", nargs="*", default=[], help="folders with its objects' .su files")
     parser.add_argument("--library", action="append", default=[], metavar="CORE=FILE",
                         help="libfixel.a for a core")

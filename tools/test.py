@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Runs every test: units on the host, the same units on each emulated board, the tools.
+"""Runs the tests: units on the host, the same units on emulated boards, the tools.
 
-Prints a line for each suite as it ends and failures whole, and which tests were
-left out because a board has no room for them. The last line is "N passed, N
-failed" (", N skipped" where some were); exit 1 if any failed or nothing ran.
-Limits are on CPU time and on sleep (fixel.limits), not on wall time.
+Prints a line for each suite, the whole output of failures, and which tests were left out because a board has
+no room for them. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
+test failed, 1 a test failed or nothing ran. Limits are on CPU time and on sleep (fixel.limits), not on wall
+time.
 """
 
 from fixel import interpreter
@@ -193,8 +193,8 @@ def main(argv):
                         help="a board and its Unity programs")
     parser.add_argument("--left-out", nargs="+", action="append", default=[], metavar=("BOARD", "TEST"),
                         help="a board and the tests that it has no room for")
-    parser.add_argument("--board", default="", help="only suites of this board")
-    parser.add_argument("--only", default="", help="only suites with this in their name")
+    parser.add_argument("--board", default="", help="run only the suites of this board")
+    parser.add_argument("--only", default="", help="run only suites with this word in their name")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(argv)
     outcomes = run_all(all_suites(options), max(1, options.workers))

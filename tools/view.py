@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Starts a board and shows its frames live on a web page of this machine.
 
-Keys go from the page to the firmware; the page shows the reference renderer beside it.
-Ctrl-C ends everything. Exit: 0 after Ctrl-C; else the board ended by itself,
-with the exit code of its program, or 2 where it could not be started.
+Keys go from the page to the firmware; the page shows the frame of the reference renderer beside it.
+Ctrl-C ends everything. Exit: 0 after Ctrl-C, 2 the board could not be started; else the board ended by
+itself, with the exit code of its program.
 """
 
 from fixel import interpreter
@@ -24,14 +24,14 @@ from fixel.errors import ToolError, run_main
 from fixel.view_board import Board
 from fixel.view_pump import IDLE_RATE, Pump
 from fixel.view_server import HOST, Hub, Server, hello
-from fixel.view_twin import Twin
+from fixel.view_reference import Reference
 from run import elf_of, make_scene_image
 from scene import parse_screen
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
-async def serve(board, twin_program, scene_image, options):
+async def serve(board, reference_program, scene_image, options):
     """Shows the board until it ends or a signal does; the error that it ended with, or None."""
     loop = asyncio.get_running_loop()
 
@@ -43,10 +43,10 @@ async def serve(board, twin_program, scene_image, options):
         return call
 
     hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette), board.hold,
-              lambda frame, wants: twin.ask(frame, wants), lambda rate: pump.set_rate(rate))
+              lambda frame, wants: reference.ask(frame, wants), lambda rate: pump.set_rate(rate))
     with contextlib.ExitStack() as stack:
-        twin = stack.enter_context(contextlib.closing(
-            Twin(twin_program, scene_image, later("compare"), later("end"))))
+        reference = stack.enter_context(contextlib.closing(
+            Reference(reference_program, scene_image, later("compare"), later("end"))))
         pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
         for each in ENDINGS:
             loop.add_signal_handler(each, hub.end)
@@ -103,10 +103,10 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
-    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
-    parser.add_argument("--port", help="of 127.0.0.1 (8065, or any that is free)")
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    parser.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
     parser.add_argument("--open", action="store_true", help="open the page in this machine's browser")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     options.screen = parse_screen(options.screen) if options.screen else None
     options.port = port_number(options.port) if options.port is not None else None

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""`make wire`: a scene's path as wireframes, drawn on this machine and compared with double."""
+"""Draws a scene's path as wireframes on this machine, and compares them with double."""
 
 from fixel import interpreter
 
@@ -21,7 +21,7 @@ PATTERNS = ["frame_*.png", "walk.gif", "summary.json"]
 
 
 def passes(summary):
-    """Whether both line clippers and the reference renderer agree, but for explained pixels."""
+    """Whether both line clippers and the reference renderer agree, except in explained pixels."""
     return summary["pixels_disagreeing"] == 0 and summary["pixels_unexplained"] == 0
 
 
@@ -44,10 +44,10 @@ def run(options, folder):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
-    parser.add_argument("--frames", help="how many frames; the whole path without")
-    parser.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
+    parser.add_argument("--frames", help="number of frames (default: the whole path)")
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     parser.add_argument("--out", default="build/wire", help="folder for the results")
-    parser.add_argument("--build", default="build", help="where make builds")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Code whose executed instructions can be counted by hand, to test the
- * counting itself. Prints a line for each region: its name and its number of
- * instructions, without the call of the end marker. Assembly, so that the
- * compiler has no say in it; Armv6-M's instructions only, but for those that a
- * core may lack. */
+/* Code whose executed instructions can be counted by hand, to test the counting itself. Prints a
+ * line for each region: its name and its number of instructions, without the call of the end
+ * marker. It is assembly, so the compiler does not affect it. It uses only instructions of
+ * Armv6-M, except where it tests those that a core may lack. */
 #include "contract/system.h"
 #include "region.h"
 #include "start.h"

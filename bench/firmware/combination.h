@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Which clipper and which method a program of make clippers draws with. */
+/* The clipper and the visibility method of a program of `make clippers`. */
 #ifndef BENCH_COMBINATION_H
 #define BENCH_COMBINATION_H
 
@@ -8,7 +8,7 @@
 typedef struct {
     const fxl_clipper *clipper;
     const fxl_visibility *hidden;
-    uint32_t room; /* bytes for what hides what, where it wants some */
+    uint32_t room; /* bytes for the visibility method, where it needs a workspace */
 } combination;
 
 extern const combination combination_chosen;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Fixel with any clipper and anything that hides what, the frame in one band. */
+/* Draws with Fixel, any clipper and any visibility method, the frame in one band. */
 #include "combination.h"
 #include "contract/system.h"
 #include "fixel/extra/beams/beam_light.h"
 #include "text.h"
 
-/* Zeroes count as loaded, and the scene lies behind them: all together below 480 KB. */
+/* Zeroes take space in the image, and the scene follows them: all together must be below 480 KB. */
 #define ORDER_ENTRIES 12288u
 #define CACHE_ENTRIES 256u
 #define CLIPPER_BYTES 16384u
@@ -19,7 +19,7 @@ static uint64_t light_room[LIGHT_BYTES / 8u];
 static fxl_renderer renderer;
 static uint32_t order_used, hidden_used, pieces_used, light_used;
 
-/* Bytes for what hides what: what was chosen, or what it wants at the least. */
+/* The bytes of the workspace of the visibility method: the chosen size, or the least. */
 static uint32_t room_for_hidden(const fxl_scene_image *image)
 {
     const fxl_visibility *hidden = combination_chosen.hidden;
@@ -76,7 +76,7 @@ uint32_t draw_memory(void)
            combination_chosen.clipper->workspace_size + hidden_used + pieces_used + light_used;
 }
 
-/* Asked for after each frame. */
+/* Called after each frame. */
 const fxl_counters *draw_counters(void)
 {
     pieces_used = combination_memory(&renderer);

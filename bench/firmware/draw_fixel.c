@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Fixel, the frame in one band, for which it needs no list. */
+/* Draws with Fixel, the frame in one band, so it needs no display list. */
 #include "contract/system.h"
 #include "draw.h"
 #include "text.h"

@@ -15,13 +15,13 @@
 #include "start.h"
 #include "text.h"
 
-#define STACK_WORDS   2048u /* looked at below the caller of draw_frame */
+#define STACK_WORDS   2048u /* words that are checked below the caller of draw_frame */
 #define STACK_PATTERN 0xA5C35A3Cu
 
 static uint8_t pixels[DRAW_PIXELS_MAX];
 
-/* Fills what lies below the stack pointer. By a volatile pointer and without a
- * call, which would stand there itself. */
+/* Fills the memory below the stack pointer. Uses a volatile pointer and no call, because a call
+ * would use that memory itself. */
 static inline __attribute__((always_inline)) volatile uint32_t *paint_stack(void)
 {
     volatile uint32_t *here;
@@ -32,7 +32,7 @@ static inline __attribute__((always_inline)) volatile uint32_t *paint_stack(void
     return here;
 }
 
-/* The bytes below `here` down to the lowest word that has changed. */
+/* Returns the bytes from `here` down to the lowest word that has changed. */
 static uint32_t painted_over(volatile const uint32_t *here)
 {
     uint32_t untouched = 0;
@@ -42,7 +42,7 @@ static uint32_t painted_over(volatile const uint32_t *here)
     return (STACK_WORDS - untouched) * 4u;
 }
 
-/* One frame, as a region. *stack: the deepest so far. */
+/* Draws one frame as a region. *stack: the deepest so far. */
 static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const fxl_band *band,
                                                      uint32_t *stack)
 {

@@ -28,7 +28,7 @@ static fxl_view_point view_point(int32_t part_x, int32_t part_y, fxl_q16_16 z)
     return point;
 }
 
-/* A quad about a place of the screen, in parts of the half screen. */
+/* A quad about a point of the screen; its size is in parts of the half screen. */
 static void view_quad(int32_t x, int32_t y, int32_t size, fxl_view_polygon *quad)
 {
     static const int8_t corners[4][2] = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
@@ -41,8 +41,7 @@ static void view_quad(int32_t x, int32_t y, int32_t size, fxl_view_polygon *quad
     }
 }
 
-/* A quad on the screen with a corner at the top, one at the right, one at the
- * bottom and one at the left. */
+/* A quad on the screen with one vertex each at the top, right, bottom and left. */
 static void screen_quad(fxl_screen_polygon *quad)
 {
     int32_t x = between(80 * 65536, 240 * 65536), y = between(80 * 65536, 160 * 65536);

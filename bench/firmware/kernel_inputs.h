@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the kernels are fed with: the same pseudo-random values on every core,
- * as the stages of a frame would see them. */
+/* The inputs of the kernels: the same pseudo-random values on every core, in the ranges that the
+ * stages of a frame have. */
 #ifndef BENCH_KERNEL_INPUTS_H
 #define BENCH_KERNEL_INPUTS_H
 
@@ -10,7 +10,7 @@
 
 typedef struct {
     fxl_view view;         /* 320x240, 90 degrees */
-    fxl_model_view placed; /* an object about the origin, of the points below; no cache */
+    fxl_model_view placed; /* an instance about the origin, of the points below; no cache */
     fxl_angle angles[KERNEL_COUNT];
     uint64_t wide[KERNEL_COUNT];            /* all 64 bits */
     int64_t numerators[KERNEL_COUNT];       /* as project divides: below 2^59 */

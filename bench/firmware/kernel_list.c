@@ -6,7 +6,7 @@
 
 #define EACH(i) for (uint32_t i = 0; i < KERNEL_COUNT; i++)
 
-/* Where results go, so that no compiler leaves the work out. */
+/* Results are stored here, so no compiler removes the work. */
 static union {
     uint64_t wide[KERNEL_COUNT];
     int64_t quotients[KERNEL_COUNT];
@@ -105,8 +105,7 @@ static void outcode(const kernel_inputs *in)
     }
 }
 
-/* A vertex of a placed object into the cache: all that clip and project want to
- * know of it. */
+/* Transforms a vertex of an instance into the cache: all that clip and project need. */
 static void transform_outcode(const kernel_inputs *in)
 {
     EACH(i)
@@ -151,7 +150,7 @@ static void edge(const kernel_inputs *in)
     }
 }
 
-/* Spans of one length, at the eight ways that a row may begin beside a word. */
+/* Spans of one length, at the eight alignments of the beginning of a row. */
 #define SPAN(length) \
     static void span_##length(const kernel_inputs *in) \
     { \

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Measures the library's kernels, each over many inputs as one region, and the
- * limits that they are compared with. Prints for each region
+/* Measures the library's kernels, each over many inputs as one region, and the limits that they
+ * are compared with. Prints for each region
  *   bench: kernel NAME UNITS
- * A figure is that of the whole loop: fetching the input, the call, keeping
- * the result. "call" is the same loop about an empty function. A name that
- * begins with "limit-" is the bare work, to compare with. */
+ * A figure is that of the whole loop: fetching the input, the call, storing the result. "call"
+ * is the same loop with an empty function. A name that begins with "limit-" is the bare work,
+ * for comparison. */
 #include "contract/system.h"
 #include "kernels.h"
 #include "region.h"

@@ -8,7 +8,7 @@
 typedef struct {
     const char *name;
     void (*run)(const kernel_inputs *inputs);
-    uint32_t units; /* how many a run is: what a figure is divided by */
+    uint32_t units; /* units of one run: the figure is divided by it */
 } bench_kernel;
 
 /* Both end with a name that is null. */

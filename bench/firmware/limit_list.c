@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The bare work of a few kernels, to measure them by: no rounding, no range, no
- * rule. Filling is assembly, the fewest instructions that a frame takes; the
- * others are what the compiler makes of the plain products. */
+/* The bare work of a few kernels, as a limit for them: without rounding, range or rule. Filling
+ * is assembly, with the fewest instructions for a frame. The others are plain products, as the
+ * compiler translates them. */
 #include "kernels.h"
 
 #define FILL_BYTES 76800u /* 320 x 240 */
@@ -10,7 +10,7 @@ static uint8_t frame[FILL_BYTES] __attribute__((aligned(8)));
 static int32_t products[KERNEL_COUNT];
 static fxl_view_point sums[KERNEL_COUNT];
 
-/* Lets the compiler think that somebody reads the results. */
+/* Makes the compiler assume that the results are read. */
 static inline void keep(const void *results)
 {
     __asm__ volatile("" ::"r"(results) : "memory");

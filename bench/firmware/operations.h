@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is counted of a program that counts operations: everything between these two calls. */
+/* A program that counts operations counts those between these two calls. */
 #ifndef BENCH_OPERATIONS_H
 #define BENCH_OPERATIONS_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What cutting a polygon takes: a clipper's answer is asked for again where it was to cut,
- * as a region of its own; the vertices are then known. */
+/* Measures the clipping of a polygon. If the clipper cut a face, it is called for that face
+ * again, as a region of its own; its vertices are then in the cache. */
 #include "combination.h"
 #include "operations.h"
 
@@ -18,7 +18,7 @@ __attribute__((naked, noinline)) void operations_end(void)
     __asm__ volatile("bx lr");
 }
 
-/* All that comes of a face. */
+/* Takes all polygons of a face. */
 static bool take(const fxl_model_view *placed, const fxl_face *face, fxl_clipper_work *work)
 {
     fxl_clip_result result = asked->clip(placed, face, work, &scratch);

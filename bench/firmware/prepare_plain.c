@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What needs no more than its room. */
+/* For methods that need only their workspace. */
 #include "combination.h"
 
 void combination_prepare(fxl_renderer *renderer)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A tree takes pieces of what moves: as many as any scene of the comparison gives. */
+/* For the BSP: memory for pieces of moving instances, enough for any scene of the comparison. */
 #include "combination.h"
 #include "fixel/extra/bsp.h"
 

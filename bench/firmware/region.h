@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is measured: everything between these two calls. The counting plugin
- * knows them by name. Without it they do nothing. */
+/* The measured region: everything between these two calls. The counting plugin finds them by
+ * name. Without the plugin they do nothing. */
 #ifndef BENCH_REGION_H
 #define BENCH_REGION_H
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* First call of every program of the bench: takes the arguments, lets no
- * interrupt in, and turns the core's floating-point unit on where the program
- * was compiled for one. */
+/* The first call of every program of the bench. Reads the arguments, disables interrupts, and
+ * turns the core's floating-point unit on where the program was compiled for one. */
 #ifndef BENCH_START_H
 #define BENCH_START_H
 

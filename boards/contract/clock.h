@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Board contract: how much work was done. */
+/* Board contract: a measure of the work that was done. */
 #ifndef BOARD_CLOCK_H
 #define BOARD_CLOCK_H
 
 #include <stdint.h>
 
-/* Instructions executed since the board started, never decreasing; differences
- * count. Its step is the board's affair and stands in its board.c.
- * Always 0 where the board cannot tell. */
+/* Returns the instructions executed since the board started. It never decreases; only
+ * differences have a meaning. The resolution depends on the board; its board.c states it. Always
+ * 0 where the board cannot count. */
 uint64_t clock_instructions(void);
 
 #endif

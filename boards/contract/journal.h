@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Board contract: what is told about each frame, beside its pixels. A board
- * that nobody listens to may ignore it and answer true. */
+/* Board contract: the data about each frame beside its pixels. A board without a listener may
+ * ignore it and return true. */
 #ifndef BOARD_JOURNAL_H
 #define BOARD_JOURNAL_H
 
@@ -9,18 +9,18 @@
 
 #include "fixel/types.h"
 
-/* Announces how many frames will follow; before display_open.
+/* Announces how many frames will follow. Called before display_open.
  * Requires frames >= 1. */
 bool journal_open(uint32_t frames);
 
-/* Begins frame number, counted from 0, before its first pixel: where the eye
- * was. False where it could not be noted. */
+/* Begins frame `number`, counted from 0, before its first pixel, and notes the pose of the eye.
+ * Returns false where that failed. */
 bool journal_begin(uint32_t number, const fxl_pose *pose);
 
-/* Ends the frame after its last pixel: what became of its polygons, in how
- * many steps of the walk so far a coordinate was held at the range's end, and
- * how many instructions drawing took (0: the board cannot tell).
- * False where it could not be noted, or where pixels of the frame are missing. */
+/* Ends the frame after its last pixel. Notes the outcome of its polygons, the number of steps so
+ * far in which the player's position was clamped to the range, and the number of instructions
+ * that drawing took (0: the board cannot count). Returns false where that failed, or where
+ * pixels of the frame are missing. */
 bool journal_end(const fxl_counters *counters, uint32_t clamped, uint64_t instructions);
 
 #endif

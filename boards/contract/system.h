@@ -36,24 +36,24 @@ enum {
     SYSTEM_EXIT_HANG = 50        /* fault: the program hung: the watchdog was not fed */
 };
 
-/* Takes the arguments; first call of every program. argc and argv are those of
- * main, 0 and null where main gets none. Ends the program with
- * SYSTEM_EXIT_ARGUMENT, and a sentence, where it does not understand them. */
+/* Reads the arguments. The first call of every program. argc and argv are those of main, 0 and
+ * null where main gets none. Ends the program with SYSTEM_EXIT_ARGUMENT, and a sentence, where
+ * it does not understand them. */
 void system_start(int argc, char **argv);
 
-/* How many frames were asked for; 0 where the whole path is wanted. */
+/* Returns how many frames the arguments ask for; 0: the whole path. */
 uint32_t system_frames(void);
 
-/* Whether the player's keys replace the scene's path from the first frame on. */
+/* Tells whether the player's keys replace the scene's path from the first frame on. */
 bool system_live(void);
 
-/* A sign of life, once a frame at least. The first one starts the board's
- * watchdog, where it has one: when they then fail to come, it ends the program
- * with SYSTEM_EXIT_HANG. Ends the program with SYSTEM_EXIT_STACK where the board
- * sees that the stack has overflowed. */
+/* A sign of life, which a program gives at least once a frame. The first one starts the board's
+ * watchdog, where it has one. If signs of life then stay away, the watchdog ends the program
+ * with SYSTEM_EXIT_HANG. Ends the program with SYSTEM_EXIT_STACK where the board detects that
+ * the stack has overflowed. */
 void system_alive(void);
 
-/* Prints text, as it is, for people. Requires a string. */
+/* Prints text unchanged, for people. Requires a string. */
 void system_text(const char *text);
 
 /* Ends the program; does not return. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Faults of Armv6-M: the core knows only one, the hard fault, and says nothing
- * of its cause. The instruction and the registers tell. */
+/* Faults of Armv6-M. The core has only one, the hard fault, and does not report its cause. The
+ * cause is found from the instruction and the registers. */
 #include "contract/system.h"
 #include "parts/cortexm.h"
 #include "parts/cortexm_fault.h"
@@ -13,8 +13,8 @@ void cortexm_trap(void)
 {
 }
 
-/* The core does not tell; but it pushes below the program's stack pointer, and
- * the stack is the lowest memory. */
+/* The core does not report it. But it pushes below the program's stack pointer, and the stack is
+ * the lowest memory. */
 bool cortexm_push_failed(const uint32_t *pushed)
 {
     return pushed < fxl_stack_limit;
@@ -59,7 +59,7 @@ cortexm_diagnosis cortexm_diagnose(const cortexm_fault_state *state)
         return undefined; /* not Thumb code */
     }
     if (!is_in_flash(pc)) {
-        return at(SYSTEM_EXIT_BUS, pc); /* jumped where no code is */
+        return at(SYSTEM_EXIT_BUS, pc); /* a jump to where no code is */
     }
     if (!state->is_decoded) {
         return undefined;

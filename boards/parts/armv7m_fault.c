@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Faults of Armv7-M and of Armv8-M Mainline: the core says what they are. */
+/* Faults of Armv7-M and of Armv8-M Mainline: the core reports their kinds. */
 #include <stddef.h>
 
 #include "contract/system.h"
@@ -56,9 +56,8 @@ void cortexm_trap(void)
     SCB_CCR |= CCR_DIV_0_TRP | CCR_UNALIGN_TRP;
 }
 
-/* Where a stack limit is in the way (Armv8-M), the core moves the stack pointer
- * to it and pushes nothing, without a bit of its own for that: what lies there
- * then is paint, or whatever was there before. */
+/* At a stack limit (Armv8-M) the core moves the stack pointer to the limit and pushes nothing.
+ * No bit of its own reports that. The memory there then holds paint, or what was there before. */
 bool cortexm_push_failed(const uint32_t *pushed)
 {
     const uint32_t cfsr = SCB_CFSR;
@@ -69,8 +68,7 @@ bool cortexm_push_failed(const uint32_t *pushed)
     return (cfsr & (CFSR_MSTKERR | CFSR_STKERR)) != 0;
 }
 
-/* Of these cores the run-time divides 64 bits only. It jumps here, with the
- * caller's lr. */
+/* On these cores the run-time divides only 64-bit numbers. It jumps here, with the caller's lr. */
 __attribute__((naked, used)) void cortexm_division_by_zero(void)
 {
     __asm__ volatile(".global __aeabi_idiv0, __aeabi_ldiv0\n\t"
@@ -111,7 +109,7 @@ static int find_code(uint32_t cfsr, const cortexm_diagnosis *found)
     if ((cfsr & (CFSR_MEMORY | CFSR_BUS)) != 0) {
         const int otherwise = (cfsr & CFSR_MEMORY) != 0 ? SYSTEM_EXIT_PROTECTION : SYSTEM_EXIT_BUS;
 
-        /* Flash is read-only, so data access to it that faults was a write. */
+        /* Flash is read-only, so a data access to flash that faults was a write. */
         return found->is_address_known
                    ? cortexm_access_code(found->address, (cfsr & CFSR_DACCVIOL) != 0, otherwise)
                    : otherwise;

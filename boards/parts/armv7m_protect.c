@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Memory protection of Armv7-M (PMSAv7): what a stray pointer or a full stack
- * must hit. A chip may lack it, though QEMU's model of it has it: there, the
- * paint of the stack is all that is left. */
+/* Memory protection of Armv7-M (PMSAv7): the regions that a stray pointer or an overflowing
+ * stack must hit. A chip may lack it, though QEMU's model of the chip has it. On such a chip
+ * only the paint of the stack shows an overflow. */
 #include "parts/cortexm.h"
 
 #define MPU_RBAR         CORTEXM_REGISTER(0xE000ED9Cu)
 #define MPU_RASR         CORTEXM_REGISTER(0xE000EDA0u)
 #define MPU_TYPE_REGIONS (0xFFu << 8)
 #define CTRL_ENABLE      1u
-#define CTRL_PRIVDEFENA  4u /* everything else: as without protection */
+#define CTRL_PRIVDEFENA  4u /* all other addresses: as without protection */
 #define RBAR_VALID       (1u << 4)
 #define RASR_ENABLE      1u
 #define RASR_XN          (1u << 28)
@@ -17,8 +17,8 @@
 /* Normal memory, write-through: TEX 0, C 1, B 0. */
 #define RASR_NORMAL (1u << 17)
 
-/* Region number covers size bytes, a power of two from 32, from an address
- * that is a multiple of it. Where regions overlap, the higher number rules. */
+/* Sets region `number` to size bytes, a power of two from 32, from an address that is a multiple
+ * of size. Where regions overlap, the higher number has priority. */
 static void set_region(uint32_t number, uintptr_t address, uint32_t size, uint32_t attributes)
 {
     uint32_t exponent = 0;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Memory protection of Armv8-M Mainline (PMSAv8) and the stack limits: what a
- * stray pointer or a full stack must hit.
+/* Memory protection of Armv8-M Mainline (PMSAv8) and the stack limits: what a stray pointer or
+ * an overflowing stack must hit.
  *
- * PMSAv8 knows no region without access; what no region covers is out of
- * bounds. So the regions are what a program may use: its flash, the RAM, and
- * the rest of the address space but the code space; what lies below the RAM in
- * its own eighth of the address space is the guard, among others. */
+ * PMSAv8 has no region without access; an address outside all regions is out of bounds. So the
+ * regions are what a program may use: its flash, the RAM, and the rest of the address space
+ * except the code space. The guard is, among others, the memory below the RAM in its own eighth
+ * of the address space. */
 #include "parts/cortexm.h"
 
 #define MPU_RNR          CORTEXM_REGISTER(0xE000ED98u)
@@ -15,7 +15,7 @@
 #define MPU_TYPE_REGIONS (0xFFu << 8)
 #define CTRL_ENABLE      1u
 #define RBAR_XN          1u
-#define RBAR_READ_WRITE  (0u << 1) /* privileged only; nothing here is not */
+#define RBAR_READ_WRITE  (0u << 1) /* privileged only; all code here is privileged */
 #define RBAR_READ_ONLY   (2u << 1)
 #define RLAR_ENABLE      1u
 #define RLAR_ATTRIBUTE   1u /* shift of the number of an attribute of MAIR0 */
@@ -34,8 +34,8 @@
 #define OTHER_BASE    0xA0000000u
 #define OTHER_LAST    0xFFFFFFFFu
 
-/* Region number covers first to last; both are rounded down to 32 bytes, and
- * last up to the end of its 32. */
+/* Sets region `number` to first..last. Both are rounded down to 32 bytes, and the region
+ * includes all of last's 32 bytes. */
 static void set_region(uint32_t number, uint32_t first, uint32_t last, uint32_t access,
                        uint32_t attribute)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which board a program was built for, in a section of its own, for the tools:
- * lines of key=value, ended by 0. The tools know no other table of boards. */
+/* The board that a program was built for, in a section of its own, for the tools: lines of
+ * key=value, ended by 0. The tools have no other table of boards. */
 
 __attribute__((section(".fxl_board"), used)) static const char board_note[] =
     "board=" BOARD_NAME "\ncpu=" BOARD_CPU "\nqemu=" BOARD_QEMU "\nopenocd=" BOARD_OPENOCD

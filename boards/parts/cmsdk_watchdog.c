@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* watchdog.h by the watchdog of Arm's Cortex-M System Design Kit, which the
- * Stellaris chips have, too. Of board.mk: CMSDK_WATCHDOG_BASE, its address;
- * CMSDK_WATCHDOG_HZ, how fast it counts; and, where it interrupts by another
- * way than the NMI, CMSDK_WATCHDOG_INTERRUPT, the number of that interrupt.
+/* watchdog.h with the watchdog of Arm's Cortex-M System Design Kit, which the Stellaris chips
+ * have, too. board.mk sets CMSDK_WATCHDOG_BASE, its address, and CMSDK_WATCHDOG_HZ, its clock.
+ * If it does not interrupt through the NMI, board.mk also sets CMSDK_WATCHDOG_INTERRUPT, the
+ * number of its interrupt.
  *
- * Left alone it interrupts, and after the same time again it resets the board:
- * if the interrupt could not be taken, at least nothing goes on as if all were
- * well. */
+ * If it is not fed, it interrupts; after the same time again it resets the board. So the program
+ * does not go on even if the interrupt could not be taken. */
 #include "parts/watchdog.h"
 
 #include "parts/cortexm.h"
@@ -15,7 +14,7 @@
 #define WATCHDOG(offset) CORTEXM_REGISTER(CMSDK_WATCHDOG_BASE + (offset))
 #define LOAD             WATCHDOG(0x000u)
 #define CONTROL          WATCHDOG(0x008u)
-#define CLEAR            WATCHDOG(0x00Cu) /* a write loads the counter anew */
+#define CLEAR            WATCHDOG(0x00Cu) /* a write reloads the counter */
 #define MASKED_STATUS    WATCHDOG(0x014u)
 #define LOCK             WATCHDOG(0xC00u)
 #define LOCK_OPEN        0x1ACCE551u

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The registers of the system space that Armv6-M, Armv7-M and Armv8-M cores
- * share (their Architecture Reference Manuals, part B), what a board hands to
- * the parts, and what the parts of a core hand to each other. */
+/* The registers of the system space that Armv6-M, Armv7-M and Armv8-M cores share (their
+ * Architecture Reference Manuals, part B); what a board passes to the parts; and what the parts
+ * of a core pass to each other. */
 #ifndef BOARD_CORTEXM_H
 #define BOARD_CORTEXM_H
 
@@ -28,20 +28,19 @@
 #define MPU_TYPE        CORTEXM_REGISTER(0xE000ED90u)
 #define MPU_CTRL        CORTEXM_REGISTER(0xE000ED94u)
 
-/* The lowest bytes of memory: where flash lies there, the vector table, which
- * the core reads unprotected, and nothing else, so that a null pointer cannot
- * pass. A page of the emulator's: a smaller region would make it check every
- * access to the rest of the page, which QEMU 10 takes tens of times longer for. */
+/* The lowest bytes of memory, which the protection makes inaccessible so that access through a
+ * null pointer faults. Where flash lies there, they hold only the vector table, which the core
+ * reads unprotected. The size is a page of the emulator: with a smaller region the emulator
+ * checks every access to the rest of the page, which takes QEMU 10 tens of times longer. */
 #define CORTEXM_NULL_BYTES 4096u
 
-/* The architecture's code space. Some boards answer there in silence where they
- * have nothing, or show their flash again: a program has no business there
- * beside its flash. */
+/* The architecture's code space. Some boards give no fault there where they have nothing, or
+ * show their flash again. A program needs nothing there except its flash. */
 #define CORTEXM_CODE_BASE 0x00000000u
 #define CORTEXM_CODE_SIZE 0x20000000u
 
-/* Places from linker/sections.ld and the board's memory.ld. Only their
- * addresses mean anything; of ..._size symbols the address is the size. */
+/* Symbols of linker/sections.ld and the board's memory.ld. Only their addresses have a meaning;
+ * the address of a ..._size symbol is the size. */
 extern uint32_t fxl_data_load[], fxl_data_start[], fxl_data_end[];
 extern uint32_t fxl_bss_start[], fxl_bss_end[];
 extern uint32_t fxl_stack_guard[], fxl_stack_limit[], fxl_stack_top[];
@@ -53,31 +52,30 @@ typedef void (*cortexm_vector)(void);
 /* The core's vector table, at the start of flash. */
 extern const cortexm_vector cortexm_vectors[];
 
-/* Entry after reset: paints the stacks, fills .data and .bss, turns on traps
- * and memory protection, then board_start and main, which is not expected to
- * come back. */
+/* Entry after reset. Paints the stacks, fills .data and .bss, turns on traps and memory
+ * protection, then calls board_start and main, which is not expected to return. */
 void cortexm_reset(void);
 
-/* Entry of every fault and of every interrupt that nobody asked for: prints
- * what happened and ends the program with a code of system.h. */
+/* Entry of every fault and of every unexpected interrupt. Prints what happened and ends the
+ * program with a code of system.h. */
 void cortexm_fault(void);
 
-/* Makes the core fault where it can choose to: at a division by zero, at a
- * misaligned address; and tell the kinds of faults apart. armv..._fault.c. */
+/* Makes the core fault at a division by zero and at a misaligned address, where the core has
+ * that choice, and report the kinds of faults separately. In armv..._fault.c. */
 void cortexm_trap(void);
 
-/* Sets up and turns on the memory protection: flash read-only; the rest of the
- * code space, the lowest bytes of memory and the guard below the stack out of
- * bounds. Whether there is one. armv..._protect.c, no_protect.c. */
+/* Sets up and turns on the memory protection: flash is read-only; the rest of the code space,
+ * the lowest bytes of memory and the guard below the stack are inaccessible. Returns whether the
+ * core has a protection. In armv..._protect.c, no_protect.c. */
 bool cortexm_protect(void);
 
-/* Whether cortexm_protect turned it on. */
+/* Tells whether cortexm_protect turned the protection on. */
 bool cortexm_protected(void);
 
 /* The SysTick interrupt; parts/systick.c has one. */
 void cortexm_systick(void);
 
-/* What a board does once before main. Each board.c has one. */
+/* The initialisation of a board, before main. Each board.c has one. */
 void board_start(void);
 
 int main(int argc, char **argv);

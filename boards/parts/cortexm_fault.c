@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is said when the core faults: the fault's name, the address, the
- * registers; and an exit code for each kind. Runs on the main stack. */
+/* Reports a fault of the core: its name, the address, the registers; and an exit code for each
+ * kind. Runs on the main stack. */
 #include "parts/cortexm_fault.h"
 
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include "parts/watchdog.h"
 
 #define FRAME_WORDS    8u
-#define XPSR_REALIGNED (1u << 9) /* the core pushed a word more, for alignment */
+#define XPSR_REALIGNED (1u << 9) /* the core pushed one more word, for alignment */
 #define BRANCH_BYTES   4u        /* of BL */
 
 enum {
@@ -72,9 +72,8 @@ static bool is_code(uint32_t address)
            address < (uint32_t)(uintptr_t)fxl_scene_base;
 }
 
-/* The lowest word of the stack that is a return address: odd, into the code,
- * behind a branch with link. Whoever overflowed the stack was called there. 0
- * where there is none. */
+/* Returns the lowest word of the stack that is a return address: odd, into the code, behind a
+ * branch with link. That call overflowed the stack. Returns 0 where there is none. */
 static uint32_t find_return_address(void)
 {
     const uint32_t *word;
@@ -136,14 +135,14 @@ static cortexm_diagnosis diagnose(cortexm_fault_state *state)
         return result;
     }
     if (state->is_run_time) {
-        /* The culprit is who called the division. */
+        /* The address to report is that of the caller of the division. */
         state->registers[THUMB_PC] = (state->registers[LR] & ~1u) - BRANCH_BYTES;
         result.code = SYSTEM_EXIT_DIVIDE;
         return result;
     }
     result = cortexm_diagnose(state);
     if (state->is_pushed && state->registers[THUMB_PC] < CORTEXM_NULL_BYTES) {
-        result.code = SYSTEM_EXIT_NULL; /* called, for there is no code */
+        result.code = SYSTEM_EXIT_NULL; /* a call: there is no code */
         result.is_address_known = true;
         result.address = state->registers[THUMB_PC];
     }
@@ -229,8 +228,8 @@ __attribute__((used, noreturn)) static void report(const uint32_t *pushed, const
     semihosting_exit(found.code);
 }
 
-/* In the instructions that every core has. Bit 2 of the link register says
- * which stack the core pushed to. */
+/* Uses only instructions that every core has. Bit 2 of the link register says to which stack the
+ * core pushed. */
 __attribute__((naked)) void cortexm_fault(void)
 {
     __asm__ volatile("mov r2, lr\n\t"

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Reset and the vector table of a Cortex-M core, from Armv6-M to Armv8.1-M.
  *
- * The program runs on the process stack and handlers on the main stack, so
- * that the fault report still has a stack when the program's has overflowed.
- */
+ * The program runs on the process stack and handlers on the main stack, so the fault report
+ * still has a stack when the program's has overflowed. */
 #include "contract/system.h"
 #include "parts/cortexm.h"
 #include "parts/stack.h"
 
-#define INTERRUPTS 32 /* beyond the 16 of the core */
+#define INTERRUPTS 32 /* in addition to the 16 of the core */
 
 #define TEXT_OF(macro) TEXT(macro)
 #define TEXT(words)    #words

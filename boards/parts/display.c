@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* display.h and journal.h over the board's panels. The order of calls is
- * checked here, once for all of them; whatever goes wrong is remembered, so
- * that no panel takes a run for whole that was not. */
+/* display.h and journal.h for the board's panels. The order of calls is checked here, once for
+ * all panels. Every failure is remembered, so no panel takes an incomplete run for a complete
+ * one. */
 #include <stddef.h>
 
 #include "contract/display.h"
@@ -12,13 +12,13 @@
 
 static struct {
     uint32_t announced, frames; /* to come; begun */
-    uint32_t ready;             /* a bit for each panel of the list that takes part */
+    uint32_t ready;             /* a bit for each panel of the list that is in use */
     uint16_t width, height;
-    uint16_t row; /* rows of this frame that came */
+    uint16_t row; /* rows of this frame so far */
     bool open, in_frame, whole;
 } display;
 
-/* The panel number i of the list where it takes part, else null. */
+/* Returns panel i of the list if it is in use, else null. */
 static const panel *taking_part(uint32_t i)
 {
     return (display.ready >> i & 1u) != 0 ? board_panels()[i] : NULL;
@@ -54,8 +54,8 @@ static bool open_panels(const panel_format *format)
             return false;
         }
     }
-    /* A panel beyond the mask would go dark in silence; nobody shows anything
-     * where all are unsuitable. */
+    /* A panel beyond the mask would silently stay dark. No panel shows anything where all are
+     * unsuitable. */
     return (i < PANELS_MAX || list[i] == NULL) && display.ready != 0;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A panel that is a frame dump (docs/formats.md, section 2), written to a sink as it
- * comes. It gets its tail only where every frame came and every byte was taken,
- * so nobody can take another for whole. */
+/* A panel that is a frame dump (docs/formats.md, section 2), written to a sink as the frames
+ * come. The dump gets its tail only if every frame came and every byte was taken, so an
+ * incomplete dump is recognised. */
 #include <stddef.h>
 
 #include "parts/dump.h"

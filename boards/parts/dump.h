@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The frame dump of docs/formats.md, section 2, as a panel. It takes every size. The
- * board has a parts/sink.h for it. */
+/* The frame dump of docs/formats.md, section 2, as a panel. It takes frames of every size. The
+ * board must have a parts/sink.h. */
 #ifndef BOARD_DUMP_H
 #define BOARD_DUMP_H
 

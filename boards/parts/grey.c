@@ -2,15 +2,15 @@
 #include "parts/grey.h"
 
 #define COLOURS 256u
-#define STEPS   128u /* of a level: the thresholds are its odd ones */
+#define STEPS   128u /* parts of a level; the thresholds are the odd ones */
 
 /* Rec. 709 in 256ths; they add up to 256, so white is 255. */
 #define WEIGHT_RED   54u
 #define WEIGHT_GREEN 183u
 #define WEIGHT_BLUE  19u
 
-/* How far a pixel is from the next level, at most 127: 127 - 2 B of docs/formats.md,
- * so that a level is reached from its threshold 2 B + 1 on. */
+/* How far a pixel is from the next level, at most 127: 127 - 2 B of docs/formats.md. So a level
+ * is reached from its threshold 2 B + 1 on. */
 #define T(b) (127u - 2u * (b))
 
 static const uint8_t offsets[8][8] = {
@@ -36,9 +36,9 @@ void grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
     uint32_t i;
 
     for (i = 0; i < COLOURS; i++) {
-        /* <= 255^2 * 128 before the division; at most 128 highest after it.
-         * Rounding down is harmless: a threshold is a whole number of 128ths,
-         * and luma * highest * 128 / 255 never is an odd one. */
+        /* <= 255^2 * 128 before the division; at most 128 highest after it. Rounding down
+         * changes no level: a threshold is an integer number of 128ths, and luma * highest * 128
+         * / 255 is never an odd integer. */
         table[i] = (uint16_t)(grey_luma(&palette[3u * i]) * highest * STEPS / 255u);
     }
 }

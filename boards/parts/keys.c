@@ -5,7 +5,7 @@
 
 #include "fixel/extra/player.h"
 
-/* Whether the readings of one button agree for long enough. */
+/* Tells whether the readings of one button agree for long enough. */
 static bool is_settled(keys_debouncer *keys, uint32_t i, bool is_equal, uint32_t milliseconds)
 {
     if (!is_equal || keys->equal[i] == 0) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The four functions that a compiler may call on its own, also where there is
- * no C library. As in the C standard; by words where both sides allow it.
- * Compiled so that their loops are not turned into calls of themselves. */
+/* The four functions that a compiler may call on its own, also where there is no C library. They
+ * follow the C standard, and copy words where both sides are aligned. They are compiled so that
+ * their loops do not become calls of themselves. */
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* store.h as a partition of the flash, placed by the board's memory.ld. */
+/* store.h for a partition of the flash, which the board's memory.ld places. */
 #include "contract/store.h"
 
 #include "parts/cortexm.h"

@@ -15,8 +15,7 @@
 #define SR_HAS_ROOM    2u /* to send */
 #define SR_RECEIVED    4u
 
-/* Looks at the status before giving up: a byte at the slowest clock takes far
- * fewer. */
+/* Reads of the status before it gives up. A byte at the slowest clock takes far fewer. */
 #define PATIENCE 1000000u
 
 static bool wait_for(uintptr_t base, uint32_t status)
@@ -42,8 +41,8 @@ void pl022_open(uintptr_t base, uint32_t divider)
     }
 }
 
-/* A byte comes in for each that goes out, and has to be taken: one that came
- * in says that its own is out, and QEMU stops sending when eight lie unread. */
+/* A byte comes in for each byte sent, and must be read. An incoming byte shows that its own byte
+ * was sent; and QEMU stops sending when eight bytes are unread. */
 bool pl022_send(uintptr_t base, const uint8_t *bytes, size_t size)
 {
     size_t i;

@@ -3,16 +3,15 @@
 #include "parts/sbcon.h"
 
 #define REGISTER(base, offset) (*(volatile uint32_t *)((base) + (offset)))
-#define LINES(base)            REGISTER(base, 0u) /* read: how they are */
-#define LET_RISE(base)         REGISTER(base, 0u) /* write: lines to let go */
+#define LINES(base)            REGISTER(base, 0u) /* read: the state of the lines */
+#define LET_RISE(base)         REGISTER(base, 0u) /* write: lines to release */
 #define PULL_LOW(base)         REGISTER(base, 4u)
 
 #define CLOCK 1u
 #define DATA  2u
 
-/* Looks at the port between two edges. Each takes the core and the bus several
- * cycles at 25 MHz: together longer than the 1.3 microseconds that I2C at
- * 400 kHz asks for. */
+/* Reads of the port between two edges. Each read takes the core and the bus several cycles at 25
+ * MHz. Together they are longer than the 1.3 microseconds that I2C at 400 kHz requires. */
 #define EDGE_LOOKS 8u
 
 static void set_line(uintptr_t base, uint32_t line, bool high)
@@ -29,7 +28,7 @@ static void set_line(uintptr_t base, uint32_t line, bool high)
     }
 }
 
-/* From any state: the lines go up, then data falls while the clock is high. */
+/* Starts from any state: the lines go up, then data falls while the clock is high. */
 static void start(uintptr_t base)
 {
     set_line(base, DATA, true);

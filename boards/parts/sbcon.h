@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* An I2C master on Arm's SBCon: two open-drain lines that the program moves
- * itself. */
+/* An I2C master on Arm's SBCon: two open-drain lines that the program switches itself. */
 #ifndef BOARD_SBCON_H
 #define BOARD_SBCON_H
 
@@ -8,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Sends bytes to the device at a 7-bit address, by the port at base.
- * False where one of them, or the address, was not acknowledged. */
+/* Sends bytes to the device at a 7-bit address, through the port at base. Returns false where a
+ * byte, or the address, was not acknowledged. */
 bool sbcon_send(uintptr_t base, uint32_t address, const uint8_t *bytes, size_t size);
 
 #endif

@@ -108,7 +108,7 @@ int semihosting_seek(int handle, uint32_t offset)
     return (int)call(SYS_SEEK, parameters);
 }
 
-/* Reading and writing take the same words and answer with what is missing. */
+/* Read and write have the same parameters, and return how many bytes are missing. */
 static size_t transfer(uint32_t operation, int handle, const void *bytes, size_t size)
 {
     const uint32_t parameters[3] = {(uint32_t)handle, (uint32_t)(uintptr_t)bytes, (uint32_t)size};

@@ -11,33 +11,33 @@
 /* Prints a string on the host. Requires a string. */
 void semihosting_text(const char *text);
 
-/* Prints a number in decimal; in eight hexadecimal digits after 0x. */
+/* Prints a number: in decimal; or as 0x and eight hexadecimal digits. */
 void semihosting_decimal(uint32_t number);
 void semihosting_hexadecimal(uint32_t number);
 
 /* Ends the emulator with an exit code of 0..255; does not return. */
 _Noreturn void semihosting_exit(int status);
 
-/* The arguments given by the host, separated by blanks, ended by 0.
- * Null where there are none, or more than size - 1 bytes of them. */
+/* Reads the arguments from the host, separated by blanks, ended by 0. Returns null where there
+ * are none, or more than size - 1 bytes of them. */
 const char *semihosting_arguments(char *buffer, size_t size);
 
-/* Creates a file on the host, for binary writing; a handle, or negative. */
+/* Creates a file on the host, for binary writing. Returns a handle, or a negative number. */
 int semihosting_create(const char *name);
 
-/* Opens a file of the host for binary reading; a handle, or negative. */
+/* Opens a file of the host for binary reading. Returns a handle, or a negative number. */
 int semihosting_open(const char *name);
 
-/* Goes to a byte of a file; 0 where the host did. */
+/* Goes to a byte of a file. Returns 0 on success. */
 int semihosting_seek(int handle, uint32_t offset);
 
-/* How many of size bytes the host did NOT read. */
+/* Reads size bytes. Returns how many of them the host did NOT read. */
 size_t semihosting_read(int handle, void *bytes, size_t size);
 
-/* How many of size bytes the host did NOT write. */
+/* Writes size bytes. Returns how many of them the host did NOT write. */
 size_t semihosting_write(int handle, const void *bytes, size_t size);
 
-/* 0 where the host closed the file and kept what was written. */
+/* Closes a file. Returns 0 where the host closed it and kept the data. */
 int semihosting_close(int handle);
 
 #endif

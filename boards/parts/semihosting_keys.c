@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* input.h over a file of the host, "keys" in the directory in which the
- * emulator was started: one byte, the keys that a viewer's player holds. For
- * boards without keys of their own. */
+/* input.h with a file of the host, "keys" in the directory in which the emulator was started:
+ * one byte, the keys that the player holds. For boards without keys of their own. */
 #include "contract/input.h"
 #include "parts/semihosting.h"
 
@@ -23,7 +22,7 @@ uint32_t input_keys(void)
     }
     if (state == OPEN &&
         (semihosting_seek(handle, 0) != 0 || semihosting_read(handle, &keys, sizeof keys) != 0)) {
-        keys = 0; /* nobody has written one yet */
+        keys = 0; /* no file yet */
     }
     return keys;
 }

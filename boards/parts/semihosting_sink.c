@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The frame dump as a file of the host, in the directory in which the emulator
- * was started. The tools give it its real name once it is whole. */
+/* The frame dump as a file of the host, in the directory in which the emulator was started. The
+ * tools rename it when it is complete. */
 #include "parts/semihosting.h"
 #include "parts/sink.h"
 

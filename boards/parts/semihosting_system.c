@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* system.h over semihosting. The arguments are words: the program's name, then
- * frames=N, live and hold in any order. */
+/* system.h with semihosting. The arguments are words: the program's name, then frames=N, live
+ * and hold in any order. */
 #include "contract/system.h"
 
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include "parts/stack.h"
 #include "parts/watchdog.h"
 
-#define FRAMES_MAX UINT32_MAX /* a viewer's are without end */
+#define FRAMES_MAX UINT32_MAX /* the frames of a live run have no end */
 
 static struct {
     uint32_t frames;
@@ -26,7 +26,7 @@ static void refuse(const char *word)
     semihosting_exit(SYSTEM_EXIT_ARGUMENT);
 }
 
-/* Whether a word begins with a prefix, and where it goes on. */
+/* Tells whether a word begins with a prefix, and where the rest of it is. */
 static const char *after(const char *word, const char *prefix)
 {
     while (*prefix != '\0') {
@@ -92,7 +92,7 @@ void system_start(int argc, char **argv)
     (void)argc;
     (void)argv;
     if (semihosting_arguments(line, sizeof line) == NULL) {
-        return; /* none: the whole path */
+        return; /* no argument: the whole path */
     }
     while (*word != '\0') {
         char *end = word;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Where a frame dump goes, byte by byte: what parts/dump.c asks of a board.
- * Each answers false where the host did not take everything, and is called
- * between a sink_open that answered true and sink_close. */
+/* The destination of a frame dump, byte by byte: the functions that parts/dump.c needs from a
+ * board. Each returns false where the host did not take everything. Each is called between a
+ * sink_open that returned true and sink_close. */
 #ifndef BOARD_SINK_H
 #define BOARD_SINK_H
 
@@ -11,8 +11,8 @@
 bool sink_open(void);
 bool sink_write(const void *bytes, size_t size);
 
-/* Ends it. whole: every byte of the dump was taken; otherwise what came is not
- * to be mistaken for a dump. */
+/* Closes the sink. whole: every byte of the dump was taken. Otherwise the sink must not leave
+ * anything that looks like a complete dump. */
 bool sink_close(bool whole);
 
 #endif

@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Eight rows are a page, and a byte is eight pixels of a column, the topmost
- * its lowest bit. The window of a frame is gathered here, two pages, and sent
- * when the frame ends. */
+/* A page is eight rows; a byte is eight pixels of a column, the topmost in the lowest bit. The
+ * window of a frame is collected here, in two pages, and sent when the frame ends. */
 #include "parts/ssd0303.h"
 
 #include "parts/grey.h"
 
 #define PAGES        (SSD0303_HEIGHT / 8u)
-#define FIRST_COLUMN 36u /* of the controller's 132: where the module begins */
+#define FIRST_COLUMN 36u /* of the controller's 132 columns: the first one of the module */
 
-/* What the first byte of a message says of the next. */
+/* The first byte of a message gives the kind of the next. */
 #define CONTROL_COMMAND 0x80u
 #define CONTROL_DATA    0x40u
 
@@ -17,8 +16,8 @@ static uint16_t greys[256]; /* of the palette's entries: grey_table */
 static uint32_t left, top;  /* the window's first column and row in the frame */
 static uint8_t message[PAGES][1u + SSD0303_WIDTH];
 
-/* A message each: the emulator forgets, after a command's argument, that
- * another command may follow. */
+/* A message for each command: after a command's argument the emulator does not expect another
+ * command. */
 static bool send_commands(const uint8_t *commands, size_t count)
 {
     size_t i;
@@ -32,9 +31,8 @@ static bool send_commands(const uint8_t *commands, size_t count)
     return good;
 }
 
-/* For the OSRAM Pictiva module of 96 x 16: its connections, and its maker's
- * figures for currents and voltages. The emulator takes note of on, off,
- * places and inversion alone. */
+/* For the OSRAM Pictiva module of 96 x 16: its connections, and its maker's values for currents
+ * and voltages. The emulator uses only on, off, addresses and inversion. */
 static bool configure(void)
 {
     static const uint8_t commands[] = {
@@ -85,7 +83,7 @@ static panel_answer open(const panel_format *format)
         return PANEL_UNSUITABLE;
     }
     if (!send_commands(off, sizeof off)) {
-        return PANEL_UNSUITABLE; /* it is not there */
+        return PANEL_UNSUITABLE; /* the display is absent */
     }
     left = (format->width - SSD0303_WIDTH) / 2u;
     top = (format->height - SSD0303_HEIGHT) / 2u;
@@ -96,7 +94,7 @@ static panel_answer open(const panel_format *format)
     return PANEL_READY;
 }
 
-/* The pixels of a row of the frame that the window has. */
+/* Copies the part of a row of the frame that lies in the window. */
 static void gather(uint32_t y, const uint8_t *pixels)
 {
     const uint32_t row = y - top;

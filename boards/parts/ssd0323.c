@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Two pixels a byte, the left one in the high half; rows of 64 bytes. A window
- * of rows is set for each rectangle, and the controller counts through it. */
+/* A byte is two pixels, the left one in the high half; a row is 64 bytes. A window of rows is
+ * set for each rectangle, and the controller advances through it. */
 #include "parts/ssd0323.h"
 
 #include "parts/grey.h"
@@ -15,9 +15,9 @@ enum {
 
 static uint16_t greys[256]; /* of the palette's entries: grey_table */
 
-/* For the OSRAM Pictiva module of 128 x 64: its connections (remap, offset,
- * rows) and its maker's figures for currents and voltages. The emulator takes
- * note of the windows and of the remap's bit 2 alone. */
+/* For the OSRAM Pictiva module of 128 x 64: its connections (remap, offset, rows) and its
+ * maker's values for currents and voltages. The emulator uses only the windows and bit 2 of the
+ * remap. */
 static bool configure(void)
 {
     static const uint8_t commands[] = {
@@ -93,8 +93,8 @@ static void pack_row(uint8_t *packed, const uint8_t *pixels, uint32_t y)
     }
 }
 
-/* Row by row, each through a buffer of its own, and nothing is under way when
- * it returns: the pixels are the caller's again. */
+/* Sends row by row, each through a buffer of its own. When it returns, no transfer is in
+ * progress: the pixels are the caller's again. */
 static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
 {
     uint8_t packed[ROW_BYTES];

@@ -6,7 +6,7 @@
 
 #define MARGIN_WORDS 8u /* what a core pushes when it enters a handler */
 
-/* Bytes between the lowest word that is not paint and the end. */
+/* Returns the bytes between the lowest word that is not paint and the end. */
 static uint32_t used(const uint32_t *first, const uint32_t *end)
 {
     while (first < end && *first == (uint32_t)STACK_PAINT) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The program's stack and the handlers', painted at start-up with one word, so
- * that how deep they went can be read off. */
+/* The program's stack and the handlers' stack. Both are painted at start-up with one word, so
+ * the depth that they reached can be measured. */
 #ifndef BOARD_STACK_H
 #define BOARD_STACK_H
 
@@ -9,15 +9,15 @@
 
 #define STACK_PAINT 0x5AFEC0DE
 
-/* How many bytes of the program's stack were ever written. What was set aside
- * below the deepest write without being written does not show. */
+/* Returns how many bytes of the program's stack were ever written. Memory that was reserved
+ * below the deepest write, and not written, does not count. */
 uint32_t stack_deepest(void);
 
-/* Whether the program came within 32 bytes of its stack's end, the room that
- * an interrupt takes: where nothing guards the end, an overflow. */
+/* Tells whether the program came within 32 bytes of its stack's end, the space that an interrupt
+ * needs. Where nothing guards the end, that is an overflow. */
 bool stack_is_spent(void);
 
-/* Prints "stack: N of M bytes" and how deep the handlers' stack went. */
+/* Prints "stack: N of M bytes" and the depth of the handlers' stack. */
 void stack_print(void);
 
 #endif

@@ -18,7 +18,7 @@ static volatile bool is_alarmed;
 static void count_from(uint64_t ticks, uint32_t reload)
 {
     SYST_CSR = 0;
-    SCB_ICSR = ICSR_PENDSTCLR; /* a wrap that nobody counted yet is in ticks */
+    SCB_ICSR = ICSR_PENDSTCLR; /* a wrap that has not been counted yet is in ticks */
     before = ticks;
     wraps = 0;
     period = reload + 1u;
@@ -44,7 +44,7 @@ void systick_nap(uint32_t ticks)
     alarm = left;
 }
 
-/* Counts a wrap; whether that sets off the alarm. */
+/* Counts a wrap. Returns whether it sets off the alarm. */
 static __attribute__((used)) bool count_wrap(void)
 {
     const uint32_t left = alarm;
@@ -58,7 +58,7 @@ static __attribute__((used)) bool count_wrap(void)
     return left == 1;
 }
 
-/* The fault report wants sp and lr as the core left them. */
+/* The fault report needs sp and lr as the core left them. */
 __attribute__((naked)) void cortexm_systick(void)
 {
     __asm__ volatile("push {r4, lr}\n\t"
@@ -98,8 +98,8 @@ uint64_t systick_ticks(void)
     value = SYST_CVR;
     whole = wraps;
     if ((SCB_ICSR & ICSR_PENDSTSET) != 0) {
-        /* It wrapped before or just after value was read, and nobody has
-         * counted that yet; a value read now surely lies behind the wrap. */
+        /* The counter wrapped before or just after value was read, and the wrap has not been
+         * counted yet. A value that is read now is certainly after the wrap. */
         value = SYST_CVR;
         whole++;
     }

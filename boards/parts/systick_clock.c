@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* clock.h by SysTick, under QEMU with -icount shift=0, where one instruction
- * takes one nanosecond. BOARD_SYSTICK_HZ, of board.mk, is how fast it ticks;
- * board_start has called systick_start. Counted in steps of a tick. The clock's
- * own interrupt, some twenty instructions in 2^24 ticks, is counted, too. */
+/* clock.h with SysTick, under QEMU with -icount shift=0, where one instruction takes one
+ * nanosecond. BOARD_SYSTICK_HZ, of board.mk, is its clock. board_start has called systick_start.
+ * The resolution is a tick. The clock's own interrupt, about twenty instructions in 2^24 ticks,
+ * is counted, too. */
 #include "contract/clock.h"
 #include "parts/systick.h"
 

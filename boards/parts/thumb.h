@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What memory a Thumb instruction was about to touch: for faults whose address
- * the core does not tell. */
+/* Finds the memory that a Thumb instruction was about to access, for faults whose address the
+ * core does not report. */
 #ifndef BOARD_THUMB_H
 #define BOARD_THUMB_H
 
@@ -10,8 +10,8 @@
 #define THUMB_SP 13u
 #define THUMB_PC 15u
 
-/* The lowest address of an access, the alignment that every core wants of it
- * (4 for several words), and its direction. */
+/* The lowest address of an access, the alignment that every core requires for it (4 for several
+ * words), and its direction. */
 typedef struct {
     uint32_t address;
     uint32_t alignment;

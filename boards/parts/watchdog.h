@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The board's watchdog: if nobody feeds it, its interrupt ends in cortexm_fault,
- * which reports SYSTEM_EXIT_HANG. */
+/* The board's watchdog. If it is not fed, its interrupt ends in cortexm_fault, which reports
+ * SYSTEM_EXIT_HANG. */
 #ifndef BOARD_WATCHDOG_H
 #define BOARD_WATCHDOG_H
 
@@ -13,14 +13,14 @@
 #define BOARD_WATCHDOG_MILLISECONDS 2000u
 #endif
 
-/* Starts it, or starts it anew, to bark unless fed within the time, which is
- * at least 1 and at most 60,000; rounded up to what the board can count. */
+/* Starts the watchdog, or starts it anew. It interrupts unless it is fed within the time, which
+ * is at least 1 and at most 60,000 and is rounded up to what the board can count. */
 void watchdog_start(uint32_t milliseconds);
 
-/* Gives it the whole time again. Requires watchdog_start. */
+/* Feeds the watchdog: the whole time begins again. Requires watchdog_start. */
 void watchdog_feed(void);
 
-/* Whether the exception of this number is the watchdog's bark. */
+/* Tells whether the exception of this number is the watchdog's. */
 bool watchdog_barked(uint32_t exception);
 
 #endif

@@ -15,14 +15,14 @@ _Static_assert(offsetof(window_frame, counters) == 40, "docs/formats.md, section
 _Static_assert(sizeof(window_frame) == 80, "docs/formats.md, section 3");
 _Static_assert(sizeof(window_header) <= WINDOW_FIRST_SLOT, "the header reaches into a slot");
 
-/* What was written before a word is stored, whoever loads it sees too: on the
- * core a barrier before the store, and one after the load. */
+/* Data written before a word is stored is visible to whoever loads the word. On the core this
+ * takes a barrier before the store, and one after the load. */
 #define LOAD(word)         atomic_load_explicit(&(word), memory_order_acquire)
 #define STORE(word, value) atomic_store_explicit(&(word), (value), memory_order_release)
 
 static struct {
     uint32_t announced, finished; /* frames */
-    uint32_t back;                /* the slot that is drawn into */
+    uint32_t back;                /* the slot that is being drawn */
     uint32_t slots[WINDOW_SLOTS]; /* bytes from the header; not read back from where others write */
     uint16_t width;
 } window;
@@ -47,8 +47,8 @@ uint32_t window_keys(void)
     return window_invited() ? LOAD(header()->keys) : 0;
 }
 
-/* Until the viewer wants more frames than are finished. The difference is taken
- * modulo 2^32: a viewer asks for fewer than 2^31 frames at once. */
+/* Waits until the viewer wants more frames than are finished. The difference is taken modulo
+ * 2^32: a viewer requests fewer than 2^31 frames at once. */
 static void await_request(void)
 {
     while (LOAD(header()->requested) - window.finished - 1u >= 0x80000000u) {

@@ -53,7 +53,7 @@ typedef struct {
     /* The viewer's. */
     _Atomic uint32_t invitation;
     _Atomic uint32_t requested; /* the board waits while finished is not less, modulo 2^32 */
-    _Atomic uint32_t keys;      /* that are held, as bits of fixel/viewer.h */
+    _Atomic uint32_t keys;      /* keys that are held, as bits of fixel/scene.h */
     uint32_t reserved_too;
     /* The board's. */
     uint8_t palette[768];
@@ -63,13 +63,13 @@ typedef struct {
  * is the size in bytes. */
 extern uint8_t fxl_window[], fxl_window_size[];
 
-/* Whether a viewer waits. */
+/* Tells whether a viewer waits. */
 bool window_invited(void);
 
-/* For input_keys: what the viewer's player holds; 0 where no viewer waits. */
+/* For input_keys: returns the keys that the player at the viewer holds; 0 where no viewer waits. */
 uint32_t window_keys(void);
 
-/* Sleeps a moment, about a millisecond; the board's. A request does not wake it. */
+/* Sleeps about a millisecond; the board implements it. A request does not wake it. */
 void window_nap(void);
 
 extern const panel window_panel;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* input.h for a board whose only keys are those of a viewer's player; and the
- * naps between the frames, by SysTick. */
+/* input.h for a board whose only keys are those of the player at a viewer; and the sleep between
+ * the frames, with SysTick. */
 #include "contract/input.h"
 #include "parts/systick.h"
 #include "parts/window.h"

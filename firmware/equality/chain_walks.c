@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Both sides walk the same outline; trapezoids and what the scan keeps between
- * them must be the same. */
+/* Both sides scan the same outline. The trapezoids, and the state of the scan between them, must
+ * be equal. */
 #include "chain_walks.h"
 
 #include "equality.h"
@@ -24,8 +24,8 @@ static bool same_scan(const fxl_scan *a, const fxl_scan *b)
     return same;
 }
 
-/* One case a trapezoid, and one for the end. False where the outline has more
- * than two chains. */
+/* Counts one case for each trapezoid, and one for the end. Returns false where the outline has
+ * more than two chains. */
 static bool compare(const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
     static fxl_scan core, portable;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares the kernels that a core has with the portable ones, on that core. */
+/* Compares the kernels of a core with the portable ones, on that core. */
 #ifndef EQUALITY_H
 #define EQUALITY_H
 
@@ -12,23 +12,23 @@ typedef struct {
     void (*run)(uint32_t rounds);
 } equality_test;
 
-/* Ends with a name that is null. */
+/* The list ends with a name that is null. */
 extern const equality_test equality_tests[];
 
-/* One input: whether both sides gave the same. */
+/* Counts one input, and whether both sides gave the same result. */
 void equality_case(bool same);
 
-/* How many there were in this test. */
+/* Returns the number of inputs in this test. */
 uint32_t equality_cases(void);
 
-/* Random bits; the same in every run. */
+/* Returns random bits; the same in every run. */
 uint32_t any_32(void);
 uint64_t any_64(void);
 
-/* A number of 0 to 64 bits, every length as likely. */
+/* Returns a number of 0 to 64 bits; every length is equally likely. */
 uint64_t any_length(void);
 
-/* Numbers about powers of two, where kernels go wrong: number i of BOUNDARY_32_COUNT. */
+/* Returns number i of BOUNDARY_32_COUNT near powers of two, where kernels tend to fail. */
 uint32_t boundary_32(uint32_t i);
 #define BOUNDARY_32_COUNT (3u * 32u + 1u)
 

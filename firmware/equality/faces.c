@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels that go through faces. */
+/* The kernels that process faces. */
 #include "faces.h"
 
 #include "equality.h"
@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define VERTICES 8u
-#define ENTRIES  4u /* at most: some vertices displace each other */
+#define ENTRIES  4u /* at most: some vertices evict each other */
 #define FACES    5u
 
 static int32_t within(int32_t limit)
@@ -172,7 +172,7 @@ static fxl_planes crossed(void)
     return planes;
 }
 
-/* A face twice, or two that share vertices, so that some are found in the cache. */
+/* One face twice, or two faces that share vertices, so some vertices are found in the cache. */
 static void compare(const fxl_face *face)
 {
     fxl_clip_result core = fxl_clip_by_view(&by_core.placed, face, &by_core.work, &by_core.screen);

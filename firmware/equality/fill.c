@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of fill, each into memory of its own; all of it must be the same,
- * what lies about the band included. */
+/* The kernels of fill. Each side draws into memory of its own. All of that memory must be equal,
+ * also what lies around the band. */
 #include "fill.h"
 
 #include "equality.h"
@@ -19,7 +19,7 @@ typedef struct {
     uint32_t width, stride, offset, rows;
 } shape;
 
-/* Draws on both sides. What was drawn before stays: it was the same. */
+/* Draws on both sides. Earlier drawing stays: it was equal. */
 static void compare(const shape *of, const fxl_trapezoid *trapezoid)
 {
     static uint8_t colour;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernel against the portable one, and both against the long division that
- * says what is asked for. */
+/* Compares the kernel with the portable one, and both with the long division that defines the
+ * result. */
 #include "project.h"
 
 #include "equality.h"
@@ -9,7 +9,7 @@
 
 #define SIDE_MAX (((int64_t)1 << 61) - 1)
 
-/* Where nothing is to be written, this is to be found again. */
+/* The value that must be unchanged where nothing is to be written. */
 static const fxl_screen_point untouched = {0x5A5A5A5A, 0x5A5A5A5A};
 
 static bool same(fxl_screen_point a, fxl_screen_point b)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Both sides under names of their own: core_ as this core's build has them,
- * portable_ as lib/kernels/portable and lib/src have them. sides.c is compiled once for
- * each; what is not inline is renamed by equality.mk. */
+/* Both sides under different names: core_ as this core's build has them, portable_ as
+ * lib/kernels/portable and lib/src have them. sides.c is compiled once for each. equality.mk
+ * renames what is not inline. */
 #ifndef SIDES_H
 #define SIDES_H
 
@@ -43,7 +43,7 @@ fxl_status portable_project_inside(const fxl_projection *projection, const fxl_v
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
-/* Of stages, which go another way with FXL_SMALL. */
+/* Stages that have a different path with FXL_SMALL. */
 void portable_order_sort_faces(fxl_order_entry *entries, uint32_t count);
 void portable_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                            fxl_scan *scan);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where stages go another way with FXL_SMALL: both sides get the same input, and must
- * answer the same. */
+/* Stages that have a different path with FXL_SMALL. Both sides get the same input, and must give
+ * the same result. */
 #include "small_stages.h"
 
 #include "equality.h"
@@ -74,7 +74,7 @@ static fxl_q16_16 any_place(uint32_t extent)
                       : place;
 }
 
-/* In cases, which are spans: rounds of them at least. */
+/* The number of cases, which are spans; at least as many as rounds. */
 void test_outlines(uint32_t rounds)
 {
     const uint32_t end = equality_cases() + rounds;

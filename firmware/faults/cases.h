@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the faults program can do. */
+/* The cases of the faults program. */
 #ifndef FAULTS_CASES_H
 #define FAULTS_CASES_H
 
@@ -8,10 +8,10 @@ typedef struct {
     void (*run)(void);
 } fault_case;
 
-/* Each ends with an entry whose name is null. */
+/* Each list ends with an entry whose name is null. */
 extern const fault_case core_cases[], misaligned_cases[], ending_cases[], clock_cases[];
 
-/* Ends the program: this board cannot show the case, and why. */
+/* Ends the program, and says why this board cannot show the case. */
 void cannot_show(const char *why);
 
 #endif

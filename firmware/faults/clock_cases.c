@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the clock says of work whose instructions are known. */
+/* The counts of the clock for work whose instructions are known. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -54,7 +54,7 @@ static void wraps(void)
     semihosting_exit(SYSTEM_EXIT_DONE);
 }
 
-/* What clock.h says of N instructions, for several N. */
+/* The count of clock.h for N instructions, for several N. */
 static void instructions(void)
 {
     static const uint32_t turns[] = {1, 100, 12345, 1000000, 50000000};

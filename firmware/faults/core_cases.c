@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the core, or the memory protection, must catch. */
+/* Faults that the core, or the memory protection, must catch. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -8,7 +8,7 @@
 #include "parts/cortexm.h"
 #include "parts/semihosting.h"
 
-#define NOWHERE    0xE8000000u /* where no board has anything */
+#define NOWHERE    0xE8000000u /* an address where no board has anything */
 #define LONG_FRAME 262144u     /* more than any stack */
 
 static volatile uint32_t sink;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Fails in the way that it is told by its last argument, to show what is seen
- * of it from outside; and reads the clock, which is easy to get wrong. For
- * every board but the host. */
+/* Fails in the way that its last argument names, so a test can see what is reported from
+ * outside. Also reads the clock, which is easy to get wrong. For every board but the host. */
 #include <stdbool.h>
 #include <stddef.h>
 

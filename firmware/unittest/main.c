@@ -7,7 +7,7 @@
 #define LINE_MAX 256
 
 void fxl_assert_failed(const char *file, int at); /* lib/src/math/arith.h */
-int unittest_run(void); /* the generated runner; answers how many failed */
+int unittest_run(void); /* the generated runner; returns how many tests failed */
 
 static char line[LINE_MAX];
 static unsigned length;
@@ -35,7 +35,7 @@ static void put_text(const char *text)
     }
 }
 
-/* What the library's assertions call; a test may have one of its own. */
+/* Called by the library's assertions. A test may define its own. */
 __attribute__((weak)) void fxl_assert_failed(const char *file, int at)
 {
     char digits[11]; /* 2147483647 and the 0 that ends it */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What newlib asks of a system, for tests that print or allocate: output goes
- * where Unity's goes, memory is what the program left, files there are none.
- * Only test programs link this. */
+/* The system calls that newlib needs, for tests that print or allocate. Output goes to the same
+ * place as Unity's. The heap is the memory that the program left free. There are no files. Only
+ * test programs link this. */
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the text of a unit test goes. */
+/* The output of a unit test. */
 #ifndef UNITTEST_H
 #define UNITTEST_H
 
-/* One character; lines go out whole. */
+/* Writes one character. Lines are sent whole. */
 void unittest_put(int character);
 
-/* What is left of a line. */
+/* Sends the rest of a line. */
 void unittest_flush(void);
 
-/* Lifts what the C library of the tests cannot live with. */
+/* Switches off the checks that the C library of the tests cannot work with. */
 void unittest_allow_library(void);
 
 #endif

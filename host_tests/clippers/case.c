@@ -80,7 +80,7 @@ bool case_expected(const clipper_case *of, const ref_half_space *planes, outline
     ref_volume_polygon seen = case_seen(of), left;
     double focal = of->lens.focal / 65536.0;
     *parallel = nearly_parallel(&seen, planes);
-    ref_clip_volume(&seen, planes, REF_PLANE_COUNT, &left);
+    ref_clip_to_volume(&seen, planes, REF_PLANE_COUNT, &left);
     *expected = outline_of_volume(&left, of->lens.width / 2.0, of->lens.height / 2.0, focal, focal);
     return left.count >= 3;
 }

@@ -36,7 +36,7 @@ static bool is_crossing(const ref_volume_polygon *seen)
     ref_lens lens = bridge_lens(&current.face.lens);
     ref_volume_polygon left;
     ref_volume_from_lens(&lens, planes);
-    return ref_clip_volume(seen, planes, REF_PLANE_COUNT, &left) && left.count >= 3;
+    return ref_clip_to_volume(seen, planes, REF_PLANE_COUNT, &left) && left.count >= 3;
 }
 
 static void planes_of(const fxl_lens *lens, ref_half_space planes[REF_PLANE_COUNT])

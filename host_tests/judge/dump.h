@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frame dumps (docs/formats.md, section 2): reading one whole, writing the twin's. */
+/* Frame dumps (docs/formats.md, section 2): reads a whole dump, and writes that of the reference
+ * renderer. */
 #ifndef JUDGE_DUMP_H
 #define JUDGE_DUMP_H
 
@@ -14,8 +15,8 @@ typedef struct {
     size_t size;
 } judge_dump;
 
-/* Checks head, frame numbers, tail and checksum. Answers null, or one clause
- * that says what is wrong (then *dump holds nothing). */
+/* Checks head, frame numbers, tail and checksum. Returns null, or one clause that says what is
+ * wrong; *dump then holds nothing. */
 const char *judge_dump_open(const char *path, judge_dump *dump);
 void judge_dump_close(judge_dump *dump);
 
@@ -23,18 +24,17 @@ ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame);
 const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame);
 const uint8_t *judge_dump_palette(const judge_dump *dump);
 
-/* Makes a dump with another renderer's pixels and counters: the same head and
- * poses, no instructions, refused calls, spilled polygons or clamped steps. False where memory
- * is short. */
-bool judge_dump_like(const judge_dump *board, judge_dump *reference);
+/* Makes a dump with another renderer's pixels and counters. It has the same head and poses.
+ * Instructions, refused calls, spilled polygons and clamped steps are 0. Returns false where
+ * memory is short. */
+bool judge_dump_like(const judge_dump *board, judge_dump *twin);
 void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
                     const ref_counters *counters);
 
-/* Sets the checksum and writes the file by way of a temporary one. False where
- * that fails. */
+/* Sets the checksum and writes the file through a temporary one. Returns false where that fails. */
 bool judge_dump_save(judge_dump *dump, const char *path);
 
-/* A file that appears under its name only when it is whole. */
+/* Writes a file that appears under its name only when it is complete. */
 bool judge_save_file(const char *path, const void *bytes, size_t size);
 
 #endif

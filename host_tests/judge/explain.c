@@ -22,8 +22,7 @@ static bool box_holds(const judge_box *box, double x, double y)
     return box->left <= x && x <= box->right && box->top <= y && y <= box->bottom;
 }
 
-/* Whether the box is at least so far away along x or y; the outline is then
- * that far away too. */
+/* Tells whether the box is at least this far away along x or y; then the outline is, too. */
 static bool box_is_beyond(const judge_box *box, double x, double y, double distance)
 {
     return box->left - x >= distance || x - box->right >= distance || box->top - y >= distance ||
@@ -70,7 +69,7 @@ double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t coun
                      uint8_t background, double cx, double cy, uint8_t colour, bool doubt)
 {
     double best = INFINITY;
-    double uncovered = 0; /* what it costs to put every later polygon out */
+    double uncovered = 0; /* the cost of putting every later polygon out */
     for (size_t i = count; i-- > 0 && uncovered < best;) {
         const ref_screen_polygon *least = judge_least(&drawn[i], doubt);
         const ref_screen_polygon *most = judge_most(&drawn[i], doubt);

@@ -2,10 +2,10 @@
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
  *     [--clipper NAME] [--hidden NAME]
  *
- * Renders every frame of a board's dump with the double-precision twin, from
- * the pose in the dump, and says how many pixels differ and how far from an
- * edge. Exit code 0: it ran, whatever it found; 2: an input is unusable, the
- * dump is of another walk, or an output cannot be written. */
+ * Renders every frame of a board's dump with the reference renderer in double precision, from
+ * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
+ * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
+ * or an output cannot be written. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -17,20 +17,20 @@
 #include "judge/walk.h"
 
 typedef struct {
-    const char *scene, *dump, *json, *reference;
-    unsigned cuts; /* of the board's clipper */
-    bool by_bsp;   /* the board's order was the scene's tree's */
+    const char *scene, *dump, *json, *twin;
+    unsigned cuts; /* the planes that the board's clipper cuts by */
+    bool by_bsp;   /* the board drew in the order of the scene's BSP */
     double distance;
 } options;
 
 typedef struct {
     ref_scene_image image;
-    judge_dump dump, reference;
+    judge_dump dump, twin;
     judge_frame *frames;
     judge_walk walk;
 } session;
 
-/* A growing text. */
+/* A text that grows. */
 typedef struct {
     char *text;
     size_t length, capacity;
@@ -70,7 +70,7 @@ __attribute__((format(printf, 2, 3))) static void say(report *out, const char *f
     out->length += (size_t)length;
 }
 
-/* null where there is no distance: nothing differs, or nothing explains. */
+/* null where there is no distance: no pixel differs, or no distance explains it */
 static void say_distance(report *out, const char *name, double distance)
 {
     if (distance >= 0 && isfinite(distance)) {
@@ -95,7 +95,7 @@ static void say_frame(report *out, uint32_t number, const judge_frame *frame)
         for (uint32_t i = 0; i < shown; i++) {
             const judge_sample *pixel = &frame->samples[i];
             say(out, "%s{\"x\": %d, \"y\": %d, \"board\": %d, \"twin\": %d, ", i ? ", " : "",
-                pixel->x, pixel->y, pixel->board, pixel->reference);
+                pixel->x, pixel->y, pixel->board, pixel->twin);
             say_distance(out, "distance_px", pixel->distance);
             say(out, "}");
         }
@@ -158,13 +158,13 @@ static bool parse_options(int count, char **arguments, options *wanted)
         if (strcmp(name, "--json") == 0) {
             wanted->json = value;
         } else if (strcmp(name, "--twin") == 0) {
-            wanted->reference = value;
+            wanted->twin = value;
         } else if (strcmp(name, "--clipper") == 0) {
             if (!ref_clipper_cuts(value, &wanted->cuts)) {
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
-            /* Who draws what first covers a pixel gives the same picture. */
+            /* A span buffer gives the same picture as drawing over. */
             wanted->by_bsp = strncmp(value, "tree", 4) == 0;
             if (!wanted->by_bsp && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
                 return false;
@@ -182,7 +182,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
     return wanted->scene && wanted->dump && wanted->json;
 }
 
-/* 0, or 2 after saying why. */
+/* Returns 0, or 2 after it said why. */
 static int open_inputs(const options *wanted, session *run)
 {
     size_t size;
@@ -220,13 +220,13 @@ static int judge(const options *wanted, session *run)
         return code;
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
-    if (!run->frames || (wanted->reference && !judge_dump_like(&run->dump, &run->reference)) ||
+    if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
         !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_bsp, wanted->distance,
-                      run->frames, wanted->reference ? &run->reference : NULL)) {
+                      run->frames, wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }
-    if (wanted->reference && !judge_dump_save(&run->reference, wanted->reference)) {
-        return fail("%s: it cannot be written", wanted->reference);
+    if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
+        return fail("%s: it cannot be written", wanted->twin);
     }
     report out = {0};
     say_all(&out, wanted, run);
@@ -245,7 +245,7 @@ int main(int count, char **arguments)
     session run = {0};
     int code = judge(&wanted, &run);
     free(run.frames);
-    judge_dump_close(&run.reference);
+    judge_dump_close(&run.twin);
     judge_dump_close(&run.dump);
     ref_scene_close(&run.image);
     return code;

@@ -16,8 +16,8 @@ enum {
     THREADS_MAX = 16
 };
 
-/* What the threads share. Each takes the next frame under the lock; frames and
- * twin are written at the frame's own place only. */
+/* What the threads share. Each takes the next frame under the lock. It writes only to that
+ * frame's place in frames and twin. */
 typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
@@ -25,7 +25,7 @@ typedef struct {
     bool by_bsp;
     double distance;
     judge_frame *frames;
-    judge_dump *reference;
+    judge_dump *twin;
     pthread_mutex_t lock;
     uint32_t next, done;
     time_t reported;
@@ -34,9 +34,9 @@ typedef struct {
 
 static judge_box *boxes_of(const ref_renderer *renderer)
 {
-    judge_box *boxes = malloc((renderer->list.count + 1) * sizeof *boxes);
-    for (size_t i = 0; boxes && i < renderer->list.count; i++) {
-        boxes[i] = judge_box_of_drawn(&renderer->list.drawn[i]);
+    judge_box *boxes = malloc((renderer->display_list.count + 1) * sizeof *boxes);
+    for (size_t i = 0; boxes && i < renderer->display_list.count; i++) {
+        boxes[i] = judge_box_of_drawn(&renderer->display_list.drawn[i]);
     }
     return boxes;
 }
@@ -57,15 +57,15 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
     }
 }
 
-/* Sets the pixel's distance. True where near and far, moved by the bound on depths, were
- * needed for it. */
+/* Sets the pixel's distance. Returns true where explaining it needs near and far moved by the
+ * bound on depths. */
 static bool explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     judge_sample *pixel)
 {
     for (int doubt = 0; doubt < 2; doubt++) {
-        double distance = judge_explain(renderer->list.drawn, boxes, renderer->list.count,
-                                        work->image->background, pixel->x + 0.5, pixel->y + 0.5,
-                                        pixel->board, doubt);
+        double distance = judge_explain(renderer->display_list.drawn, boxes,
+                                        renderer->display_list.count, work->image->background,
+                                        pixel->x + 0.5, pixel->y + 0.5, pixel->board, doubt);
         if (doubt == 0 || distance <= work->distance) {
             pixel->distance = distance;
         }
@@ -87,29 +87,29 @@ static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
         .width = lens->width,
         .height = lens->height,
         .focal = (int32_t)lround(lens->focal * REF_ONE),
-        .near = (int32_t)lround(lens->near * REF_ONE),
-        .far = (int32_t)lround(lens->far * REF_ONE),
+        .near = (int32_t)lround(lens->near_z * REF_ONE),
+        .far = (int32_t)lround(lens->far_z * REF_ONE),
         .inset = (int32_t)lround(lens->inset * REF_ONE),
     };
 }
 
-/* Whether the pixel's centre lies exactly on an edge of a polygon that was
- * drawn about there: then double cannot tell its side, and only the exact
- * judge is asked. */
+/* Tells whether the pixel's centre lies exactly on an edge of a polygon that was drawn about
+ * there. Then double cannot tell its side, and the exact test decides. */
 static bool is_tied(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     const oracle_tie_view *view, int column, int row)
 {
     const ref_scene *scene = renderer->scene;
     double x = column + 0.5, y = row + 0.5;
-    for (size_t i = 0; i < renderer->list.count; i++) {
+    for (size_t i = 0; i < renderer->display_list.count; i++) {
         const judge_box *box = &boxes[i];
         if (box->left - x > work->distance || x - box->right > work->distance ||
             box->top - y > work->distance || y - box->bottom > work->distance) {
             continue;
         }
-        const ref_instance *instance = &scene->instances[renderer->list.drawn[i].instance];
+        const ref_instance *instance = &scene->instances[renderer->display_list.drawn[i].instance];
         const ref_model *model = &scene->models[instance->model];
-        const ref_face *face = &scene->faces[model->first_face + renderer->list.drawn[i].face];
+        const ref_face *face =
+            &scene->faces[model->first_face + renderer->display_list.drawn[i].face];
         int32_t vertices[3 * UINT8_MAX];
         for (int corner = 0; corner < face->count; corner++) {
             ref_lattice_point point = ref_face_vertex(scene, instance, face, corner);
@@ -125,24 +125,24 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
 }
 
 /* False where memory is short. */
-static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *reference,
+static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *twin,
                            uint32_t number)
 {
     const uint8_t *board = judge_dump_pixels(work->dump, number);
     judge_frame *frame = &work->frames[number];
     *frame = (judge_frame){.max_distance = -1};
-    judge_box *boxes = NULL; /* made at the first difference */
+    judge_box *boxes = NULL; /* allocated at the first difference */
     ref_pose pose = judge_dump_pose(work->dump, number);
     oracle_tie_view view = tie_view(work, &pose);
     for (int y = 0; y < work->dump->height; y++) {
-        for (int x = 0; x < work->dump->width; x++, board++, reference++) {
-            if (*board == *reference) {
+        for (int x = 0; x < work->dump->width; x++, board++, twin++) {
+            if (*board == *twin) {
                 continue;
             }
             if (!boxes && !(boxes = boxes_of(renderer))) {
                 return false;
             }
-            judge_sample pixel = {x, y, *board, *reference, 0};
+            judge_sample pixel = {x, y, *board, *twin, 0};
             frame->near_far += explain(work, renderer, boxes, &pixel);
             count_pixel(frame, &pixel, work->distance);
             frame->tied += is_tied(work, renderer, boxes, &view, x, y);
@@ -162,13 +162,13 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, 
     }
     ref_fill_band(&band, work->image->background);
     ref_frame_draw(renderer, &band);
-    if (work->reference) {
-        judge_dump_put(work->reference, number, pixels, &renderer->counters);
+    if (work->twin) {
+        judge_dump_put(work->twin, number, pixels, &renderer->counters);
     }
     return compare_pixels(work, renderer, pixels, number);
 }
 
-/* Under the lock. Silent in the first second and between whole seconds. */
+/* Called under the lock. Prints nothing in the first second, and then at most once a second. */
 static void report_progress(job *work)
 {
     time_t now = time(NULL);
@@ -211,7 +211,7 @@ static void *run_worker(void *argument)
 }
 
 bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
-                  double distance, judge_frame *frames, judge_dump *reference)
+                  double distance, judge_frame *frames, judge_dump *twin)
 {
     job work = {.image = image,
                 .dump = dump,
@@ -219,7 +219,7 @@ bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned
                 .by_bsp = by_bsp,
                 .distance = distance,
                 .frames = frames,
-                .reference = reference,
+                .twin = twin,
                 .lock = PTHREAD_MUTEX_INITIALIZER,
                 .reported = time(NULL)};
     pthread_t threads[THREADS_MAX];

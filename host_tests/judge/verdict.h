@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Every frame of a dump against the twin. */
+/* Compares every frame of a dump with the reference renderer. */
 #ifndef JUDGE_VERDICT_H
 #define JUDGE_VERDICT_H
 
@@ -12,25 +12,25 @@ enum {
 /* One pixel that is not explained. */
 typedef struct {
     int x, y;
-    uint8_t board, reference;
-    double distance; /* infinite where nothing explains it */
+    uint8_t board, twin;
+    double distance; /* infinite where no distance explains it */
 } judge_sample;
 
 typedef struct {
     uint32_t differing;
-    uint32_t tied;         /* of those differing: centres exactly on an edge */
-    uint32_t near_far;     /* of those differing: explained with near and far moved */
-    uint32_t unexplained;  /* explained only beyond the distance, or not at all */
+    uint32_t tied;         /* of the differing pixels: the centre is exactly on an edge */
+    uint32_t near_far;     /* of the differing pixels: explained with near and far moved */
+    uint32_t unexplained;  /* explained only beyond the allowed distance, or not at all */
     uint32_t inexplicable; /* not at all */
     double max_distance;   /* the largest finite one; negative where nothing differs */
-    judge_sample samples[JUDGE_SAMPLES_MAX]; /* of those unexplained, the first */
+    judge_sample samples[JUDGE_SAMPLES_MAX]; /* the first unexplained pixels */
 } judge_frame;
 
-/* Judges every frame, on as many threads as there are processors; frames has
- * room for dump->frame_count. cuts: the planes that the board's clipper cuts by
- * (reference/clipper.h). by_tree: whether its order was the scene's tree's. twin (may be null)
- * receives the twin's pixels. Progress on stderr. False where memory is short. */
+/* Judges every frame, on as many threads as there are processors. frames has room for
+ * dump->frame_count. cuts: the planes that the board's clipper cuts by (reference/clipper.h).
+ * by_bsp: the board drew in the order of the scene's BSP. twin (may be null) receives the pixels
+ * of the reference renderer. Prints progress on stderr. Returns false where memory is short. */
 bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
-                  double distance, judge_frame *frames, judge_dump *reference);
+                  double distance, judge_frame *frames, judge_dump *twin);
 
 #endif

@@ -62,8 +62,8 @@ static void put_f32(uint8_t *to, double value)
 static size_t outlines_size(const ref_renderer *renderer)
 {
     size_t size = 0;
-    for (size_t i = 0; i < renderer->list.count; i++) {
-        size += 4 + 8 * (size_t)renderer->list.drawn[i].polygon.count;
+    for (size_t i = 0; i < renderer->display_list.count; i++) {
+        size += 4 + 8 * (size_t)renderer->display_list.drawn[i].polygon.count;
     }
     return size;
 }
@@ -96,8 +96,8 @@ static bool collect_outlines(session *run, size_t *size)
         run->outlines_capacity = 2 * *size;
     }
     uint8_t *to = run->outlines;
-    for (size_t i = 0; i < run->renderer.list.count; i++) {
-        to = put_outline(to, &run->renderer.list.drawn[i].polygon);
+    for (size_t i = 0; i < run->renderer.display_list.count; i++) {
+        to = put_outline(to, &run->renderer.display_list.drawn[i].polygon);
     }
     return true;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* matrix_entry and sine_cosine: against sines in long double, whose own error
- * is below 2^-30 of the unit. */
+/* matrix_entry and sine_cosine: compared with sines in long double, whose own error is below
+ * 2^-30 of the unit. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,7 +12,7 @@
 #define HALF_TURN UINT32_C(0x80000000)
 #define QUARTER   UINT32_C(0x40000000)
 
-/* Folded to an eighth of a turn in whole numbers, so exact at quarter turns. */
+/* Folded to an eighth of a turn in integers, so exact at quarter turns. */
 static long double sine(uint32_t angle)
 {
     if (angle > HALF_TURN) {
@@ -32,7 +32,7 @@ static long double cosine(uint32_t angle)
     return sine(angle + QUARTER);
 }
 
-/* Any, or within a few units of a multiple of a sixteenth of a turn. */
+/* Any angle, or one within a few units of a multiple of a sixteenth of a turn. */
 static uint32_t any_angle(oracle_random *random)
 {
     uint32_t any = (uint32_t)oracle_random_next(random);
@@ -118,8 +118,8 @@ const oracle_claim oracle_matrix_entry = {
 
 /* --- sine_cosine ------------------------------------------------------------- */
 
-/* A stride that visits every angle once in 2^32 samples, spread evenly at all
- * times; one in eight near a multiple of 2^27. */
+/* A step that visits every angle once in 2^32 samples, evenly spread at all times. One sample in
+ * eight is near a multiple of 2^27. */
 static void generate_sine(oracle_random *random, uint64_t index, oracle_input *input)
 {
     uint32_t first = (uint32_t)(random->state >> 32);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A claim: how its samples are made and how one is judged. A sample is a list
- * of whole numbers, so that any of them can be printed and run again. */
+/* A claim: how its samples are made and how one is judged. A sample is a list of integers, so
+ * any sample can be printed and run again. */
 #ifndef ORACLE_CLAIM_H
 #define ORACLE_CLAIM_H
 
@@ -14,7 +14,7 @@ enum {
     ORACLE_EXTRAS_MAX = 8
 };
 
-/* A library call that should have worked and did not, in any claim's unit. */
+/* The value, in the unit of any claim, of a library call that failed and should not have. */
 #define ORACLE_REFUSED 1e9
 
 typedef struct {
@@ -25,22 +25,22 @@ typedef struct {
 
 typedef struct {
     double value;                       /* in the claim's unit */
-    uint64_t extras[ORACLE_EXTRAS_MAX]; /* counted beside it */
+    uint64_t extras[ORACLE_EXTRAS_MAX]; /* further counts */
 } oracle_verdict;
 
 typedef enum {
     ORACLE_COUNTED,
-    ORACLE_SKIPPED, /* nothing to judge: out of sight, say */
-    ORACLE_UNUSABLE /* not an input of this claim; words says why */
+    ORACLE_SKIPPED, /* nothing to judge: not visible, for example */
+    ORACLE_UNUSABLE /* not an input of this claim; words say why */
 } oracle_outcome;
 
 typedef struct {
     const char *id, *unit;
-    const char *numbers; /* what an input's numbers are */
+    const char *numbers; /* the meaning of an input's numbers */
     const char *kinds[ORACLE_KINDS_MAX + 1];
     const char *extras[ORACLE_EXTRAS_MAX + 1];
     void (*generate)(oracle_random *random, uint64_t index, oracle_input *input);
-    /* words, where not null, gets the sample in words. */
+    /* Judges a sample. words, where not null, receives the sample in words. */
     oracle_outcome (*judge)(const oracle_input *input, FILE *words, oracle_verdict *verdict);
 } oracle_claim;
 

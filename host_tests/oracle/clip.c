@@ -11,13 +11,13 @@ typedef struct {
     mpz_t x, y, z, w;
 } exact_point;
 
-/* A vertex, and the line that its edge lies on: through two points, in the
- * edge's direction, that do not lie within the edge. A line is kept through
- * all cuts, so that numbers do not grow with each. */
+/* A vertex, and the line on which its edge lies. The line goes through two points, in the edge's
+ * direction, that do not lie within the edge. Every cut keeps the line, so numbers do not grow
+ * with each cut. */
 typedef struct {
     const exact_point *point, *from, *to;
     int origin;
-    int opens; /* its edge was made by this plane and runs to the next vertex */
+    int opens; /* its edge was made by this plane, and runs to the next vertex */
 } exact_vertex;
 
 typedef struct {
@@ -53,8 +53,8 @@ static exact_point *new_point(void)
     return &pool[pool_used++];
 }
 
-/* w times the distance from a plane, times a factor that is the plane's: of one plane
- * only the ratios matter. */
+/* w times the distance from a plane, times a factor of that plane. For one plane only the ratios
+ * matter. */
 static void distance(const oracle_plane *plane, const exact_point *p, mpz_t d)
 {
     static mpz_t term;
@@ -73,7 +73,7 @@ static void distance(const oracle_plane *plane, const exact_point *p, mpz_t d)
     mpz_add(d, d, term);
 }
 
-/* Where the line from a to b meets the plane: d(a) b - d(b) a, in homogeneous
+/* The point where the line from a to b meets the plane: d(a) b - d(b) a, in homogeneous
  * coordinates, with w > 0. */
 static const exact_point *cross(const oracle_plane *plane, const exact_point *a,
                                 const exact_point *b)
@@ -108,7 +108,7 @@ static void append(exact_polygon *polygon, exact_vertex vertex)
     polygon->vertices[polygon->count++] = vertex;
 }
 
-/* One plane. A vertex on it is inside, and is not repeated. */
+/* Clips to one plane. A vertex on the plane is inside, and is not repeated. */
 static void clip_to_plane(const oracle_plane *plane, int number, const exact_polygon *in,
                           exact_polygon *out)
 {
@@ -194,7 +194,8 @@ static void start(const oracle_space *space, const fxl_polygon *polygon, exact_p
 void oracle_clip(const oracle_space *space, const fxl_polygon *polygon, oracle_outline *outline)
 {
     static exact_polygon polygons[2];
-    /* SPEC.md, section 4.3. Of a polygon that is not quite flat the order changes what is left. */
+    /* The order of SPEC.md, section 4.3. If a polygon is not quite flat, the order changes the
+     * result. */
     static const int order[] = {FXL_PLANE_NEAR,  FXL_PLANE_FAR,    FXL_PLANE_LEFT,
                                 FXL_PLANE_RIGHT, FXL_PLANE_BOTTOM, FXL_PLANE_TOP};
     exact_polygon *current = &polygons[0], *other = &polygons[1];

@@ -35,7 +35,7 @@ oracle_space oracle_clipper_space(const fxl_view *view)
 
 double oracle_clipper_bound(const fxl_lens *lens)
 {
-    if (chosen == &fxl_clipper_world) { /* two units of the world where near is */
+    if (chosen == &fxl_clipper_world) { /* two units of the world at the near plane */
         return 1.25 + 2.0 * lens->focal / lens->near_z;
     }
     if (own_integers && is_normalised()) {
@@ -50,13 +50,13 @@ int oracle_clipper_wants_triangles(void)
 }
 
 fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
-                                    fxl_screen_polygon *screens, int workspace_for, int *count)
+                                    fxl_screen_polygon *screens, int room_for, int *count)
 {
     static fxl_clipper_work work;
-    static fxl_clipper_workspace workspace;
+    static fxl_clipper_workspace room;
     static polygon_face face;
-    memset(&workspace, 0, sizeof workspace);
-    view->clipper_workspace = &workspace;
+    memset(&room, 0, sizeof room);
+    view->clipper_workspace = &room;
     view->frame += 1;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     fxl_clip_result result = chosen->clip(&face.model_view, &face.face, &work, &screens[0]);
@@ -67,8 +67,8 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
         if (chosen->next == NULL) {
             break;
         }
-        if (*count == workspace_for) {
-            abort(); /* the caller's room is too small */
+        if (*count == room_for) {
+            abort(); /* the caller's array is too small */
         }
         now = chosen->next(&face.model_view, &work, &screens[*count]);
     }

@@ -4,7 +4,7 @@
 #include "oracle/setup.h"
 
 typedef struct {
-    int column; /* the first whose centre is at or right of the edge */
+    int column; /* the first column whose centre is at or right of the edge */
     int winding;
 } crossing;
 
@@ -14,9 +14,9 @@ static oracle_wide divide_up(oracle_wide numerator, oracle_wide denominator)
     return quotient + (numerator % denominator > 0);
 }
 
-/* The first column 0..width whose centre is at or right of where the edge
- * crosses the row. Coordinates below 2^61 and differences below 2^62: the
- * numerator is below 2^124. */
+/* Returns the first column 0..width whose centre is at or right of the point where the edge
+ * crosses the row. Coordinates are below 2^61 and differences below 2^62, so the numerator is
+ * below 2^124. */
 static int first_column(const oracle_spot *a, const oracle_spot *b, int64_t centre, int bits,
                         int width)
 {

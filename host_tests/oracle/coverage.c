@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* coverage: the pixels that scan covers against exact arithmetic, given the
- * 16.16 outline; the twin's on small screens too. */
+/* coverage: compares the pixels that scan covers with exact arithmetic, given the 16.16 outline;
+ * on small screens also those of the reference renderer. */
 #include <string.h>
 
 #include "fixel/all.h"
@@ -56,7 +56,7 @@ static int in_range(const oracle_input *input)
     return 1;
 }
 
-/* Marks the library's spans; 0 where it refuses the outline. */
+/* Marks the library's spans. Returns 0 where it refuses the outline. */
 static int draw(const fxl_screen_polygon *polygon, const fxl_band *band, oracle_verdict *verdict)
 {
     fxl_scan scan;
@@ -96,7 +96,7 @@ static uint64_t compare_row(const uint8_t *got, const uint8_t *exact, int width,
     return off;
 }
 
-/* The twin, and the oracle's own rows, by single centres. */
+/* Tests the reference renderer, and the oracle's own rows, pixel by pixel. */
 static void judge_others(const oracle_spot *points, int count, const uint8_t *exact, int width,
                          int y, oracle_verdict *verdict)
 {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Coverage of every triangle whose corners are quarter pixels of a screen of
- * 4 x 4 pixels, both ways round, repeated corners included; where the first
- * corner begins does not matter to a closed outline. Shards divide the first
- * corners among them. */
+/* Coverage of every triangle whose vertices are quarter pixels of a screen of 4 x 4 pixels, in
+ * both windings, with repeated vertices. The first vertex of a closed outline has no effect, so
+ * it is not varied. Shards divide the first vertices among them. */
 #ifndef ORACLE_GRID_H
 #define ORACLE_GRID_H
 

@@ -11,8 +11,8 @@ enum {
 
 #define UNIT 4294967296.0 /* 2^-48 pixel in 1/65536 pixel */
 
-/* Coordinates are below 2^60, so differences are below 2^61, products below
- * 2^122 and their sums below 2^123. */
+/* Coordinates are below 2^60, so differences are below 2^61, products below 2^122 and their sums
+ * below 2^123. */
 static oracle_wide dot(oracle_spot a, oracle_spot b)
 {
     return (oracle_wide)a.x * b.x + (oracle_wide)a.y * b.y;
@@ -46,7 +46,7 @@ double oracle_from_segment(const oracle_spot *p, const oracle_spot *a, const ora
     return fabs((double)cross(ab, ap)) / length(ab) / UNIT;
 }
 
-/* Distances of one spot from every segment of an outline; the least of them. */
+/* The distances of one spot from every segment of an outline, and the least of them. */
 static double from_all(const oracle_spot *p, const oracle_spot *outline, int count, double *all)
 {
     double least = INFINITY;
@@ -58,16 +58,16 @@ static double from_all(const oracle_spot *p, const oracle_spot *outline, int cou
 }
 
 typedef struct {
-    const oracle_spot *other; /* the outline that distances are to */
+    const oracle_spot *other; /* the outline to which distances are measured */
     int other_count;
     double best; /* the largest distance found so far */
 } hunt;
 
-/* The largest distance of the stretch from u to v. The distance from one
- * segment is convex, so that over the stretch it is at most the larger of its
- * ends'; the least such over all segments bounds the distance from the outline.
- * Where that is too coarse the stretch is halved: it is shorter than the
- * tolerance after 50 halvings at the most. */
+/* Returns the largest distance of a point of the stretch from u to v. The distance from one
+ * segment is convex, so over the stretch it is at most the larger distance of the stretch's
+ * ends. The least of these values over all segments bounds the distance from the outline. Where
+ * that bound is too coarse, the stretch is halved. It is shorter than the tolerance after at
+ * most 50 halvings. */
 static void search_stretch(hunt *h, const oracle_spot *u, const double *from_u,
                            const oracle_spot *v, const double *from_v)
 {

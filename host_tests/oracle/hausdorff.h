@@ -6,17 +6,17 @@
 
 #include "oracle/cover.h"
 
-/* From a spot to a segment. */
+/* Returns the distance from a spot to a segment. */
 double oracle_from_segment(const oracle_spot *p, const oracle_spot *a, const oracle_spot *b);
 
-/* The Hausdorff distance between two outlines: of every point of either, edges'
- * insides too, the largest distance to the other. From above, and too large by
- * 2^-10, or a 64th of itself, at the most. */
+/* Returns an upper bound of the Hausdorff distance between two outlines: the largest distance of
+ * a point of either (of its edges, too) to the other. The bound is too large by at most 2^-10,
+ * or by a 64th of itself. */
 double oracle_hausdorff(const oracle_spot *a, int a_count, const oracle_spot *b, int b_count);
 
-/* An outline against nothing: its Hausdorff distance to a stroke there and back
- * between two of its own corners, the farthest apart, from above. A stroke has
- * the winding number 0 everywhere and covers as much as nothing does. */
+/* Measures an outline against an empty one: returns an upper bound of its Hausdorff distance to
+ * a stroke, forth and back, between the two of its own vertices that are the farthest apart. A
+ * stroke has the winding number 0 everywhere, so it covers no pixel, like an empty outline. */
 double oracle_from_stroke(const oracle_spot *spots, int count);
 
 #endif

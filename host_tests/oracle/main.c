@@ -3,11 +3,11 @@
  *   oracle CLAIM --samples N --seed S --shard I [--shards K]   one shard, as JSON
  *          [--kind N]                                          of one kind only, from 0
  *          [--clipper NAME]                                    outlines and gaps by another clipper
- *          [--own-integers]                                    given what it works with itself
+ *          [--own-integers]                                    given the clipper's own integers
  *   oracle CLAIM --input "NUMBERS"                             one sample, in words
  *   oracle coverage --grid [--shard I --shards K]              all small triangles
  *   oracle --list                                              claims and units
- * A shard's samples are a function of claim, seed and shard alone. */
+ * A shard's samples depend on claim, seed and shard alone. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>

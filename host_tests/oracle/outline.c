@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* outline_clipped, outline_near_parallel: a polygon through the precise clipper
- * and projection, against the exact outline: the Hausdorff distance between the
- * two. A polygon that is nearly parallel to a plane is a claim of its own: where
- * it is cut moves by a vertex's rounding divided by the angle.
+/* outline_clipped, outline_near_parallel: takes a polygon through the default clipper and the
+ * projection, and measures the Hausdorff distance to the exact outline. A polygon that is nearly
+ * parallel to a plane is a claim of its own: its cut moves by a vertex's rounding divided by the
+ * angle.
  *
- * Where one of the two is empty because something merely touches the view, the
- * other is measured against a stroke, which draws as much as nothing: it must
- * be that thin. Those samples are counted as "touching" and stay in the claim. */
+ * If one of the two outlines is empty because something merely touches the view, the other is
+ * measured against a stroke, which covers no pixel: it must be as thin as that. Those samples
+ * are counted as "touching" and stay in the claim. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -25,10 +25,10 @@ enum {
     TOUCHING,
     REFUSED,
     BEYOND,
-    REFERENCE_BEYOND
+    TWIN_BEYOND
 };
 
-/* What is counted as beyond. */
+/* The values that are counted as beyond. */
 #define BOUND 1.25
 
 static void generate(oracle_random *random, uint64_t index, oracle_input *input)
@@ -68,10 +68,10 @@ static double distance(const oracle_outline *exact, const oracle_spot *spots, in
     return oracle_hausdorff(exact->spots, exact->count, spots, count);
 }
 
-/* Whether the double twin's outline, from the same integers and planes of its
- * own, is beyond the bound. */
-static int reference_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
-                               const oracle_outline *exact)
+/* Tells whether the outline of the reference renderer, from the same integers and its own
+ * planes, is beyond the bound. */
+static int twin_is_beyond(const oracle_setup *setup, const fxl_polygon *polygon,
+                          const oracle_outline *exact)
 {
     ref_camera camera = bridge_camera(&setup->view.camera);
     ref_lens lens = bridge_lens(&setup->view.lens);
@@ -79,7 +79,7 @@ static int reference_is_beyond(const oracle_setup *setup, const fxl_polygon *pol
     ref_polygon whole = bridge_polygon(polygon), clipped = {0};
     ref_clip_result result = ref_clip_world_to_frustum(&whole, &frustum, &clipped);
     if (exact->count == 0 || (result != REF_CLIP_INSIDE && result != REF_CLIP_CUT)) {
-        return 0; /* one that merely touches is not the twin's to decide */
+        return 0; /* double cannot decide whether an outline merely touches */
     }
     oracle_spot spots[REF_POLYGON_CAPACITY];
     for (int i = 0; i < clipped.count; i++) {
@@ -131,7 +131,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     }
     verdict->extras[TOUCHING] = exact.count == 0 || screen.count == 0;
     verdict->value = distance(&exact, spots, screen.count);
-    verdict->extras[REFERENCE_BEYOND] = (uint64_t)reference_is_beyond(&setup, &polygon, &exact);
+    verdict->extras[TWIN_BEYOND] = (uint64_t)twin_is_beyond(&setup, &polygon, &exact);
     verdict->extras[BEYOND] = verdict->value > BOUND;
     return ORACLE_COUNTED;
 }

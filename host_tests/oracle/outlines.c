@@ -69,7 +69,7 @@ static int64_t coordinate(oracle_random *random, int kind, int size)
     }
 }
 
-/* Two points on the line through two centres, a whole number of steps out. */
+/* Two points on the line through two centres, an integer number of steps outside them. */
 static void through_centres(const outline_maker *maker, oracle_spot *a, oracle_spot *b)
 {
     oracle_spot p = {centre(maker->random, maker->width), centre(maker->random, maker->height)};

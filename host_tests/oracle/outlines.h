@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Adversarial outlines on the screen, for coverage. */
+/* Adversarial outlines on the screen, for the claim coverage. */
 #ifndef ORACLE_OUTLINES_H
 #define ORACLE_OUTLINES_H
 
@@ -10,7 +10,7 @@
         "round, rounded to slightly concave", "edges through centres", \
         "horizontals and verticals", "slivers", "at the ends of the range"
 
-/* Sets the input's kind and appends the count of points and their x y. */
+/* Sets the kind of the input, and appends the count of points and their x y. */
 void oracle_outline_generate(oracle_random *random, int width, int height, oracle_input *input);
 
 #endif

@@ -24,10 +24,11 @@ typedef struct {
     oracle_random *random;
     oracle_input *input;
     int count_max;
-    double near, far, inset; /* near and far with the inset */
+    double near, far, inset; /* near and far, moved by the inset */
     double slope_x, slope_y; /* tangents of half the fields of view */
     int count;
-    double vertices[FXL_FACE_VERTICES_MAX][3]; /* relative to the eye, in the world */
+    double vertices[FXL_FACE_VERTICES_MAX]
+                   [3]; /* relative to the eye, along the axes of the world */
 } maker;
 
 static double uniform(const maker *m, double low, double high)
@@ -51,7 +52,7 @@ static void measure_lens(maker *m)
     m->slope_y = m->slope_x * (double)n[1] / (double)n[0];
 }
 
-/* A point in sight or just outside it. */
+/* A visible point, or one just outside the view. */
 static void anchor(const maker *m, double view[3])
 {
     view[2] = oracle_spread(m->random, m->near, fmin(m->far, 9000));
@@ -79,7 +80,7 @@ static void put_view(maker *m, const double view[3])
     oracle_to_world(m->input, view, m->vertices[m->count++]);
 }
 
-/* Points of an ellipse at rising angles, evenly or not. */
+/* Points of an ellipse at rising angles, equally spaced or not. */
 static void ellipse(maker *m, const double centre[3], const double a[3], const double b[3],
                     int count)
 {
@@ -110,7 +111,7 @@ static void make_round(maker *m, double least_ratio, double most_ratio)
     ellipse(m, centre, a, b, some(m, 3, FXL_FACE_VERTICES_MAX));
 }
 
-/* A triangle, or a parallelogram, with a point in sight in it or near it. */
+/* A triangle or a parallelogram, with a visible point in it or near it. */
 static void make_huge(maker *m)
 {
     double centre[3], a[3], b[3];
@@ -130,8 +131,8 @@ static void make_huge(maker *m)
     }
 }
 
-/* A level plane a little below the eye; one edge or two pass it closely, with
- * ends that are far away. Pitch and roll are made small half of the time. */
+/* A level plane a little below the eye. One edge or two pass close to the eye, with ends that
+ * are far away. Half of the time pitch and roll are small. */
 static void make_ground(maker *m)
 {
     int64_t *n = m->input->numbers;
@@ -162,7 +163,7 @@ static void make_ground(maker *m)
     }
 }
 
-/* A round one with points on its edges, rounded, and repeated ones. */
+/* A round polygon with rounded points on its edges, and repeated points. */
 static void make_collinear(maker *m)
 {
     make_round(m, 0.05, 1);
@@ -179,14 +180,14 @@ static void make_collinear(maker *m)
     }
 }
 
-/* A view coordinate that is a whole number of 1/65536, or of 1/2. */
+/* A view coordinate that is a multiple of 1/65536, or of 1/2. */
 static double whole(const maker *m, double value)
 {
     double unit = oracle_below(m->random, 2) ? 1.0 / 65536 : 0.5;
     return round(value / unit) * unit;
 }
 
-/* A rectangle that faces the eye, some of its sides on the frustum's. */
+/* A rectangle that faces the eye, with some of its sides on those of the frustum. */
 static void make_facing(maker *m, double level)
 {
     double sides[4]; /* left, right, low, high */
@@ -204,8 +205,8 @@ static void make_facing(maker *m, double level)
     }
 }
 
-/* Turned by quarters, a square screen and 90 degrees: the sides are x = +-z and
- * y = +-z. Triangles whose vertices lie on them, and on near and far. */
+/* Quarter turns, a square screen and 90 degrees, so the sides are x = +-z and y = +-z. Triangles
+ * whose vertices lie on them, and on near and far. */
 static void make_on_planes(maker *m)
 {
     int64_t *n = m->input->numbers;
@@ -239,7 +240,7 @@ static void make_on_planes(maker *m)
     }
 }
 
-/* Triangles, and rectangles along the axes, at the ends of the range. */
+/* Triangles, and axis-aligned rectangles, at the ends of the range. */
 static void make_at_ends(maker *m)
 {
     const int64_t *n = m->input->numbers;
@@ -260,7 +261,7 @@ static void make_at_ends(maker *m)
     }
 }
 
-/* About the eye, or behind it; its plane passes the eye at some distance. */
+/* A polygon around the eye or behind it; its plane passes the eye at some distance. */
 static void make_around(maker *m)
 {
     double centre[3], a[3], b[3];
@@ -277,7 +278,8 @@ static void make_around(maker *m)
     ellipse(m, centre, a, b, some(m, 3, FXL_FACE_VERTICES_MAX));
 }
 
-/* Tilted by 1e-9..0.1 against one of the six planes, and crossing it in sight. */
+/* A polygon tilted by 1e-9..0.1 against one of the six planes, and crossing it where it is
+ * visible. */
 static void make_parallel(maker *m)
 {
     int plane = (int)oracle_below(m->random, FXL_PLANE_COUNT);
@@ -311,8 +313,8 @@ static void make_parallel(maker *m)
     ellipse(m, centre, a, b, some(m, 3, 8));
 }
 
-/* Quarter turns and a focal length of half the width: depth width / 2 shows
- * whole units as whole pixels. Parallelograms and triangles on half pixels. */
+/* Quarter turns and a focal length of half the width. At depth width / 2 a unit of the world is
+ * a pixel of the screen. Parallelograms and triangles on half pixels. */
 static void make_on_centres(maker *m)
 {
     int64_t *n = m->input->numbers;
@@ -321,7 +323,7 @@ static void make_on_centres(maker *m)
     n[3] = 65536;
     n[4] = FXL_FAR_MAX;
     n[5] = oracle_below(m->random, 2) ? 0 : 4;
-    int off = oracle_below(m->random, 4) == 0; /* by some 2^-32 of a turn */
+    int off = oracle_below(m->random, 4) == 0; /* off by a few 2^-32 of a turn */
     for (int i = 9; i < 12; i++) {
         n[i] &= 0xC0000000;
     }
@@ -391,7 +393,7 @@ static void make(maker *m)
     }
 }
 
-/* Rounds to 16.16 and puts the vertices; 0 where one is out of range. */
+/* Rounds to 16.16 and appends the vertices. Returns 0 where one is out of range. */
 static int put_vertices(maker *m)
 {
     m->input->count = ORACLE_SETUP_NUMBERS;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Random and adversarial polygons of the world, convex and flat up to the
- * rounding to 16.16, most of them cut by the view. */
+/* Random and adversarial polygons of the world. They are convex and flat except for the rounding
+ * to 16.16, and the view cuts most of them. */
 #ifndef ORACLE_POLYGONS_H
 #define ORACLE_POLYGONS_H
 
@@ -11,11 +11,11 @@
         "collinear and repeated vertices", "vertices on planes", "vertices at the range's ends", \
         "around and behind the eye", "nearly parallel to a plane", "edges through centres"
 
-/* The number of "nearly parallel to a plane". */
+/* The number of the kind "nearly parallel to a plane". */
 #define ORACLE_NEAR_PARALLEL 8
 
-/* Sets the input's kind and puts a setup, the count of vertices and their
- * x y z; at most count_max vertices. */
+/* Sets the kind of the input, and appends a setup, the count of vertices and their x y z; at
+ * most count_max vertices. */
 void oracle_polygon_generate(oracle_random *random, int side_max, int count_max,
                              oracle_input *input);
 

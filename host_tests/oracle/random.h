@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Random numbers, the same on every machine for the same claim, seed and shard. */
+/* Random numbers. They are the same on every machine for the same claim, seed and shard. */
 #ifndef ORACLE_RANDOM_H
 #define ORACLE_RANDOM_H
 
@@ -13,16 +13,16 @@ oracle_random oracle_random_start(const char *claim, uint64_t seed, uint64_t sha
 
 uint64_t oracle_random_next(oracle_random *random);
 
-/* 0 <= n < limit. */
+/* Returns 0 <= n < limit. */
 uint32_t oracle_below(oracle_random *random, uint32_t limit);
 
-/* low <= n <= high. */
+/* Returns low <= n <= high. */
 int64_t oracle_between(oracle_random *random, int64_t low, int64_t high);
 
-/* low <= x < high. */
+/* Returns low <= x < high. */
 double oracle_uniform(oracle_random *random, double low, double high);
 
-/* Evenly by magnitude, 0 < low <= x < high. */
+/* Returns low <= x < high, distributed evenly by magnitude; requires low > 0. */
 double oracle_spread(oracle_random *random, double low, double high);
 
 /* The same, of either sign. */

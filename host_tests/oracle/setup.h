@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A lens and a camera, as numbers of an input, as the library's records, and
- * made at random from the ends of their ranges to their middles. */
+/* A lens and a camera: as numbers of an input, as records of the library, and random ones from
+ * the ends of their ranges to their middles. */
 #ifndef ORACLE_SETUP_H
 #define ORACLE_SETUP_H
 
@@ -15,31 +15,31 @@ enum {
 
 #define ORACLE_SETUP_TEXT "width height fov near far inset, eye x y z yaw pitch roll"
 
-/* The lens, the matrix and the frustum are the library's own: what is taken as
+/* The lens, the matrix and the frustum are the library's own. The exact side takes them as
  * given. */
 typedef struct {
     fxl_pose pose;
-    fxl_view view; /* lens, camera, view_frustum; the world's frustum is not set */
+    fxl_view view; /* the frustum in the world is not set */
 } oracle_setup;
 
-/* Reads the input's first ORACLE_SETUP_NUMBERS numbers; 0 where the library
- * refuses them. */
+/* Reads the first ORACLE_SETUP_NUMBERS numbers of the input. Returns 0 where the library refuses
+ * them. */
 int oracle_setup_read(const oracle_input *input, oracle_setup *setup);
 
-/* Random numbers for it. The screen's sides are at most side_max. */
+/* Appends random numbers for a setup. The sides of the screen are at most side_max. */
 void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *input);
 
-/* A vector of the view as one of the world, in double: for making samples. */
+/* Converts a vector of the view to one of the world, in double: for making samples. */
 void oracle_to_world(const oracle_input *input, const double view[3], double world[3]);
 
-/* Exact coordinates of a point in the view, in units of 2^-46. */
+/* Computes the exact coordinates of a point in the view, in units of 2^-46. */
 typedef struct {
     int64_t x, y, z;
 } oracle_view_point;
 
 oracle_view_point oracle_transform(const fxl_camera *camera, const int64_t point[3]);
 
-/* The exact distance from a plane of the frustum, times 2^76. */
+/* Computes the exact distance from a plane of the frustum, times 2^76. */
 oracle_wide oracle_distance(const fxl_view_frustum *frustum, int plane,
                             const oracle_view_point *point);
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The integers that exact clipping takes as given: a matrix, six planes and the way onto
- * the screen. Some clippers have other ones than the view. */
+/* The integers that exact clipping takes as given: a matrix, six planes and the scales of the
+ * projection. Some clippers have other integers than the view. */
 #ifndef ORACLE_SPACE_H
 #define ORACLE_SPACE_H
 
 #include "oracle/setup.h"
 
-/* Inside is x x' + y y' + z z' + offset 2^up w >= 0 for the point (x', y', z') / w in units of
- * 2^-46; up makes the units those of the products. */
+/* A point (x', y', z') / w, in units of 2^-46, is inside where x x' + y y' + z z' + offset 2^up
+ * w >= 0. up gives the offset the unit of the products. */
 typedef struct {
     int64_t x, y, z, offset;
     unsigned up;
@@ -21,10 +21,11 @@ typedef struct {
     int64_t x_scale, y_scale;   /* pixels of 1/65536 for side / depth = 1 */
 } oracle_space;
 
-/* SPEC.md, sections 4.6 to 4.8. */
+/* The integers of the view: SPEC.md, sections 4.6 to 4.8. */
 oracle_space oracle_space_of_view(const fxl_view *view);
 
-/* docs/extras/clippers.md, section 2.2: the field of view folded into the matrix. */
+/* The integers of the normalised frustum, docs/extras/clippers.md, section 2.2: the matrix
+ * includes the field of view. */
 oracle_space oracle_space_of_normalised(const fxl_view *view);
 
 #endif

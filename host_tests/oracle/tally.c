@@ -4,8 +4,8 @@
 #include <inttypes.h>
 #include <math.h>
 
-/* 0; 2^-8..2^-5; sixteenths up to 1.5; 2, 4, 8 ... 2^30; the last bin takes
- * what is larger. */
+/* The bins: 0; 2^-8..2^-5; sixteenths up to 1.5; 2, 4, 8 ... 2^30. The last bin takes everything
+ * larger. */
 static double upper_bound(int bin)
 {
     if (bin == 0) {

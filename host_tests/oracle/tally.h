@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Largest, mean, root mean square and histogram of a claim's samples. The
- * histogram's bounds are fixed, so that shards can be added up. */
+/* The largest, the mean, the root mean square and a histogram of a claim's samples. The bounds
+ * of the histogram are fixed, so shards can be added up. */
 #ifndef ORACLE_TALLY_H
 #define ORACLE_TALLY_H
 
@@ -26,7 +26,7 @@ typedef struct {
 void oracle_tally_count(oracle_tally *tally, const oracle_input *input,
                         const oracle_verdict *verdict);
 
-/* As one JSON object on stdout. */
+/* Prints the tally as one JSON object on stdout. */
 void oracle_tally_print(const oracle_tally *tally, const oracle_claim *claim);
 
 #endif

@@ -67,9 +67,9 @@ static void add_term(term *terms, int *count, uint32_t angle, wide coefficient)
     terms[(*count)++] = (term){angle, coefficient};
 }
 
-/* Whether the sum over the matrix' entries m of weights[row][column] m is 0.
- * Weights are below 2^91: sums of 52 terms stay below 2^97. cos a cos b cos c is
- * a quarter of the sum of the four cosines of a +- b +- c. */
+/* Tells whether the sum of weights[row][column] m over the entries m of the matrix is 0. Weights
+ * are below 2^91, so sums of 52 terms stay below 2^97. cos a cos b cos c is a quarter of the sum
+ * of the four cosines of a +- b +- c. */
 static bool is_zero(const oracle_tie_view *view, wide weights[3][3])
 {
     term terms[TERMS];
@@ -118,7 +118,7 @@ static bool at_least(long double value, long double limit, long double scale)
     return value >= limit - 1e-9L * scale;
 }
 
-/* Whether a point of the view, in 1/65536, lies in the frustum. */
+/* Tells whether a point of the view, in 1/65536, lies in the frustum. */
 static bool in_frustum(const oracle_tie_view *view, const long double p[3])
 {
     long double inset = view->inset, scale = fabsl(p[2]) + 1;
@@ -135,8 +135,8 @@ static bool in_frustum(const oracle_tie_view *view, const long double p[3])
     return true;
 }
 
-/* Whether the edge passes the centre in sight, given that its line does: the
- * point a + t (b - a) that is nearest to the ray, 0 <= t <= 1. */
+/* Tells whether the visible part of the edge passes the centre, given that its line does. Tests
+ * the point a + t (b - a) that is nearest to the ray, 0 <= t <= 1. */
 static bool passes_in_sight(const oracle_tie_view *view, const int64_t a[3], const int64_t b[3],
                             const int64_t ray[3])
 {
@@ -188,7 +188,7 @@ static bool edge_tied(const oracle_tie_view *view, const int32_t *from, const in
             weights[row][k] = (wide)normal * ray[row];
         }
     }
-    /* An edge towards the eye is seen as a point, a repeated vertex as nothing. */
+    /* An edge that points at the eye appears as a point, and a repeated vertex does not appear. */
     return any && is_zero(view, weights) && passes_in_sight(view, a, b, ray);
 }
 

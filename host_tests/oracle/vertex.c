@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* vertex_unclipped: transform and project a visible vertex; against the exact
- * quotient, given the 16.16 vertex and eye, the 2.30 matrix and the 16.16 focal
- * length. Everything fits 128 bits: focal X is below 2^91. */
+/* vertex_unclipped: transforms and projects a visible vertex. Compares it with the exact
+ * quotient, given the 16.16 vertex and eye, the 2.30 matrix and the 16.16 focal length.
+ * Everything fits 128 bits: focal X is below 2^91. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,8 +10,8 @@
 #include "reference/transform.h"
 #include "stages/bridge.h"
 
-/* In 1/65536 pixel: what double leaves of a coordinate of up to 2^26 units. */
-#define REFERENCE_BOUND 1e-6
+/* In 1/65536 pixel: the error of double for a coordinate of up to 2^26 units. */
+#define TWIN_BOUND 1e-6
 
 static void generate(oracle_random *random, uint64_t index, oracle_input *input)
 {
@@ -54,16 +54,16 @@ static double error_of(int64_t got, int64_t focal, int64_t side, int64_t z)
     return (double)fabsl((long double)difference / (long double)z);
 }
 
-/* How far the double twin lands from the exact place, given the same integers. */
-static double reference_error(const oracle_setup *setup, const fxl_point *vertex,
-                              const oracle_view_point *exact)
+/* Returns how far the reference renderer is from the exact position, given the same integers. */
+static double twin_error(const oracle_setup *setup, const fxl_point *vertex,
+                         const oracle_view_point *exact)
 {
     const fxl_lens *lens = &setup->view.lens;
     ref_camera camera = bridge_camera(&setup->view.camera);
-    ref_lens reference_lens = bridge_lens(lens);
+    ref_lens twin_lens = bridge_lens(lens);
     ref_point point = bridge_point(vertex);
     ref_view_point view = ref_transform_point(&camera, &point);
-    ref_screen_point screen = ref_project_point(&reference_lens, &view);
+    ref_screen_point screen = ref_project_point(&twin_lens, &view);
     long double scale = (long double)lens->focal / (long double)exact->z;
     long double x = (long double)lens->width * 32768 + (long double)exact->x * scale;
     long double y = (long double)lens->height * 32768 - (long double)exact->y * scale;
@@ -103,7 +103,7 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     double error_y = error_of(y, lens->focal, exact.y, exact.z);
     verdict->value = fmax(error_x, error_y);
     verdict->extras[0] = error_x > 0.5 || error_y > 0.5;
-    verdict->extras[1] = reference_error(&setup, &vertex, &exact) > REFERENCE_BOUND;
+    verdict->extras[1] = twin_error(&setup, &vertex, &exact) > TWIN_BOUND;
     if (words) {
         fprintf(words,
                 "exact view point (%.17Lg, %.17Lg, %.17Lg), focal %.9g\n"

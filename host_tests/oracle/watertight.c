@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* watertight: a polygon is split by chords into pieces that share whole edges;
- * each goes through the whole chain by itself. Against the pieces' exact
- * outlines:
- *   gap     a pixel that no piece draws, about whose centre the exact outlines'
- *           winding numbers add up to something, and that is farther than the claim on outlines
- * allows from every edge that has no neighbour; double  a pixel that two pieces draw, where fewer
- * than two of the exact outlines have its centre: pieces that overlap in exact arithmetic (not
- * quite flat, seen from the side) may. */
+/* watertight: splits a polygon by chords into pieces that share whole edges, and takes each
+ * piece through the whole pipeline on its own. Compares with the exact outlines of the pieces:
+ *   gap     a pixel that no piece draws. The winding numbers of the exact outlines about its centre
+ *           do not add up to 0, and the centre is farther than the claim on outlines allows from
+ *           every edge that has no neighbour.
+ *   double  a pixel that two pieces draw, where fewer than two of the exact outlines have its
+ *           centre. Pieces that overlap in exact arithmetic (not quite flat, seen from the side)
+ *           may draw a pixel twice. */
 #include <string.h>
 
 #include "oracle/clip.h"
@@ -29,21 +29,21 @@ enum {
     SCREENS_MAX = 40 * VERTICES_MAX, /* of a clipper that gives triangles */
     FAN = 0,
     STRIP = 1,
-    CHORD = 2 /* and more: from vertex 0 to vertex CHORD + n */
+    CHORD = 2 /* CHORD + n: the chord from vertex 0 to vertex CHORD + n */
 };
 
 typedef struct {
     int count;
-    double bound; /* how far an edge without neighbour may be off, in 1/65536 pixel */
+    double bound; /* how far an edge without a neighbour may be off, in 1/65536 pixel */
     fxl_polygon polygons[FXL_FACE_VERTICES_MAX];
-    /* Of the edge from each vertex: whether another piece shares it. */
+    /* For the edge from each vertex: whether another piece shares it. */
     uint8_t shared[FXL_FACE_VERTICES_MAX][FXL_FACE_VERTICES_MAX];
     int screen_count;
     fxl_screen_polygon screens[SCREENS_MAX];        /* as the library projects them */
-    oracle_outline outlines[FXL_FACE_VERTICES_MAX]; /* exactly */
+    oracle_outline outlines[FXL_FACE_VERTICES_MAX]; /* the exact outlines */
 } partition;
 
-/* How often a pixel was drawn, and in how many exact outlines its centre is. */
+/* How often each pixel was drawn, and how many exact outlines hold its centre. */
 static uint8_t drawn[FXL_SCREEN_MAX][FXL_SCREEN_MAX], exact[FXL_SCREEN_MAX][FXL_SCREEN_MAX];
 
 static void generate(oracle_random *random, uint64_t index, oracle_input *input)
@@ -58,7 +58,8 @@ static void generate(oracle_random *random, uint64_t index, oracle_input *input)
     oracle_put(input, split < 2 ? split : CHORD + oracle_between(random, 0, count - 4));
 }
 
-/* The piece whose corners are those of the whole with these numbers, rising. */
+/* Makes the piece whose vertices are those of the whole polygon with these numbers, in ascending
+ * order. */
 static void add_piece(const fxl_polygon *whole, const int *corners, int count, partition *pieces)
 {
     fxl_polygon *piece = &pieces->polygons[pieces->count];
@@ -115,7 +116,7 @@ static void split(const fxl_polygon *whole, int how, partition *pieces)
     }
 }
 
-/* Draws a piece; 0 where the library refuses it. */
+/* Draws a piece. Returns 0 where the library refuses it. */
 static int draw(fxl_view *view, const fxl_polygon *polygon, partition *pieces,
                 oracle_verdict *verdict)
 {
@@ -142,7 +143,7 @@ static int draw(fxl_view *view, const fxl_polygon *polygon, partition *pieces,
     return result != FXL_CLIP_CAPACITY && result != FXL_CLIP_RANGE;
 }
 
-/* Whether the centre is too near an edge without neighbour to be sure of. */
+/* Tells whether the centre is so near an edge without a neighbour that no result is certain. */
 static int near_rim(const partition *pieces, int x, int y)
 {
     oracle_spot centre = {(2 * (int64_t)x + 1) << 47, (2 * (int64_t)y + 1) << 47};
@@ -161,8 +162,8 @@ static int near_rim(const partition *pieces, int x, int y)
     return 0;
 }
 
-/* The sum over all pieces: that of the outline around them. It is 0 where one
- * that is folded over covers another. */
+/* The sum over all pieces is the winding number of the outline around them. It is 0 where a
+ * folded piece covers another. */
 static int exact_winding(const partition *pieces, int x, int y)
 {
     int winding = 0;
@@ -173,9 +174,9 @@ static int exact_winding(const partition *pieces, int x, int y)
     return winding;
 }
 
-/* Whether pieces wind about the centre in opposite directions: rounding has
- * turned a piece over that is thinner than a unit, and by the non-zero rule it
- * still covers a centre that lies on it. The claim excepts that. */
+/* Tells whether pieces wind about the centre in opposite directions. Rounding has then reversed
+ * a piece that is thinner than a unit, and by the non-zero rule the piece still covers a centre
+ * that lies on it. The claim excepts that. */
 static int folded(const partition *pieces, int x, int y)
 {
     int signs = 0;

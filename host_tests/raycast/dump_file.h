@@ -19,7 +19,7 @@ typedef struct {
     dump_frame *frames;
 } dump;
 
-/* Does not return if the dump is damaged or incomplete. */
+/* Reads a dump. Does not return if the dump is damaged or incomplete. */
 dump dump_read(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Files as blocks of bytes, and little-endian numbers in them. */
+/* Reads files into memory, and little-endian numbers in them. */
 #ifndef RAYCAST_FILE_H
 #define RAYCAST_FILE_H
 
@@ -14,7 +14,7 @@ typedef struct {
 /* Prints "raycast: ..." on stderr and exits with 2: the input is unusable. */
 _Noreturn void unusable(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* The whole file; does not return if it cannot be read. */
+/* Reads a whole file. Does not return if it cannot be read. */
 file_block file_read(const char *path);
 
 uint16_t get_u16(const uint8_t *at);
@@ -24,7 +24,7 @@ int32_t get_i32(const uint8_t *at);
 /* CRC-32 of IEEE 802.3. */
 uint32_t crc32_of(const uint8_t *bytes, size_t size);
 
-/* malloc that does not return null; exits with 2 when memory runs out. */
+/* Allocates memory. Does not return null: exits with 2 when memory runs out. */
 void *allocate(size_t count, size_t size);
 
 #endif

@@ -4,13 +4,13 @@
 #include <math.h>
 #include <string.h>
 
-/* An edge this near, in pixels, explains a different colour. */
+/* An edge within this distance, in pixels, explains a different colour. */
 #define NEARNESS (1.0 / 64.0)
 #define RINGS    4
 #define SPOKES   32
 
-/* Turns a vector in the plane of two of its parts: what pointed along `from`
- * now points an angle further towards `towards`. */
+/* Turns a vector in the plane of two of its components: a vector along `from` then points an
+ * angle further towards `towards`. */
 static void turn(double *from, double *towards, double cosine, double sine)
 {
     double a = *from, b = *towards;
@@ -35,17 +35,17 @@ static viewpoint viewpoint_of(const scene *s, const dump_frame *frame)
     return v;
 }
 
-/* The ray through a point of the screen. The camera was turned by yaw, then,
- * in its own frame, by pitch, then by roll; a vector fixed to it therefore
- * goes out into the world through roll first and yaw last. */
+/* Makes the ray through a point of the screen. The camera was turned by yaw, then, in its own
+ * frame, by pitch, then by roll. So a vector in the camera's frame is transformed into the world
+ * by roll first and yaw last. */
 static world_ray ray_through(const viewpoint *v, double x, double y)
 {
     double right = (x - v->s->width / 2.0) / v->s->focal;
     double up = (v->s->height / 2.0 - y) / v->s->focal;
     double forward = 1;
-    turn(&right, &up, v->cosine[2], v->sine[2]);      /* its right side towards its up side */
-    turn(&forward, &up, v->cosine[1], v->sine[1]);    /* raised */
-    turn(&forward, &right, v->cosine[0], v->sine[0]); /* from +z towards +x */
+    turn(&right, &up, v->cosine[2], v->sine[2]);      /* the right side towards the up side */
+    turn(&forward, &up, v->cosine[1], v->sine[1]);    /* forward towards up */
+    turn(&forward, &right, v->cosine[0], v->sine[0]); /* forward from +z towards +x */
     return (world_ray){v->eye, {right, up, forward}, v->s->near, v->s->far};
 }
 

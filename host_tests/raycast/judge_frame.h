@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One frame of the twin against the rays. */
+/* Compares one frame of the reference renderer with rays. */
 #ifndef RAYCAST_JUDGE_FRAME_H
 #define RAYCAST_JUDGE_FRAME_H
 
@@ -15,10 +15,10 @@ typedef struct {
 
 typedef struct {
     uint32_t differing, unexplained;
-    example examples[EXAMPLES]; /* the first of the unexplained */
+    example examples[EXAMPLES]; /* the first unexplained pixels */
 } verdict;
 
-/* pixels (may be null): takes what the rays see, width x height. */
+/* pixels (may be null) receives the picture that the rays see, width x height. */
 void judge_frame(const scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The third judge (docs/accuracy.md, section 4): casts a ray through every pixel of
- * the twin's frames and says where the nearest polygon is another one. */
+/* The ray-cast oracle (docs/accuracy.md, section 4). Casts a ray through every pixel of the
+ * reference renderer's frames and says where the nearest polygon is a different one. */
 #define _DEFAULT_SOURCE
 #include <errno.h>
 #include <stdbool.h>
@@ -25,7 +25,7 @@ typedef struct {
 /* What the workers share. */
 typedef struct {
     verdict *verdicts;
-    uint8_t *pixels; /* null unless they are to be drawn */
+    uint8_t *pixels; /* null unless the picture of the rays is written */
     const scene *s;
     const dump *d;
     uint32_t every, judged;
@@ -100,7 +100,8 @@ static void show_progress(uint32_t judged, uint32_t total)
         fputc('\n', stderr);
 }
 
-/* A byte in the pipe is a frame judged; its end, all workers gone. */
+/* A byte in the pipe means that a frame is done; the end of the pipe, that all workers have
+ * ended. */
 static void judge_all(const work *w)
 {
     int ends[2];
@@ -158,7 +159,7 @@ static void print_all(FILE *out, const work *w)
     fprintf(out, "  ]\n}\n");
 }
 
-static char part[4104]; /* the file being written, empty if there is none */
+static char part[4104]; /* the file being written; empty if there is none */
 
 static void remove_part(void)
 {
@@ -166,8 +167,8 @@ static void remove_part(void)
         remove(part);
 }
 
-/* Opens NAME.part, which close_whole renames to NAME once it is complete and
- * the end of the program removes if it never is. */
+/* Opens NAME.part. close_whole renames it to NAME once it is complete. If the program ends
+ * before that, the exit handler removes it. */
 static FILE *open_part(const char *name)
 {
     if (strlen(name) + sizeof ".part" > sizeof part)
@@ -218,7 +219,7 @@ int main(int count, char **words)
     if (o.draw)
         w.pixels = shared((size_t)w.judged * s.width * s.height);
     atexit(remove_part);
-    FILE *probe = open_part(o.json); /* better now than after the work */
+    FILE *probe = open_part(o.json); /* fails before the work rather than after it */
     fclose(probe);
     remove_part();
     judge_all(&w);

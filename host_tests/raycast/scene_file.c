@@ -96,7 +96,7 @@ static void add_face(const reader *r, const uint8_t *instance, const uint8_t *mo
     }
 }
 
-/* Counts faces and corners first, so that each array is allocated once. */
+/* Counts faces and vertices first, so that each array is allocated once. */
 static world world_of(const reader *r)
 {
     world w = {0};

@@ -8,12 +8,12 @@
 typedef struct {
     uint32_t width, height;
     double focal;     /* pixels */
-    double near, far; /* what is seen, the inset taken off */
+    double near, far; /* the visible depths, with the inset taken off */
     uint8_t background;
     world world;
 } scene;
 
-/* Does not return if the image is unusable. */
+/* Reads a scene image. Does not return if the image is unusable. */
 scene scene_read(const char *path);
 
 #endif

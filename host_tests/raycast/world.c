@@ -10,7 +10,7 @@
 #define DEPTH_STACK   96
 #define TIE           1e-6
 
-/* A face may be off its plane by 4/65536 unit: boxes take in a little more. */
+/* A face may be off its plane by 4/65536 unit, so boxes are a little larger. */
 #define BOX_MARGIN (16.0 / 65536.0)
 
 static double component(vector v, int axis)
@@ -60,7 +60,7 @@ static void box_of(const world *w, world_node *node, uint32_t first, uint32_t co
     }
 }
 
-/* Halving the count each time bounds the depth by log2 of the polygons. */
+/* Halving the count at each level bounds the depth by log2 of the number of polygons. */
 static void build(world *w, uint32_t at, uint32_t first, uint32_t count)
 {
     world_node *node = &w->nodes[at];
@@ -115,8 +115,8 @@ static search search_begin(const world *w, const world_ray *ray)
     return s;
 }
 
-/* Where the ray enters the box, or infinity. A 0/0 compares false and so
- * leaves its slab out, which errs on the side of looking. */
+/* Returns the depth at which the ray enters the box, or infinity. A 0/0 compares false, so its
+ * slab does not restrict the interval; the test then errs on the side of entering. */
 static double box_entry(const search *s, const world_node *node, double far)
 {
     double enter = s->ray->near, leave = far;
@@ -136,8 +136,8 @@ static double box_entry(const search *s, const world_node *node, double far)
     return enter <= leave ? enter : INFINITY;
 }
 
-/* Looking along the ray flattens the polygon to two dimensions and the ray to
- * the origin: the ray passes through it where its outline winds about there. */
+/* Projecting along the ray flattens the polygon to two dimensions and the ray to the origin. The
+ * ray meets the polygon where the outline's winding number about the origin is not 0. */
 static bool outline_holds_ray(const search *s, const world_polygon *polygon)
 {
     const vector *corners = s->w->corners + polygon->first;
@@ -158,7 +158,7 @@ static bool outline_holds_ray(const search *s, const world_polygon *polygon)
     return winding != 0;
 }
 
-/* Depth of the hit in near..far, or infinity. */
+/* Returns the depth of the hit, within near..far, or infinity. */
 static double polygon_depth(const search *s, const world_polygon *polygon, double far)
 {
     double slope = vector_dot(polygon->normal, s->ray->direction);
@@ -168,8 +168,8 @@ static double polygon_depth(const search *s, const world_polygon *polygon, doubl
     return z;
 }
 
-/* Visits every leaf that the ray meets before hit->z, nearer halves first.
- * Finds the nearest hit; or, where colour >= 0, any hit of that colour. */
+/* Visits every leaf that the ray meets before hit->z, nearer halves first. Finds the nearest
+ * hit; or, where colour >= 0, any hit of that colour. */
 static void walk_nodes(const search *s, world_hit *hit, int colour)
 {
     uint32_t stack[DEPTH_STACK];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The polygons of the world, and which of them a ray meets first. */
+/* The polygons of the world, and the test which of them a ray meets first. */
 #ifndef RAYCAST_WORLD_H
 #define RAYCAST_WORLD_H
 
@@ -11,12 +11,12 @@
 typedef struct {
     uint32_t first, count; /* corners */
     uint8_t colour;
-    vector normal; /* Newell's, any length; its sign means nothing */
-    vector middle; /* mean of the corners: a point of the plane */
+    vector normal; /* Newell's normal, of any length; its sign has no meaning */
+    vector middle; /* mean of the vertices: a point of the plane */
 } world_polygon;
 
-/* A box around polygons first .. first + count - 1 (a leaf, count > 0), or
- * around the two nodes first and first + 1. */
+/* A box around polygons first .. first + count - 1 (a leaf, count > 0), or around the two nodes
+ * first and first + 1 (count 0). */
 typedef struct {
     double low[3], high[3];
     uint32_t first, count;
@@ -42,14 +42,14 @@ typedef struct {
     uint8_t colour;
 } world_hit;
 
-/* Computes planes and boxes; polygons and corners must be filled in. */
+/* Computes planes and boxes. The caller must have filled in polygons and vertices. */
 void world_prepare(world *w);
 
-/* The nearest polygon on the ray, from whichever side. */
+/* Finds the nearest polygon on the ray, whichever side faces it. */
 world_hit world_nearest(const world *w, const world_ray *ray);
 
-/* Whether a polygon of this colour lies no deeper than the nearest hit, to
- * within 1e-6 of its depth: coplanar polygons have no nearer and farther. */
+/* Tells whether a polygon of this colour lies no deeper than the nearest hit, to within 1e-6 of
+ * its depth. Coplanar polygons have the same depth, so either may be drawn. */
 bool world_shows(const world *w, const world_ray *ray, uint8_t colour);
 
 #endif

@@ -10,9 +10,9 @@ double ref_radians(ref_angle angle)
     return (double)angle / 4294967296.0 * two_pi;
 }
 
-/* The turn is reduced in whole numbers to an eighth of a turn either side of a
- * quarter turn's multiple, because libm's sine of a rounded pi is not 0: a
- * camera that looks along an axis must do so exactly. */
+/* The angle is reduced, in integers, to at most an eighth of a turn from a multiple of a quarter
+ * turn, because libm's sine of a rounded pi is not 0, and a camera that looks along an axis must
+ * do so exactly. */
 double ref_sin(ref_angle angle)
 {
     uint32_t quarters = (angle + 0x20000000u) >> 30;

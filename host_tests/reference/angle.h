@@ -5,11 +5,12 @@
 
 #include "reference/record.h"
 
-/* Exact at the quarter turns, else to the last bit or so of a double. */
+/* Sine and cosine of an angle. Exact at the quarter turns, elsewhere good to about the last bit
+ * of a double. */
 double ref_sin(ref_angle angle);
 double ref_cos(ref_angle angle);
 
-/* The angle in radians, 0 <= a < 2 pi. */
+/* Converts an angle to radians, 0 <= a < 2 pi. */
 double ref_radians(ref_angle angle);
 
 #endif

@@ -5,7 +5,8 @@
 
 #define UNIT (1.0L / 65536)
 
-/* On which side of a plane a point lies: no farther than 4 units of 1/65536, on it. */
+/* Returns the side of a plane on which a point lies: -1 behind, 1 in front, 0 if it is at most 4
+ * units of 1/65536 away. */
 static int side_of(const ref_plane *plane, const ref_lattice_point *point)
 {
     long double distance = ref_split_distance(plane, point);
@@ -56,9 +57,9 @@ static bool insert(ref_piece *piece, int at, const ref_lattice_point *point)
     return true;
 }
 
-/* Puts a crossing into every piece that has the edge between two points. */
-static bool share(ref_lit_pieces *to, const ref_lattice_point *a, const ref_lattice_point *b,
-                  const ref_lattice_point *crossing)
+/* Inserts an intersection into every piece that has the edge between two points. */
+static bool insert_into_all(ref_lit_pieces *to, const ref_lattice_point *a,
+                            const ref_lattice_point *b, const ref_lattice_point *intersection)
 {
     for (int i = 0; i < to->count; i++) {
         ref_piece *piece = &to->pieces[i].shape;
@@ -66,7 +67,7 @@ static bool share(ref_lit_pieces *to, const ref_lattice_point *a, const ref_latt
             const ref_lattice_point *here = &piece->points[k];
             const ref_lattice_point *next = &piece->points[(k + 1) % piece->count];
             if ((same(here, a) && same(next, b)) || (same(here, b) && same(next, a))) {
-                if (!insert(piece, ++k, crossing)) {
+                if (!insert(piece, ++k, intersection)) {
                     return false;
                 }
             }
@@ -75,23 +76,23 @@ static bool share(ref_lit_pieces *to, const ref_lattice_point *a, const ref_latt
     return true;
 }
 
-static ref_lattice_point crossing_of(const ref_plane *plane, const ref_lattice_point *a,
-                                     const ref_lattice_point *b)
+static ref_lattice_point intersect(const ref_plane *plane, const ref_lattice_point *a,
+                                   const ref_lattice_point *b)
 {
     long double from = ref_split_distance(plane, a), to = ref_split_distance(plane, b);
     return from > 0 ? ref_split_edge(a, b, from, to) : ref_split_edge(b, a, to, from);
 }
 
-/* First every edge that a plane crosses gets its crossing, in all pieces that have it: then
- * the outline meets the plane in corners only. */
-static bool cross_edges(ref_lit_pieces *to, int number, const ref_plane *plane)
+/* Inserts the intersection of every edge that a plane crosses, in all pieces that have the edge.
+ * After that the outline meets the plane only in corners. */
+static bool insert_intersections(ref_lit_pieces *to, int number, const ref_plane *plane)
 {
     const ref_piece whole = to->pieces[number].shape;
     for (int i = 0; i < whole.count; i++) {
         const ref_lattice_point *a = &whole.points[i], *b = &whole.points[(i + 1) % whole.count];
         if (side_of(plane, a) * side_of(plane, b) < 0) {
-            ref_lattice_point crossing = crossing_of(plane, a, b);
-            if (!share(to, a, b, &crossing)) {
+            ref_lattice_point intersection = intersect(plane, a, b);
+            if (!insert_into_all(to, a, b, &intersection)) {
                 return false;
             }
         }
@@ -99,7 +100,7 @@ static bool cross_edges(ref_lit_pieces *to, int number, const ref_plane *plane)
     return true;
 }
 
-/* The first side off the plane that comes up from a corner on, in one direction. */
+/* Returns the first side other than 0 that is met from a corner on, in one direction. */
 static int next_side(const ref_plane *plane, const ref_piece *piece, int from, int step)
 {
     for (int k = 0; k < piece->count; k++) {
@@ -112,8 +113,9 @@ static int next_side(const ref_plane *plane, const ref_piece *piece, int from, i
     return 0;
 }
 
-/* A corner on the plane lies in front where it has the front on both hands; between the two
- * sides, the one that follows upon the front or comes before it is in both, others behind. */
+/* Places a corner on the plane. It belongs to the front part if the outline is in front on both
+ * sides of it. Where the outline changes sides, the corner next to the front belongs to both
+ * parts, and the other corners on the plane to the part behind. */
 static void place_on_plane(const ref_plane *plane, const ref_piece *piece, int i, bool *in_front,
                            bool *behind)
 {
@@ -130,7 +132,8 @@ static void place_on_plane(const ref_plane *plane, const ref_piece *piece, int i
     }
 }
 
-/* An edge on a plane is in front of it, whichever polygon it belongs to: it goes on being cut. */
+/* Cuts an edge on a plane by the later planes of the beam. The edge counts as in front of the
+ * plane, whichever polygon it belongs to. */
 static bool follow(ref_lit_pieces *to, ref_lattice_point a, ref_lattice_point b,
                    const ref_beam *beam, int next)
 {
@@ -138,14 +141,14 @@ static bool follow(ref_lit_pieces *to, ref_lattice_point a, ref_lattice_point b,
         const ref_plane *plane = &beam->planes[i];
         int from = side_of(plane, &a), there = side_of(plane, &b);
         if (from * there < 0) {
-            ref_lattice_point crossing = crossing_of(plane, &a, &b);
-            if (!share(to, &a, &b, &crossing)) {
+            ref_lattice_point intersection = intersect(plane, &a, &b);
+            if (!insert_into_all(to, &a, &b, &intersection)) {
                 return false;
             }
             if (from < 0) {
-                a = crossing;
+                a = intersection;
             } else {
-                b = crossing;
+                b = intersection;
             }
         } else if (from < 0 || there < 0) {
             return true;
@@ -173,7 +176,7 @@ typedef enum {
     FULL
 } outcome;
 
-/* What of a piece is in front of a plane stays, the rest becomes a piece of its own. */
+/* Cuts a piece by a plane: the piece keeps the part in front, and the rest becomes a new piece. */
 static outcome cut(ref_lit_pieces *to, int number, const ref_beam *beam, int which)
 {
     const ref_plane *plane = &beam->planes[which];
@@ -191,7 +194,7 @@ static outcome cut(ref_lit_pieces *to, int number, const ref_beam *beam, int whi
     if (!any_front) {
         return !edge || follow_all(to, number, beam, which) ? OUT : FULL;
     }
-    if (!cross_edges(to, number, plane) || to->count == REF_LIT_PIECES_MAX) {
+    if (!insert_intersections(to, number, plane) || to->count == REF_LIT_PIECES_MAX) {
         return FULL;
     }
     const ref_piece whole = to->pieces[number].shape;

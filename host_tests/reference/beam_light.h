@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Light beams (docs/extras/beams.md), in double: points are whole numbers, as the law has them. */
-#ifndef REF_LIGHT_H
-#define REF_LIGHT_H
+/* Light beams (docs/extras/beams.md), in double. Points are integers, as the specification says. */
+#ifndef REF_BEAM_LIGHT_H
+#define REF_BEAM_LIGHT_H
 
 #include "reference/scene.h"
 #include "reference/split.h"
@@ -20,12 +20,12 @@ typedef struct {
     ref_lit_piece pieces[REF_LIT_PIECES_MAX];
 } ref_lit_pieces;
 
-/* Whether anything of a sphere may lie in a beam of the scene. */
+/* Tells whether any part of a sphere may lie in a beam of the scene. */
 bool ref_beam_light_reaches(const ref_scene *scene, const ref_lattice_point *centre,
                             int32_t radius);
 
-/* Splits a polygon of the world that has this normal (2.30) by the scene's beams. False where
- * it makes more pieces, or larger ones, than there is room for. */
+/* Splits a polygon of the world, with this normal (2.30), by the beams of the scene. Returns
+ * false where there would be more pieces, or larger ones, than the records hold. */
 bool ref_beam_light_split(const ref_scene *scene, const ref_piece *polygon, const int32_t *normal,
                           ref_lit_pieces *to);
 

@@ -5,8 +5,9 @@
 
 #include "reference/frustum.h"
 
-/* A bit for each plane that has neither all eight corners outside by more than 2^-9 nor
- * all inside by no less; 1 << REF_PLANE_COUNT alone where it has all outside of one. */
+/* Returns a bit for each plane that a box may cross: one for which the eight corners are neither
+ * all outside by more than 2^-9 nor all inside by at least 2^-9. Returns 1 << REF_PLANE_COUNT
+ * alone where all corners are outside one plane by more than 2^-9. */
 uint32_t ref_box_planes(const ref_frustum *frustum, const ref_point *least, const ref_point *most);
 
 #endif

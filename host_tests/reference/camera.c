@@ -3,12 +3,11 @@
 
 #include "reference/angle.h"
 
-/* The three axes of a view that starts as the world's axes and is turned step
- * by step about its own axes: each turn replaces two of them by combinations
- * of themselves. This is the definition in words of SPEC.md, section 1.3, so that the
- * table of products there is checked rather than copied. */
+/* The axes of the view start as the axes of the world. Each turn rotates the view about one of
+ * its own axes: it replaces the two other axes by combinations of themselves. This follows the
+ * words of SPEC.md, section 1.3, so the table of products there is checked, not copied. */
 
-/* Turns a towards b by an angle whose sine and cosine are given. */
+/* Turns axis a towards axis b by an angle whose sine and cosine are given. */
 static void turn(ref_point *a, ref_point *b, double s, double c)
 {
     ref_point old_a = *a, old_b = *b;

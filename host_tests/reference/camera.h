@@ -10,10 +10,10 @@ typedef struct {
     ref_point right, up, forward;
 } ref_camera;
 
-/* R . P . Y, multiplied out as three turns one after the other. */
+/* Makes the camera: R . P . Y, computed as three turns one after the other. */
 ref_camera ref_camera_from_pose(const ref_pose *pose);
 
-/* The way a viewer looks: the image of (0, 0, 1) under the turns. */
+/* Returns the direction in which a player looks: the image of (0, 0, 1) under the turns. */
 ref_point ref_forward(ref_angle yaw, ref_angle pitch);
 
 ref_point ref_point_from_lattice(const ref_lattice_point *point);

@@ -18,8 +18,8 @@ ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens)
     frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, half_width, inset);
     frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, half_height, inset);
     frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, half_height, inset);
-    frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near + inset};
-    frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far};
+    frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near_z + inset};
+    frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far_z};
     return frustum;
 }
 
@@ -43,9 +43,10 @@ static long double between(long double inside, long double outside, ref_wide t)
     return (long double)(inside + t * ((ref_wide)outside - inside));
 }
 
-/* From the inside end to the outside end, whichever way the edge is walked. */
-static ref_view_vertex crossing(const ref_view_vertex *inside, const ref_view_vertex *outside,
-                                ref_wide t)
+/* Computes the intersection from the inside end to the outside end, whatever the direction of
+ * the edge. */
+static ref_view_vertex intersection(const ref_view_vertex *inside, const ref_view_vertex *outside,
+                                    ref_wide t)
 {
     const ref_view_point *from = &inside->position, *to = &outside->position;
     return (ref_view_vertex){
@@ -54,7 +55,7 @@ static ref_view_vertex crossing(const ref_view_vertex *inside, const ref_view_ve
     };
 }
 
-/* What the plane leaves, up to twice the capacity. */
+/* Writes the vertices that the plane leaves, up to twice the capacity. Returns how many. */
 static int keep(const ref_view_polygon *in, const ref_wide *distances, ref_view_vertex *kept)
 {
     int count = 0;
@@ -67,9 +68,9 @@ static int keep(const ref_view_polygon *in, const ref_wide *distances, ref_view_
         if (from_inside != to_inside) {
             int inner = from_inside ? i : next, outer = from_inside ? next : i;
             ref_wide d0 = distances[inner], d1 = distances[outer];
-            if (d0 > 0) { /* at 0 the crossing is the inside end itself */
+            if (d0 > 0) { /* at 0 the inside end is the intersection */
                 kept[count++] =
-                    crossing(&in->vertices[inner], &in->vertices[outer], d0 / (d0 - d1));
+                    intersection(&in->vertices[inner], &in->vertices[outer], d0 / (d0 - d1));
             }
         }
     }

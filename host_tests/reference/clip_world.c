@@ -8,9 +8,9 @@ static double between(double inside, double outside, double t)
     return inside + t * (outside - inside);
 }
 
-/* From the inside end to the outside end, whichever way the polygon walks the
- * edge: neighbours get the same vertex. */
-static ref_vertex crossing(const ref_vertex *inside, const ref_vertex *outside, double t)
+/* Computes the intersection from the inside end to the outside end, whatever the direction of
+ * the edge: neighbours get the same vertex. */
+static ref_vertex intersection(const ref_vertex *inside, const ref_vertex *outside, double t)
 {
     return (ref_vertex){
         .position = {between(inside->position.x, outside->position.x, t),
@@ -48,9 +48,9 @@ ref_clip_result ref_clip_world_to_plane(const ref_polygon *in, const ref_plane *
         if (from_inside != to_inside) {
             int inner = from_inside ? i : next, outer = from_inside ? next : i;
             long double d0 = distances[inner], d1 = distances[outer];
-            if (d0 > 0) { /* at 0 the crossing is the inside end itself */
-                kept[count++] =
-                    crossing(&in->vertices[inner], &in->vertices[outer], (double)(d0 / (d0 - d1)));
+            if (d0 > 0) { /* at 0 the inside end is the intersection */
+                kept[count++] = intersection(&in->vertices[inner], &in->vertices[outer],
+                                             (double)(d0 / (d0 - d1)));
             }
         }
     }

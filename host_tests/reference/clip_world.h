@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clipping in world space (docs/extras/clippers.md, section 5), in double. */
-#ifndef REF_CLIP_H
-#define REF_CLIP_H
+#ifndef REF_CLIP_WORLD_H
+#define REF_CLIP_WORLD_H
 
 #include "reference/frustum.h"
 

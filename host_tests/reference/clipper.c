@@ -15,7 +15,7 @@ static const struct {
     {"normalised", REF_CUT_ALL},
     {"once", REF_CUT_ALL},
     {"half-spaces", REF_CUT_ALL},
-    /* By the borders of the screen, which is what the scan does. */
+    /* It clips to the borders of the screen, and so does the scan. */
     {"triangles", DEPTHS},
     {"near", DEPTHS},
     {"near-box", DEPTHS},

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the library's clippers leave to the scan (docs/extras/clippers.md), by their names. */
+/* The planes that each clipper of the library cuts by, and those that it leaves to the scan
+ * (docs/extras/clippers.md). */
 #ifndef REF_CLIPPER_H
 #define REF_CLIPPER_H
 
@@ -7,14 +8,14 @@
 
 #include "reference/frustum.h"
 
-/* A bit for each of REF_PLANE_...: the planes that cut; of the sides without one
- * only what is beyond the guard band is cut. */
+/* The bits of all planes. A clipper cuts by the planes whose bit, 1 << REF_PLANE_..., it has. On
+ * the other sides it cuts only what is beyond the guard band. */
 #define REF_CUT_ALL ((1u << REF_PLANE_COUNT) - 1)
 
-/* How far from the screen's centre the guard band reaches, in pixels. */
+/* How far the guard band reaches from the centre of the screen, in pixels. */
 #define REF_GUARD_PIXELS 3500
 
-/* False where no clipper has that name. */
+/* Looks a clipper up by its name. Returns false where no clipper has that name. */
 bool ref_clipper_cuts(const char *name, unsigned *planes);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Facing (SPEC.md, section 4.5), exact; and a face as a polygon of the world. */
+/* The facing test (SPEC.md, section 4.5), exact; and a face as a polygon of the world. */
 #ifndef REF_CULL_H
 #define REF_CULL_H
 

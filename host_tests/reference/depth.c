@@ -23,8 +23,8 @@ bool ref_depth_is_in_doubt(const ref_view_frustum *frustum, const ref_camera *ca
     for (int plane = REF_PLANE_NEAR; plane <= REF_PLANE_FAR; plane++) {
         ref_wide least = INFINITY, most = -INFINITY;
         for (int i = 0; i < polygon->count; i++) {
-            ref_view_point seen = ref_transform_point(camera, &polygon->vertices[i].position);
-            ref_wide distance = ref_view_distance(&frustum->planes[plane], &seen);
+            ref_view_point view_point = ref_transform_point(camera, &polygon->vertices[i].position);
+            ref_wide distance = ref_view_distance(&frustum->planes[plane], &view_point);
             least = distance < least ? distance : least;
             most = distance > most ? distance : most;
         }

@@ -18,7 +18,7 @@ bool ref_display_list_append(ref_display_list *list, const ref_drawn *drawn)
     return true;
 }
 
-/* Whether there is a row that is both of these and of those. */
+/* Tells whether two ranges of rows have a row in common. */
 static bool share_a_row(ref_rows these, ref_rows those)
 {
     int first = these.first > those.first ? these.first : those.first;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Colour into a band. */
+/* Fills spans and bands with a colour. */
 #ifndef REF_FILL_H
 #define REF_FILL_H
 

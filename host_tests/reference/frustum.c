@@ -5,8 +5,8 @@
 
 #include "reference/plane.h"
 
-/* The plane whose normal has the view coordinates (x, y, z), before scaling to
- * unit length, and which passes through (0, 0, depth). */
+/* Makes the plane whose normal has the view coordinates (x, y, z), before scaling to unit
+ * length, and which passes through (0, 0, depth). */
 static ref_plane view_plane(const ref_camera *camera, double x, double y, double z, double depth,
                             double inset)
 {
@@ -45,7 +45,7 @@ ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *le
     frustum.planes[REF_PLANE_RIGHT] = view_plane(camera, -focal, 0, half_width, 0, inset);
     frustum.planes[REF_PLANE_BOTTOM] = view_plane(camera, 0, focal, half_height, 0, inset);
     frustum.planes[REF_PLANE_TOP] = view_plane(camera, 0, -focal, half_height, 0, inset);
-    frustum.planes[REF_PLANE_NEAR] = view_plane(camera, 0, 0, 1, lens->near, inset);
-    frustum.planes[REF_PLANE_FAR] = view_plane(camera, 0, 0, -1, lens->far, inset);
+    frustum.planes[REF_PLANE_NEAR] = view_plane(camera, 0, 0, 1, lens->near_z, inset);
+    frustum.planes[REF_PLANE_FAR] = view_plane(camera, 0, 0, -1, lens->far_z, inset);
     return frustum;
 }

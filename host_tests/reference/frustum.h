@@ -22,8 +22,8 @@ typedef struct {
 
 ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens);
 
-/* The same, but for the sides without a bit in cuts: those lie at so many pixels from
- * the screen's centre, without an inset (docs/extras/clippers.md, section 2.3). */
+/* Makes the same frustum, except for the sides without a bit in cuts: they lie at this many
+ * pixels from the centre of the screen, without an inset (docs/extras/clippers.md, section 2.3). */
 ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *lens, unsigned cuts,
                                    double pixels);
 

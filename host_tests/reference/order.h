@@ -17,11 +17,12 @@ ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
                                      const ref_instance *instance, const ref_face *face);
 
-/* Layer upward, distance downward, index upward. */
+/* Sorts entries: ascending layer, descending distance, ascending index. */
 void ref_order_sort(ref_order_entry *entries, uint32_t count);
 
-/* The objects that a sphere does not leave out; and of an object's faces those
- * that face the eye. entries has room for all of them; answers how many. */
+/* Write the entries of the instances that the sphere test does not reject, and of the faces of
+ * an instance that face the eye. entries must have room for all of them. Both return how many
+ * they wrote. */
 uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *eye,
                              const ref_camera *camera, const ref_view_frustum *frustum,
                              ref_order_entry *entries);

@@ -5,11 +5,11 @@
 
 #include "reference/record.h"
 
-/* Through a point, with a normal that points inside, moved inside by inset. */
+/* Makes the plane through a point, with a normal that points inside, moved inside by inset. */
 ref_plane ref_plane_from_point(const ref_point *point, const ref_point *normal, double inset);
 
-/* How far a point lies inside; negative outside. Summed in 64 bits: exact
- * where normal and point are the library's integers. */
+/* Returns how far a point lies inside; negative outside. Summed in 64 bits: exact where normal
+ * and point are the library's integers. */
 long double ref_plane_distance(const ref_plane *plane, const ref_point *point);
 
 #endif

@@ -28,24 +28,23 @@ static double held(double value, double limit)
     return fmax(-limit, fmin(limit, value));
 }
 
-void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *motion_limits)
+void ref_player_step(ref_player *player, uint32_t keys, const ref_motion_limits *limits)
 {
-    viewer->yaw =
-        turned(viewer->yaw, pressed(keys, REF_KEY_RIGHT, REF_KEY_LEFT), motion_limits->turn);
-    viewer->pitch = turned(viewer->pitch, pressed(keys, REF_KEY_PITCH_UP, REF_KEY_PITCH_DOWN),
-                           motion_limits->turn);
-    viewer->roll = turned(viewer->roll, pressed(keys, REF_KEY_ROLL_LEFT, REF_KEY_ROLL_RIGHT),
-                          motion_limits->turn);
+    player->yaw = turned(player->yaw, pressed(keys, REF_KEY_RIGHT, REF_KEY_LEFT), limits->turn);
+    player->pitch =
+        turned(player->pitch, pressed(keys, REF_KEY_PITCH_UP, REF_KEY_PITCH_DOWN), limits->turn);
+    player->roll =
+        turned(player->roll, pressed(keys, REF_KEY_ROLL_LEFT, REF_KEY_ROLL_RIGHT), limits->turn);
 
-    double push = motion_limits->acceleration * pressed(keys, REF_KEY_FORWARD, REF_KEY_BACK);
-    viewer->speed = held(viewer->speed + push, motion_limits->speed_max);
+    double push = limits->acceleration * pressed(keys, REF_KEY_FORWARD, REF_KEY_BACK);
+    player->speed = held(player->speed + push, limits->speed_max);
 
-    ref_point forward = ref_forward(viewer->yaw, viewer->pitch);
-    double x = viewer->position.x + forward.x * viewer->speed;
-    double z = viewer->position.z + forward.z * viewer->speed;
-    viewer->position.x = held(x, REF_COORDINATE_MAX);
-    viewer->position.z = held(z, REF_COORDINATE_MAX);
-    viewer->clamped += viewer->position.x != x || viewer->position.z != z;
+    ref_point forward = ref_forward(player->yaw, player->pitch);
+    double x = player->position.x + forward.x * player->speed;
+    double z = player->position.z + forward.z * player->speed;
+    player->position.x = held(x, REF_COORDINATE_MAX);
+    player->position.z = held(z, REF_COORDINATE_MAX);
+    player->clamped += player->position.x != x || player->position.z != z;
 
-    viewer->speed = copysign(fmax(fabs(viewer->speed) - motion_limits->friction, 0), viewer->speed);
+    player->speed = copysign(fmax(fabs(player->speed) - limits->friction, 0), player->speed);
 }

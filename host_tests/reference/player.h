@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The walk (docs/extras/player.md), in double. */
+/* The movement of a player (docs/extras/player.md), in double. */
 #ifndef REF_PLAYER_H
 #define REF_PLAYER_H
 
@@ -16,21 +16,21 @@ enum {
     REF_KEY_ROLL_RIGHT = 128
 };
 
-/* Per step: world units, and an angle. */
+/* Limits per step: world units, and an angle. */
 typedef struct {
     double acceleration, friction, speed_max;
     ref_angle turn;
 } ref_motion_limits;
 
-/* The position is never rounded: it is what the library's walk is held to. */
+/* A player. The position is never rounded: the judge compares the library's positions with it. */
 typedef struct {
     ref_point position;
     ref_angle yaw, pitch, roll;
     double speed;
-    uint32_t clamped; /* steps that were held at the range's end */
+    uint32_t clamped; /* steps in which the position was clamped to the range */
 } ref_player;
 
 ref_player ref_player_at(const ref_pose *pose);
-void ref_player_step(ref_player *viewer, uint32_t keys, const ref_motion_limits *motion_limits);
+void ref_player_step(ref_player *player, uint32_t keys, const ref_motion_limits *limits);
 
 #endif

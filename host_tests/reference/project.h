@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From the view onto the screen (SPEC.md, section 4.8), in double. */
+/* The projection from the view onto the screen (SPEC.md, section 4.8), in double. */
 #ifndef REF_PROJECT_H
 #define REF_PROJECT_H
 

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The twin's records: the library's, in double.
+/* The records of the reference renderer: those of the library, in double.
  *
- * The twin is written from SPEC.md alone. It is a program for the host: it may
- * use the heap, libc and libm. Whole numbers that the law calls exact (poses,
- * the scene) stay whole; everything else is a double in world units or pixels.
- */
+ * The reference renderer is written from SPEC.md alone. It is a program for the host: it may use
+ * the heap, libc and libm. Numbers that the specification calls exact (poses, the scene) stay
+ * integers. Everything else is a double in world units or pixels. */
 #ifndef REF_RECORD_H
 #define REF_RECORD_H
 
@@ -20,7 +19,7 @@
 
 typedef uint32_t ref_angle; /* a full turn is 2^32 */
 
-/* A point of the world in whole units of 1/65536. */
+/* A point of the world, in units of 1/65536. */
 typedef struct {
     int32_t x, y, z;
 } ref_lattice_point;
@@ -30,9 +29,9 @@ typedef struct {
     double x, y, z;
 } ref_point;
 
-/* Inside is normal . point >= distance. The distance is kept to 64 bits, so
- * that the sign of a difference is exact when the plane and the point are the
- * library's own integers (below 2^62 units of 2^-46). */
+/* A point is inside where normal . point >= distance. The distance has 64 bits, so the sign of a
+ * difference is exact if the plane and the point are the library's own integers (below 2^62
+ * units of 2^-46). */
 typedef struct {
     ref_point normal;
     long double distance;
@@ -54,8 +53,8 @@ typedef struct {
     ref_vertex vertices[REF_POLYGON_CAPACITY];
 } ref_polygon;
 
-/* A point relative to the eye: along right, up and forward. Kept to 64 bits, so
- * that the library's sums and the twin's of the same integers are exact. */
+/* A point relative to the eye, along right, up and forward. It has 64 bits, so the sums of the
+ * library and of the reference renderer, of the same integers, are both exact. */
 typedef struct {
     long double x, y, z;
 } ref_view_point;
@@ -70,7 +69,7 @@ typedef struct {
     ref_view_vertex vertices[REF_POLYGON_CAPACITY];
 } ref_view_polygon;
 
-/* In pixels, y down. */
+/* A point of the screen, in pixels, y down. */
 typedef struct {
     double x, y;
 } ref_screen_point;

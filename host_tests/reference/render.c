@@ -12,7 +12,7 @@
 #include "reference/beam_light.h"
 #include "reference/project.h"
 #include "reference/scan.h"
-#include "reference/render_bsp.h"
+#include "reference/submit_by_bsp.h"
 #include "reference/transform.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
@@ -25,9 +25,9 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
     renderer->scene = scene;
     renderer->lens = *lens;
     renderer->cuts = REF_CUT_ALL;
-    renderer->instances = calloc(scene->instance_count, sizeof *renderer->instances);
+    renderer->order = calloc(scene->instance_count, sizeof *renderer->order);
     renderer->faces = calloc((size_t)faces + 1, sizeof *renderer->faces);
-    if (!renderer->instances || !renderer->faces) {
+    if (!renderer->order || !renderer->faces) {
         ref_renderer_close(renderer);
         return false;
     }
@@ -36,29 +36,29 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
 
 void ref_renderer_close(ref_renderer *renderer)
 {
-    free(renderer->instances);
+    free(renderer->order);
     free(renderer->faces);
-    ref_display_list_close(&renderer->list);
+    ref_display_list_close(&renderer->display_list);
     memset(renderer, 0, sizeof *renderer);
 }
 
-/* Whether all vertices lie outside of one plane of the view: such a face is left out by
- * every clipper, also by one that leaves that plane's side to the scan. */
+/* Tells whether all vertices lie outside one plane of the view. Every clipper rejects such a
+ * face, also a clipper that leaves that plane's side to the scan. */
 static bool is_outside(const ref_camera *camera, const ref_view_frustum *frustum,
                        const ref_polygon *polygon)
 {
     unsigned all = REF_CUT_ALL;
     for (int i = 0; i < polygon->count; i++) {
-        ref_view_point seen = ref_transform_point(camera, &polygon->vertices[i].position);
-        all &= ref_outcode(frustum, &seen);
+        ref_view_point view_point = ref_transform_point(camera, &polygon->vertices[i].position);
+        all &= ref_outcode(frustum, &view_point);
     }
     return all != 0;
 }
 
-/* What the frustum leaves of a polygon, on the screen; near and far are moved apart by so
- * much. No points unless something is left. */
-static ref_clip_result put_on_screen(const ref_renderer *renderer, const ref_polygon *whole,
-                                     double moved, ref_screen_polygon *screen)
+/* Clips and projects a polygon. Near and far are moved apart by `moved` first. The outline has
+ * no points unless something is left. */
+static ref_clip_result clip_and_project(const ref_renderer *renderer, const ref_polygon *whole,
+                                        double moved, ref_screen_polygon *screen)
 {
     ref_frustum frustum = renderer->frustum;
     ref_view_frustum view_frustum = renderer->view_frustum;
@@ -100,14 +100,14 @@ static void count(ref_clip_result result, ref_counters *counters)
     }
 }
 
-/* What the rounding of depths may make of the polygon, if anything. */
+/* Notes what the rounding of depths may make of the polygon, if it may change it. */
 static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, ref_drawn *drawn)
 {
     double bound = ref_depth_bound(whole, &renderer->camera.position, &renderer->lens);
     if (ref_depth_is_in_doubt(&renderer->view_frustum, &renderer->camera, whole, bound)) {
         drawn->in_doubt = true;
-        put_on_screen(renderer, whole, -bound, &drawn->least);
-        put_on_screen(renderer, whole, bound, &drawn->most);
+        clip_and_project(renderer, whole, -bound, &drawn->least);
+        clip_and_project(renderer, whole, bound, &drawn->most);
     }
 }
 
@@ -115,7 +115,7 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
                         uint32_t face, ref_counters *counters)
 {
     ref_drawn drawn = {.instance = instance, .face = face};
-    count(put_on_screen(renderer, whole, 0, &drawn.polygon), counters);
+    count(clip_and_project(renderer, whole, 0, &drawn.polygon), counters);
     if (face == REF_NO_FACE) {
         return true;
     }
@@ -126,10 +126,10 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
         return true;
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
-    return ref_display_list_append(&renderer->list, &drawn);
+    return ref_display_list_append(&renderer->display_list, &drawn);
 }
 
-/* One face of which the pieces were counted in one by one. */
+/* Counts one face, from the counts of its pieces. */
 static void count_once(const ref_counters *pieces, ref_counters *counters)
 {
     if (pieces->refused) {
@@ -144,10 +144,10 @@ static void count_once(const ref_counters *pieces, ref_counters *counters)
     }
 }
 
-/* A face of an object that a beam may reach: in pieces, lit and dark. */
-static bool take_lit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
+/* Submits a face of an instance that a beam may reach: in pieces, lit and dark. */
+static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
 {
-    ref_lit_pieces pieces; /* judges run in threads */
+    ref_lit_pieces pieces; /* not static: judges run in threads */
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[instance_number];
     const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
@@ -180,7 +180,7 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
     const ref_instance *instance = &renderer->scene->instances[instance_number];
     const ref_model *model = &renderer->scene->models[instance->model];
     if (ref_beam_light_reaches(renderer->scene, &instance->centre, model->radius)) {
-        return take_lit_face(renderer, instance_number, face_number);
+        return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
     ref_face_to_polygon(renderer->scene, instance,
@@ -214,18 +214,18 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
     return true;
 }
 
-static bool take_by_distance(ref_renderer *renderer, uint32_t count)
+static bool submit_by_distance(ref_renderer *renderer, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        if (!ref_submit_instance(renderer, renderer->instances[i].index)) {
+        if (!ref_submit_instance(renderer, renderer->order[i].index)) {
             return false;
         }
     }
     return true;
 }
 
-/* The faces of the scene that no object in sight has: all outside. */
-static void count_left_out(ref_renderer *renderer)
+/* Counts the faces of the instances that are not visible: all are outside. */
+static void count_invisible(ref_renderer *renderer)
 {
     uint32_t faces = 0;
     for (uint32_t i = 0; i < renderer->scene->instance_count; i++) {
@@ -235,8 +235,8 @@ static void count_left_out(ref_renderer *renderer)
     renderer->counters.in = faces;
 }
 
-/* The planes that cut. The sides are those of the screen, without the inset: what an inset
- * takes from the picture is a fault of the scene's, which a judge is to see
+/* Sets the planes that cut. The sides are those of the screen, without the inset. An inset that
+ * takes something from the picture is a fault of the scene, which a judge must see
  * (docs/accuracy.md, section 4). */
 static void set_frusta(ref_renderer *renderer)
 {
@@ -259,15 +259,15 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     renderer->camera = ref_camera_from_pose(pose);
     set_frusta(renderer);
     renderer->counters = (ref_counters){0};
-    renderer->list.count = 0;
+    renderer->display_list.count = 0;
     uint32_t count = ref_order_instances(renderer->scene, &renderer->eye, &renderer->camera,
-                                         &renderer->view_frustum, renderer->instances);
-    const bool by_bsp = renderer->by_bsp && renderer->scene->nodes;
-    if (!(by_bsp ? ref_submit_by_bsp(renderer, renderer->instances, count)
-                 : take_by_distance(renderer, count))) {
+                                         &renderer->view_frustum, renderer->order);
+    const bool by_bsp = renderer->by_bsp && renderer->scene->bsp_nodes;
+    if (!(by_bsp ? ref_submit_by_bsp(renderer, renderer->order, count)
+                 : submit_by_distance(renderer, count))) {
         return false;
     }
-    count_left_out(renderer);
+    count_invisible(renderer);
     return true;
 }
 
@@ -276,7 +276,7 @@ void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
     ref_rows rows = {band->first_row, band->first_row + band->rows};
     const ref_drawn *drawn;
     for (size_t place = 0;
-         (drawn = ref_display_list_next(&renderer->list, rows, &place)) != NULL;) {
+         (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
         ref_scan scan;
         ref_span span;
         ref_scan_begin(&drawn->polygon, band, &scan);

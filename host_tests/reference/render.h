@@ -12,27 +12,28 @@ typedef struct {
     const ref_scene *scene;
     ref_lens lens;
     ref_camera camera;
-    ref_frustum frustum; /* what cuts */
+    ref_frustum frustum; /* the planes that cut */
     ref_view_frustum view_frustum;
     ref_lattice_point eye;
-    ref_order_entry *instances, *faces;
-    unsigned cuts; /* of the planes, those that cut: REF_CUT_ALL unless set between frames */
+    ref_order_entry *order, *faces;
+    unsigned cuts; /* bits of the planes that cut: REF_CUT_ALL unless set between frames */
     ref_counters counters;
-    ref_display_list list; /* the frame's polygons */
-    bool keeps_doubt;      /* set before a frame: the list tells what depends on rounding */
-    bool by_bsp;      /* set before a frame: what hides what is the scene's tree, if it has one */
-    uint32_t unsplit; /* objects of the frame that were not cut to the tree */
+    ref_display_list display_list; /* the frame's polygons */
+    bool keeps_doubt;              /* set before a frame: the list says what depends on rounding */
+    bool by_bsp;                   /* set before a frame: draw by the BSP, if the scene has one */
+    uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
 } ref_renderer;
 
-/* False where memory is short. The scene must outlive the renderer. */
+/* Initialises a renderer. Returns false where memory is short. The scene must outlive the
+ * renderer. */
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens);
 void ref_renderer_close(ref_renderer *renderer);
 
-/* Works out everything that the frame draws: fills list and counters. False
- * where memory is short. */
+/* Computes all that the frame draws: fills display_list and counters. Returns false where memory
+ * is short. */
 bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose);
 
-/* Draws the frame's polygons that reach it over a band that the caller has cleared. */
+/* Draws the frame's polygons that reach a band over it. The caller clears the band first. */
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band);
 
 #endif

@@ -3,14 +3,13 @@
 
 #include <math.h>
 
-/* Whether the edge from upper to lower (upper.y <= cy < lower.y) has its x at
- * cy <= cx. Asked from the upper end whichever way the polygon walks it, so
- * that two neighbours get one answer.
+/* Tells whether the edge from upper to lower (upper.y <= cy < lower.y) has its x at cy <= cx.
+ * Computed from the upper end, whatever the direction of the edge, so two neighbours get the
+ * same result.
  *
- * With integers of 16.16 the differences are exact and below 2^29 units, the
- * products below 2^58: exact in the 64 bits of a long double. In double each
- * product errs by at most 2^-53 of itself; the cheap answer is taken where
- * the sum is well clear of that. */
+ * With integers of 16.16 the differences are exact and below 2^29 units, the products below
+ * 2^58: exact in the 64 bits of a long double. In double each product errs by at most 2^-53 of
+ * itself. The cheap result is used where the sum is well clear of that. */
 static bool edge_is_left(const ref_screen_point *upper, const ref_screen_point *lower, double cx,
                          double cy)
 {
@@ -39,7 +38,7 @@ bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy)
     return winding != 0;
 }
 
-/* Row by row, as it is defined. */
+/* Row by row, as SPEC.md defines it. */
 ref_rows ref_scan_rows(const ref_screen_polygon *polygon, int height)
 {
     double top = INFINITY, bottom = -INFINITY;
@@ -58,7 +57,7 @@ ref_rows ref_scan_rows(const ref_screen_polygon *polygon, int height)
     return rows;
 }
 
-static int held(double value, int low, int high)
+static int clamp(double value, int low, int high)
 {
     return (int)fmax(low, fmin(high, value));
 }
@@ -74,10 +73,10 @@ void ref_scan_begin(const ref_screen_polygon *polygon, const ref_band *band, ref
     }
     int first = band->first_row, end = band->first_row + band->rows;
     *scan = (ref_scan){.polygon = polygon,
-                       .x0 = held(floor(left) - 1, 0, band->width),
-                       .x1 = held(ceil(right) + 1, 0, band->width),
-                       .y = held(floor(top) - 1, first, end),
-                       .y1 = held(ceil(bottom) + 1, first, end)};
+                       .x0 = clamp(floor(left) - 1, 0, band->width),
+                       .x1 = clamp(ceil(right) + 1, 0, band->width),
+                       .y = clamp(floor(top) - 1, first, end),
+                       .y1 = clamp(ceil(bottom) + 1, first, end)};
     scan->x = scan->x0;
 }
 

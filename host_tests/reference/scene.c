@@ -55,13 +55,13 @@ ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *in
                                   const ref_face *face, int corner)
 {
     const ref_model *model = &scene->models[instance->model];
-    uint32_t number = scene->corners[face->first_corner + (uint32_t)corner];
+    uint32_t number = scene->indices[face->first_index + (uint32_t)corner];
     ref_lattice_point vertex = scene->vertices[model->first_vertex + number];
     return (ref_lattice_point){instance->centre.x + vertex.x, instance->centre.y + vertex.y,
                                instance->centre.z + vertex.z};
 }
 
-/* A table of the image: where its entries are, or null with *count 0. */
+/* Returns the first entry of a table of the image; null, and *count 0, where it is not usable. */
 static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
                                uint32_t maximum, uint32_t *count)
 {
@@ -89,27 +89,27 @@ static bool inside_world(const ref_lattice_point *p)
 static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
     const uint8_t *vertices = table_at(bytes, size, 88, 12, 1000000, &scene->vertex_count);
-    const uint8_t *corners = table_at(bytes, size, 96, 2, 4000000, &scene->corner_count);
+    const uint8_t *indices = table_at(bytes, size, 96, 2, 4000000, &scene->index_count);
     const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
     const uint8_t *models = table_at(bytes, size, 112, 28, 65535, &scene->model_count);
     const uint8_t *instances = table_at(bytes, size, 120, 16, 65535, &scene->instance_count);
-    if (!vertices || !corners || !faces || !models || !instances) {
+    if (!vertices || !indices || !faces || !models || !instances) {
         return false;
     }
     scene->vertices = calloc(scene->vertex_count, sizeof *scene->vertices);
-    scene->corners = calloc(scene->corner_count, sizeof *scene->corners);
+    scene->indices = calloc(scene->index_count, sizeof *scene->indices);
     scene->faces = calloc(scene->face_count, sizeof *scene->faces);
     scene->models = calloc(scene->model_count, sizeof *scene->models);
     scene->instances = calloc(scene->instance_count, sizeof *scene->instances);
-    if (!scene->vertices || !scene->corners || !scene->faces || !scene->models ||
+    if (!scene->vertices || !scene->indices || !scene->faces || !scene->models ||
         !scene->instances) {
         return false;
     }
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
         scene->vertices[i] = point_read(vertices + 12 * (size_t)i);
     }
-    for (uint32_t i = 0; i < scene->corner_count; i++) {
-        scene->corners[i] = ref_u16(corners + 2 * (size_t)i);
+    for (uint32_t i = 0; i < scene->index_count; i++) {
+        scene->indices[i] = ref_u16(indices + 2 * (size_t)i);
     }
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const uint8_t *p = faces + 20 * (size_t)i;
@@ -133,11 +133,11 @@ static bool faces_are_sound(const ref_scene *scene, const ref_model *model)
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
         if (face->count < 3 || face->count > REF_FACE_VERTICES_MAX ||
-            (uint64_t)face->first_corner + face->count > scene->corner_count) {
+            (uint64_t)face->first_index + face->count > scene->index_count) {
             return false;
         }
         for (uint32_t k = 0; k < face->count; k++) {
-            if (scene->corners[face->first_corner + k] >= model->vertex_count) {
+            if (scene->indices[face->first_index + k] >= model->vertex_count) {
                 return false;
             }
         }
@@ -186,8 +186,9 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
-/* True where there is none. Nodes are listed as one comes upon them, so a child's number is
- * greater than its parent's: no way down ends where it began. */
+/* Reads the BSP. Returns true also where there is none. A child's number must be greater than
+ * its parent's, because nodes are stored in the order root, front, back. So every path downward
+ * ends. */
 static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
     if (ref_u16(bytes + 4) == 2) {
@@ -197,15 +198,15 @@ static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
     if (ref_u32(bytes + 152) == 0) {
         return ref_u32(bytes + 148) == 0 && scene->bsp_instance == 0;
     }
-    const uint8_t *nodes = table_at(bytes, size, 148, 48, 65535, &scene->node_count);
-    scene->nodes = nodes ? calloc(scene->node_count, sizeof *scene->nodes) : NULL;
-    if (!scene->nodes || scene->bsp_instance >= scene->instance_count) {
+    const uint8_t *bsp_nodes = table_at(bytes, size, 148, 48, 65535, &scene->bsp_node_count);
+    scene->bsp_nodes = bsp_nodes ? calloc(scene->bsp_node_count, sizeof *scene->bsp_nodes) : NULL;
+    if (!scene->bsp_nodes || scene->bsp_instance >= scene->instance_count) {
         return false;
     }
     const ref_model *model = &scene->models[scene->instances[scene->bsp_instance].model];
-    for (uint32_t i = 0; i < scene->node_count; i++) {
-        const uint8_t *p = nodes + 48 * (size_t)i;
-        ref_bsp_node *node = &scene->nodes[i];
+    for (uint32_t i = 0; i < scene->bsp_node_count; i++) {
+        const uint8_t *p = bsp_nodes + 48 * (size_t)i;
+        ref_bsp_node *node = &scene->bsp_nodes[i];
         *node = (ref_bsp_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
                                (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),
                                ref_u16(p + 20),
@@ -215,7 +216,7 @@ static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
                                ref_u16(p + 28)};
         const uint32_t below[2] = {node->front, node->back};
         for (int k = 0; k < 2; k++) {
-            if (below[k] != REF_NODE_NONE && (below[k] <= i || below[k] >= scene->node_count)) {
+            if (below[k] != REF_BSP_NONE && (below[k] <= i || below[k] >= scene->bsp_node_count)) {
                 return false;
             }
         }
@@ -228,22 +229,23 @@ static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
 
 static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
-    bool strides = bytes[37] == 1;
-    const uint8_t *path = table_at(bytes, size, 128, strides ? 4 : 24, 1000000, &image->path_count);
+    bool segments = bytes[37] == 1;
+    const uint8_t *path =
+        table_at(bytes, size, 128, segments ? 4 : 24, 1000000, &image->path_count);
     if (!path || bytes[37] > 1) {
         return false;
     }
     uint64_t frames = 0;
-    if (strides) {
-        image->strides = calloc(image->path_count, sizeof *image->strides);
+    if (segments) {
+        image->segments = calloc(image->path_count, sizeof *image->segments);
     } else {
         image->poses = calloc(image->path_count, sizeof *image->poses);
     }
     for (uint32_t i = 0; i < image->path_count; i++) {
-        if (image->strides) {
+        if (image->segments) {
             const uint8_t *p = path + 4 * (size_t)i;
-            image->strides[i] = (ref_path_segment){ref_u16(p), ref_u16(p + 2)};
-            frames += image->strides[i].frames;
+            image->segments[i] = (ref_path_segment){ref_u16(p), ref_u16(p + 2)};
+            frames += image->segments[i].frames;
         } else if (image->poses) {
             image->poses[i] = ref_pose_read(path + 24 * (size_t)i);
             frames += inside_world(&image->poses[i].position);
@@ -257,15 +259,15 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
 {
     int width = ref_u16(bytes + 16), height = ref_u16(bytes + 18);
     ref_angle fov = ref_u32(bytes + 20);
-    double near = ref_i32(bytes + 24) / REF_ONE, far = ref_i32(bytes + 28) / REF_ONE,
+    double near_z = ref_i32(bytes + 24) / REF_ONE, far_z = ref_i32(bytes + 28) / REF_ONE,
            inset = ref_i32(bytes + 32) / REF_ONE;
-    *lens = ref_lens_from_fov(width, height, fov, near, far, inset);
+    *lens = ref_lens_from_fov(width, height, fov, near_z, far_z, inset);
     return width >= 1 && width <= REF_SCREEN_MAX && height >= 1 && height <= REF_SCREEN_MAX &&
-           fov >= 119304648u && fov <= 1789569706u && near >= 1.0 / 256 && far <= 32767 &&
-           inset >= 0 && inset <= 1 && near + 2 * inset < far;
+           fov >= 119304648u && fov <= 1789569706u && near_z >= 1.0 / 256 && far_z <= 32767 &&
+           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z;
 }
 
-/* A distance of 18.46, low word first, to all of its bits. */
+/* Reads a distance of 18.46, low word first, with all of its bits. */
 static long double distance_read(const uint8_t *bytes)
 {
     return ldexpl((long double)ref_i32(bytes + 4), -14) + ldexpl((long double)ref_u32(bytes), -46);
@@ -367,13 +369,13 @@ const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *i
 void ref_scene_close(ref_scene_image *image)
 {
     free(image->scene.vertices);
-    free(image->scene.corners);
+    free(image->scene.indices);
     free(image->scene.faces);
     free(image->scene.models);
     free(image->scene.instances);
-    free(image->scene.nodes);
+    free(image->scene.bsp_nodes);
     free(image->scene.beams);
     free(image->poses);
-    free(image->strides);
+    free(image->segments);
     memset(image, 0, sizeof *image);
 }

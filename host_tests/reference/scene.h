@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene image (docs/formats.md, section 1), read byte by byte into tables of the twin's own. */
+/* A scene image (docs/formats.md, section 1), read byte by byte into tables of the reference
+ * renderer. */
 #ifndef REF_SCENE_H
 #define REF_SCENE_H
 
@@ -8,7 +9,7 @@
 
 typedef struct {
     int32_t normal[3]; /* 2.30 */
-    uint32_t first_corner;
+    uint32_t first_index;
     uint8_t count, colour;
 } ref_face;
 
@@ -20,7 +21,7 @@ enum {
 typedef struct {
     uint32_t first_vertex, vertex_count, first_face, face_count;
     uint8_t kind;
-    int32_t radius; /* 16.16; no vertex is farther from the object's centre */
+    int32_t radius; /* 16.16; no vertex is farther from the instance's centre */
 } ref_model;
 
 typedef struct {
@@ -29,9 +30,9 @@ typedef struct {
     uint8_t layer;
 } ref_instance;
 
-#define REF_NODE_NONE 65535u
+#define REF_BSP_NONE 65535u
 
-/* Of a tree (docs/extras/bsp.md), relative to its object's centre. */
+/* A node of the BSP (docs/extras/bsp.md), relative to the centre of the BSP's instance. */
 typedef struct {
     int32_t normal[3]; /* 2.30 */
     int64_t distance;  /* 18.46 */
@@ -47,26 +48,26 @@ enum {
     REF_BEAM_DIRECTION = 1
 };
 
-/* A convex part of the world that light falls through. */
+/* A light beam: a convex part of the world. */
 typedef struct {
-    int32_t from[3]; /* a point in 16.16, or the way that light goes in 2.30 */
+    int32_t from[3]; /* a point in 16.16, or the direction of the light in 2.30 */
     uint8_t kind;
     int plane_count;
     ref_plane planes[8];
 } ref_beam;
 
 typedef struct {
-    ref_lattice_point *vertices; /* relative to the object's centre */
-    uint16_t *corners;
+    ref_lattice_point *vertices; /* relative to the instance's centre */
+    uint16_t *indices;
     ref_face *faces;
     ref_model *models;
     ref_instance *instances;
-    uint32_t vertex_count, corner_count, face_count, model_count, instance_count;
-    ref_bsp_node *nodes; /* null where there is no tree */
-    uint32_t node_count, bsp_instance;
+    uint32_t vertex_count, index_count, face_count, model_count, instance_count;
+    ref_bsp_node *bsp_nodes; /* null where there is no BSP */
+    uint32_t bsp_node_count, bsp_instance;
     ref_beam *beams; /* null where there are none */
     uint32_t beam_count;
-    uint8_t lit[256]; /* the colour that each colour has in a beam */
+    uint8_t lit[256]; /* the colour of each colour in a beam */
 } ref_scene;
 
 typedef struct {
@@ -76,14 +77,14 @@ typedef struct {
     uint8_t palette[768];
     ref_pose start;
     ref_motion_limits motion_limits;
-    ref_pose *poses;           /* null where the path is strides */
-    ref_path_segment *strides; /* null where the path is poses */
+    ref_pose *poses;            /* null where the path is segments */
+    ref_path_segment *segments; /* null where the path is poses */
     uint32_t path_count, frame_count;
 } ref_scene_image;
 
-/* Reads an image. Answers null, or one sentence that says what is wrong (then
- * *image holds nothing). Checks what the twin relies on: lens, tables, counts
- * and indices; the rest is the library's loader's to judge. */
+/* Reads an image. Returns null, or one sentence that says what is wrong; *image then holds
+ * nothing. Checks what the reference renderer relies on: lens, tables, counts and indices. The
+ * rest is checked by the library's loader. */
 const char *ref_scene_open(const uint8_t *bytes, size_t size, ref_scene_image *image);
 void ref_scene_close(ref_scene_image *image);
 
@@ -95,10 +96,10 @@ uint16_t ref_u16(const uint8_t *bytes);
 uint32_t ref_u32(const uint8_t *bytes);
 int32_t ref_i32(const uint8_t *bytes);
 
-/* Position, yaw, pitch, roll: 24 bytes, here and in the frame dump. */
+/* Reads a pose of 24 bytes (position, yaw, pitch, roll), as here and in the frame dump. */
 ref_pose ref_pose_read(const uint8_t *bytes);
 
-/* A corner of a face in the world, exactly. */
+/* Returns a vertex of a face in the world, exactly. */
 ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner);
 

@@ -7,9 +7,9 @@ ref_sphere_distances ref_sphere_measure(const ref_camera *camera, const ref_view
                                         const ref_point *centre)
 {
     ref_sphere_distances distances;
-    ref_view_point seen = ref_transform_point(camera, centre);
+    ref_view_point view_point = ref_transform_point(camera, centre);
     for (int plane = 0; plane < REF_PLANE_COUNT; plane++) {
-        distances.inside[plane] = ref_view_distance(&frustum->planes[plane], &seen);
+        distances.inside[plane] = ref_view_distance(&frustum->planes[plane], &view_point);
     }
     return distances;
 }

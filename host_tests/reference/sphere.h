@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Spheres against the frustum (SPEC.md, section 4.4). */
+/* The sphere test against the frustum (SPEC.md, section 4.4). */
 #ifndef REF_SPHERE_H
 #define REF_SPHERE_H
 
 #include "reference/clip_view.h"
 
-/* What the reach is more than the radius: the middle of what SPEC.md allows. */
+/* By how much the reach exceeds the radius: the middle of the range that SPEC.md allows. */
 #define REF_SPHERE_SLACK 0x1p-9
 
 #define REF_SPHERE_OUTSIDE (1u << REF_PLANE_COUNT)
@@ -18,8 +18,8 @@ typedef struct {
 ref_sphere_distances ref_sphere_measure(const ref_camera *camera, const ref_view_frustum *frustum,
                                         const ref_point *centre);
 
-/* A bit for each plane that a sphere of that radius may cross; REF_SPHERE_OUTSIDE
- * alone where it lies beyond one. */
+/* Returns a bit for each plane that a sphere of this radius may cross; REF_SPHERE_OUTSIDE alone
+ * where it lies outside one. */
 uint32_t ref_sphere_planes(const ref_sphere_distances *distances, double radius);
 
 #endif

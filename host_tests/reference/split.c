@@ -26,7 +26,8 @@ long double ref_split_distance(const ref_plane *plane, const ref_lattice_point *
     return ref_plane_distance(plane, &p);
 }
 
-/* The points of one side: those at sign * distance >= 0, and the crossings. */
+/* Writes the points of one side: those at sign * distance >= 0, and the intersections. Returns
+ * how many. */
 static int part(const ref_piece *in, const long double *distances, int sign, ref_lattice_point *out)
 {
     int count = 0;

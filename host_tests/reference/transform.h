@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From the world into the view (SPEC.md, section 4.6). */
+/* The transform from the world into the view (SPEC.md, section 4.6). */
 #ifndef REF_TRANSFORM_H
 #define REF_TRANSFORM_H
 

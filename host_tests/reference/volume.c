@@ -14,15 +14,15 @@ void ref_volume_from_lens(const ref_lens *lens, ref_half_space planes[REF_PLANE_
     }
 }
 
-void ref_volume_from_window(double left, double right, double bottom, double top, double near,
-                            double far, ref_half_space planes[REF_PLANE_COUNT])
+void ref_volume_from_window(double left, double right, double bottom, double top, double near_z,
+                            double far_z, ref_half_space planes[REF_PLANE_COUNT])
 {
-    planes[REF_PLANE_NEAR] = (ref_half_space){0, 0, 1, -near};
-    planes[REF_PLANE_FAR] = (ref_half_space){0, 0, -1, far};
-    planes[REF_PLANE_LEFT] = (ref_half_space){near, 0, -left, 0};
-    planes[REF_PLANE_RIGHT] = (ref_half_space){-near, 0, right, 0};
-    planes[REF_PLANE_BOTTOM] = (ref_half_space){0, near, -bottom, 0};
-    planes[REF_PLANE_TOP] = (ref_half_space){0, -near, top, 0};
+    planes[REF_PLANE_NEAR] = (ref_half_space){0, 0, 1, -near_z};
+    planes[REF_PLANE_FAR] = (ref_half_space){0, 0, -1, far_z};
+    planes[REF_PLANE_LEFT] = (ref_half_space){near_z, 0, -left, 0};
+    planes[REF_PLANE_RIGHT] = (ref_half_space){-near_z, 0, right, 0};
+    planes[REF_PLANE_BOTTOM] = (ref_half_space){0, near_z, -bottom, 0};
+    planes[REF_PLANE_TOP] = (ref_half_space){0, -near_z, top, 0};
 }
 
 ref_wide ref_half_space_distance(const ref_half_space *plane, const ref_volume_vertex *vertex)
@@ -54,7 +54,7 @@ ref_volume_vertex ref_volume_between(const ref_volume_vertex *from, const ref_vo
     return vertex;
 }
 
-/* One plane; the crossing of an edge is counted from its inside end. */
+/* Clips a polygon to one plane. The intersection of an edge is computed from its inside end. */
 static void cut(const ref_volume_polygon *in, const ref_half_space *plane, ref_volume_polygon *out)
 {
     out->count = 0;
@@ -73,8 +73,8 @@ static void cut(const ref_volume_polygon *in, const ref_half_space *plane, ref_v
     }
 }
 
-bool ref_clip_volume(const ref_volume_polygon *in, const ref_half_space *planes, int count,
-                     ref_volume_polygon *out)
+bool ref_clip_to_volume(const ref_volume_polygon *in, const ref_half_space *planes, int count,
+                        ref_volume_polygon *out)
 {
     bool any = false;
     ref_volume_polygon before = *in;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping to a convex volume (docs/extras/clippers.md): what every clipper of the family is to
- * give, whichever way it goes about it. */
+/* Clipping to a convex volume (docs/extras/clippers.md): the result that every other clipper
+ * must give, whatever its method. */
 #ifndef REF_VOLUME_H
 #define REF_VOLUME_H
 
@@ -11,7 +11,7 @@ enum {
     REF_VOLUME_CAPACITY = 64
 };
 
-/* Inside is a x + b y + c z + d >= 0. */
+/* A half-space. A point is inside where a x + b y + c z + d >= 0. */
 typedef struct {
     ref_wide a, b, c, d;
 } ref_half_space;
@@ -26,23 +26,23 @@ typedef struct {
     ref_volume_vertex vertices[REF_VOLUME_CAPACITY];
 } ref_volume_polygon;
 
-/* The planes of a lens, insets and all, in the order of REF_PLANE_.... */
+/* Makes the planes of a lens, with insets, in the order of REF_PLANE_.... */
 void ref_volume_from_lens(const ref_lens *lens, ref_half_space planes[REF_PLANE_COUNT]);
 
-/* The planes of a frustum whose window, on the plane z = near, reaches from left
- * to right and from bottom to top. */
-void ref_volume_from_window(double left, double right, double bottom, double top, double near,
-                            double far, ref_half_space planes[REF_PLANE_COUNT]);
+/* Makes the planes of a frustum whose window, on the plane z = near_z, reaches from left to
+ * right and from bottom to top. */
+void ref_volume_from_window(double left, double right, double bottom, double top, double near_z,
+                            double far_z, ref_half_space planes[REF_PLANE_COUNT]);
 
 ref_wide ref_half_space_distance(const ref_half_space *plane, const ref_volume_vertex *vertex);
 bool ref_volume_holds(const ref_half_space *planes, int count, const ref_volume_vertex *vertex);
 
-/* What is inside of all the planes; true where a plane cut, or nothing is left. */
-bool ref_clip_volume(const ref_volume_polygon *in, const ref_half_space *planes, int count,
-                     ref_volume_polygon *out);
+/* Clips a polygon to all planes. Returns true where a plane cut it, or nothing is left. */
+bool ref_clip_to_volume(const ref_volume_polygon *in, const ref_half_space *planes, int count,
+                        ref_volume_polygon *out);
 
-/* The part of a line that is inside: from (1 - t) from + t to at t = *enter to
- * *leave; false where there is none. */
+/* Clips a line. The part inside is (1 - t) from + t to for t from *enter to *leave. Returns
+ * false where there is none. */
 bool ref_clip_line(const ref_volume_vertex *from, const ref_volume_vertex *to,
                    const ref_half_space *planes, int count, ref_wide *enter, ref_wide *leave);
 ref_volume_vertex ref_volume_between(const ref_volume_vertex *from, const ref_volume_vertex *to,

@@ -10,16 +10,16 @@
 #include "reference/transform.h"
 #include "reference/volume.h"
 
-static bool append(ref_wire *wire, const ref_wire_line *line)
+static bool append(ref_wire *wire, const ref_screen_line *line)
 {
-    if (wire->count == wire->room) {
-        size_t room = wire->room ? 2 * wire->room : 256;
-        ref_wire_line *lines = realloc(wire->lines, room * sizeof *lines);
+    if (wire->count == wire->capacity) {
+        size_t capacity = wire->capacity ? 2 * wire->capacity : 256;
+        ref_screen_line *lines = realloc(wire->lines, capacity * sizeof *lines);
         if (!lines) {
             return false;
         }
         wire->lines = lines;
-        wire->room = room;
+        wire->capacity = capacity;
     }
     wire->lines[wire->count++] = *line;
     return true;
@@ -28,8 +28,8 @@ static bool append(ref_wire *wire, const ref_wire_line *line)
 static ref_volume_vertex vertex_of(const ref_camera *camera, const ref_lattice_point *corner)
 {
     const ref_point point = ref_point_from_lattice(corner);
-    const ref_view_point seen = ref_transform_point(camera, &point);
-    return (ref_volume_vertex){.x = seen.x, .y = seen.y, .z = seen.z};
+    const ref_view_point view_point = ref_transform_point(camera, &point);
+    return (ref_volume_vertex){.x = view_point.x, .y = view_point.y, .z = view_point.z};
 }
 
 static ref_screen_point end_of(const ref_lens *lens, const ref_volume_vertex *from,
@@ -41,8 +41,8 @@ static ref_screen_point end_of(const ref_lens *lens, const ref_volume_vertex *fr
     } else if (t < 1) {
         end = ref_volume_between(from, to, t);
     }
-    const ref_view_point seen = {(long double)end.x, (long double)end.y, (long double)end.z};
-    return ref_project_point(lens, &seen);
+    const ref_view_point view_point = {(long double)end.x, (long double)end.y, (long double)end.z};
+    return ref_project_point(lens, &view_point);
 }
 
 bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens,
@@ -69,8 +69,8 @@ bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens
                 if (!ref_clip_line(&from, &to, planes, REF_PLANE_COUNT, &enter, &leave)) {
                     continue;
                 }
-                const ref_wire_line line = {end_of(lens, &from, &to, enter),
-                                            end_of(lens, &from, &to, leave), face->colour};
+                const ref_screen_line line = {end_of(lens, &from, &to, enter),
+                                              end_of(lens, &from, &to, leave), face->colour};
                 if (!append(wire, &line)) {
                     return false;
                 }
@@ -86,20 +86,20 @@ void ref_wire_close(ref_wire *wire)
     *wire = (ref_wire){0};
 }
 
-/* A line as it goes along its longer axis: at a centre along, where across. */
+/* A line along its major axis: slope is the change across for each unit along. */
 typedef struct {
     double from, to, across, slope;
     bool upright;
-} way;
+} major_line;
 
-static bool is_upright(const ref_wire_line *line)
+static bool is_upright(const ref_screen_line *line)
 {
     return fabs(line->to.y - line->from.y) > fabs(line->to.x - line->from.x);
 }
 
-static way way_of(const ref_wire_line *line, bool upright)
+static major_line major_line_of(const ref_screen_line *line, bool upright)
 {
-    way of = {.upright = upright};
+    major_line of = {.upright = upright};
     const double a = of.upright ? line->from.y : line->from.x;
     const double b = of.upright ? line->to.y : line->to.x;
     const double c = of.upright ? line->from.x : line->from.y;
@@ -111,9 +111,9 @@ static way way_of(const ref_wire_line *line, bool upright)
     return of;
 }
 
-void ref_wire_draw(const ref_wire_line *line, const ref_band *band)
+void ref_wire_line(const ref_screen_line *line, const ref_band *band)
 {
-    const way of = way_of(line, is_upright(line));
+    const major_line of = major_line_of(line, is_upright(line));
     const int end = of.upright ? band->first_row + band->rows : band->width;
     for (int along = of.upright ? band->first_row : 0; along < end; along++) {
         const double centre = along + 0.5;
@@ -129,13 +129,13 @@ void ref_wire_draw(const ref_wire_line *line, const ref_band *band)
     }
 }
 
-bool ref_wire_is_near(const ref_wire_line *line, int column, int row, double d)
+bool ref_wire_is_near(const ref_screen_line *line, int column, int row, double d)
 {
     const double width = fabs(line->to.x - line->from.x), height = fabs(line->to.y - line->from.y);
     for (int upright = 0; upright < 2; upright++) {
-        const way of = way_of(line, upright);
+        const major_line of = major_line_of(line, upright);
         const bool other = upright != is_upright(line);
-        /* One so nearly diagonal that it may count as the other kind is asked as both. */
+        /* A line that is so nearly diagonal that it may count as either kind is tested as both. */
         if (other && fabs(width - height) > 4 * d) {
             continue;
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The library's records as the twin's: exact in every case, so that both sides
- * of a stage get the same input. */
+/* Converts the library's records to those of the reference renderer. Every conversion is exact,
+ * so both sides of a stage get the same input. */
 #ifndef STAGES_BRIDGE_H
 #define STAGES_BRIDGE_H
 

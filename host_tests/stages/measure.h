@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Each stage fed the same input on both sides of its boundary. */
+/* Feeds each stage of the library and of the reference renderer the same input. */
 #ifndef STAGES_MEASURE_H
 #define STAGES_MEASURE_H
 
@@ -7,7 +7,7 @@
 #include "stages/random.h"
 #include "stages/tally.h"
 
-/* The tally of each stage, named and empty. */
+/* Returns the tally of each stage, named and empty. */
 stages_tally stages_sphere_tally(const char *input);
 stages_tally stages_clip_tally(const char *input);
 stages_tally stages_clip_world_tally(const char *input);
@@ -19,57 +19,58 @@ stages_tally stages_cover_tally(const char *input);
 stages_tally stages_split_tally(const char *input);
 stages_tally stages_light_tally(const char *input);
 
-/* A sphere on both sides; answers what the library does. */
+/* Tests a sphere on both sides. Returns the result of the library. */
 uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
                                const fxl_view_frustum *frustum, const fxl_point *centre,
                                fxl_q16_16 radius);
 
-/* An object's box on both sides: the same answer, which it gives. */
+/* Tests an instance's box on both sides; the results must be equal. Returns the result. */
 uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
                             const fxl_instance *instance);
 
-/* A face of an object of which the library's sphere or box said `planes`, by the twin's
- * distances of its vertices. Where it is not so, a mismatch. */
+/* Checks a face of an instance against the `planes` that the library's sphere or box test
+ * returned, by the reference renderer's distances of its vertices. A contradiction is a
+ * mismatch. */
 void stages_check_left_out(stages_tally *tally, const fxl_camera *camera,
                            const fxl_view_frustum *frustum, uint32_t planes,
                            const fxl_polygon *polygon);
 
-/* Clips plane by plane; before each plane both sides start from the library's
- * polygon, so that one plane's rounding is not counted for the next. Samples
- * are the vertices that a plane made. *polygon becomes what is left; false
- * where nothing is. The first is the view's clipper, the second the world's. The
- * first leaves out a plane that a vertex lies inside of by less than 2^-46: there
- * the library's verdict, on the plane, is as good as the twin's. */
+/* Clips plane by plane. Before each plane both sides start from the library's polygon, so that
+ * one plane's rounding is not counted for the next. Samples are the vertices that a plane made.
+ * *polygon becomes the result. Returns false where nothing is left. The first function tests the
+ * clipper in the view, the second the clipper in the world. The first skips a plane that a
+ * vertex lies inside of by less than 2^-46: there the library's result, that the vertex is on
+ * the plane, is as good as the reference renderer's. */
 int stages_measure_clip(stages_tally *tally, const fxl_view_frustum *frustum,
                         fxl_view_polygon *polygon);
 int stages_measure_clip_world(stages_tally *tally, const fxl_frustum *frustum,
                               fxl_polygon *polygon);
 
-/* The library's frustum of the view against the twin's of the same lens: where a
- * component of a normal is more than 1.5 units of 2^-30 off, or a depth or the
- * inset at all, the clip's input was another, and that is a mismatch. */
+/* Compares the library's frustum in the view with that of the reference renderer. If a component
+ * of a normal is more than 1.5 units of 2^-30 off, or a depth or the inset is off at all, the
+ * clipper's input differs, and that is a mismatch. */
 void stages_check_view_frustum(stages_tally *clip, const fxl_lens *lens,
                                const fxl_view_frustum *frustum);
 
 void stages_measure_transform(stages_tally *tally, const fxl_camera *camera, const fxl_point *point,
                               fxl_view_point *view);
 
-/* False where the library refused the point. */
+/* Returns false where the library refused the point. */
 int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_view_point *view,
                            fxl_screen_point *screen);
 
-/* A frame's polygons in both lists, the library's of so many words, and what each
- * gives back for the rows wanted. Samples are the polygons' rows. */
+/* Appends a frame's polygons to both lists; the library's has this many words. Compares the
+ * polygons that each returns for the wanted rows. Samples are the polygons' rows. */
 void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons, uint32_t count,
                          uint16_t height, uint32_t words, fxl_rows wanted);
 
-/* Pixels of one polygon within a band that differ. The band's pixels must be 0
- * and are 0 again afterwards. */
+/* Counts the pixels of one polygon within a band that differ. The band's pixels must be 0 and
+ * are 0 again afterwards. */
 void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
                          const fxl_band *band);
 
-/* Polygons front to back through a span buffer of so many intervals, for rows of a screen;
- * it ends where the pool is full. Samples are the polygons. */
+/* Draws polygons front to back through a span buffer of this many intervals, for rows of a
+ * screen. It ends where the pool is full. Samples are the polygons. */
 void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygons, uint32_t count,
                           uint16_t width, fxl_rows rows, uint32_t intervals);
 

@@ -44,7 +44,7 @@ static double distance(const fxl_point *a, const ref_lattice_point *b)
                 fmax(fabs((double)a->y - b->y), fabs((double)a->z - b->z)));
 }
 
-/* As cycles: which corner comes first is not laid down. */
+/* Compares outlines as cycles: which vertex comes first is not specified. */
 static double difference(const fxl_point *points, const ref_piece *piece)
 {
     double least = HUGE_VAL;
@@ -79,7 +79,7 @@ static void compare(stages_tally *tally, const fxl_lit_pieces *made, const ref_l
     }
 }
 
-/* Whole numbers times a step, mostly: then corners and edges often lie in planes. */
+/* Mostly integers times a step: then vertices and edges often lie in planes. */
 static fxl_point any_point(stages_random *random, int32_t step, int32_t top)
 {
     fxl_point point = {((int32_t)stages_random_below(random, 13) - 6) * step,

@@ -5,7 +5,7 @@
 #include "stages/bridge.h"
 #include "stages/measure.h"
 
-/* Six cuts leave a vertex outside of another plane by less than two units each. */
+/* After six cuts a vertex may be outside of another plane by less than two units for each cut. */
 #define NEEDED_SLACK 16
 
 enum {
@@ -13,7 +13,7 @@ enum {
     FROM_PLANE
 };
 
-/* Units of 2^-46 in a unit of 1/65536. */
+/* How many units of 2^-46 make 1/65536. */
 #define UNITS 0x1p30
 
 stages_tally stages_clip_tally(const char *input)
@@ -59,15 +59,15 @@ static void compare_vertex(stages_tally *tally, const ref_view_plane *plane,
     const ref_view_point *p = &fixed->position;
     double from_edge = REF_ONE * (double)distance_from_line(p, &a->position, &b->position);
     double from_plane = REF_ONE * fabs((double)ref_view_distance(plane, p));
-    /* A unit a coordinate is sqrt(3) in space; 1e-6 for this check's roundings. */
+    /* A unit a coordinate is sqrt(3) in space; 1e-6 covers the roundings of this check. */
     int within = from_edge * UNITS <= sqrt(3) + 1e-6 && from_plane * UNITS <= 3 + 1e-6;
     stages_count(tally, REF_ONE * largest_difference(p, &exact->position), within);
     stages_extra(tally, FROM_EDGE, from_edge);
     stages_extra(tally, FROM_PLANE, from_plane);
 }
 
-/* Walks the input's edges as SPEC.md, section 4.7, does, to know which vertices of the
- * result are new and from which edge. */
+/* Follows the edges of the input as SPEC.md, section 4.7, does, to find which vertices of the
+ * result are new and on which edge they lie. */
 static void compare_cut(stages_tally *tally, const ref_view_plane *plane,
                         const ref_view_polygon *in, const ref_view_polygon *fixed,
                         const ref_view_polygon *exact)
@@ -105,7 +105,7 @@ static int same_vertices(const fxl_view_polygon *a, const fxl_view_polygon *b)
     return same;
 }
 
-/* The library's clip to all six planes must be its clips to each in turn. */
+/* The library's clip to all six planes must equal its clips to each plane in turn. */
 static void compare_whole(stages_tally *tally, const fxl_view_frustum *frustum,
                           const fxl_view_polygon *in, fxl_clip_result expected,
                           const fxl_view_polygon *left)
@@ -118,7 +118,7 @@ static void compare_whole(stages_tally *tally, const fxl_view_frustum *frustum,
     tally->mismatched += !same;
 }
 
-/* What a polygon's vertices are outside of must be what the twin says. */
+/* The outcodes of a polygon's vertices must be those of the reference renderer. */
 static fxl_planes check_outcodes(stages_tally *tally, const fxl_view_frustum *frustum,
                                  const ref_view_frustum *exact, const fxl_view_polygon *polygon)
 {
@@ -132,10 +132,10 @@ static fxl_planes check_outcodes(stages_tally *tally, const fxl_view_frustum *fr
     return (fxl_planes)of_any;
 }
 
-/* By the planes that are needed alone: the same but for the roundings of cuts by
- * planes that had but roundings to cut, a few units of 2^-46 a plane. Where such
- * a plane has put two vertices for one, or left nothing of a hair, there is
- * nothing to compare. */
+/* Compares the clip by only the needed planes with the clip by all. The results are equal except
+ * for the rounding of cuts by planes that had only rounding errors to cut: a few units of 2^-46
+ * a plane. If such a plane has made two vertices of one, or has left nothing of a very thin
+ * polygon, there is nothing to compare. */
 static void compare_needed(stages_tally *tally, const fxl_view_frustum *frustum,
                            const fxl_view_polygon *in, fxl_planes needed,
                            const fxl_view_polygon *left)
@@ -160,8 +160,8 @@ static void compare_needed(stages_tally *tally, const fxl_view_frustum *frustum,
     }
 }
 
-/* Whether a vertex lies inside by less than a unit of 2^-46: the library has it on
- * the plane and does not repeat it, the twin puts a crossing right beside it. */
+/* Tells whether a vertex lies inside by less than a unit of 2^-46. The library has it on the
+ * plane and does not repeat it; the reference renderer makes an intersection right beside it. */
 static int within_a_unit(const ref_view_plane *plane, const ref_view_polygon *polygon)
 {
     int within = 0;

@@ -12,7 +12,7 @@ enum {
     TEXTURE
 };
 
-/* The library's outcomes and the reference's have the same order. */
+/* The library's results have the order of the reference renderer's. */
 _Static_assert((int)FXL_CLIP_INSIDE == (int)REF_CLIP_INSIDE &&
                    (int)FXL_CLIP_CUT == (int)REF_CLIP_CUT &&
                    (int)FXL_CLIP_OUTSIDE == (int)REF_CLIP_OUTSIDE &&
@@ -55,8 +55,8 @@ static void compare_vertex(stages_tally *tally, const ref_plane *plane, const re
     double length;
     double from_edge = REF_ONE * distance_from_line(p, &a->position, &b->position, &length);
     double from_plane = REF_ONE * fabs((double)ref_plane_distance(plane, p));
-    /* 0.51 a coordinate is sqrt(3) times as much in space; 1e-6 for the
-     * roundings of this check in double. */
+    /* 0.51 a coordinate is sqrt(3) times as much in space; 1e-6 covers the roundings of this
+     * check in double. */
     int within =
         from_edge <= 0.51 * sqrt(3) + 1e-6 && from_plane <= REF_ONE * length * 0x1p-29 + 0.9 + 1e-6;
     stages_count(tally, difference, within);
@@ -66,8 +66,8 @@ static void compare_vertex(stages_tally *tally, const ref_plane *plane, const re
                  REF_ONE * fmax(fabs(fixed->u - exact->u), fabs(fixed->v - exact->v)));
 }
 
-/* Walks the input's edges as SPEC.md, section 4.7, does, to know which vertices of the
- * result are new and from which edge. */
+/* Follows the edges of the input as SPEC.md, section 4.7, does, to find which vertices of the
+ * result are new and on which edge they lie. */
 static void compare_cut(stages_tally *tally, const ref_plane *plane, const ref_polygon *in,
                         const ref_polygon *fixed, const ref_polygon *exact)
 {
@@ -94,7 +94,7 @@ static void compare_cut(stages_tally *tally, const ref_plane *plane, const ref_p
     tally->mismatched += at != fixed->count;
 }
 
-/* Two results of the library, as records of the twin, against each other. */
+/* Compares two results of the library, as records of the reference renderer. */
 static int same_vertices(const fxl_polygon *a, const fxl_polygon *b)
 {
     int same = a->count == b->count && a->colour == b->colour;
@@ -106,7 +106,7 @@ static int same_vertices(const fxl_polygon *a, const fxl_polygon *b)
     return same;
 }
 
-/* The library's clip to all six planes must be its clips to each in turn. */
+/* The library's clip to all six planes must equal its clips to each plane in turn. */
 static void compare_whole(stages_tally *tally, const fxl_frustum *frustum, const fxl_polygon *in,
                           fxl_clip_result expected, const fxl_polygon *left)
 {

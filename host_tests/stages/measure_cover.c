@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference/cover.h"
+#include "reference/span_buffer.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
 
@@ -18,15 +18,15 @@ stages_tally stages_cover_tally(const char *input)
     };
 }
 
-/* Both sides, and a band of each. */
+/* Both sides, and a band for each. */
 typedef struct {
     fxl_span_buffer *buffer;
     fxl_band band;
-    ref_cover cover;
-    ref_band reference;
+    ref_span_buffer cover;
+    ref_band twin;
 } sides;
 
-/* Runs of the band, or -1 where they are not in order or touch. */
+/* Returns the number of intervals in the band; -1 where they are not in order or touch. */
 static long runs_of(const fxl_span_buffer *buffer)
 {
     long runs = 0;
@@ -44,7 +44,8 @@ static long runs_of(const fxl_span_buffer *buffer)
     return runs;
 }
 
-/* One polygon on both sides; false where the pool is full. Verdicts that differ are a mismatch. */
+/* Draws one polygon on both sides. Returns false where the pool is full. Different results are a
+ * mismatch. */
 static bool cover_polygon(sides *of, const fxl_screen_polygon *polygon, stages_tally *tally)
 {
     static fxl_scan scan;
@@ -57,8 +58,8 @@ static bool cover_polygon(sides *of, const fxl_screen_polygon *polygon, stages_t
         const ref_span same = {span.y, span.x0, span.x1};
         const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
         bool taken = fxl_span_buffer_draw(of->buffer, &row, polygon->colour, &of->band);
-        if (taken != ref_cover_span(&of->cover, &same, polygon->colour, &of->reference,
-                                    of->buffer->capacity)) {
+        if (taken != ref_span_buffer_draw(&of->cover, &same, polygon->colour, &of->twin,
+                                          of->buffer->capacity)) {
             tally->mismatched++;
             return false;
         }
@@ -73,7 +74,7 @@ static uint32_t differing(const sides *of)
 {
     uint32_t wrong = 0;
     for (int i = 0; i < of->band.rows * of->band.width; i++) {
-        wrong += of->band.pixels[i] != of->reference.pixels[i];
+        wrong += of->band.pixels[i] != of->twin.pixels[i];
     }
     return wrong;
 }
@@ -87,15 +88,15 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
     void *room = malloc(size);
     bool *covered = malloc(pixels * sizeof *covered);
     sides of = {.band = {calloc(pixels, 1), width, width, rows.first, height},
-                .reference = {calloc(pixels, 1), width, width, rows.first, height}};
-    if (room && covered && of.band.pixels && of.reference.pixels) {
+                .twin = {calloc(pixels, 1), width, width, rows.first, height}};
+    if (room && covered && of.band.pixels && of.twin.pixels) {
         of.buffer = fxl_span_buffer_make(room, size, height);
         fxl_span_buffer_begin(of.buffer, &of.band);
-        ref_cover_begin(&of.cover, covered, &of.reference);
+        ref_span_buffer_begin(&of.cover, covered, &of.twin);
         for (uint32_t i = 0, more = 1; i < count && more; i++) {
             more = cover_polygon(&of, &polygons[i], tally);
             uint32_t wrong = differing(&of);
-            wrong += runs_of(of.buffer) != ref_cover_runs(&of.cover);
+            wrong += runs_of(of.buffer) != ref_span_buffer_intervals(&of.cover);
             stages_count(tally, wrong, wrong == 0);
         }
     } else {
@@ -104,5 +105,5 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
     free(room);
     free(covered);
     free(of.band.pixels);
-    free(of.reference.pixels);
+    free(of.twin.pixels);
 }

@@ -18,7 +18,7 @@ stages_tally stages_list_tally(const char *input)
     };
 }
 
-/* One polygon's rows, on both sides. */
+/* Compares one polygon's rows on both sides. */
 static fxl_rows measure_rows(stages_tally *tally, const fxl_screen_polygon *polygon,
                              ref_drawn *drawn, uint16_t height)
 {
@@ -41,28 +41,27 @@ static int same(const fxl_display_list_record *record, const ref_drawn *drawn)
     return equal;
 }
 
-/* Whether both lists give back the same polygons for some rows. */
-static int plays_alike(const fxl_display_list *list, const ref_display_list *reference,
-                       fxl_rows wanted)
+/* Tells whether both lists return the same polygons for the wanted rows. */
+static int plays_alike(const fxl_display_list *list, const ref_display_list *twin, fxl_rows wanted)
 {
     ref_rows rows = {wanted.first, wanted.end};
     fxl_display_list_record record;
     uint32_t place = 0;
-    size_t reference_place = 0;
+    size_t twin_place = 0;
     while (fxl_display_list_next(list, wanted, &place, &record)) {
-        const ref_drawn *drawn = ref_display_list_next(reference, rows, &reference_place);
+        const ref_drawn *drawn = ref_display_list_next(twin, rows, &twin_place);
         if (!drawn || !same(&record, drawn)) {
             return 0;
         }
     }
-    return ref_display_list_next(reference, rows, &reference_place) == NULL;
+    return ref_display_list_next(twin, rows, &twin_place) == NULL;
 }
 
 void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons, uint32_t count,
                          uint16_t height, uint32_t words, fxl_rows wanted)
 {
     fxl_display_list list = {malloc(words * sizeof(uint32_t) + 1), words, 0};
-    ref_display_list reference = {0};
+    ref_display_list twin = {0};
     uint32_t left = words; /* SPEC.md, section 7: two words and two for each point */
     int sound = list.words != NULL, fits = 1;
     for (uint32_t i = 0; i < count && sound && fits; i++) {
@@ -75,9 +74,9 @@ void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons
         fits = needed <= left;
         left -= fits ? needed : 0;
         sound = fxl_display_list_append(&list, &polygons[i], rows) == fits &&
-                (!fits || ref_display_list_append(&reference, &drawn));
+                (!fits || ref_display_list_append(&twin, &drawn));
     }
-    tally->mismatched += !sound || !plays_alike(&list, &reference, wanted);
-    ref_display_list_close(&reference);
+    tally->mismatched += !sound || !plays_alike(&list, &twin, wanted);
+    ref_display_list_close(&twin);
     free(list.words);
 }

@@ -17,7 +17,7 @@ stages_tally stages_fill_tally(const char *input)
     };
 }
 
-/* Marks the library's pixels; answers how many it drew twice or outside. */
+/* Marks the library's pixels. Returns how many it drew twice or outside. */
 static uint32_t draw_fixed(const fxl_screen_polygon *polygon, const fxl_band *band, uint32_t *drawn)
 {
     static fxl_scan scan;
@@ -51,7 +51,7 @@ void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
     uint32_t wrong = draw_fixed(polygon, band, &drawn);
     ref_screen_polygon exact = bridge_screen_polygon(polygon);
     ref_band exact_band = {band->pixels, band->width, band->stride, band->first_row, band->rows};
-    ref_scan box; /* for the bounding box; every pixel of it is tested here */
+    ref_scan box; /* for its bounding box; every pixel of the box is tested here */
     ref_scan_begin(&exact, &exact_band, &box);
     for (int y = box.y; y < box.y1; y++) {
         uint8_t *pixels = band->pixels + (y - band->first_row) * band->stride;
@@ -61,7 +61,7 @@ void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
             pixels[x] = 0;
         }
     }
-    if (found != drawn) { /* beyond the bounding box: rare, so clear everything */
+    if (found != drawn) { /* beyond the bounding box: rare, so clear all pixels */
         wrong += drawn - found;
         for (int i = 0; i < band->rows * band->stride; i++) {
             band->pixels[i] = 0;

@@ -58,7 +58,7 @@ int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_
     }
     ref_screen_point exact = ref_project_point(&exact_lens, &exact_view);
     double reach = fmax(fabs(exact.x), fabs(exact.y)) - FXL_SCREEN_COORDINATE_MAX / REF_ONE;
-    if (status != FXL_OK) { /* right only at the range's end, to within the rounding */
+    if (status != FXL_OK) { /* correct only at the end of the range, to within the rounding */
         tally->mismatched += status != FXL_E_RANGE || reach * REF_ONE < -1;
         return 0;
     }
@@ -66,7 +66,7 @@ int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_
     double dx = fabs(screen->x - exact.x * REF_ONE), dy = fabs(screen->y - exact.y * REF_ONE);
     double off_x = fabs(exact.x - exact_lens.width / 2.0) * REF_ONE;
     double off_y = fabs(exact.y - exact_lens.height / 2.0) * REF_ONE;
-    /* 1e-6: the reference's own rounding to double, 2^-42 pixel. */
+    /* 1e-6 covers the reference renderer's own rounding to double, 2^-42 pixel. */
     int within = dx <= 0.5 + 0x1p-31 * off_x + 0x1p-30 + 1e-6 &&
                  dy <= 0.5 + 0x1p-31 * off_y + 0x1p-30 + 1e-6;
     stages_count(tally, fmax(dx, dy), within);

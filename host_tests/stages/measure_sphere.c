@@ -22,7 +22,8 @@ stages_tally stages_sphere_tally(const char *input)
     };
 }
 
-/* How far the reach by which a plane was judged must be from the reference's. */
+/* Returns how far the reach that explains the library's result for a plane must be from that of
+ * the reference renderer. */
 static double off_by(const ref_sphere_distances *distances, double reach, uint32_t fixed,
                      uint32_t exact)
 {

@@ -51,7 +51,7 @@ static int is_of(const ref_piece *piece, const ref_lattice_point *point)
     return 0;
 }
 
-/* As cycles: which point comes first is not laid down. */
+/* Compares outlines as cycles: which point comes first is not specified. */
 static double difference(const ref_piece *a, const ref_piece *b, int shift)
 {
     double largest = 0;

@@ -31,7 +31,7 @@ static double uniform(stages_random *random, double low, double high)
     return low + (high - low) * ldexp((double)(next(random) >> 11), -53);
 }
 
-/* Evenly by magnitude. */
+/* Distributed evenly by magnitude. */
 static double spread(stages_random *random, double low, double high)
 {
     return low * pow(high / low, uniform(random, 0, 1));
@@ -121,7 +121,7 @@ static void any_polygon(stages_random *random, const fxl_camera *camera, fxl_pol
     }
 }
 
-/* Points of an ellipse at rising angles: flat and convex but for rounding. */
+/* Points of an ellipse at rising angles: a polygon that is flat and convex except for rounding. */
 static void round_polygon(stages_random *random, const fxl_camera *camera, fxl_polygon *polygon)
 {
     double depth = spread(random, 1.0 / 64, 8191), size = depth * spread(random, 1.0 / 64, 16);
@@ -180,7 +180,7 @@ fxl_q16_16 stages_random_radius(stages_random *random, const fxl_camera *camera,
     return (fxl_q16_16)fmax(0, fmin(FXL_RADIUS_MAX, radius));
 }
 
-/* With bits of its own below a double's 53. */
+/* With random bits below the 53 of a double. */
 static fxl_q18_46 view_coordinate(stages_random *random, double units)
 {
     const double limit = 0x1p61 - 0x1p12;
@@ -190,7 +190,7 @@ static fxl_q18_46 view_coordinate(stages_random *random, double units)
 
 fxl_view_point stages_random_view_point(stages_random *random, const fxl_lens *lens)
 {
-    /* 1 in 16 a wide miss, of either sign of z */
+    /* 1 in 16 misses the screen widely, with z of either sign */
     double reach = 1, focal = lens->focal / 65536.0;
     double z = spread(random, 1.0 / 512, 28000);
     if (stages_random_below(random, 16) == 0) {

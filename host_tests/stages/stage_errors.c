@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* stage_errors [SCENE.fxls] [--samples N] [--seed S]
  *
- * Feeds every stage of the library and its double twin the same input, from a
- * scene along its path and at random, and prints how far they are apart, as
- * JSON. Exit code 0: it ran; 2: it could not. */
+ * Feeds every stage of the library and of the reference renderer the same input, from a scene
+ * along its path and at random. Prints how far the results differ, as JSON. Exit code 0: it ran;
+ * 2: it could not. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,12 +15,13 @@
 #include "stages/random.h"
 
 enum {
-    FRAMES_MAX = 240, /* of a longer path every so-manieth is taken */
-    FILL_SHARE = 20,  /* a filled polygon costs about as much as so many points */
+    FRAMES_MAX = 240, /* of a longer path, frames at equal steps are taken */
+    FILL_SHARE = 20,  /* a filled polygon costs about as much as this many points */
     RANDOM_SCREEN_MAX = 1024 * 1024,
-    COVERED_MAX = 24, /* polygons through a span buffer, */
-    COVERED_ROWS = 6, /* and rows: the twin looks at every pixel of them for every span */
-    LISTED_MAX = 256  /* polygons of a frame that are listed; of more, the last so many */
+    COVERED_MAX = 24, /* polygons through a span buffer */
+    COVERED_ROWS =
+        6,           /* and rows: the reference renderer tests every pixel of them for every span */
+    LISTED_MAX = 256 /* polygons of a frame that are appended to the list: the last ones */
 };
 
 typedef struct {
@@ -65,7 +66,7 @@ static void progress(const char *what, uint64_t done, uint64_t all)
     }
 }
 
-/* What a frame's stages share. */
+/* What the stages of a frame share. */
 static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
 {
     fxl_view_set_lens(view, lens);
@@ -76,7 +77,7 @@ static int view_from(const fxl_pose *pose, const fxl_lens *lens, fxl_view *view)
     return 1;
 }
 
-/* Every vertex into the view. */
+/* Transforms every vertex into the view. */
 static void take_vertices(stages_tally *transform, const fxl_camera *camera,
                           const fxl_polygon *polygon, fxl_view_polygon *seen)
 {
@@ -88,7 +89,7 @@ static void take_vertices(stages_tally *transform, const fxl_camera *camera,
     }
 }
 
-/* By the planes that the frustum has in the world, and by one through a corner. */
+/* Clips by the planes of the frustum in the world, and by one plane through a vertex. */
 static void take_split(stages_tally *split, const fxl_frustum *frustum, const fxl_polygon *polygon)
 {
     fxl_piece piece = {.count = polygon->count};
@@ -102,8 +103,8 @@ static void take_split(stages_tally *split, const fxl_frustum *frustum, const fx
     }
 }
 
-/* One polygon down the library's own way, measured at every boundary; and, to
- * the side, through the world's clipper. */
+/* Takes one polygon through the library's stages, and measures every one; also takes it through
+ * the clipper in the world. */
 static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon)
 {
     fxl_view_polygon seen;
@@ -125,7 +126,7 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
     stages_measure_fill(&to->fill, &screen, &band);
 }
 
-/* What was listed, in a list that is mostly too small, for a band somewhere; and some of it
+/* Puts the polygons into a list that is mostly too small, for some band, and some of them
  * through a span buffer, for a few rows of the band. */
 static void take_list(tallies *to, stages_random *random, uint16_t width, uint16_t height)
 {
@@ -180,7 +181,7 @@ static void take_path(tallies *to, const fxl_scene_image *image)
 {
     fxl_player viewer = image->start;
     uint32_t every = 1 + (image->frame_count - 1) / FRAMES_MAX;
-    uint32_t stride = 0, done = 0; /* frames of this stride */
+    uint32_t stride = 0, done = 0; /* frames of this segment */
     for (uint32_t frame = 0; frame < image->frame_count; frame++) {
         fxl_pose pose;
         if (image->poses) {
@@ -201,7 +202,7 @@ static void take_path(tallies *to, const fxl_scene_image *image)
     }
 }
 
-/* 0, or 2 after saying why. */
+/* Returns 0, or 2 after it said why. */
 static int take_scene(tallies *to, const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -227,9 +228,9 @@ static int take_scene(tallies *to, const char *path)
     return status == FXL_OK ? 0 : fail(path, fxl_status_text(status));
 }
 
-/* Both clippers get the same polygon; now and then one with a vertex exactly on
- * a plane. A side plane of the view passes exactly through nothing but rare
- * integers, so there it is near or far. */
+/* Gives both clippers the same polygon; sometimes one with a vertex exactly on a plane. A side
+ * plane of the view passes exactly through almost no integer point, so in the view that plane is
+ * near or far. */
 static void take_random_polygon(tallies *to, stages_random *random)
 {
     fxl_pose pose = stages_random_pose(random);
@@ -291,7 +292,7 @@ static void take_random_points(tallies *to, stages_random *random)
     stages_measure_project(&to->project, &lens, &view, &screen);
 }
 
-/* A band anywhere on a screen that is mostly small. */
+/* A band at a random place, on a screen that is mostly small. */
 static void take_random_outline(stages_tally *fill, stages_random *random)
 {
     uint32_t large = stages_random_below(random, 64) == 0 ? FXL_SCREEN_MAX : 48;
@@ -317,7 +318,7 @@ static void take_random_list(tallies *to, stages_random *random)
 
 static void take_random(tallies *to, const options *wanted)
 {
-    /* A shard a stage, so that one stage's input does not depend on another's. */
+    /* Each stage has a shard of its own, so its input does not depend on another's. */
     stages_random polygons = stages_random_start(wanted->seed, 1);
     stages_random points = stages_random_start(wanted->seed, 2);
     stages_random outlines = stages_random_start(wanted->seed, 3);

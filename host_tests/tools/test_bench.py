@@ -218,17 +218,30 @@ def test_goals_by_hand(baseline):
 
 def test_the_document_s_tables_are_made_from_the_baseline(baseline, plan):
     text = DOCUMENT.read_text(encoding="utf-8")
-    assert bench_page.replace_tables(text, plan, baseline) == text
+    assert bench_page.replace_tables(text, plan, baseline, bench_page.DOCUMENT) == text
+    assert set(re.findall("bench: ([a-z]+) ", text)) == {"tools", "frames", "kernels", "sizes", "end"}
 
 
 def test_a_document_without_a_table_is_refused(baseline, plan):
-    with pytest.raises(ToolError, match="0 places for the table 'goals'"):
-        bench_page.replace_tables(DOCUMENT.read_text(encoding="utf-8").replace("bench: goals", "goals"), plan, baseline)
+    text = DOCUMENT.read_text(encoding="utf-8").replace("bench: kernels", "kernels")
+    with pytest.raises(ToolError, match="0 places for the table 'kernels'"):
+        bench_page.replace_tables(text, plan, baseline, bench_page.DOCUMENT)
 
 
-def test_every_goal_that_is_not_met_is_not_hidden(baseline):
-    text = DOCUMENT.read_text(encoding="utf-8")
-    assert text.count("| not met |") == sum(goal["met"] is False for goal in baseline["goals"])
+def test_the_report_has_every_table_and_no_mark(baseline, plan):
+    text = bench_page.report(plan, baseline)
+    for make in bench_page.SECTIONS.values():
+        assert make(plan, baseline) in text
+    assert "<!--" not in text and text.startswith("# What a frame costs\n")
+
+
+def test_every_goal_that_is_not_met_is_not_hidden(baseline, plan):
+    missed = copy.deepcopy(baseline)
+    missed["goals"][0].update(met=False, account="the reason")
+    for result in (baseline, missed):
+        text = bench_page.report(plan, result)
+        assert text.count("| not met |") == sum(goal["met"] is False for goal in result["goals"])
+    assert f"- {missed['goals'][0]['goal']}: the reason" in text
 
 
 def test_plots_are_the_same_twice(baseline, plan):

@@ -211,7 +211,7 @@ def test_lines_are_the_same_data(sample):
 @pytest.mark.parametrize("change, words", [
     ({"pixels_unexplained": 7}, "7 pixels differ from double without explanation"),
     ({"equal_to_host": False}, "are not those of the host"),
-    ({"missed": 1}, "1 faces are there or not"),
+    ({"missed": 1}, "1 faces are drawn or left out unlike"),
     ({"refused": 2}, "2 faces were refused"),
     ({"max_error_units": 1.5, "beyond": 10}, "outlines err by more than 1.25/65536 pixel")])
 def test_complaints(sample, plan, change, words):

@@ -70,7 +70,7 @@ def test_program_links_for_a_microcontroller(library, tmp_path, core):
 
 
 def test_the_pictures_words_are_the_tables_figures():
-    row = re.search(r"\| a vertex on the screen \| ([\d,]+) \| ([\d,]+) \|", README)
+    row = re.search(r"\| a vertex on the screen \| 1/65536 pixel \| ([\d,]+) \| ([\d,]+) \|", README)
     words = re.search(r"float32 up to ([\d.]+) pixels, plain 16\.16 up to ([\d.]+)", README)
     naive, float32 = (int(text.replace(",", "")) / 65536 for text in row.groups())
     assert words.groups() == (f"{float32:.3g}", f"{naive:.3g}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The live window's server with a board and a twin made up here: who may look on, what a slow tab
+"""The live window's server with a board and a reference renderer made up here: who may look on, what a slow tab
 gets, whose keys count, how it ends."""
 
 import asyncio
@@ -15,7 +15,7 @@ from fixel import dump
 from fixel.errors import ToolError
 from fixel.view_pump import Pump
 from fixel.view_server import Hub, Server, UNSEEN_MAX
-from fixel.view_twin import Answer
+from fixel.view_reference import Answer
 
 WIDTH, HEIGHT = 8, 4
 HELLO = {"type": "hello", "board": "made-up"}
@@ -27,7 +27,7 @@ def frame(number):
 
 
 class Bench:
-    """A server with its hub; what the hub told board, twin and pump is in lists."""
+    """A server with its hub; what the hub told board, reference and pump is in lists."""
 
     def __init__(self):
         self.held, self.asked, self.rates = [], [], []
@@ -180,7 +180,7 @@ async def test_no_frame_comes_twice(bench):
         await socket.receive(timeout=0.1)
 
 
-# --- the twin -----------------------------------------------------------------------
+# --- the reference renderer ---------------------------------------------------
 
 @bench_test
 async def test_beside_each_other_is_always_the_same_frame(bench):
@@ -192,7 +192,7 @@ async def test_beside_each_other_is_always_the_same_frame(bench):
     assert bench.asked == [(10, 1), (11, 1)]
     bench.hub.show(frame(12))
     with pytest.raises(TimeoutError):
-        await socket.receive(timeout=0.1)   # not without the twin's
+        await socket.receive(timeout=0.1)   # not without the reference
     bench.hub.compare(Answer(frame(11), bytes([99]) * (WIDTH * HEIGHT), b"", False))
     told, (pixels, double, _) = await read_frame(socket)
     assert told["number"] == 11 and told["given"] == 1
@@ -214,7 +214,7 @@ async def test_each_tab_gets_what_it_wants(bench):
 
 
 @bench_test
-async def test_the_twin_rests_where_nobody_wants_it(bench):
+async def test_the_reference_rests_if_nobody_wants_it(bench):
     socket = await bench.tab()
     bench.hub.show(frame(1))
     await socket.send_json({"type": "wants", "wants": 2})

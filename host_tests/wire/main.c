@@ -50,7 +50,7 @@ static void compare(const ref_wire *lines, const fxl_scene_image *image, finding
     const ref_band band = {expected, width, width, 0, height};
     memset(expected, image->background, (size_t)width * (size_t)height);
     for (size_t i = 0; i < lines->count; i++) {
-        ref_wire_draw(&lines->lines[i], &band);
+        ref_wire_line(&lines->lines[i], &band);
     }
     for (int i = 0; i < width * height; i++) {
         found->lit += pixels[0][i] != image->background;

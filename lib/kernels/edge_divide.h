@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The inline kernel of this core's family. */
+/* The division of an edge's set-up: the inline kernel of this core's family. */
 #include "family.h"
 #if FXL_CORE_ARMV6M
 #include "armv6m/edge_divide.h"

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Which core a file is compiled for, and so which kernels it has: for lib/kernels alone, in C
- * and in assembly. The compiler's own macros decide, so every file of lib/ may be compiled for
- * any core: of each kernel exactly one file has contents.
+/* The family of the core for which a file is compiled, and so the kernels that it has. Only
+ * lib/kernels uses this, in C and in assembly. The compiler's own macros decide, so every file
+ * of lib/ may be compiled for any core: exactly one file of each kernel has contents.
  *
- *   FXL_CORE_ARMV6M  Thumb alone (Cortex-M0, M0+, M1, M23): no long product, no division
+ *   FXL_CORE_ARMV6M  Thumb-1 (Cortex-M0, M0+, M1, M23): no long product, no division
  *   FXL_CORE_ARMV7M  Thumb-2 (Cortex-M3, M4, M7, M33 and above): long products, UDIV, CLZ
  *
- * Each is 0 or 1. Inline kernels go by these. Kernels in assembly are quick and take many
- * bytes, so a library built with FXL_SMALL has none:
+ * Each is 0 or 1. Inline kernels depend on these two. Kernels in assembly are fast and take
+ * many bytes, so a library built with FXL_SMALL has none. They depend on these:
  *
  *   FXL_KERNELS_ARMV6M, FXL_KERNELS_ARMV7M
- *   FXL_KERNELS_MVE  vectors (M55, M85) in place of some of Armv7-M's, where the ABI passes
- *                    floats in registers: then the program has turned the unit on */
+ *   FXL_KERNELS_MVE  vectors (M55, M85) instead of some kernels of Armv7-M, if the ABI passes
+ *                    floats in registers: then the program has turned on the vector unit */
 #ifndef FXL_FAMILY_H
 #define FXL_FAMILY_H
 
@@ -41,7 +41,8 @@
 #define FXL_KERNELS_MVE 0
 #endif
 
-/* On a host these files are empty, and say that they need no executable stack. */
+/* On a host the files in assembly have no code. This section states that they need no
+ * executable stack. */
 #if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__
 /* clang-format off */
     .section .note.GNU-stack, "", %progbits

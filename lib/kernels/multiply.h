@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The inline kernel of this core's family. */
+/* Products of 32 by 32 bits: the inline kernel of this core's family. */
 #include "family.h"
 #if FXL_CORE_ARMV6M
 #include "armv6m/multiply.h"

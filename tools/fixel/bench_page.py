@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The bench's tables: for a terminal, and as Markdown for docs/performance.md."""
+"""The tables of make bench: for a terminal, for its report (bench.md), and for docs/performance.md."""
 
 import json
 import pathlib
@@ -12,6 +12,7 @@ from fixel.table import coloured, table
 
 SMALL = 0.005   # of a frame: a function with less is among the others
 EQUALITY = pathlib.Path(__file__).resolve().parents[2] / "bench" / "equality.json"
+TEMPLATE = pathlib.Path(__file__).resolve().parents[1] / "templates" / "bench.md"
 MARK = "<!-- bench: {} -->"
 
 
@@ -115,14 +116,14 @@ def _growth_cells(result):
 
 def frames_markdown(plan, result):
     """Instructions a frame, mean (worst)."""
-    header = ["", *[NAMES[core] for core in result["cores"]]]
+    header = ["scene", "renderer", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for workload in plan.workloads:
         for renderer in plan.renderers:
             found = [_one(result, workload=workload, renderer=renderer, core=core) for core in result["cores"]]
             if any(found):
-                rows.append([f"{workload}, {renderer}", *[_frame_cell(row) for row in found]])
-    return markdown_table(header, rows)
+                rows.append([workload, renderer, *[_frame_cell(row) for row in found]])
+    return markdown_table(header, rows, left=(0, 1))
 
 
 def _frame_cell(row):
@@ -134,8 +135,8 @@ def _frame_cell(row):
 
 
 def ratios_markdown(plan, result):
-    """What Fixel takes a frame, of the listing and of the bare work."""
-    header = ["", "a unit of", *[f"{NAMES[core]}: a unit, of double, of float" for core in result["cores"]]]
+    """Fixel's instructions for a unit, and divided by those of the listing."""
+    header = ["scene", "unit", *[f"{NAMES[core]}: a unit, by double, by float" for core in result["cores"]]]
     rows = []
     for workload, entry in plan.workloads.items():
         cells = []
@@ -150,31 +151,31 @@ def ratios_markdown(plan, result):
 
 def kernels_markdown(plan, result):
     """Instructions of one unit of each kernel."""
-    header = ["kernel", "what", "a", *[NAMES[core] for core in result["cores"]]]
+    header = ["kernel", "what it computes", "unit", *[NAMES[core] for core in result["cores"]]]
     rows = [[name, plan.kernels[name]["what"], unit, *map(_number, figures)]
             for name, unit, *figures in _kernel_cells(plan, result)]
-    return markdown_table(header, rows)
+    return markdown_table(header, rows, left=(0, 1, 2))
 
 
 def sizes_markdown(plan, result):
-    """Bytes of each renderer, and what it works in."""
-    header = ["bytes", "flags", *[NAMES[core] for core in result["cores"]]]
+    """Bytes of flash, stack and RAM of each renderer."""
+    header = ["renderer", "bytes", "flags", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for renderer in plan.renderers:
         for flags in ("-O2", "-Os"):
             sizes = [size for size in result["sizes"]
                      if size["renderer"] == renderer and size["flags"] == flags]
-            rows.append([renderer, flags, *[f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in sizes]])
+            rows.append([renderer, "flash", flags, *[f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in sizes]])
     for renderer in plan.renderers:
         drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)
                  for core in result["cores"]]
-        rows.append([f"{renderer}: stack", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
-        rows.append([f"{renderer}: RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
-    return markdown_table(header, rows)
+        rows.append([renderer, f"stack, {drawn[0]['workload']}", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
+        rows.append([renderer, f"RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
+    return markdown_table(header, rows, left=(0, 1, 2))
 
 
 def files_markdown(_, result):
-    """Bytes of the library's files as the linker took them, for size."""
+    """Bytes of the library's files as the linker took them, by -Os."""
     sizes = {size["core"]: size["files"] for size in result["sizes"]
              if (size["renderer"], size["flags"]) == ("fixel", "-Os")}
     names = sorted({name for files in sizes.values() for name in files},
@@ -185,7 +186,7 @@ def files_markdown(_, result):
 
 
 def small_markdown(plan, result):
-    """What a frame takes with the small kernels, by what it takes without."""
+    """Instructions a frame of the small library, and the factor to -O2."""
     rows = {(row["core"], row["workload"]): row for row in result.get("small", [])}
     if not rows:
         return "Not measured."
@@ -268,21 +269,21 @@ def growth_markdown(_, result):
 
 
 def pictures_markdown(plan, result):
-    """How many pixels the listing draws otherwise than the library, in parts of a million."""
-    header = ["pixels that differ, in a million", *[NAMES[core] for core in result["cores"]]]
+    """Pixels in which the listing differs from the library, in a million."""
+    header = ["scene", "renderer", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for workload in plan.workloads:
         for renderer in plan.renderers:
             found = [row for row in result["pictures"]
                      if row["workload"] == workload and row["renderer"] == renderer]
             if found:
-                rows.append([f"{workload}, {renderer}",
+                rows.append([workload, renderer,
                              *[_number(1e6 * row["differing"] / row["pixels"], 1) for row in found]])
-    return markdown_table(header, rows)
+    return markdown_table(header, rows, left=(0, 1))
 
 
 def equality_markdown(_, __):
-    """What bench/equality.json says of each kernel on each core: inputs that gave the same bits."""
+    """Inputs of bench/equality.json for which each kernel on each core gave the same bits."""
     try:
         rows = json.loads(EQUALITY.read_text(encoding="utf-8"))["rows"]
     except OSError:
@@ -303,11 +304,13 @@ def _equality_cell(row):
 
 def tools_markdown(_, result):
     """Which tools gave these figures."""
-    left = f" Left out, since no board stands for them: {', '.join(result['left_out'])}." \
+    left = f" Left out, because no board has the core: {', '.join(result['left_out'])}." \
         if result["left_out"] else ""
     return f"Measured with `{result['compiler']}` and `{result['emulator']}`.{left}"
 
 
+# What docs/performance.md has; the report has all.
+DOCUMENT = {"tools": tools_markdown, "frames": frames_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown}
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
             "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown,
             "sizes": sizes_markdown, "files": files_markdown, "small": small_markdown,
@@ -315,14 +318,15 @@ SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_m
             "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 
 
-def markdown(plan, result):
-    """All tables, one after the other."""
-    return "\n\n".join(f"## {name}\n\n{make(plan, result)}" for name, make in SECTIONS.items()) + "\n"
+def report(plan, result):
+    """The report of make bench: the template with all tables, without the marks."""
+    text = replace_tables(TEMPLATE.read_text(encoding="utf-8"), plan, result, SECTIONS)
+    return re.sub(f"{re.escape(MARK.split('{}', maxsplit=1)[0])}.*? -->\n", "", text)
 
 
-def replace_tables(text, plan, result, sections=None):
-    """A document with its tables made anew: what stands between two marks of a section."""
-    for name, make in (sections or SECTIONS).items():
+def replace_tables(text, plan, result, sections):
+    """A document with new tables: each section's function gives the text between the section's two marks."""
+    for name, make in sections.items():
         begin, end = re.escape(MARK.format(name)), re.escape(MARK.format("end"))
         block = f"{MARK.format(name)}\n{make(plan, result)}\n{MARK.format('end')}"
         text, found = re.subn(f"{begin}\n.*?{end}", lambda _, new=block: new, text, flags=re.DOTALL)

@@ -61,11 +61,11 @@ def exact_cells(rows):
     return cells
 
 
-EXACT_HEADER = ["clipper", "hidden", "error", "at all", "differ", "of a million", "from an edge", "unexplained",
-                "farthest px", "vertices"]
+EXACT_HEADER = ["clipper", "visibility", "error", "error, nearly parallel", "pixels that differ", "in a million",
+                "from an edge", "unexplained", "farthest px", "vertices"]
 
 
-OPERATIONS_HEADER = ["clipper", "cut, of a hundred that cross", "intersections", "distances", "instructions",
+OPERATIONS_HEADER = ["clipper", "polygons cut, % of those that cross", "intersections", "distances", "instructions",
                      "multiplications", "divisions"]
 
 
@@ -89,13 +89,13 @@ def terminal(plan, result):
     rows, parts = result["rows"], []
     for core in _values(rows, "board"):
         scenes = _values(rows, "scene")
-        header = ["clipper", "hidden", *[f"{scene}, median" for scene in scenes], "most", "flash", f"RAM, {scenes[0]}",
+        header = ["clipper", "visibility", *[f"{scene}, median" for scene in scenes], "worst", "flash", f"RAM, {scenes[0]}",
                   "stack"]
         parts.append(f"{NAMES[core]}, instructions a frame\n" + table(cost_cells(rows, core), header))
     if rows:
         parts.append("error in 1/65536 pixel\n" + table(exact_cells(rows), EXACT_HEADER))
     for core in _values(result["operations"], "board"):
-        parts.append(f"{NAMES[core]}, cutting a polygon\n" + table(operation_cells(result, core), OPERATIONS_HEADER))
+        parts.append(f"{NAMES[core]}, clipping a polygon\n" + table(operation_cells(result, core), OPERATIONS_HEADER))
     return "\n\n".join(parts)
 
 
@@ -143,7 +143,7 @@ def plots(plan, result):
         made += [(f"What each visibility method costs, {NAMES[core]}, {rows[0]['clipper']}",
                   clippers_plots.methods(plan, rows, core, rows[0]["clipper"])) for core in cores]
     made.append(("The largest error of an outline", clippers_plots.errors(plan, rows, hidden[0])))
-    made.append(("Code: the renderer with this clipper and no other",
+    made.append(("Flash: the renderer with this clipper and no other",
                  clippers_plots.sizes(plan, rows, cores, hidden[0])))
     return made
 
@@ -174,30 +174,30 @@ def _markdown(header, rows, left=2):
 
 def clippers_markdown(plan, _):
     """The clippers, and what they do."""
-    return _markdown(["clipper", "", "systems"], [[f"**{name}**", each["what"], each["systems"]]
+    return _markdown(["clipper", "what it does", "system of the sources"], [[f"**{name}**", each["what"], each["systems"]]
                                                   for name, each in plan.clippers.items()], 3)
 
 
 def hidden_markdown(plan, _):
-    """What hides what."""
-    return _markdown(["method", "", "systems"], [[f"**{name}**", each["what"], each["systems"]]
+    """The visibility methods, and what they do."""
+    return _markdown(["method", "what it does", "system of the sources"], [[f"**{name}**", each["what"], each["systems"]]
                                                  for name, each in plan.hidden.items()], 3)
 
 
 def scenes_markdown(plan, result):
     """The scenes, and how much of them was drawn."""
-    return _markdown(["scene", "", "frames"], [[f"**{name}**", plan.scenes[name]["what"], frames]
+    return _markdown(["scene", "what it is", "frames"], [[f"**{name}**", plan.scenes[name]["what"], frames]
                                                for name, frames in result["frames"].items()])
 
 
 def _costs_markdown(rows, core):
     scenes = _values(rows, "scene")
-    header = [f"{NAMES[core]}", "hidden", *scenes, "worst frame"]
+    header = [NAMES[core], "visibility", *scenes, "worst frame"]
     return _markdown(header, [cells[:2 + len(scenes) + 1] for cells in cost_cells(rows, core)])
 
 
 def costs_markdown(_, result):
-    """Median instructions a frame of each clipper, with the first method and what only some have."""
+    """Median instructions a frame of each clipper, with the first method and those for some clippers only."""
     rows = [row for row in result["rows"] if row["hidden"] in ("sorted", "box")]
     return "\n\n".join(_costs_markdown(rows, core) for core in _values(rows, "board"))
 
@@ -220,19 +220,19 @@ def memory_markdown(_, result):
             found = [row for row in rows if (row["clipper"], row["hidden"], row["board"]) == (clipper, hidden, core)]
             cells += [found[0]["text_bytes"], max(row["stack_bytes"] for row in found)]
         table_rows.append([*cells, _first(rows, clipper=clipper, hidden=hidden, scene=first["scene"])["ram_bytes"]])
-    return _markdown(["clipper", "hidden", *[f"{NAMES[core]}: {what}" for core in cores for what in ("flash", "stack")],
+    return _markdown(["clipper", "visibility", *[f"{NAMES[core]}: {what}" for core in cores for what in ("flash", "stack")],
                       f"RAM, {first['scene']}"], table_rows)
 
 
 def exact_markdown(_, result):
     """How exact each combination is, over all scenes."""
-    header = ["clipper", "hidden", "largest error", "nearly parallel too", "pixels that differ", "of a million",
-              "from an edge at most", "unexplained", "farthest on the screen, pixels", "vertices at most"]
+    header = ["clipper", "visibility", "largest error", "largest error, nearly parallel", "pixels that differ", "in a million",
+              "farthest from an edge", "unexplained", "farthest on the screen, pixels", "most vertices"]
     return _markdown(header, exact_cells(result["rows"]))
 
 
 def operations_markdown(_, result):
-    """What cutting takes."""
+    """What clipping a polygon takes."""
     return "\n\n".join(_markdown([NAMES[core], *OPERATIONS_HEADER[1:]], operation_cells(result, core), 1)
                        for core in _values(result["operations"], "board"))
 
@@ -243,7 +243,7 @@ def all_markdown(_, result):
 
 
 def summary_markdown(_, result):
-    """How much was drawn and compared."""
+    """How many frames were drawn and compared."""
     rows = result["rows"]
     return (f"{len(_kinds(rows))} combinations in {len(result['frames'])} scenes "
             f"on {len(_values(rows, 'board'))} cores: "

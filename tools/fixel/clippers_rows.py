@@ -53,7 +53,7 @@ def complaints(plan, result):
             found.append(f"{name}: {each['beyond']:,} of {each['faces']:,} outlines err by more than {claim}/65536 "
                          f"pixel, by {each['max_error_units']:.3g} at most")
         if each["missed"]:
-            found.append(f"{name}: {each['missed']:,} faces are there or not, otherwise than exact clipping says")
+            found.append(f"{name}: {each['missed']:,} faces are drawn or left out unlike exact clipping")
         if each["refused"]:
             found.append(f"{name}: {each['refused']:,} faces were refused")
     return found

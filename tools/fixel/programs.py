@@ -48,12 +48,12 @@ class HostPrograms:
         self.host = pathlib.Path(build) / "host"
 
     def judge(self, scene, dump, report, twin):
-        """The reference renderer's verdict on a dump; its own frames go to the dump twin."""
+        """The judge's verdict on a dump; the reference renderer's frames go to the dump twin."""
         run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin])
         return read_json(report)
 
     def raycast(self, scene, twin, report, every=1):
-        """The ray-cast oracle's verdict on the reference renderer's frames, of every nth."""
+        """The ray-cast oracle's verdict on the reference frames, on one of `every`."""
         run_program([self.host / "raycast", scene, twin, "--json", report, "--every", str(every)])
         return read_json(report)
 
@@ -66,7 +66,7 @@ class HostPrograms:
             raise ToolError(f"wire: its output is not the JSON agreed on: {error}") from error
 
     def stage_errors(self, scene, samples, seed):
-        """Differences between library and reference renderer at every stage boundary."""
+        """Differences between the library and the reference renderer at every stage boundary."""
         text = run_program([self.host / "stage_errors", scene, "--samples", str(samples),
                             "--seed", str(seed)])
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What Fixel claims, and whether what was measured bears it out."""
+"""The claims of Fixel, and whether the measurements satisfy them."""
 
 import dataclasses
 
@@ -8,7 +8,7 @@ from fixel import report_shards
 
 @dataclasses.dataclass(frozen=True)
 class Claim:
-    """A claim: its bound in its unit, and what it says in plain words."""
+    """A claim: its bound in its unit, and its text."""
     id: str
     bound: float
     unit: str
@@ -16,24 +16,24 @@ class Claim:
 
 
 CLAIMS = (
-    Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact sines and "
-          "cosines of the stated angles."),
+    Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact value "
+          "for the stated angles."),
     Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
-    Claim("vertex_unclipped", 0.55, "1/65536 pixel", "Where an unclipped vertex lands on the screen, "
+    Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
           "against the exact place, given its coordinates, the camera's position and matrix."),
-    Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon cut by all six planes, "
-          "against the exact outline, and back; polygons nearly parallel to a plane apart."),
-    Claim("coverage", 0, "pixels", "Pixels that a polygon covers and should not, or should and does "
-          "not, given its vertices on the screen."),
+    Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon clipped to all six planes: "
+          "distance to the exact outline, and back. Except polygons nearly parallel to a plane."),
+    Claim("coverage", 0, "pixels", "Pixels that are covered wrongly, or wrongly not covered, given the "
+          "vertices on the screen."),
     Claim("watertight", 0, "pixels", "Gaps between two polygons that share an edge, and pixels that "
-          "both draw, also where both were clipped; but for a piece thinner than a unit that "
-          "rounding turned over."),
-    Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames whose colour is not what double "
-          "precision draws; each must lie within 1/8192 pixel of an edge."),
-    Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is made 4, 16 or 64 times as "
-          "large, camera and all; and it may cost at most 10 % more or fewer instructions."),
+          "both draw, clipped or not. Except pieces thinner than 1/65536 pixel that rounding "
+          "turned over."),
+    Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
+          "renderer in double. Each must lie within 1/8192 pixel of an edge."),
+    Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "
+          "its camera. Instructions must stay within 10 %."),
 )
-# Samples that a claim is about; fewer do not bear it out (docs/accuracy.md, section 3).
+# Samples that a claim is about; on fewer samples it does not hold (docs/accuracy.md, section 3).
 FEWEST = {**{kind.what: kind.samples(report_shards.SAMPLES) for kind in report_shards.CLAIMS},
           "frame": 500, "scale": 4}
 INSTRUCTIONS_PERCENT = 10
@@ -71,8 +71,8 @@ def _scale_claim(claim, rows):
 
 
 def judge(shards, frames, pixels, scales, build, fewer_asked):
-    """claims[] of the report, in the order of the table. fewer_asked: whoever asked for the report wants fewer
-    samples than the claims are about; otherwise too few are a failure of the claim."""
+    """claims[] of the report, in the order of the table. fewer_asked: the caller asked for fewer samples than the
+    claims are about; otherwise a claim with too few samples fails."""
     found = []
     for claim in CLAIMS:
         if claim.id == "frame":
@@ -93,14 +93,14 @@ def is_short(claim):
 
 
 def shortfall(report):
-    """Which claims were tried on fewer samples than they are about, in words; "" where none was."""
+    """The claims with fewer samples than they are about, as text; "" if there are none."""
     return ", ".join(f"{claim['id']} {claim['samples']:,} of {claim['samples_claimed']:,}"
                      for claim in report["claims"] if is_short(claim))
 
 
 def complaints(report):
-    """What is not as it should be, in sentences."""
-    found = [f"{claim['id']}: the bound is {claim['bound']:g}, measured was {claim['measured']:,.6g} "
+    """What failed, as sentences."""
+    found = [f"{claim['id']}: the bound is {claim['bound']:g}, the measured value is {claim['measured']:,.6g} "
              f"({claim['unit']}){_why(claim)}"
              for claim in report["claims"] if not claim["holds"]]
     third = report["third_judge"]
@@ -111,7 +111,7 @@ def complaints(report):
 
 
 def _why(claim):
-    """What else a claim asks for."""
+    """The reason why a claim fails that is not its bound."""
     if is_short(claim):
         return f"; {claim['samples']:,} samples are fewer than the {claim['samples_claimed']:,} that it is about"
     if claim.get("pixels_unexplained"):

@@ -150,7 +150,7 @@ def judge_walks(build, found, folder):
 
 
 def cast_rays(build, walk, folder, wanted):
-    """The ray-cast oracle's verdict on about so many of the reference renderer's frames of a walk."""
+    """The ray-cast oracle's verdict on about so many reference frames of a walk."""
     with Progress("casting rays"):
         _judge(build, walk, folder)
         every = max(1, walk.scene.frames // wanted)

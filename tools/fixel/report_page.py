@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The report as one page that needs nothing else."""
+"""The report as one self-contained page."""
 
 import base64
 import pathlib
@@ -7,7 +7,7 @@ import pathlib
 import jinja2
 from PIL import Image
 
-from fixel import picture, report_claims, report_plots, report_twins
+from fixel import picture, report_claims, report_plots, report_stages
 
 TEMPLATES = pathlib.Path(__file__).resolve().parents[1] / "templates"
 TITLES = {"matrix": "Camera matrix", "vertex": "Vertex: transform and project", "clip": "Clip",
@@ -15,17 +15,17 @@ TITLES = {"matrix": "Camera matrix", "vertex": "Vertex: transform and project", 
           "coordinates": "Size of the coordinates", "edge_length": "Length of a clipped edge",
           "plane_angle": "Angle to the clip plane"}
 NOTES = {
-    "near": "Vertices anywhere from the near plane on, so the worst lies near it or very far.",
-    "depth": "A plain port loses the near to its 16 bits after the point, and the far to its "
-             "reciprocal; float32 loses the near to large coordinates. Fixel keeps the exact sums "
-             "and rounds once, on the screen.",
-    "fov": "Depths from 1 to 256. A narrow view magnifies what was lost before.",
-    "coordinates": "Depths from 1/4 to 1, seen from farther and farther off the origin: beyond 256 "
-                   "units a float has no room for 16 bits after the point.",
-    "edge_length": "Crossings at depths from 1 to 4. Float32's fraction is worth less, the longer "
-                   "the edge.",
-    "plane_angle": "An edge nearly parallel to the plane moves the intersection along the edge, not off "
-                   "it.",
+    "near": "Vertices at any depth from the near plane on. The worst lies near the plane or very far.",
+    "depth": "The plain port is inexact near the eye because of its 16 fractional bits, and far away because of "
+             "its reciprocal. Float32 is inexact near the eye because the coordinates are large. Fixel keeps "
+             "exact sums and rounds once, on the screen.",
+    "fov": "Depths from 1 to 256. A narrow view magnifies the error of the earlier steps.",
+    "coordinates": "Depths from 1/4 to 1, with the camera ever farther from the origin. Beyond 256 units a "
+                   "float has fewer than 16 fractional bits.",
+    "edge_length": "Intersections at depths from 1 to 4. The longer the edge, the less exact is float32's "
+                   "fraction.",
+    "plane_angle": "If the edge is nearly parallel to the plane, the intersection moves along the edge, not "
+                   "off it.",
 }
 
 
@@ -110,7 +110,7 @@ def render(report, shown):
     words = {claim.id: claim.words for claim in report_claims.CLAIMS}
     return environment.get_template("report.html").render(
         report=report, words=words, tiles=tiles(report), claims=report["claims"],
-        complaints=report_claims.complaints(report) + report_twins.complaints(report["twins"]),
+        complaints=report_claims.complaints(report) + report_stages.complaints(report["twins"]),
         shortfall=report_claims.shortfall(report), twins=report["twins"], stages=stage_blocks(report),
         sweeps=sweep_blocks(report), scenes=scene_rows(report), scales=report["scales"],
         scale_board=report["board"], third=report["third_judge"], names=report_plots.NAMES,

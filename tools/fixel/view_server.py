@@ -2,8 +2,8 @@
 """The live window's web server, for this machine alone: a page, and a websocket for each tab.
 
 To a tab: text messages {"type": "hello" | "ended", ...}, and frames as binary
-messages: u32 length of a JSON text, the text, the frame's pixels, the twin's
-pixels, the reference renderer's outlines; the text says how many bytes each of the three has.
+messages: u32 length of a JSON text, the text, the frame's pixels, the reference
+frame's pixels, its outlines; the text says how many bytes each of the three has.
 From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
 second}, {"type": "wants", "wants": bits}, {"type": "seen"} for each frame that
 it has shown. A tab is sent the newest frame, and another only when it has seen
@@ -18,7 +18,7 @@ import struct
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
-from fixel import view_twin
+from fixel import view_reference
 from fixel.errors import ToolError
 from fixel.view_pump import IDLE_RATE
 
@@ -26,7 +26,7 @@ HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
 RATES = (30, 60, 0)     # frames a second; 0: as fast as it goes
 KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/extra/player.h
-WANTS_ALL = view_twin.FRAME | view_twin.OUTLINES
+WANTS_ALL = view_reference.FRAME | view_reference.OUTLINES
 UNSEEN_MAX = 2          # frames on their way to a tab
 MESSAGE_MAX = 4096      # bytes from a tab
 HEARTBEAT = 20.0        # seconds
@@ -44,7 +44,7 @@ class Tab:
     def __init__(self, socket):
         self.socket = socket
         self.keys = self.wants = self.unseen = 0
-        self.sent = None    # number of the last frame, and what of the twin's came with it
+        self.sent = None    # number of the last frame, and the parts of the reference that came with it
         self.wake = asyncio.Event()
 
     def take(self, message, hub):
@@ -72,7 +72,7 @@ def bits(value, every):
 
 
 class Hub:
-    """What the tabs share: the board's newest frame, the reference renderer's newest answer, keys, rate. For the
+    """What the tabs share: the board's newest frame, the reference's newest answer, keys, rate. For the
     thread of the event loop only."""
 
     def __init__(self, hello, hold, ask, set_rate):
@@ -96,7 +96,7 @@ class Hub:
         self._wake_all()
 
     def compare(self, answer):
-        """What the reference renderer says about a frame."""
+        """The reference renderer's answer about a frame."""
         self.answer = answer
         self._wake_all()
 
@@ -152,7 +152,7 @@ class Hub:
         if not tab.wants:
             answer, frame = None, self.frame
         elif answer is None or tab.wants & ~given(answer):
-            return None     # the twin is at it
+            return None     # the reference renderer is drawing it
         else:
             frame = answer.frame
         if frame is None or tab.sent == (frame.number, given(answer)):
@@ -164,10 +164,10 @@ class Hub:
 
 
 def given(answer):
-    """What an answer of the twin's holds, as bits."""
+    """The parts of an answer of the reference renderer, as bits."""
     if answer is None:
         return 0
-    return (view_twin.FRAME if answer.pixels else 0) | (view_twin.OUTLINES if answer.outlined else 0)
+    return (view_reference.FRAME if answer.pixels else 0) | (view_reference.OUTLINES if answer.outlined else 0)
 
 
 def pack(frame, answer, rate):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of palette indices on canvases, and what the reference renderer says beside them.
+// Frames of palette indices on canvases, and the reference renderer's answer beside them.
 
 const GREY = 0.35, FLOOR = 20;             // the dimmed frame under marks and lines
 const MARK = 0xffa000ff, RING = 0xffdcaaff; // ABGR: magenta, and a paler one around it

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The oracle's own parts against answers known by hand. */
+/* Tests the oracle's own parts against results known by hand. */
 #include <math.h>
 #include <stddef.h>
 
@@ -37,7 +37,7 @@ void test_hausdorff_of_squares(void)
     square(3, 0, 1 << 26, b);
     expect_near(3, oracle_hausdorff(a, 4, b, 4));
     expect_near(0, oracle_hausdorff(a, 4, a, 4));
-    /* One within the other: the largest distance is at a corner. */
+    /* One outline within the other: the largest distance is at a corner. */
     square(100, 100, 800, a);
     square(0, 0, 1000, b);
     expect_near(100 * sqrt(2), oracle_hausdorff(a, 4, b, 4));
@@ -98,8 +98,8 @@ void test_clip_to_the_whole_screen(void)
     expect_near(0, oracle_hausdorff(outline.spots, outline.count, screen, 4));
 }
 
-/* A floor at y = -1 from z = -50 to 50: near cuts it at z = 1, on the screen's
- * lower edge; far ends lie at z = 50. */
+/* A floor at y = -1 from z = -50 to 50. The near plane cuts it at z = 1, on the screen's lower
+ * edge; its far ends lie at z = 50. */
 void test_clip_of_a_floor(void)
 {
     fxl_view view = straight_view();
@@ -130,7 +130,7 @@ void test_clip_of_what_is_behind(void)
 
 void test_cover_rows_top_left(void)
 {
-    /* Corners on centres: (0.5, 0.5) to (3.5, 2.5); right and bottom are out. */
+    /* Vertices on centres: (0.5, 0.5) to (3.5, 2.5). The right and bottom edges are excluded. */
     const oracle_spot box[4] = {{32768, 32768}, {229376, 32768}, {229376, 163840}, {32768, 163840}};
     static const char *const rows[4] = {"111.", "111.", "....", "...."};
     for (int y = 0; y < 4; y++) {

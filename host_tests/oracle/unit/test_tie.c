@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The tie test against cases known by hand, and against plain integers where
- * depth and focal length make screen coordinates whole. */
+/* Tests the tie test against cases known by hand, and against plain integers where depth and
+ * focal length make screen coordinates integers. */
 #include <stddef.h>
 
 #include "oracle/random.h"
@@ -74,7 +74,7 @@ void test_nothing_behind_or_too_near_or_too_far_is_tied(void)
     }
 }
 
-/* The world's axes as the view's for a pose of quarter turns. */
+/* The axes of the view, as axes of the world, for a pose of quarter turns. */
 static void to_world(const oracle_tie_view *view, const int32_t v[3], int32_t world[3])
 {
     static const int sines[4] = {0, 1, 0, -1};

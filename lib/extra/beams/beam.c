@@ -8,9 +8,9 @@
 #include "../../src/math/square_root.h"
 #include "../../src/math/unit_vector.h"
 
-/* How exactly the corners of a window say on which side of a plane they lie, in units of
- * 2^-46: a normal's error of 2 units in each of three components, times a difference below
- * 2^30, is below 2^33. */
+/* How exactly the side of a plane on which a window's corner lies is known, in units of 2^-46. A
+ * normal's error of 2 units in each of three components, times a difference below 2^30, is below
+ * 2^33. */
 #define CORNER_TOLERANCE ((int64_t)1 << 34)
 
 fxl_plane fxl_beam_plane_at(const fxl_beam *beam, uint32_t number)
@@ -39,8 +39,8 @@ bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl
                    beam->from[2] - vertex->z) > 0;
 }
 
-/* A normal is at most 1 + 2^-29 long, so a vertex at the radius lies at most radius + 2^-14
- * from the centre's distance: 28375 * 2^-29 < 2^-14. */
+/* A normal is at most 1 + 2^-29 long. So the distance of a vertex at the radius differs by at
+ * most radius + 2^-14 from that of the centre: 28375 * 2^-29 < 2^-14. */
 bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius)
 {
     const int64_t reach = ((int64_t)radius + 4) * FXL_Q2_30_ONE; /* below 2^62 */
@@ -62,9 +62,9 @@ static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam
     return planes;
 }
 
-/* Of a piece, each corner is one of the face's or lies on a plane's line, which meets the
- * border of something convex twice; of the first beam's planes one cuts what the one before
- * left, and gives each part one corner more than it takes. */
+/* Each corner of a piece is a corner of the face, or lies where a plane's line meets the border
+ * of a convex part; it meets that twice. Each plane of the first beam cuts the part that the
+ * plane before left, and gives each part one corner more than it takes. */
 bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
 {
     return face_vertices + planes_from(beams, 0, beam_count) + planes_from(beams, 1, beam_count) <=
@@ -120,7 +120,7 @@ typedef struct {
     int64_t x, y, z;
 } wide_vector;
 
-/* a x b; |a|, |b| <= 2^30 a component. */
+/* The cross product of a and b; |a|, |b| <= 2^30 a component. */
 static wide_vector cross(const fxl_point *a, const fxl_point *b)
 {
     wide_vector c = {fxl_multiply_s32(a->y, b->z) - fxl_multiply_s32(a->z, b->y),
@@ -129,16 +129,16 @@ static wide_vector cross(const fxl_point *a, const fxl_point *b)
     return c;
 }
 
-/* value * 2^up or value / 2^-up, to the nearest. */
+/* value * 2^up where up >= 0, else value / 2^-up, to the nearest. */
 static int64_t shifted(int64_t value, int up)
 {
     return up >= 0 ? value * ((int64_t)1 << up) : fxl_round_shift(value, (unsigned)-up);
 }
 
-/* To unit length; false for nothing. The longest component is brought to 30 bits: half a unit
- * of 2^-30 at most of direction is lost. Twice the length's square is below 4 * 3 * 2^60 <
- * 2^64; the root, of twice the length, is good to half a unit of at least 2^30, and each
- * quotient to half a unit of 2^-30. */
+/* Scales a vector to unit length; false for the zero vector. The longest component is brought to
+ * 30 bits, which loses at most half a unit of 2^-30 of direction. Twice the length's square is
+ * below 4 * 3 * 2^60 < 2^64. The root, of twice the length, is good to half a unit of at least
+ * 2^30, and each quotient to half a unit of 2^-30. */
 static bool normalise(const wide_vector *v, fxl_direction *unit)
 {
     unsigned bits = fxl_bit_length(fxl_magnitude(v->x) | fxl_magnitude(v->y) | fxl_magnitude(v->z));
@@ -156,7 +156,7 @@ static bool normalise(const wide_vector *v, fxl_direction *unit)
     return true;
 }
 
-static fxl_point less(const fxl_point *a, const fxl_point *b)
+static fxl_point subtract(const fxl_point *a, const fxl_point *b)
 {
     fxl_point difference = {a->x - b->x, a->y - b->y, a->z - b->z};
     return difference;
@@ -170,8 +170,8 @@ static void turn_about(fxl_plane *plane)
     plane->distance = -plane->distance;
 }
 
-/* Turns the plane so that the window lies inside; false where it lies on both sides, or
- * nowhere but in the plane. */
+/* Turns the plane so that the window lies inside. Returns false where the window lies on both
+ * sides, or only in the plane. */
 static bool turn_to_window(fxl_plane *plane, const fxl_point *window, uint32_t count)
 {
     fxl_q18_46 least = 0, greatest = 0;
@@ -195,14 +195,15 @@ static void store(fxl_beam *beam, const fxl_plane *plane)
     stored->distance_high = (uint32_t)((uint64_t)plane->distance >> 32);
 }
 
-/* The plane through a corner, along the way that light takes there and along a side. */
+/* Makes the plane through a corner that holds the direction of the light there and a side of the
+ * window. */
 static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t count, uint32_t i,
                        fxl_plane *plane)
 {
     const fxl_point *corner = &window[i], *next = &window[i + 1 == count ? 0 : i + 1];
     fxl_point from = {beam->from[0], beam->from[1], beam->from[2]};
-    fxl_point way = beam->kind == FXL_BEAM_DIRECTION ? from : less(corner, &from);
-    fxl_point side = less(next, corner);
+    fxl_point way = beam->kind == FXL_BEAM_DIRECTION ? from : subtract(corner, &from);
+    fxl_point side = subtract(next, corner);
     wide_vector normal = cross(&way, &side);
     fxl_direction unit;
     if (!normalise(&normal, &unit)) {
@@ -212,10 +213,10 @@ static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t c
     return turn_to_window(plane, window, count);
 }
 
-/* The window's own plane, turned away from the light. */
+/* Makes the window's own plane, with its normal away from the light. */
 static bool window_plane(const fxl_beam *beam, const fxl_point *window, fxl_plane *plane)
 {
-    fxl_point a = less(&window[1], &window[0]), b = less(&window[2], &window[0]);
+    fxl_point a = subtract(&window[1], &window[0]), b = subtract(&window[2], &window[0]);
     wide_vector normal = cross(&a, &b);
     fxl_direction unit;
     if (!normalise(&normal, &unit)) {

@@ -6,13 +6,13 @@
 #include "../../src/draw/renderer.h"
 #include "../../src/draw/submit.h"
 
-/* A renderer's light, at the beginning of the room. */
+/* The light of a renderer, at the beginning of the workspace. */
 typedef struct {
     fxl_beam_light light;
     const fxl_beam *beams;
     const uint8_t *lit;
-    fxl_lit_pieces *pieces; /* behind this record, with their tables behind them */
-    fxl_point *outline;     /* of a piece; here, for small boards' stacks */
+    fxl_lit_pieces *pieces; /* after this record; their tables follow them */
+    fxl_point *outline; /* outline of one piece; not on the stack, which is small on some boards */
     uint32_t beam_count;
 } lighting;
 
@@ -46,8 +46,8 @@ static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
     return false;
 }
 
-/* Front to back the pieces come the other way round. Where rounding has used up the room, the
- * face stays whole and dark, and counts as refused. */
+/* Front to back, the pieces come in reverse order. If rounding has made the pieces need more
+ * memory than there is, the face is drawn whole and dark, and counts as refused. */
 static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
@@ -72,7 +72,7 @@ static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_fac
     return true;
 }
 
-/* Puts the record and its tables into the room. */
+/* Builds the record and its tables in the workspace. */
 static const fxl_beam_light *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,
                                    uint8_t *workspace)
 {

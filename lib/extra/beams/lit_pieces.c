@@ -7,14 +7,14 @@
 
 #define NONE UINT16_MAX
 
-/* A point no farther than that from a plane lies on it: 4/65536 unit. A crossing is within
- * 0.87/65536 of its plane, and one of an edge between two such within twice that. So what
- * rounding has put beside a plane is not cut there once more, and an outline which it made
- * slightly concave is cut twice at most. */
+/* A point within this distance of a plane lies on it: 4/65536 unit. An intersection is within
+ * 0.87/65536 of its plane. An intersection of an edge between two such points is within twice
+ * that. So points that rounding moved off a plane are not cut there again, and an outline that
+ * rounding made slightly concave is cut at most twice. */
 #define ON_PLANE ((fxl_q18_46)4 << 30)
 
-/* A cut of one piece by one plane makes two crossings, each a corner of both parts and of a
- * piece beyond the edge. And some are for edges that lie in a plane. */
+/* A cut of one piece by one plane makes two intersections. Each is a corner of both parts and of
+ * a piece beyond the edge. CORNERS_ON_PLANES is for edges that lie in a plane. */
 enum {
     CORNERS_A_CUT = 6,
     CORNERS_ON_PLANES = 16
@@ -53,7 +53,7 @@ static uint16_t new_corner(fxl_lit_pieces *of, const fxl_point *at)
     return (uint16_t)of->corner_count++;
 }
 
-/* Puts a corner at a piece's end. */
+/* Appends a corner to a piece. */
 static void append(fxl_lit_pieces *of, fxl_lit_piece *piece, uint16_t corner)
 {
     if (piece->count == 0) {
@@ -76,7 +76,7 @@ static bool append_new(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_point
     return true;
 }
 
-/* A piece without corners as yet. */
+/* Takes a new piece, which has no corners yet. */
 static fxl_lit_piece *new_piece(fxl_lit_pieces *of, bool is_lit)
 {
     if (of->piece_count == of->piece_capacity) {
@@ -89,26 +89,27 @@ static fxl_lit_piece *new_piece(fxl_lit_pieces *of, bool is_lit)
     return piece;
 }
 
-/* 0 where the point lies on the plane. */
+/* Returns the distance of a point: 0 where it lies on the plane. */
 static fxl_q18_46 distance_of(const fxl_plane *plane, const fxl_point *point)
 {
     fxl_q18_46 distance = fxl_plane_distance(plane, point);
     return fxl_within(distance, ON_PLANE) ? 0 : distance; /* bug: lit-exact */
 }
 
-static bool parts(fxl_q18_46 a, fxl_q18_46 b)
+static bool are_on_opposite_sides(fxl_q18_46 a, fxl_q18_46 b)
 {
     return (a > 0 && b < 0) || (a < 0 && b > 0);
 }
 
-static fxl_point crossing_of(const fxl_point *a, const fxl_point *b, fxl_q18_46 a_distance,
-                             fxl_q18_46 b_distance)
+static fxl_point intersect(const fxl_point *a, const fxl_point *b, fxl_q18_46 a_distance,
+                           fxl_q18_46 b_distance)
 {
     return a_distance > 0 ? fxl_split_edge(a, b, a_distance, b_distance)
                           : fxl_split_edge(b, a, b_distance, a_distance);
 }
 
-/* Every piece that has an edge between the two, whichever way it goes, gets the crossing. */
+/* Inserts an intersection into every piece that has the edge between a and b, in either
+ * direction. */
 static bool insert_between(fxl_lit_pieces *of, const fxl_point *a, const fxl_point *b,
                            const fxl_point *crossing)
 {
@@ -136,28 +137,28 @@ static bool insert_between(fxl_lit_pieces *of, const fxl_point *a, const fxl_poi
     return true;
 }
 
-/* Cuts an edge that lies in a plane by the beam's later ones, as a neighbour beyond it does
- * that lies in front of the plane. */
+/* Cuts an edge that lies in a plane by the later planes of the beam. A neighbour that shares the
+ * edge and lies in front of the plane is cut in the same places. */
 static bool follow_edge(fxl_lit_pieces *of, fxl_point a, fxl_point b, const fxl_beam *beam,
                         uint32_t next_plane)
 {
     for (uint32_t i = next_plane; i < beam->plane_count; i++) {
         const fxl_plane plane = fxl_beam_plane_at(beam, i);
         const fxl_q18_46 from = distance_of(&plane, &a), to = distance_of(&plane, &b);
-        if (parts(from, to)) {
-            const fxl_point crossing = crossing_of(&a, &b, from, to);
+        if (are_on_opposite_sides(from, to)) {
+            const fxl_point crossing = intersect(&a, &b, from, to);
             if (!insert_between(of, &a, &b, &crossing)) {
                 return false;
             }
             *(from < 0 ? &a : &b) = crossing;
         } else if (from < 0 || to < 0) {
-            return true; /* nothing of it is in front */
+            return true; /* no part of the edge is in front of the plane */
         }
     }
     return true;
 }
 
-/* All edges of a piece behind a plane that lie in it. */
+/* Calls follow_edge for every edge, lying in the plane, of a piece behind the plane. */
 static bool follow_edges(fxl_lit_pieces *of, const fxl_lit_piece *piece, const fxl_plane *plane,
                          const fxl_beam *beam, uint32_t next_plane)
 {
@@ -174,9 +175,9 @@ static bool follow_edges(fxl_lit_pieces *of, const fxl_lit_piece *piece, const f
     return true;
 }
 
-/* Points on the plane in a row, from a corner on, to the part or the parts that have them:
- * those between two of one side to that side; between two sides, all to the part behind, and
- * the one next to the front to both. */
+/* Appends a row of consecutive points on the plane to the parts that they belong to. A row
+ * between two corners of one side goes to that side. A row between two sides goes to the part
+ * behind; its point next to the front goes to both parts. */
 static bool append_row(fxl_lit_pieces *of, uint16_t corner, uint32_t count, bool from_front,
                        bool to_front, fxl_lit_piece *front, fxl_lit_piece *back)
 {
@@ -192,15 +193,15 @@ static bool append_row(fxl_lit_pieces *of, uint16_t corner, uint32_t count, bool
     return true;
 }
 
-/* The two parts of a piece that has corners on both sides. It begins with a corner in front,
- * and so the walk ends with that. */
+/* Divides a piece that has corners on both sides. The piece begins with a corner in front, so
+ * the loop ends with that corner. */
 static bool part_corners(fxl_lit_pieces *of, const fxl_lit_piece *piece, const fxl_plane *plane,
                          fxl_lit_piece *front, fxl_lit_piece *back)
 {
     uint16_t corner = of->next[piece->last], row = NONE;
     uint32_t row_count = 0;
     fxl_point from = of->points[piece->last];
-    fxl_q18_46 side = distance_of(plane, &from); /* of the last corner off the plane */
+    fxl_q18_46 side = distance_of(plane, &from); /* of the last corner not on the plane */
     for (uint32_t left = piece->count; left > 0; left--) {
         const uint16_t next = of->next[corner];
         const fxl_point to = of->points[corner];
@@ -213,8 +214,8 @@ static bool part_corners(fxl_lit_pieces *of, const fxl_lit_piece *piece, const f
                 if (!append_row(of, row, row_count, side > 0, distance > 0, front, back)) {
                     return false;
                 }
-            } else if (parts(side, distance)) {
-                const fxl_point crossing = crossing_of(&from, &to, side, distance);
+            } else if (are_on_opposite_sides(side, distance)) {
+                const fxl_point crossing = intersect(&from, &to, side, distance);
                 if (!append_new(of, front, &crossing) || !append_new(of, back, &crossing) ||
                     !insert_between(of, &from, &to, &crossing)) { /* bug: lit-straight */
                     return false;
@@ -231,14 +232,14 @@ static bool part_corners(fxl_lit_pieces *of, const fxl_lit_piece *piece, const f
 }
 
 typedef enum {
-    WHOLE,   /* in front of the plane, all of it */
-    NOTHING, /* behind it, all of it */
-    PARTED,  /* the piece is what is in front, a new one what is behind */
+    WHOLE,   /* all of the piece is in front of the plane */
+    NOTHING, /* all of the piece is behind it */
+    PARTED,  /* the piece is now the part in front, a new piece the part behind */
     NO_ROOM
 } outcome;
 
-/* The part in front takes the piece's place. Both are in the table only when they are done, so
- * that the piece's own edge is not taken for one beyond. */
+/* The part in front replaces the piece. Both parts enter the table only when they are complete,
+ * so insert_between does not take the piece's own edge for that of a neighbour. */
 static outcome part(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_plane *plane,
                     fxl_lit_piece **behind)
 {
@@ -260,7 +261,7 @@ static outcome part(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_plane *p
     return PARTED;
 }
 
-/* Cuts a piece by one of a beam's planes. */
+/* Cuts a piece by one plane of a beam. */
 static outcome cut(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *beam, uint32_t number)
 {
     const fxl_plane plane = fxl_beam_plane_at(beam, number);
@@ -287,7 +288,7 @@ static outcome cut(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *bea
     return made;
 }
 
-/* What is inside of plane after plane. */
+/* Cuts a piece by all planes of a beam, keeping the part inside. */
 static outcome cut_by_beam(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *beam)
 {
     for (uint32_t i = 0; i < beam->plane_count; i++) {

@@ -6,34 +6,35 @@
 #include "fixel/extra/clippers/split.h"
 #include "../../src/scene/bsp_node.h"
 
-/* A node's plane about to cut. */
+/* The split plane: that of a node. */
 typedef struct {
     const fxl_bsp_node *node;
-    fxl_point centre; /* of the tree's object */
+    fxl_point centre; /* of the BSP's instance */
     uint32_t number;
-} knife;
+} split_plane;
 
-/* A ring that is being made. */
+/* A circular list of vertices that is being built. */
 typedef struct {
     uint32_t first, last, count;
-} ring;
+} vertex_ring;
 
-/* How far a point of the world lies in front. Both points are within FXL_COORDINATE_MAX, so
- * their difference is below 2^30, and the node's distance is at most 2^61: below 2^62. */
-static fxl_q18_46 height(const knife *by, const fxl_point *point)
+/* How far a point of the world lies in front of the split plane. Both points are within
+ * FXL_COORDINATE_MAX, so their difference is below 2^30, and the node's distance is at most
+ * 2^61: the result is below 2^62. */
+static fxl_q18_46 height(const split_plane *by, const fxl_point *point)
 {
     return fxl_dot(&by->node->normal, point->x - by->centre.x, point->y - by->centre.y,
                    point->z - by->centre.z) -
            fxl_bsp_distance(by->node);
 }
 
-/* Whether there is room for so much more. At most 2^16 of each are used. */
+/* Tells whether so many more bytes fit. At most 2^16 items and 2^16 vertices are used. */
 static bool has_room(const fxl_bsp_cutter *cutter, uint32_t more)
 {
     return fxl_bsp_used(cutter) + more <= cutter->capacity;
 }
 
-/* A new vertex, or FXL_ITEM_NONE. */
+/* Takes a new vertex. Returns its number, or FXL_ITEM_NONE where memory is short. */
 static uint32_t new_vertex(fxl_bsp_cutter *cutter, const fxl_point *point)
 {
     if (!has_room(cutter, sizeof(fxl_bsp_vertex)) || cutter->vertex_count >= FXL_ITEM_NONE) {
@@ -52,8 +53,9 @@ static fxl_bsp_item *new_item(fxl_bsp_cutter *cutter)
     return &cutter->parts->items[cutter->item_count++];
 }
 
-/* False where there is no such vertex, or too many. */
-static bool append(const fxl_bsp_cutter *cutter, ring *to, uint32_t vertex)
+/* Appends a vertex. Returns false where vertex is FXL_ITEM_NONE, or the piece would have too
+ * many vertices. */
+static bool append(const fxl_bsp_cutter *cutter, vertex_ring *to, uint32_t vertex)
 {
     if (vertex == FXL_ITEM_NONE || to->count == FXL_FACE_VERTICES_MAX) {
         return false;
@@ -69,7 +71,7 @@ static bool append(const fxl_bsp_cutter *cutter, ring *to, uint32_t vertex)
     return true;
 }
 
-/* The faces that face the eye, as pieces at the root. */
+/* Makes the faces that face the eye into pieces at the root. */
 static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, const fxl_point *eye,
                        uint32_t entry)
 {
@@ -78,18 +80,18 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        const uint16_t *corners = &scene->indices[face->first_index];
+        const uint16_t *indices = &scene->indices[face->first_index];
         if (!fxl_face_is_front(scene, instance, face, eye)) {
             continue;
         }
         fxl_bsp_item *item = new_item(cutter);
-        ring outline = {0, 0, 0};
+        vertex_ring outline = {0, 0, 0};
         if (item == NULL) {
             return false;
         }
         for (uint32_t k = 0; k < face->count; k++) {
-            const fxl_point *from = &vertices[corners[k]];
-            /* Within FXL_COORDINATE_MAX: the scene is checked. */
+            const fxl_point *from = &vertices[indices[k]];
+            /* Within FXL_COORDINATE_MAX, because the scene is checked. */
             fxl_point point = {from->x + instance->centre.x, from->y + instance->centre.y,
                                from->z + instance->centre.z};
             if (!append(cutter, &outline, new_vertex(cutter, &point))) {
@@ -110,7 +112,7 @@ static bool same(const fxl_point *a, const fxl_point *b)
     return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-/* Gives a crossing to a piece that has its edge. */
+/* Inserts an intersection into a piece that has the edge a b. */
 static bool share_with(fxl_bsp_cutter *cutter, fxl_bsp_item *item, const fxl_point *a,
                        const fxl_point *b, const fxl_point *crossing)
 {
@@ -134,7 +136,8 @@ static bool share_with(fxl_bsp_cutter *cutter, fxl_bsp_item *item, const fxl_poi
     return true;
 }
 
-/* To every piece of the object that is not at the node: the others are cut by it too. */
+/* Inserts an intersection into every piece of the instance that has the edge and is not at the
+ * node. The node cuts its own pieces itself. */
 static bool share(fxl_bsp_cutter *cutter, uint32_t node, const fxl_point *a, const fxl_point *b,
                   const fxl_point *crossing)
 {
@@ -148,9 +151,9 @@ static bool share(fxl_bsp_cutter *cutter, uint32_t node, const fxl_point *a, con
     return true;
 }
 
-/* The crossing of an edge into both parts. */
-static bool cross(fxl_bsp_cutter *cutter, const knife *by, ring parts[2], const fxl_point *ahead,
-                  const fxl_point *behind)
+/* Appends the intersection of an edge to both parts. */
+static bool append_intersection(fxl_bsp_cutter *cutter, const split_plane *by, vertex_ring parts[2],
+                                const fxl_point *ahead, const fxl_point *behind)
 {
     fxl_point crossing = fxl_split_edge(ahead, behind, height(by, ahead), height(by, behind));
     return share(cutter, by->number, ahead, behind, &crossing) &&
@@ -158,9 +161,10 @@ static bool cross(fxl_bsp_cutter *cutter, const knife *by, ring parts[2], const 
            append(cutter, &parts[1], new_vertex(cutter, &crossing));
 }
 
-/* The outline from item->first on, into its part in front and its part behind; vertices go
- * where they belong, those on the plane are doubled. */
-static bool divide(fxl_bsp_cutter *cutter, const knife *by, const fxl_bsp_item *item, ring parts[2])
+/* Divides the outline of an item into its part in front and its part behind. Vertices move to
+ * the part that they belong to; vertices on the plane are duplicated. */
+static bool divide(fxl_bsp_cutter *cutter, const split_plane *by, const fxl_bsp_item *item,
+                   vertex_ring parts[2])
 {
     const fxl_point first = fxl_bsp_vertex_of(cutter->parts, item->first)->point;
     uint32_t at = item->first;
@@ -176,8 +180,10 @@ static bool divide(fxl_bsp_cutter *cutter, const knife *by, const fxl_bsp_item *
             (here_height == 0 && !append(cutter, &parts[1], new_vertex(cutter, &here)))) {
             return false;
         }
-        if ((here_height > 0 && there_height < 0 && !cross(cutter, by, parts, &here, &there)) ||
-            (here_height < 0 && there_height > 0 && !cross(cutter, by, parts, &there, &here))) {
+        if ((here_height > 0 && there_height < 0 &&
+             !append_intersection(cutter, by, parts, &here, &there)) ||
+            (here_height < 0 && there_height > 0 &&
+             !append_intersection(cutter, by, parts, &there, &here))) {
             return false;
         }
         at = next;
@@ -185,15 +191,15 @@ static bool divide(fxl_bsp_cutter *cutter, const knife *by, const fxl_bsp_item *
     return true;
 }
 
-/* Where what is on a side of a node is next. */
-static uint32_t beyond(const knife *by, bool behind)
+/* Returns where a piece on one side of a node goes next: a node or a leaf. */
+static uint32_t next_place(const split_plane *by, bool behind)
 {
     uint32_t below = behind ? by->node->back : by->node->front;
     return below != FXL_BSP_NONE ? below : (FXL_IN_LEAF | (2 * by->number + behind));
 }
 
-/* A piece at the node goes on to one side, or both. */
-static bool cut_piece(fxl_bsp_cutter *cutter, const knife *by, fxl_bsp_item *item)
+/* Sends a piece at the node to one side, or cuts it and sends a part to each side. */
+static bool cut_piece(fxl_bsp_cutter *cutter, const split_plane *by, fxl_bsp_item *item)
 {
     bool ahead = false, behind = false;
     uint32_t at = item->first;
@@ -205,29 +211,29 @@ static bool cut_piece(fxl_bsp_cutter *cutter, const knife *by, fxl_bsp_item *ite
         at = vertex->next;
     }
     if (!(ahead && behind)) {
-        item->where = beyond(by, behind);
+        item->where = next_place(by, behind);
         return true;
     }
-    ring parts[2] = {{0, 0, 0}, {0, 0, 0}};
+    vertex_ring parts[2] = {{0, 0, 0}, {0, 0, 0}};
     fxl_bsp_item *rest = new_item(cutter);
     if (rest == NULL) {
         return false;
     }
-    *rest = *item; /* at the node, as long as it is cut: nothing is shared with it */
+    *rest = *item; /* stays at the node while it is cut: nothing is inserted into it */
     rest->count = 0;
     if (!divide(cutter, by, item, parts)) {
         return false;
     }
     item->first = (uint16_t)parts[0].first;
     item->count = (uint8_t)parts[0].count;
-    item->where = beyond(by, false);
+    item->where = next_place(by, false);
     rest->first = (uint16_t)parts[1].first;
     rest->count = (uint8_t)parts[1].count;
-    rest->where = beyond(by, true);
+    rest->where = next_place(by, true);
     return true;
 }
 
-/* The lowest number of a node where pieces are; or FXL_IN_LEAF: none is at a node. */
+/* Returns the lowest number of a node that has pieces; FXL_IN_LEAF where no node has any. */
 static uint32_t next_node(const fxl_bsp_cutter *cutter)
 {
     uint32_t lowest = FXL_IN_LEAF;
@@ -241,7 +247,7 @@ static uint32_t next_node(const fxl_bsp_cutter *cutter)
 static bool cut_all(fxl_bsp_cutter *cutter)
 {
     const fxl_scene *scene = cutter->scene;
-    knife by = {NULL, scene->instances[scene->bsp_instance].centre, 0};
+    split_plane by = {NULL, scene->instances[scene->bsp_instance].centre, 0};
     while ((by.number = next_node(cutter)) != FXL_IN_LEAF) {
         by.node = &scene->bsp_nodes[by.number];
         const uint32_t end = cutter->item_count;

@@ -13,7 +13,7 @@ uint32_t fxl_bsp_movers(const fxl_scene *scene)
         for (uint32_t i = 0; i < scene->instance_count; i++) {
             count += scene->instances[i].layer == layer;
         }
-        count -= 1; /* the tree's own */
+        count -= 1; /* the BSP's own instance */
     }
     return count;
 }
@@ -39,8 +39,8 @@ static fxl_bsp_item *item_of(const fxl_bsp_parts *parts, uint32_t number)
     return number < parts->movers ? &parts->whole[number] : &parts->items[number - parts->movers];
 }
 
-/* Behind what is in the leaf in the order of drawing: before it, where that is walked
- * backward. */
+/* Adds an item to its leaf, last in the order of drawing: at the end of the list, or at its
+ * beginning where the list is drawn in reverse. */
 static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
                           bool reverse)
 {
@@ -58,7 +58,7 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
     *link = (uint16_t)number;
 }
 
-/* What a face that faces the eye comes to, whole. */
+/* Clips a whole face that faces the eye. Returns its outcome. */
 static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *on)
 {
@@ -71,7 +71,7 @@ static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *
     return outcome;
 }
 
-/* Each face once, however many pieces it will be in. */
+/* Counts the faces of an instance, each once, however many pieces they are cut into. */
 static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
 {
     const fxl_renderer *renderer = on->renderer;
@@ -92,7 +92,7 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     }
 }
 
-/* The leaf where a point of the world is. */
+/* Returns the leaf that holds a point of the world. */
 static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
 {
     const fxl_point *centre = &scene->instances[scene->bsp_instance].centre;
@@ -153,8 +153,9 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
     workspace->used = cutter.most;
 }
 
-/* The faces of an instance that is in no pieces, and so convex, from *number on. */
-static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
+/* Submits the faces of an instance that was not cut into pieces, and so is convex, from *number
+ * on, in the order of drawing. */
+static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
 {
     fxl_resume_point resume = {.faces = *number};
     fxl_traversal faces = *on;
@@ -164,8 +165,8 @@ static bool walk_whole(const fxl_traversal *on, const fxl_order_entry *entry, ui
     return done;
 }
 
-static bool walk_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
-                       const fxl_bsp_item *item)
+static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
+                             const fxl_bsp_item *item)
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
@@ -203,13 +204,13 @@ bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, 
         if (done < place->index) {
             continue;
         }
-        fxl_counters counters = {0}; /* the faces are counted already */
+        fxl_counters counters = {0}; /* count_faces has counted the faces */
         fxl_traversal uncounted = *on;
         uncounted.counters = &counters;
         bool whole = item->first == FXL_ITEM_NONE;
         bool fitted =
-            whole ? walk_whole(&uncounted, &on->renderer->frame.order[item->entry], &place->face)
-                  : walk_piece(&uncounted, &parts, item);
+            whole ? submit_whole(&uncounted, &on->renderer->frame.order[item->entry], &place->face)
+                  : submit_bsp_piece(&uncounted, &parts, item);
         on->counters->spilled += counters.spilled;
         if (!fitted) {
             return false;

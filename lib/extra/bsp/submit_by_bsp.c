@@ -5,29 +5,29 @@
 #include "../../src/scene/bsp_node.h"
 #include "bsp_pieces.h"
 
-/* What is done of a node. */
+/* What is done at a node so far. */
 enum {
-    FIRST, /* nothing: what the walk comes to first is next */
+    FIRST, /* nothing: the subtree that comes first is next */
     FACES,
     SECOND
 };
 
-/* A walk in the tree. */
+/* The state of a traversal of the BSP. */
 typedef struct {
     const fxl_traversal *on;
     const fxl_scene *scene;
     fxl_bsp_workspace *workspace;
     uint32_t *sides, *busy;
-    fxl_model_view *model_view;  /* null: the tree's object is not in sight */
-    fxl_point from;              /* the eye, as the tree's object sees it */
-    const fxl_bsp_node *asked;   /* whose sphere was asked last, */
-    uint32_t answer;             /* and what it said */
-    uint32_t planes;             /* those that the object's sphere may cross */
-    uint32_t inside, inside_end; /* from one to the other all nodes are inside the frustum */
+    fxl_model_view *model_view;  /* null: the instance of the BSP is not visible */
+    fxl_point from;              /* the eye, relative to the instance of the BSP */
+    const fxl_bsp_node *tested;  /* the node whose sphere was tested last */
+    uint32_t test_result;        /* the result of that test */
+    uint32_t planes;             /* the planes that the instance's sphere may cross */
+    uint32_t inside, inside_end; /* nodes inside <= n < inside_end are inside the frustum */
     bool reverse;                /* near to far */
 } bsp_traversal;
 
-_Static_assert(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "tree.h says so");
+_Static_assert(sizeof(fxl_bsp_item) == 12 && sizeof(fxl_bsp_vertex) == 16, "docs/extras/bsp.md");
 
 uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
 {
@@ -42,7 +42,7 @@ uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
     return scene->bsp_nodes == NULL ? 0 : size;
 }
 
-/* The layer's entries in the order, and which of them is the tree's. */
+/* Finds the entries of the layer in the order, and the entry of the BSP's instance among them. */
 static void find_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 {
     const fxl_scene *scene = on->renderer->scene;
@@ -63,7 +63,8 @@ static void find_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace)
     workspace->movers = (uint16_t)(end - first - (workspace->owner != FXL_ITEM_NONE));
 }
 
-/* On which side of a node's plane the eye is, kept for as long as the walk is below it. */
+/* Finds the side of a node's plane on which the eye is. The bit is valid while the traversal is
+ * below the node. */
 static void find_side(const bsp_traversal *traversal, uint32_t number)
 {
     const uint32_t bit = (uint32_t)1 << (number & 31);
@@ -72,7 +73,7 @@ static void find_side(const bsp_traversal *traversal, uint32_t number)
                                                                                      : *word & ~bit;
 }
 
-/* The number behind the last node below this one: what comes next in the list of nodes. */
+/* Returns the number after the last node of this subtree: the node that follows it in the table. */
 static uint32_t end_below(const fxl_bsp_node *nodes, uint32_t number, uint32_t count)
 {
     for (uint32_t above; (above = nodes[number].parent) != FXL_BSP_NONE; number = above) {
@@ -88,14 +89,15 @@ static bool is_inside(const bsp_traversal *traversal, uint32_t number)
     return number >= traversal->inside && number < traversal->inside_end;
 }
 
-static bool same_sphere(const fxl_bsp_node *a, const fxl_bsp_node *b)
+static bool is_same_sphere(const fxl_bsp_node *a, const fxl_bsp_node *b)
 {
     return a->radius == b->radius && a->centre.x == b->centre.x && a->centre.y == b->centre.y &&
            a->centre.z == b->centre.z;
 }
 
-/* Which planes a node's sphere may cross; a sphere is asked once in turn. Both coordinates are
- * within FXL_COORDINATE_MAX together: the loader has seen to it. */
+/* Returns the planes that a node's sphere may cross. The last result is kept, so equal spheres
+ * in a row are tested once. The loader has checked that both coordinates together are within
+ * FXL_COORDINATE_MAX. */
 static uint32_t planes_of(bsp_traversal *traversal, uint32_t number)
 {
     const fxl_view *view = traversal->model_view->view;
@@ -106,26 +108,26 @@ static uint32_t planes_of(bsp_traversal *traversal, uint32_t number)
     if (is_inside(traversal, number)) {
         return 0;
     }
-    if (traversal->asked == NULL || !same_sphere(traversal->asked, node)) {
-        traversal->asked = node;
-        traversal->answer =
+    if (traversal->tested == NULL || !is_same_sphere(traversal->tested, node)) {
+        traversal->tested = node;
+        traversal->test_result =
             fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, node->radius);
-        if (traversal->answer != FXL_SPHERE_OUTSIDE) {
-            traversal->answer &= traversal->planes; /* the object's own sphere may be the tighter */
+        if (traversal->test_result != FXL_SPHERE_OUTSIDE) {
+            traversal->test_result &= traversal->planes; /* the instance's sphere may be tighter */
         }
     }
-    return traversal->answer;
+    return traversal->test_result;
 }
 
-/* Whether nothing from the node down is in sight: then its faces are counted. Where all of it is
- * inside the frustum, nothing below is asked again. */
-static bool leave_out(bsp_traversal *traversal, uint32_t number)
+/* Tells whether nothing in the subtree of a node is visible; then its faces are counted. If the
+ * whole subtree is inside the frustum, no node of it is tested again. */
+static bool is_invisible(bsp_traversal *traversal, uint32_t number)
 {
     const fxl_scene *scene = traversal->scene;
     const uint32_t above = scene->bsp_nodes[number].parent;
     if (traversal->model_view == NULL || is_inside(traversal, number) ||
         (above != FXL_BSP_NONE &&
-         same_sphere(&scene->bsp_nodes[number], &scene->bsp_nodes[above]))) {
+         is_same_sphere(&scene->bsp_nodes[number], &scene->bsp_nodes[above]))) {
         return false;
     }
     uint32_t planes = planes_of(traversal, number);
@@ -151,7 +153,7 @@ static bool leave_out(bsp_traversal *traversal, uint32_t number)
     return true;
 }
 
-/* The node's faces that face the eye, from place->index on; the others are counted. */
+/* Submits the faces of a node that face the eye, from place->index on, and counts the others. */
 static bool submit_faces(bsp_traversal *traversal, fxl_bsp_resume_point *place)
 {
     const fxl_bsp_node *node = &traversal->scene->bsp_nodes[place->node];
@@ -183,9 +185,9 @@ static bool submit_faces(bsp_traversal *traversal, fxl_bsp_resume_point *place)
     return true;
 }
 
-/* Whether the walk comes to what is in front of a node first: far to near, what is not
- * on the eye's side. */
-static bool begins_in_front(const bsp_traversal *traversal, uint32_t node)
+/* Tells whether the traversal visits the front subtree of a node first. Far to near, it visits
+ * first the side on which the eye is not. */
+static bool visits_front_first(const bsp_traversal *traversal, uint32_t node)
 {
     return (traversal->sides[node / 32] >> (node & 31) & 1u) ==
            traversal->reverse; /* bug: tree-near-first */
@@ -199,7 +201,7 @@ static void step(fxl_bsp_resume_point *place, uint32_t node, uint32_t phase)
     place->face = 0;
 }
 
-/* Up to the next node of which something is left to do; false where there is none. */
+/* Goes up to the next node that is not finished. Returns false where there is none. */
 static bool go_up(const bsp_traversal *traversal, fxl_bsp_resume_point *place)
 {
     uint32_t node = place->node, from;
@@ -209,20 +211,21 @@ static bool go_up(const bsp_traversal *traversal, fxl_bsp_resume_point *place)
         if (node == FXL_BSP_NONE) {
             return false;
         }
-    } while ((traversal->scene->bsp_nodes[node].front == from) != begins_in_front(traversal, node));
+    } while ((traversal->scene->bsp_nodes[node].front == from) !=
+             visits_front_first(traversal, node));
     step(place, node, FACES);
     return true;
 }
 
-/* What is to do at a node and in its leaves; false where it was stopped. Else *place is at a
- * node below, or all is done here: then *more is false. */
+/* Does the work at a node and in its leaves. Returns false where the traversal was stopped.
+ * Otherwise *place is at a node below, or this subtree is finished and *more is false. */
 static bool work_at(bsp_traversal *traversal, fxl_bsp_resume_point *place, bool *more)
 {
     const fxl_bsp_node *node = &traversal->scene->bsp_nodes[place->node];
     *more = true;
     if (place->phase == FIRST && place->index == 0 && place->face == 0) {
         find_side(traversal, place->node);
-        if (leave_out(traversal, place->node)) {
+        if (is_invisible(traversal, place->node)) {
             *more = false;
             return true;
         }
@@ -233,7 +236,7 @@ static bool work_at(bsp_traversal *traversal, fxl_bsp_resume_point *place, bool 
         }
         step(place, place->node, SECOND);
     }
-    bool front = begins_in_front(traversal, place->node) == (place->phase == FIRST);
+    bool front = visits_front_first(traversal, place->node) == (place->phase == FIRST);
     uint32_t below = front ? node->front : node->back;
     if (below != FXL_BSP_NONE) {
         step(place, below, FIRST);
@@ -251,8 +254,8 @@ static bool work_at(bsp_traversal *traversal, fxl_bsp_resume_point *place, bool 
     return true;
 }
 
-/* From the place to the end of the tree, without a stack: a node knows its parent. False where
- * it was stopped. */
+/* Traverses from *place to the end of the BSP without a stack: each node stores its parent.
+ * Returns false where the traversal was stopped. */
 static bool submit_nodes(bsp_traversal *traversal, fxl_bsp_resume_point *place)
 {
     do {
@@ -266,7 +269,8 @@ static bool submit_nodes(bsp_traversal *traversal, fxl_bsp_resume_point *place)
     return true;
 }
 
-/* The tree's layer. False where it was stopped: where the list was full, the room has the place. */
+/* Submits the layer of the BSP. Returns false where the traversal was stopped. If the display
+ * list was full, the workspace holds the place to resume. */
 static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
                          const fxl_bsp_parts *parts)
 {
@@ -275,7 +279,7 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
     const fxl_instance *instance = &scene->instances[scene->bsp_instance];
     const fxl_point *eye = &on->renderer->frame.view.camera.position;
     fxl_model_view model_view;
-    /* Eye and centre are within FXL_COORDINATE_MAX: below 2^30. */
+    /* Eye and centre are within FXL_COORDINATE_MAX, so a difference is below 2^30. */
     bsp_traversal traversal = {.on = on,
                                .scene = scene,
                                .workspace = workspace,
@@ -297,7 +301,7 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
     bool done = submit_nodes(&traversal, &place);
     if (!done && on->band == NULL) {
         workspace->rest = place; /* bug: tree-rest */
-        on->resume->faces = 1;   /* the rest is in the room */
+        on->resume->faces = 1;   /* the workspace has the place to resume */
     }
     return done;
 }
@@ -318,13 +322,13 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     while (on->resume->instances < count) {
         const uint32_t number = on->resume->instances;
         const uint32_t at = renderer->visibility->front_to_back ? count - 1 - number : number;
-        const bool by_tree = at >= workspace->first && at < workspace->end;
-        if (!(by_tree ? submit_layer(on, workspace, &parts)
-                      : fxl_submit_instance(on, &on->renderer->frame.order[at]))) {
+        const bool by_bsp = at >= workspace->first && at < workspace->end;
+        if (!(by_bsp ? submit_layer(on, workspace, &parts)
+                     : fxl_submit_instance(on, &on->renderer->frame.order[at]))) {
             return false;
         }
         on->resume->instances =
-            (uint16_t)(number + (by_tree ? (uint32_t)(workspace->end - workspace->first) : 1u));
+            (uint16_t)(number + (by_bsp ? (uint32_t)(workspace->end - workspace->first) : 1u));
         on->resume->faces = 0;
     }
     return true;

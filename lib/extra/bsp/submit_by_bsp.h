@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The walk by a tree, for the methods that have it. Internal. */
+/* The traversal by a BSP. Internal. */
 #ifndef FXL_SUBMIT_BY_BSP_H
 #define FXL_SUBMIT_BY_BSP_H
 
 #include "fixel/extra/bsp.h"
 
-/* fxl_visibility.walk and .walk_room. */
+/* fxl_visibility.submit and .submit_workspace_size. */
 bool fxl_submit_by_bsp(const fxl_traversal *on);
 uint32_t fxl_bsp_workspace_size(const fxl_scene *scene);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies between the planes of the view and those of the world, and what clippers
- * round, is below 43 / 65536 unit (sphere.c); 2^-9 is 128 / 65536. */
+/* The planes of the view and those of the world differ, and clippers round: together by less
+ * than 43 / 65536 unit (sphere.c). The margin of 2^-9 is 128 / 65536 unit. */
 #include "fixel/extra/clippers/box.h"
 
 #include "../../src/math/arith.h"
@@ -19,7 +19,7 @@ void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, f
         fxl_widen(vertices[i].y, &box->least.y, &box->most.y);
         fxl_widen(vertices[i].z, &box->least.z, &box->most.z);
     }
-    /* A checked scene's vertices are in range where they stand. */
+    /* The scene is checked, so every vertex is in range at the instance's place. */
     box->least.x += instance->centre.x;
     box->least.y += instance->centre.y;
     box->least.z += instance->centre.z;
@@ -28,7 +28,7 @@ void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, f
     box->most.z += instance->centre.z;
 }
 
-/* The corner that lies farthest along a direction. */
+/* Returns the corner that lies farthest along a direction. */
 static fxl_point corner_along(const fxl_direction *way, const fxl_box *box)
 {
     fxl_point corner;
@@ -40,7 +40,8 @@ static fxl_point corner_along(const fxl_direction *way, const fxl_box *box)
 
 uint32_t fxl_box_planes(const fxl_frustum *frustum, const fxl_box *box)
 {
-    const fxl_box turned = {box->most, box->least}; /* its corner along is the opposite one */
+    const fxl_box reversed = {box->most,
+                              box->least}; /* corner_along then returns the opposite corner */
     uint32_t crossed = 0;
     for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
         const fxl_plane *plane = &frustum->planes[i];
@@ -48,7 +49,7 @@ uint32_t fxl_box_planes(const fxl_frustum *frustum, const fxl_box *box)
         if (fxl_plane_distance(plane, &corner) < -SLACK) {
             return FXL_SPHERE_OUTSIDE;
         }
-        corner = corner_along(&plane->normal, &turned);
+        corner = corner_along(&plane->normal, &reversed);
         crossed |= (uint32_t)(fxl_plane_distance(plane, &corner) < SLACK) << i;
     }
     return crossed;

@@ -1,34 +1,36 @@
 /* SPDX-License-Identifier: MIT */
-/* From a face of a placed object to the screen, as the family's clippers have it in
- * common: what is inside comes from the cache, what is not is assembled and cut.
- * Internal. Each clipper is compiled with its own way, so nothing is asked twice. */
+/* Takes a face of an instance to the screen: the part that the other clippers share. Vertices
+ * inside the frustum come from the vertex cache. Other faces are assembled into a polygon and
+ * cut. Internal. Each clipper is compiled with its own steps, so the steps cost no test at run
+ * time. */
 #ifndef FXL_CLIP_COMMON_H
 #define FXL_CLIP_COMMON_H
 
 #include "fixel/stage/clipper.h"
 #include "fixel/extra/clippers/workspace.h"
 
-/* What a clipper does its own way. A vertex's state has the planes that it lies
- * outside of, and may have FXL_VERTEX_BEYOND_GUARD_BAND. */
+/* The steps in which the clippers differ. The clip_flags of a vertex have a bit for each plane
+ * that it lies outside of, and may have FXL_VERTEX_BEYOND_GUARD_BAND. */
 typedef struct {
-    fxl_cached_vertex *(*see)(const fxl_model_view *model_view, uint32_t number);
+    fxl_cached_vertex *(*fetch)(const fxl_model_view *model_view, uint32_t number);
     fxl_status (*project)(const fxl_model_view *model_view, const fxl_view_point *point,
                           fxl_screen_point *screen);
-    fxl_varying_polygon *(*input)(const fxl_model_view *model_view); /* where a face is assembled */
-    /* any: of the states of the vertices. */
+    fxl_varying_polygon *(*input)(
+        const fxl_model_view *model_view); /* the polygon in which a face is assembled */
+    /* any: the OR of the clip_flags of the vertices. */
     fxl_clip_result (*cut)(const fxl_model_view *model_view, const fxl_varying_polygon *in,
                            unsigned any, const fxl_varying_polygon **result);
 } fxl_clip_steps;
 
-/* A clipper's own bit: outside of what the screen's range can hold. */
+/* A bit that only these clippers use: the vertex lies beyond what the range of the screen holds. */
 #define FXL_VERTEX_BEYOND_GUARD_BAND 0x40u
 
 _Static_assert((FXL_PLANES_ALL & FXL_VERTEX_BEYOND_GUARD_BAND) == 0 &&
                    (FXL_VERTEX_UNPROJECTED & (FXL_PLANES_ALL | FXL_VERTEX_BEYOND_GUARD_BAND)) == 0,
                "all share a byte");
 
-/* The cache's entry for a vertex; *is_new where it holds another one's, and the tag
- * alone was changed. */
+/* Returns the cache entry for a vertex. *is_new tells that it held another vertex; then only its
+ * tag has been changed so far. */
 static inline fxl_cached_vertex *fxl_clip_common_entry(const fxl_model_view *model_view,
                                                        uint32_t number, bool *is_new)
 {
@@ -38,12 +40,12 @@ static inline fxl_cached_vertex *fxl_clip_common_entry(const fxl_model_view *mod
     return entry;
 }
 
-/* A vertex that the screen can hold, onto it. */
+/* Projects a vertex that is in the range of the screen, unless it is projected already. */
 static inline bool fxl_clip_common_project(const fxl_model_view *model_view,
-                                           fxl_cached_vertex *vertex, const fxl_clip_steps *way)
+                                           fxl_cached_vertex *vertex, const fxl_clip_steps *steps)
 {
     if ((vertex->clip_flags & FXL_VERTEX_UNPROJECTED) != 0) {
-        if (way->project(model_view, &vertex->position, &vertex->screen) != FXL_OK) {
+        if (steps->project(model_view, &vertex->position, &vertex->screen) != FXL_OK) {
             return false;
         }
         vertex->clip_flags &= (uint8_t)~FXL_VERTEX_UNPROJECTED;
@@ -51,19 +53,20 @@ static inline bool fxl_clip_common_project(const fxl_model_view *model_view,
     return true;
 }
 
-/* Every vertex as it is. Before one whose state has a bit of stop: FXL_CLIP_CUT. */
+/* Projects every vertex of a face, uncut. Returns FXL_CLIP_CUT at the first vertex whose
+ * clip_flags have a bit of stop. */
 static inline fxl_clip_result fxl_clip_common_whole(const fxl_model_view *model_view,
                                                     const fxl_face *face,
                                                     fxl_screen_polygon *screen,
-                                                    const fxl_clip_steps *way, unsigned stop)
+                                                    const fxl_clip_steps *steps, unsigned stop)
 {
-    const uint16_t *corners = model_view->indices + face->first_index;
+    const uint16_t *indices = model_view->indices + face->first_index;
     for (uint32_t i = 0; i < face->count; i++) {
-        fxl_cached_vertex *vertex = way->see(model_view, corners[i]);
+        fxl_cached_vertex *vertex = steps->fetch(model_view, indices[i]);
         if ((vertex->clip_flags & stop) != 0) {
             return FXL_CLIP_CUT;
         }
-        if (!fxl_clip_common_project(model_view, vertex, way)) {
+        if (!fxl_clip_common_project(model_view, vertex, steps)) {
             return FXL_CLIP_RANGE;
         }
         screen->points[i] = vertex->screen;
@@ -73,16 +76,16 @@ static inline fxl_clip_result fxl_clip_common_whole(const fxl_model_view *model_
     return FXL_CLIP_INSIDE;
 }
 
-/* A cut polygon onto the screen. */
+/* Projects a cut polygon. */
 static inline fxl_clip_result fxl_clip_common_to_screen(const fxl_model_view *model_view,
                                                         const fxl_varying_polygon *clipped,
                                                         fxl_screen_polygon *screen,
-                                                        const fxl_clip_steps *way)
+                                                        const fxl_clip_steps *steps)
 {
     screen->colour = clipped->colour;
     screen->count = clipped->count;
     for (uint32_t i = 0; i < clipped->count; i++) {
-        if (way->project(model_view, &clipped->vertices[i].position, &screen->points[i]) !=
+        if (steps->project(model_view, &clipped->vertices[i].position, &screen->points[i]) !=
             FXL_OK) {
             return FXL_CLIP_RANGE;
         }
@@ -90,22 +93,22 @@ static inline fxl_clip_result fxl_clip_common_to_screen(const fxl_model_view *mo
     return FXL_CLIP_CUT;
 }
 
-/* cut_by: states of a vertex that a face must be cut for. */
+/* Takes a face to the screen. cut_by: the bits of clip_flags for which a face must be cut. */
 static inline fxl_clip_result fxl_clip_common_face(const fxl_model_view *model_view,
                                                    const fxl_face *face, fxl_screen_polygon *screen,
-                                                   const fxl_clip_steps *way, unsigned cut_by)
+                                                   const fxl_clip_steps *steps, unsigned cut_by)
 {
-    fxl_clip_result whole = fxl_clip_common_whole(model_view, face, screen, way,
+    fxl_clip_result whole = fxl_clip_common_whole(model_view, face, screen, steps,
                                                   FXL_PLANES_ALL | FXL_VERTEX_BEYOND_GUARD_BAND);
     if (whole != FXL_CLIP_CUT) {
         return whole;
     }
-    const uint16_t *corners = model_view->indices + face->first_index;
-    fxl_varying_polygon *in = way->input(model_view);
+    const uint16_t *indices = model_view->indices + face->first_index;
+    fxl_varying_polygon *in = steps->input(model_view);
     const fxl_varying_polygon *clipped;
     unsigned any = 0, all = FXL_PLANES_ALL;
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_cached_vertex *vertex = way->see(model_view, corners[i]);
+        const fxl_cached_vertex *vertex = steps->fetch(model_view, indices[i]);
         any |= vertex->clip_flags;
         all &= vertex->clip_flags;
         in->vertices[i].position = vertex->position;
@@ -114,13 +117,13 @@ static inline fxl_clip_result fxl_clip_common_face(const fxl_model_view *model_v
         return FXL_CLIP_OUTSIDE;
     }
     if ((any & cut_by) == 0) {
-        return fxl_clip_common_whole(model_view, face, screen, way, 0);
+        return fxl_clip_common_whole(model_view, face, screen, steps, 0);
     }
     in->colour = face->colour;
     in->count = face->count;
     in->carried = 0;
-    fxl_clip_result result = way->cut(model_view, in, any, &clipped);
-    return clipped == NULL ? result : fxl_clip_common_to_screen(model_view, clipped, screen, way);
+    fxl_clip_result result = steps->cut(model_view, in, any, &clipped);
+    return clipped == NULL ? result : fxl_clip_common_to_screen(model_view, clipped, screen, steps);
 }
 
 #endif

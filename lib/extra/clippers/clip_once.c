@@ -10,11 +10,11 @@ typedef struct {
     const fxl_normalised *frustum;
     fxl_clip_once_workspace *workspace;
     fxl_varying_polygon *out;
-    uint32_t any;                        /* planes that a vertex lies outside of */
-    uint8_t codes[FXL_POLYGON_CAPACITY]; /* and which */
-    uint32_t count;                      /* of out, so far */
+    uint32_t any;                        /* the planes that a vertex lies outside of */
+    uint8_t codes[FXL_POLYGON_CAPACITY]; /* bit n: vertex lies outside plane n */
+    uint32_t count;                      /* vertices of out so far */
     bool full;
-    int exit_plane; /* through which the polygon left the frustum last */
+    int exit_plane; /* the plane through which the polygon left the frustum last */
 } pass;
 
 static void append(pass *on, const fxl_varying_vertex *vertex)
@@ -26,14 +26,14 @@ static void append(pass *on, const fxl_varying_vertex *vertex)
     fxl_copy_vertex(vertex, on->in->carried, &on->out->vertices[on->count++]);
 }
 
-/* The vertex where a way is cut, counted from its inside end; outside is whichever
- * end the plane has outside. An end on the plane is the crossing itself. */
-static void cross(pass *on, const fxl_varying_vertex *inside, const fxl_varying_vertex *outside,
-                  fxl_q18_46 in, fxl_q18_46 out, fxl_varying_vertex *vertex)
+/* Computes the vertex where a line meets a plane, from its inside end towards its outside end.
+ * in and out are the distances of the ends. An end on the plane is the intersection itself. */
+static void intersect(pass *on, const fxl_varying_vertex *inside, const fxl_varying_vertex *outside,
+                      fxl_q18_46 in, fxl_q18_46 out, fxl_varying_vertex *vertex)
 {
     if (in == 0) {
         fxl_copy_vertex(inside, on->in->carried, vertex);
-    } else if (out >= 0) { /* by the sliver rule alone */
+    } else if (out >= 0) { /* outside by the sliver rule alone */
         fxl_copy_vertex(outside, on->in->carried, vertex);
     } else {
         on->workspace->stats.intersections += 1;
@@ -52,7 +52,8 @@ static bool is_outside(const pass *on, int plane, uint32_t vertex)
     return ((uint32_t)on->codes[vertex] >> plane & 1u) != 0;
 }
 
-/* A vertex of the input: at most 0 where it counts as outside. */
+/* Returns the distance of a vertex of the input from a plane: at most 0 where the vertex counts
+ * as outside. */
 static fxl_q18_46 distance(const pass *on, int plane, uint32_t vertex)
 {
     fxl_q18_46 exact =
@@ -60,11 +61,11 @@ static fxl_q18_46 distance(const pass *on, int plane, uint32_t vertex)
     return is_outside(on, plane, vertex) && exact > 0 ? 0 : exact;
 }
 
-/* The last plane through which an edge enters, and the first through which it
- * leaves. False where it lies outside of one plane, or leaves before it enters: it is
- * then not seen. */
-static bool find_crossings(const pass *on, uint32_t from, uint32_t to,
-                           fxl_plane_intersection *enter, fxl_plane_intersection *leave)
+/* Finds the last plane through which an edge enters, and the first through which it leaves.
+ * Returns false for an invisible edge: one that lies outside one plane, or leaves before it
+ * enters. */
+static bool find_intersections(const pass *on, uint32_t from, uint32_t to,
+                               fxl_plane_intersection *enter, fxl_plane_intersection *leave)
 {
     uint32_t from_code = on->codes[from], to_code = on->codes[to];
     enter->plane = leave->plane = FXL_PLANE_COUNT;
@@ -86,22 +87,23 @@ static bool find_crossings(const pass *on, uint32_t from, uint32_t to,
            fxl_intersection_is_before(enter, leave);
 }
 
-/* The outline's crossing with a plane on the edge from one vertex to another, of
- * which one is outside of the plane. */
+/* Returns the intersection of the outline with a plane, on an edge of which exactly one vertex
+ * is outside the plane. */
 static const fxl_varying_vertex *cut_edge(pass *on, int plane, uint32_t from, uint32_t to)
 {
     bool inward = is_outside(on, plane, from);
     fxl_varying_vertex *vertex = &on->workspace->cuts[plane][inward].vertex;
     if (on->workspace->cuts[plane][inward].edge != from) {
         uint32_t inside = inward ? to : from, outside = inward ? from : to;
-        cross(on, &on->in->vertices[inside], &on->in->vertices[outside],
-              distance(on, plane, inside), distance(on, plane, outside), vertex);
+        intersect(on, &on->in->vertices[inside], &on->in->vertices[outside],
+                  distance(on, plane, inside), distance(on, plane, outside), vertex);
         on->workspace->cuts[plane][inward].edge = from;
     }
     return vertex;
 }
 
-/* Where the outline crosses a plane inward, or outward; null where it does not. */
+/* Returns the point where the outline crosses a plane inward (or outward); null where it does
+ * not. */
 static const fxl_varying_vertex *cut_outline(pass *on, int plane, bool inward)
 {
     for (uint32_t from = 0; from < on->in->count; from++) {
@@ -115,14 +117,15 @@ static const fxl_varying_vertex *cut_outline(pass *on, int plane, bool inward)
     return NULL;
 }
 
-/* The corner between two planes: along the polygon's cut by the first of them, where
- * the second crosses it. Which is first is laid down, for a face is flat only to
- * within a few units of 1/65536, and next to the eye that is a pixel. False where
- * the second does not cross the cut, by as little. */
+/* Finds the corner between two planes. It lies on the line in which the plane with the lower
+ * number cuts the polygon, where the other plane crosses that line. The order of the planes is
+ * fixed, because a face is flat only to within a few units of 1/65536, and next to the eye that
+ * is a pixel. Returns false where the second plane does not cross the line, by as little. */
 static bool find_corner(pass *on, int plane, int other, fxl_varying_vertex *corner);
 
-/* An end of the polygon's cut by a plane. Where the outline crosses the plane before
- * near or beyond far, those have cut before, and the end is a corner with them. */
+/* Finds an end of the line in which a plane cuts the polygon. Where the outline crosses the
+ * plane in front of the near plane or beyond the far plane, those planes have cut the polygon
+ * already; the end is then the corner with near or far. */
 static bool find_end(pass *on, int plane, bool inward, fxl_varying_vertex *end)
 {
     const fxl_varying_vertex *cut = cut_outline(on, plane, inward);
@@ -132,9 +135,9 @@ static bool find_end(pass *on, int plane, bool inward, fxl_varying_vertex *end)
     fxl_copy_vertex(cut, on->in->carried, end);
     for (int depth = FXL_PLANE_NEAR; depth <= FXL_PLANE_FAR && plane > FXL_PLANE_FAR; depth++) {
         if (fxl_normalised_distance(on->frustum, depth, &end->position) < 0) {
-            fxl_varying_vertex nearer;
-            if (find_corner(on, depth, plane, &nearer)) {
-                fxl_copy_vertex(&nearer, on->in->carried, end);
+            fxl_varying_vertex corner;
+            if (find_corner(on, depth, plane, &corner)) {
+                fxl_copy_vertex(&corner, on->in->carried, end);
             }
         }
     }
@@ -153,21 +156,22 @@ static bool find_corner(pass *on, int plane, int other, fxl_varying_vertex *corn
     if ((a < 0) == (b < 0)) {
         return false;
     }
-    cross(on, a < 0 ? &to : &from, a < 0 ? &from : &to, a < 0 ? b : a, a < 0 ? a : b, corner);
+    intersect(on, a < 0 ? &to : &from, a < 0 ? &from : &to, a < 0 ? b : a, a < 0 ? a : b, corner);
     return true;
 }
 
-/* An end of the polygon's cut that is outside of a plane, or on it, may count as inside by
- * so much: a coordinate is less than 1.25 units off, and a distance adds two. */
+/* An end of the line in which a plane cuts the polygon is outside of another plane, or on it;
+ * its computed distance may still be positive. It is at most this: a coordinate is less than
+ * 1.25 units off, and a distance adds two coordinates. */
 #define HIDDEN 2
 
-/* Where a cut that ends unseen leaves the frustum: through a plane that its end is outside
- * of; else, where that is lost in rounding, at its end. The outline there passes the corner
- * exactly or as good as. */
+/* Finds where a line in a plane leaves the frustum, if its end is not visible: through a plane
+ * that the end is outside of. Where rounding hides that plane, the line leaves at its end; there
+ * the outline passes the corner exactly or to within rounding. */
 static fxl_plane_intersection find_leave(const pass *on, const fxl_varying_vertex *at,
                                          const fxl_varying_vertex *end, uint32_t met)
 {
-    fxl_plane_intersection leave = {FXL_PLANE_COUNT, 0, 0}, visibility = {FXL_PLANE_COUNT, 1, 0};
+    fxl_plane_intersection leave = {FXL_PLANE_COUNT, 0, 0}, at_end = {FXL_PLANE_COUNT, 1, 0};
     fxl_q18_46 least = HIDDEN; /* bug: once-corner */
     for (int other = 0; on->any >> other != 0; other++) {
         if (((on->any & ~met) >> other & 1u) == 0) {
@@ -181,15 +185,16 @@ static fxl_plane_intersection find_leave(const pass *on, const fxl_varying_verte
             fxl_intersection_prefer(&leave, &one, false);
         } else if (one.to <= least) {
             least = one.to;
-            visibility.plane = other;
+            at_end.plane = other;
         }
     }
-    return leave.plane == FXL_PLANE_COUNT ? visibility : leave;
+    return leave.plane == FXL_PLANE_COUNT ? at_end : leave;
 }
 
-/* The corners from a point on one plane to where the outline comes in again through
- * another: along the polygon's cut by the plane, until the next plane cuts that off.
- * A point is inside of what it was found inside of, whatever its rounding says. */
+/* Appends the corners from a point on one plane to the point where the outline enters again
+ * through another plane. The path follows the line in which the plane cuts the polygon until the
+ * next plane cuts that line off. A point counts as inside every plane that it was found inside
+ * of, whatever its rounded coordinates say. */
 static void append_corners(pass *on, const fxl_varying_vertex *at, int plane, int last)
 {
     fxl_varying_vertex corners[2];
@@ -202,12 +207,12 @@ static void append_corners(pass *on, const fxl_varying_vertex *at, int plane, in
             return;
         }
         fxl_plane_intersection first = find_leave(on, at, end, met);
-        if (first.plane == FXL_PLANE_COUNT) { /* the corner is lost in rounding */
+        if (first.plane == FXL_PLANE_COUNT) { /* rounding has lost the corner */
             return;
         }
         fxl_varying_vertex *corner = &corners[spare];
         if (!find_corner(on, plane, first.plane, corner)) {
-            cross(on, at, end, first.from, first.to, corner);
+            intersect(on, at, end, first.from, first.to, corner);
         }
         append(on, corner);
         at = corner;
@@ -216,8 +221,8 @@ static void append_corners(pass *on, const fxl_varying_vertex *at, int plane, in
     }
 }
 
-/* What an edge contributes: its first vertex if that is inside, then where it
- * enters, after the corners on the way there, then where it leaves. */
+/* Appends what an edge contributes: its first vertex if that is inside; then the corners on the
+ * way to the point where it enters, and that point; then the point where it leaves. */
 static void append_edge(pass *on, uint32_t from)
 {
     uint32_t to = next_of(on, from);
@@ -225,12 +230,13 @@ static void append_edge(pass *on, uint32_t from)
     if (on->codes[from] == 0) {
         append(on, &on->in->vertices[from]);
     }
-    if ((on->codes[from] | on->codes[to]) == 0 || !find_crossings(on, from, to, &enter, &leave)) {
+    if ((on->codes[from] | on->codes[to]) == 0 ||
+        !find_intersections(on, from, to, &enter, &leave)) {
         return;
     }
     if (enter.plane != FXL_PLANE_COUNT) {
         append_corners(on, cut_outline(on, on->exit_plane, false), on->exit_plane, enter.plane);
-        /* A vertex that is inside of all comes with the next edge. */
+        /* A vertex that is inside all planes is appended with the next edge. */
         if (enter.to > 0 || on->codes[to] != 0) {
             append(on, cut_edge(on, enter.plane, from, to));
         }
@@ -243,25 +249,25 @@ static void append_edge(pass *on, uint32_t from)
     }
 }
 
-/* An edge through which the polygon leaves the frustum; the count where there is
- * none. */
+/* Returns an edge on which the polygon leaves the frustum; the vertex count where there is none. */
 static uint32_t find_exit(const pass *on)
 {
     fxl_plane_intersection enter, leave;
     uint32_t from = 0;
-    while (from < on->in->count && (on->codes[next_of(on, from)] == 0 ||
-                                    !find_crossings(on, from, next_of(on, from), &enter, &leave) ||
-                                    leave.plane == FXL_PLANE_COUNT)) {
+    while (from < on->in->count &&
+           (on->codes[next_of(on, from)] == 0 ||
+            !find_intersections(on, from, next_of(on, from), &enter, &leave) ||
+            leave.plane == FXL_PLANE_COUNT)) {
         from++;
     }
     return from;
 }
 
-/* The part of the polygon's cut by a plane that is seen, of which neither end is. False
- * where there is none. */
-static bool find_part(const pass *on, int plane, const fxl_varying_vertex *from,
-                      const fxl_varying_vertex *to, fxl_plane_intersection *enter,
-                      fxl_plane_intersection *leave)
+/* Finds the visible part of the line in which a plane cuts the polygon, where neither end is
+ * visible. Returns false where no part is visible. */
+static bool find_visible_part(const pass *on, int plane, const fxl_varying_vertex *from,
+                              const fxl_varying_vertex *to, fxl_plane_intersection *enter,
+                              fxl_plane_intersection *leave)
 {
     int enter_hidden = FXL_PLANE_COUNT;
     enter->plane = leave->plane = FXL_PLANE_COUNT;
@@ -290,9 +296,9 @@ static bool find_part(const pass *on, int plane, const fxl_varying_vertex *from,
            fxl_intersection_is_before(enter, leave);
 }
 
-/* No edge is seen: either the polygon fills the frustum from side to side, and all
- * its vertices are corners, or there is nothing. The polygon's cut by some plane is
- * then seen in part. */
+/* Handles a polygon without a visible edge. Either the polygon covers the frustum from side to
+ * side and all vertices of the result are corners, or nothing is visible. In the first case the
+ * line in which some plane cuts the polygon is visible in part. */
 static void append_corners_alone(pass *on)
 {
     for (int plane = 0; on->any >> plane != 0; plane++) {
@@ -303,9 +309,9 @@ static void append_corners_alone(pass *on)
         }
         const fxl_varying_vertex *from = cut_outline(on, plane, false);
         const fxl_varying_vertex *to = cut_outline(on, plane, true);
-        if (from != NULL && to != NULL && find_part(on, plane, from, to, &enter, &leave)) {
+        if (from != NULL && to != NULL && find_visible_part(on, plane, from, to, &enter, &leave)) {
             if (!find_corner(on, plane, enter.plane, &corner)) {
-                cross(on, to, from, enter.to, enter.from, &corner);
+                intersect(on, to, from, enter.to, enter.from, &corner);
             }
             append(on, &corner);
             append_corners(on, &corner, plane, enter.plane);
@@ -314,7 +320,7 @@ static void append_corners_alone(pass *on)
     }
 }
 
-/* By the sliver rule a vertex that counts as outside of a plane gets its bit. */
+/* Sets the bits of vertices that count as outside by the sliver rule. */
 static void apply_sliver(pass *on)
 {
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -330,7 +336,7 @@ static void apply_sliver(pass *on)
     }
 }
 
-/* Codes of all vertices; answers what all of them have in common. */
+/* Computes the outcodes of all vertices. Returns their AND. */
 static uint32_t set_codes(pass *on)
 {
     uint32_t all = UINT32_MAX;
@@ -377,7 +383,7 @@ fxl_clip_result fxl_clip_once(const fxl_varying_polygon *in, const fxl_normalise
         append_corners_alone(&on); /* bug: once-whole-screen */
     } else {
         fxl_plane_intersection enter, leave;
-        find_crossings(&on, start, next_of(&on, start), &enter, &leave);
+        find_intersections(&on, start, next_of(&on, start), &enter, &leave);
         on.exit_plane = leave.plane;
         for (uint32_t left = in->count, at = start; left > 0; left--) {
             at = next_of(&on, at);

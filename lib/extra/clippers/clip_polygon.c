@@ -3,10 +3,10 @@
 #include "../../src/math/arith.h"
 #include "intersection.h"
 
-/* By the sliver rule whether a vertex is inside depends
- * on the vertex before, all the way round: the walk begins after a vertex that
- * is outside, or inside by more than the rule minds; where there is none, all
- * are barely inside, and none of them after one that is out. */
+/* By the sliver rule, whether a vertex is inside depends on the vertex before it, all the way
+ * round. So the loop starts after a vertex that the rule cannot change: one that is outside, or
+ * inside by at least the sliver. Where there is none, all vertices are barely inside and none
+ * follows one that is outside. */
 uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver)
 {
     uint32_t bits = 0, start = 0;
@@ -43,7 +43,7 @@ static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
     fxl_copy_vertex(&in->vertices[from], in->carried, &out->vertices[to]);
 }
 
-/* An end that only counts as outside stands for the crossing. */
+/* An end that counts as outside by the sliver rule alone stands for the intersection. */
 static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
     const fxl_varying_polygon *in = cut->in;

@@ -6,11 +6,11 @@
 #include "clip_world_by_planes.h"
 #include "fixel/stage/plane.h"
 
-/* inside / (inside - outside), downward: inside >= 0 > outside. The difference
- * of two distances from one plane is the plane's normal times the difference
- * of two points, so below 2^61. Both terms are cut to the 32 highest bits of
- * the difference, which errs by at most two units. */
-static fxl_q1_31 crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
+/* inside / (inside - outside), rounded downward; requires inside >= 0 > outside. The difference
+ * of two distances from one plane is the plane's normal times the difference of two points, so
+ * it is below 2^61. Both terms are cut to the 32 highest bits of the difference, which errs by
+ * at most two units. */
+static fxl_q1_31 intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
     uint64_t part = (uint64_t)inside;
@@ -44,7 +44,7 @@ static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, 
     const fxl_polygon *in = cut->in;
     const fxl_vertex *a = &in->vertices[inside], *b = &in->vertices[outside];
     fxl_vertex *vertex = &((fxl_polygon *)cut->out)->vertices[to];
-    fxl_q1_31 fraction = crossing_fraction(cut->distances[inside], cut->distances[outside]);
+    fxl_q1_31 fraction = intersection_fraction(cut->distances[inside], cut->distances[outside]);
     vertex->position.x = interpolate(a->position.x, b->position.x, fraction);
     vertex->position.y = interpolate(a->position.y, b->position.y, fraction);
     vertex->position.z = interpolate(a->position.z, b->position.z, fraction);

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Codes and cuts by homogeneous half-spaces, whatever their form. */
+/* A clipper whose outcodes and cuts use six homogeneous half-spaces, which need not form a
+ * frustum. */
 #include "intersection.h"
 #include "clip_common.h"
 #include "../../src/view/rotate.h"
 
-static fxl_volume_workspace *room_of(const fxl_model_view *model_view)
+static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
     return model_view->view->clipper_workspace;
 }
 
-/* The same integers as fxl_transform_vertex gives. */
-static fxl_cached_vertex *see(const fxl_model_view *model_view, uint32_t number)
+/* Transforms as fxl_transform_vertex does, to the same integers. */
+static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
 {
     bool is_new;
     fxl_cached_vertex *entry = fxl_clip_common_entry(model_view, number, &is_new);
     if (is_new) {
-        fxl_volume_workspace *workspace = room_of(model_view);
+        fxl_volume_workspace *workspace = workspace_of(model_view);
         fxl_point from_eye = fxl_model_view_vertex(model_view, number);
         fxl_rotate(&model_view->view->camera, &from_eye, &entry->position);
         entry->clip_flags = FXL_VERTEX_UNPROJECTED;
@@ -36,13 +37,13 @@ static fxl_status project(const fxl_model_view *model_view, const fxl_view_point
 
 static fxl_varying_polygon *input(const fxl_model_view *model_view)
 {
-    return &room_of(model_view)->clip.polygons[0];
+    return &workspace_of(model_view)->clip.polygons[0];
 }
 
 static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_polygon *in,
                            unsigned any, const fxl_varying_polygon **result)
 {
-    fxl_volume_workspace *workspace = room_of(model_view);
+    fxl_volume_workspace *workspace = workspace_of(model_view);
     /* bug: half-spaces-four */
     return fxl_clip_polygon_by_volume(in, any & FXL_PLANES_ALL, &workspace->volume,
                                       &workspace->clip, result);
@@ -51,16 +52,16 @@ static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_p
 static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
                             fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    static const fxl_clip_steps way = {see, project, input, cut};
+    static const fxl_clip_steps steps = {fetch, project, input, cut};
     const fxl_view *view = model_view->view;
-    fxl_volume_workspace *workspace = room_of(model_view);
+    fxl_volume_workspace *workspace = workspace_of(model_view);
     (void)work;
     if (workspace->frame != view->frame) {
         fxl_volume_from_sides(&view->view_frustum, view->lens.focal, FXL_PLANES_ALL,
                               &workspace->volume);
         workspace->frame = view->frame;
     }
-    return fxl_clip_common_face(model_view, face, screen, &way, FXL_PLANES_ALL);
+    return fxl_clip_common_face(model_view, face, screen, &steps, FXL_PLANES_ALL);
 }
 
 const fxl_clipper fxl_clipper_half_spaces = {clip, NULL, sizeof(fxl_volume_workspace), NULL};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The screen's left border by plane, so that no span begins before it; the scan
- * shortens spans on the right and leaves out rows. */
+/* Clips to near, far and the left side of the screen, so no span begins left of it. The scan
+ * shortens spans on the right and skips rows above and below. */
 #include "guard_band.h"
 
 /* bug: left-to-scan */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Near and far alone; the scan does the rest. */
+/* Clips to near and far alone. The scan clips to the sides of the screen. */
 #include "guard_band.h"
 
 #define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)

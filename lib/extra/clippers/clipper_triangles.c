@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* A face is a fan of triangles about its first vertex; each is clipped by itself. A
- * way between two vertices is cut from its inside end, whichever triangle it belongs
- * to, so that neighbours of the fan meet. */
+/* Draws a face as a fan of triangles about its first vertex, and clips each triangle by itself.
+ * An edge between two vertices is cut from its inside end, whichever triangle it belongs to, so
+ * neighbours of the fan share every vertex. */
 #include "../../src/math/arith.h"
 #include "clip_common.h"
 
 #define DEPTHS (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)
 
-static fxl_fan_workspace *room_of(const fxl_model_view *model_view)
+static fxl_fan_workspace *workspace_of(const fxl_model_view *model_view)
 {
     return model_view->view->clipper_workspace;
 }
 
-/* The vertices are the ordinary cache's; one that is inside comes with its place on the
- * screen. */
-static const fxl_cached_vertex *see(const fxl_model_view *model_view, const fxl_face *face,
-                                    uint32_t corner)
+/* Fetches a vertex as the default clipper does. A vertex that is inside comes with its position
+ * on the screen. */
+static const fxl_cached_vertex *fetch_corner(const fxl_model_view *model_view, const fxl_face *face,
+                                             uint32_t corner)
 {
     fxl_cached_vertex *vertex =
         fxl_fetch_vertex(model_view, model_view->indices[face->first_index + corner]);
@@ -27,8 +27,8 @@ static const fxl_cached_vertex *see(const fxl_model_view *model_view, const fxl_
     return vertex;
 }
 
-/* Whether a vertex needs no border: one inside of the frustum may still be rounded
- * out of the screen. */
+/* Tells whether a vertex needs no test against the borders. A vertex inside the frustum may
+ * still be rounded off the screen. */
 static bool is_on_screen(const fxl_lens *lens, const fxl_cached_vertex *vertex)
 {
     return vertex->clip_flags == 0 && (uint32_t)vertex->screen.x <= lens->width * 65536u &&
@@ -42,8 +42,8 @@ static bool has_area(const fxl_screen_point *a, const fxl_screen_point *b,
     return (int64_t)(b->x - a->x) * (c->y - a->y) != (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-/* What is left of the triangle that was begun; false where nothing is. The guard band
- * keeps all of it in range. */
+/* Writes the next part of the current triangle to screen. Returns false where there is none. The
+ * guard band keeps all parts in range. */
 static bool next_piece(const fxl_model_view *model_view, fxl_fan_workspace *workspace,
                        fxl_screen_polygon *screen)
 {
@@ -61,17 +61,18 @@ static bool next_piece(const fxl_model_view *model_view, fxl_fan_workspace *work
     return true;
 }
 
-/* Begins the fan's next triangle, or gives it at once where it is on the screen as a
- * whole: true. */
+/* Begins the next triangle of the fan. A triangle that lies wholly on the screen is written to
+ * screen at once; then the result is true. */
 static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *workspace,
                            fxl_screen_polygon *screen)
 {
     const fxl_lens *lens = &model_view->view->lens;
-    const fxl_cached_vertex *corners[3] = {&workspace->first, &workspace->before,
-                                           see(model_view, workspace->face, workspace->corner++)};
+    const fxl_cached_vertex *corners[3] = {
+        &workspace->first, &workspace->before,
+        fetch_corner(model_view, workspace->face, workspace->corner++)};
     const fxl_cached_vertex last = *corners[2];
     corners[2] = &last;
-    unsigned all = DEPTHS; /* sides are asked of the face: the frustum's are inset */
+    unsigned all = DEPTHS; /* the face was tested against the sides: they are inset */
     bool whole = true;
     for (int i = 0; i < 3; i++) {
         all &= corners[i]->clip_flags;
@@ -93,10 +94,10 @@ static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *
     return whole && has_area(&screen->points[0], &screen->points[1], &screen->points[2]);
 }
 
-/* The face's next piece; false where there is none. */
+/* Writes the next polygon of the face to screen. Returns false where there is none. */
 static bool next_of_fan(const fxl_model_view *model_view, fxl_screen_polygon *screen)
 {
-    fxl_fan_workspace *workspace = room_of(model_view);
+    fxl_fan_workspace *workspace = workspace_of(model_view);
     screen->colour = workspace->face->colour;
     for (;;) {
         if (next_piece(model_view, workspace, screen)) {
@@ -115,7 +116,7 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
                             fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     const fxl_view *view = model_view->view;
-    fxl_fan_workspace *workspace = room_of(model_view);
+    fxl_fan_workspace *workspace = workspace_of(model_view);
     unsigned any = 0, all = FXL_PLANES_ALL;
     (void)work;
     if (workspace->frame != view->frame) {
@@ -123,7 +124,7 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
         workspace->frame = view->frame;
     }
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_cached_vertex *vertex = see(model_view, face, i);
+        const fxl_cached_vertex *vertex = fetch_corner(model_view, face, i);
         any |= vertex->clip_flags;
         all &= vertex->clip_flags;
     }
@@ -131,8 +132,8 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
         return FXL_CLIP_OUTSIDE;
     }
     workspace->face = face;
-    workspace->first = *see(model_view, face, 0);
-    workspace->before = *see(model_view, face, 1);
+    workspace->first = *fetch_corner(model_view, face, 0);
+    workspace->before = *fetch_corner(model_view, face, 1);
     workspace->corner = 2;
     workspace->clip.flat_count = workspace->clip.solid_count = 0;
     bool is_cut = (any & FXL_PLANES_ALL) != 0;

@@ -7,9 +7,9 @@
 #include "clip_common.h"
 #include "../../src/view/rotate.h"
 
-/* Planes of the world know vertices before the view does: an entry of the cache has
- * no codes here. */
-static fxl_cached_vertex *see(const fxl_model_view *model_view, uint32_t number)
+/* The planes of the world clip vertices before they are transformed. So entries of the vertex
+ * cache have no outcodes here. */
+static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
 {
     bool is_new;
     fxl_cached_vertex *entry = fxl_clip_common_entry(model_view, number, &is_new);
@@ -27,12 +27,12 @@ static fxl_status project(const fxl_model_view *model_view, const fxl_view_point
     return fxl_project_visible(&model_view->view->projection, point, screen);
 }
 
-/* A polygon that no plane cut is the face itself: then its vertices' kept places on the
- * screen are the result. */
+/* A polygon that no plane cut is the face itself. Then the projected vertices in the vertex
+ * cache are the result. */
 fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_face *face,
                                   fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    static const fxl_clip_steps way = {.see = see, .project = project};
+    static const fxl_clip_steps steps = {.fetch = fetch, .project = project};
     const fxl_view *view = model_view->view;
     fxl_polygon *polygon = &work->by_world.polygons[0];
     const fxl_polygon *clipped = polygon;
@@ -43,15 +43,15 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
                                           &work->by_world, view->clipper_workspace, &clipped);
     }
     if (result == FXL_CLIP_INSIDE) { /* bug: world-in-place */
-        return fxl_clip_common_whole(model_view, face, screen, &way, 0);
+        return fxl_clip_common_whole(model_view, face, screen, &steps, 0);
     }
     if (clipped == NULL) {
         return result;
     }
     for (uint32_t i = 0; i < clipped->count; i++) {
-        fxl_view_point seen;
-        fxl_transform_point(&view->camera, &clipped->vertices[i].position, &seen);
-        if (fxl_project_visible(&view->projection, &seen, &screen->points[i]) != FXL_OK) {
+        fxl_view_point view_point;
+        fxl_transform_point(&view->camera, &clipped->vertices[i].position, &view_point);
+        if (fxl_project_visible(&view->projection, &view_point, &screen->points[i]) != FXL_OK) {
             return FXL_CLIP_RANGE;
         }
     }

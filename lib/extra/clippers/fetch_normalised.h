@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Vertices of the normalised frustum in the cache. Internal. */
+/* Fetches vertices, transformed into the normalised frustum, through the vertex cache. Internal. */
 #ifndef FXL_FETCH_NORMALISED_H
 #define FXL_FETCH_NORMALISED_H
 
@@ -21,7 +21,7 @@ static inline fxl_cached_vertex *fxl_fetch_normalised(const fxl_model_view *mode
     return entry;
 }
 
-/* The planes of a frame when a face first asks for them. */
+/* Makes the planes of a frame, when the first face of the frame needs them. */
 static inline void fxl_normalised_set_up(const fxl_view *view, uint32_t *frame,
                                          fxl_normalised *frustum)
 {

@@ -4,19 +4,19 @@
 #include "intersection.h"
 #include "clip_common.h"
 
-static fxl_volume_workspace *room_of(const fxl_model_view *model_view)
+static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
     return model_view->view->clipper_workspace;
 }
 
-/* A vertex of the ordinary cache. One that is outside of a plane which the scan stands
- * in for is asked whether the guard band holds it: by its own place alone, so that
- * all faces that have it agree. */
-static fxl_cached_vertex *see(const fxl_model_view *model_view, uint32_t number)
+/* Fetches a vertex as the default clipper does. A vertex that is outside of a side which the
+ * scan clips is tested against the guard band. The test uses the position of the vertex alone,
+ * so all faces that share the vertex agree. */
+static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
 {
     fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
     if (entry->tag != model_view->tag + number) {
-        fxl_volume_workspace *workspace = room_of(model_view);
+        fxl_volume_workspace *workspace = workspace_of(model_view);
         fxl_transform_vertex(model_view, number, entry);
         if ((entry->clip_flags & FXL_PLANES_ALL & ~workspace->screen) != 0) {
             workspace->clip.stats.distances += FXL_PLANE_COUNT;
@@ -37,14 +37,14 @@ static fxl_status project(const fxl_model_view *model_view, const fxl_view_point
 
 static fxl_varying_polygon *input(const fxl_model_view *model_view)
 {
-    return &room_of(model_view)->clip.polygons[0];
+    return &workspace_of(model_view)->clip.polygons[0];
 }
 
-/* Sides by the volume's own codes where a vertex is beyond. */
+/* Where a vertex is beyond the guard band, the volume's own outcodes choose the sides that cut. */
 static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_polygon *in,
                            unsigned any, const fxl_varying_polygon **result)
 {
-    fxl_volume_workspace *workspace = room_of(model_view);
+    fxl_volume_workspace *workspace = workspace_of(model_view);
     uint32_t by = any & workspace->screen;
     if ((any & FXL_VERTEX_BEYOND_GUARD_BAND) != 0) {
         workspace->clip.stats.distances += FXL_PLANE_COUNT * (uint32_t)in->count;
@@ -58,14 +58,14 @@ static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_p
 fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const fxl_face *face,
                                          unsigned screen, fxl_screen_polygon *polygon)
 {
-    static const fxl_clip_steps way = {see, project, input, cut};
+    static const fxl_clip_steps steps = {fetch, project, input, cut};
     const fxl_view *view = model_view->view;
-    fxl_volume_workspace *workspace = room_of(model_view);
+    fxl_volume_workspace *workspace = workspace_of(model_view);
     if (workspace->frame != view->frame) {
         fxl_volume_from_sides(&view->view_frustum, view->lens.focal, screen, &workspace->volume);
         workspace->screen = screen;
         workspace->frame = view->frame;
     }
-    return fxl_clip_common_face(model_view, face, polygon, &way,
+    return fxl_clip_common_face(model_view, face, polygon, &steps,
                                 screen | FXL_VERTEX_BEYOND_GUARD_BAND); /* bug: near-to-scan */
 }

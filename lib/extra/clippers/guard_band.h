@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The clippers that leave sides of the screen to the scan: near and far are cut, and
- * of the sides those that are given; of the others only what is beyond the guard band.
- * Internal. */
+/* The clippers that leave sides of the screen to the scan. They clip to near and far, to the
+ * given sides at the border of the screen, and to the other sides at the guard band. Internal. */
 #ifndef FXL_GUARD_BAND_H
 #define FXL_GUARD_BAND_H
 
 #include "fixel/stage/clipper.h"
 #include "fixel/extra/clippers/workspace.h"
 
-/* fxl_clipper.clip, with an fxl_volume_workspace. screen: the planes that are cut, near and far
- * among them; a room is of one clipper, so they are always the same. */
+/* Implements fxl_clipper.clip with an fxl_volume_workspace. screen: the planes at the border of
+ * the screen, near and far among them. A workspace belongs to one clipper, so they are the same
+ * in every call. */
 fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const fxl_face *face,
                                          unsigned screen, fxl_screen_polygon *polygon);
 

@@ -4,11 +4,10 @@
 #include "../../src/math/arith.h"
 #include "intersection.h"
 
-/* floor(normal . point / 2^30) for |x| + |y| + |z| < 2^31 of the normal and
- * coordinates below 2^61, exactly: below 2^62. With v = 2^32 high + low the sum is
- * 2^32 (normal . high) + normal . low: the first bracket is below 2^60, the second
- * below 2^63, and 2^32 is divisible by 2^30. Components that are 0, as most are,
- * cost no product. */
+/* floor(normal . point / 2^30), exactly: below 2^62. Requires |x| + |y| + |z| < 2^31 of the
+ * normal and coordinates below 2^61. With v = 2^32 high + low the sum is 2^32 (normal . high) +
+ * normal . low. The first bracket is below 2^60, the second below 2^63, and 2^32 is divisible by
+ * 2^30. Components that are 0, as most are, cost no product. */
 fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
 {
     int64_t high = 0, low = 0;
@@ -34,8 +33,9 @@ static uint32_t larger_of(fxl_q16_16 a, fxl_q16_16 b)
     return (uint32_t)(first > second ? first : second);
 }
 
-/* across * axis + along * depth >= 0, both brought up until the larger one has 30
- * bits: exact, and their sum stays below 2^31. The larger one is not 0. */
+/* Makes the plane across * axis + along * depth >= 0. Both factors are shifted left until the
+ * larger one has 30 bits. This is exact, and their sum stays below 2^31. The larger one must not
+ * be 0. */
 static fxl_half_space side_plane(bool upright, fxl_q16_16 across, fxl_q16_16 along)
 {
     uint32_t larger = larger_of(across, along);
@@ -50,7 +50,7 @@ static fxl_half_space side_plane(bool upright, fxl_q16_16 across, fxl_q16_16 alo
     return plane;
 }
 
-/* Depths in 16.16 below 2^31: below 2^61. */
+/* Depths in 16.16 are below 2^31, so these are below 2^61. */
 static void set_depths(fxl_volume *volume, fxl_q18_46 near_z, fxl_q18_46 far_z)
 {
     volume->planes[FXL_PLANE_NEAR] = (fxl_half_space){{0, 0, FXL_Q2_30_ONE}, -near_z};
@@ -105,8 +105,8 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
     return FXL_OK;
 }
 
-/* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's
- * distance is below 2^62. */
+/* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's distance
+ * is below 2^62. */
 void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
 {
     half_space->normal = plane->normal;

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* Which of two planes a way crosses first, exactly. Internal. */
+/* Tells which of two planes a line crosses first, exactly. Internal. */
 #ifndef FXL_INTERSECTION_ORDER_H
 #define FXL_INTERSECTION_ORDER_H
 
 #include "../../src/math/arith.h"
 #include "fixel/stage/frustum.h"
 
-/* A way from one point to another, and where a plane cuts it: by the distances of its
- * ends from the plane, each below 2^63, of which one counts as inside. */
+/* Where a plane cuts a line from one point to another, given as the distances of the two points
+ * from the plane. Each is below 2^63, and one of the points counts as inside. */
 typedef struct {
     int plane; /* FXL_PLANE_COUNT: none */
     fxl_q18_46 from, to;
 } fxl_plane_intersection;
 
-/* Whether the one crossing comes before the other: |from| / (|from| + |to|) as exact
- * fractions. The sums are below 2^64, the products are taken as 128 bits, of which the lower
- * 64 are what is left of a product that wraps. */
+/* Tells whether intersection a comes before b on the line: compares |from| / (|from| + |to|) as
+ * exact fractions. The sums are below 2^64. The products are taken as 128 bits; the lower 64 are
+ * those of a product that wraps. */
 static inline bool fxl_intersection_is_before(const fxl_plane_intersection *a,
                                               const fxl_plane_intersection *b)
 {
@@ -26,8 +26,7 @@ static inline bool fxl_intersection_is_before(const fxl_plane_intersection *a,
     return a_high < b_high || (a_high == b_high && a_part * b_whole < b_part * a_whole);
 }
 
-/* The better of two crossings, of which the former may be none: the later one, or the
- * earlier. */
+/* Keeps the later (or the earlier) of two intersections in *best. *best may be none as yet. */
 static inline void fxl_intersection_prefer(fxl_plane_intersection *best,
                                            const fxl_plane_intersection *one, bool later)
 {

@@ -3,14 +3,14 @@
 
 #include "intersection.h"
 
-/* Moves the outside end to the plane, along the line from the inside end. */
+/* Moves the outside end onto the plane, along the line from the inside end. */
 static void move(const fxl_varying_vertex *inside, fxl_varying_vertex *outside, fxl_q18_46 in,
                  fxl_q18_46 out, uint32_t carried, uint32_t *intersections)
 {
-    fxl_varying_vertex crossing;
+    fxl_varying_vertex intersection;
     fxl_intersection_vertex(inside, outside, fxl_intersection_fraction(in, out), carried,
-                            &crossing);
-    fxl_copy_vertex(&crossing, carried, outside);
+                            &intersection);
+    fxl_copy_vertex(&intersection, carried, outside);
     *intersections += 1;
 }
 
@@ -31,8 +31,8 @@ bool fxl_line_by_planes(fxl_clip_line *line, const fxl_volume *volume, uint32_t 
     return true;
 }
 
-/* Each end is moved to a plane at most once: rounding may leave it a unit outside,
- * which is no reason to move it again. So there are twelve moves at most. */
+/* Each end is moved to a plane at most once. Rounding may leave it a unit outside of that plane;
+ * it is not moved there again. So there are at most twelve moves. */
 bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *intersections)
 {
     uint32_t from_moved = 0, to_moved = 0;
@@ -53,7 +53,7 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
         const fxl_half_space *at = &volume->planes[plane];
         fxl_q18_46 from = fxl_half_space_distance(at, &line->from.position);
         fxl_q18_46 to = fxl_half_space_distance(at, &line->to.position);
-        if (from < 0 && to < 0) { /* one of them by rounding */
+        if (from < 0 && to < 0) { /* one of them is outside by rounding */
             return false;
         }
         if (moves_from) {

@@ -5,9 +5,9 @@
 #include "intersection.h"
 #include "../../src/math/ratio.h"
 
-/* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. The
- * one is shifted until its highest bit is at 2^62, the other at 2^31 and cut there: within
- * 2^-30 of itself. */
+/* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. part is
+ * shifted until its highest bit is at 2^62. whole is shifted until its highest bit is at 2^31,
+ * and rounded there. Error: 2^-30 of the quotient. */
 static uint64_t scaled_quotient(uint64_t part, uint64_t whole, int *down)
 {
     unsigned part_up = 62u - fxl_bit_length(part), whole_up = 62u - fxl_bit_length(whole);
@@ -19,9 +19,8 @@ static uint64_t scaled_quotient(uint64_t part, uint64_t whole, int *down)
     return quotient + (rest >= divisor - rest);
 }
 
-/* part / whole as mantissa 2^-(31 + shift), mantissa from 2^30 to 2^31:
- * 0 < part <= whole < 2^55. Exactly 1 where the two are equal; else within 2^-30
- * of itself. */
+/* part / whole as mantissa 2^-(31 + shift), mantissa from 2^30 to 2^31; 0 < part <= whole <
+ * 2^55. Exactly 1 where the two are equal, else within 2^-30 of itself. */
 typedef struct {
     uint32_t mantissa;
     uint8_t shift;
@@ -40,7 +39,7 @@ static factor factor_of(uint64_t part, uint64_t whole)
     return of;
 }
 
-/* An entry below 2^31 by a mantissa up to 2^31: at most 2^62. */
+/* An entry is below 2^31 and a mantissa at most 2^31: the product is at most 2^62. */
 static fxl_q2_30 scale(fxl_q2_30 entry, const factor *by)
 {
     return (fxl_q2_30)fxl_round_shift((int64_t)entry * (int64_t)by->mantissa, 31);
@@ -53,15 +52,14 @@ static fxl_normalised_row row_of(const fxl_direction *axis, const factor *by)
     return row;
 }
 
-/* A depth in 16.16, below 2^31, times the factor, in 18.46: the product is below
- * 2^62. */
+/* A depth in 16.16, below 2^31, times the factor, in 18.46. The product is below 2^62. */
 static fxl_q18_46 scale_depth(int64_t depth, const factor *by)
 {
     return fxl_round_shift(depth * (int64_t)by->mantissa, 1u + by->shift);
 }
 
-/* inset * factor / along, along being the share of depth in the side plane's unit
- * normal: the inset as the sum z + x sees it. The product has 48 bits at most. */
+/* inset * factor / along. along is the component of depth in the side plane's unit normal. The
+ * result is the inset in the scale of the sum z + x. The product has at most 48 bits. */
 static fxl_q18_46 scale_inset(fxl_q16_16 inset, const factor *by, fxl_q2_30 along)
 {
     uint64_t product = (uint64_t)inset * by->mantissa;
@@ -83,8 +81,8 @@ void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
     fxl_view_frustum_from_lens(lens, &sides);
     frustum->half_width = (fxl_q16_16)(lens->width * 32768u);
     frustum->half_height = (fxl_q16_16)(lens->height * 32768u);
-    /* focal / half width : focal / half height : 1, times both halves. Focal is
-     * below 2^29, a half at most 2^25: below 2^54. */
+    /* The factors focal / half width, focal / half height and 1, each times both halves. Focal
+     * is below 2^29 and a half at most 2^25, so each is below 2^54. */
     uint64_t x = (uint64_t)lens->focal * (uint64_t)frustum->half_height;
     uint64_t y = (uint64_t)lens->focal * (uint64_t)frustum->half_width;
     uint64_t z = (uint64_t)frustum->half_width * (uint64_t)frustum->half_height;
@@ -112,21 +110,21 @@ static fxl_q18_46 coordinate(const fxl_normalised_row *row, int32_t dx, int32_t 
 }
 
 void fxl_normalised_from_eye(const fxl_normalised *frustum, const fxl_point *from_eye,
-                             fxl_view_point *seen)
+                             fxl_view_point *view_point)
 {
-    seen->x = coordinate(&frustum->x, from_eye->x, from_eye->y, from_eye->z);
-    seen->y = coordinate(&frustum->y, from_eye->x, from_eye->y, from_eye->z);
-    seen->z = coordinate(&frustum->z, from_eye->x, from_eye->y, from_eye->z);
+    view_point->x = coordinate(&frustum->x, from_eye->x, from_eye->y, from_eye->z);
+    view_point->y = coordinate(&frustum->y, from_eye->x, from_eye->y, from_eye->z);
+    view_point->z = coordinate(&frustum->z, from_eye->x, from_eye->y, from_eye->z);
 }
 
-/* Both within FXL_COORDINATE_MAX, so each difference is below 2^30. */
+/* Both points are within FXL_COORDINATE_MAX, so each difference is below 2^30. */
 void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
-                          fxl_view_point *seen)
+                          fxl_view_point *view_point)
 {
     FXL_ASSERT(fxl_point_in_range(point));
     fxl_point from_eye = {point->x - frustum->eye.x, point->y - frustum->eye.y,
                           point->z - frustum->eye.z};
-    fxl_normalised_from_eye(frustum, &from_eye, seen);
+    fxl_normalised_from_eye(frustum, &from_eye, view_point);
 }
 
 /* Sums are below 2^62, and an inset below 2^49. */
@@ -166,7 +164,7 @@ static void measure(const void *planes, int plane, const fxl_varying_polygon *po
                     fxl_clip_stats *stats, fxl_q18_46 *distances)
 {
     const fxl_normalised *frustum = planes;
-    (void)stats; /* sums alone */
+    (void)stats; /* the distances are sums, without products */
     for (uint32_t i = 0; i < polygon->count; i++) {
         distances[i] = fxl_normalised_distance(frustum, plane, &polygon->vertices[i].position);
     }

@@ -5,9 +5,10 @@
 #include "intersection.h"
 #include "fixel/stage/plane.h"
 
-/* from + (to - from) fraction / 2^64 to the nearest, halves away from `from`. |to - from| is
- * below 2^31, so the part below 2^62 is good to 2 units of 2^-31: downward, and by 2^-25 more
- * than a half is added, so that a half counts as one whether or not the fraction is exact. */
+/* from + (to - from) fraction / 2^64, rounded to the nearest, halves away from `from`. |to -
+ * from| is below 2^31, so the part below 2^62 is good to 2 units of 2^-31, downward. The
+ * rounding adds 2^-25 more than a half, so that a half counts as one whether or not the fraction
+ * is exact. */
 static fxl_q16_16 along(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 {
     int64_t extent = (int64_t)to - from;
@@ -16,8 +17,8 @@ static fxl_q16_16 along(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
     return (fxl_q16_16)(extent < 0 ? from - whole : from + whole);
 }
 
-/* The distances' difference is the plane's normal times the difference of two points, so
- * below 2^61. */
+/* The difference of the distances is the plane's normal times the difference of two points, so
+ * it is below 2^61. */
 fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
                          fxl_q18_46 behind_distance)
 {
@@ -28,7 +29,7 @@ fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q1
     return point;
 }
 
-/* False where the piece is full. */
+/* Appends a point. Returns false where the piece is full. */
 static bool append(fxl_piece *piece, const fxl_point *point)
 {
     if (piece->count == FXL_POLYGON_CAPACITY) {
@@ -38,14 +39,14 @@ static bool append(fxl_piece *piece, const fxl_point *point)
     return true;
 }
 
-/* A point into the part or the parts that it belongs to. */
+/* Appends a point to the part or parts that it belongs to. */
 static bool append_point(const fxl_point *point, fxl_q18_46 distance, fxl_piece *front,
                          fxl_piece *back)
 {
     return (distance < 0 || append(front, point)) && (distance > 0 || append(back, point));
 }
 
-/* Which sides a piece has points on, planes aside: 1 in front, 2 behind. */
+/* Returns on which sides a piece has points off the plane: bit 1 in front, bit 2 behind. */
 static unsigned sides(const fxl_piece *in, const fxl_plane *plane)
 {
     unsigned seen = 0;

@@ -13,8 +13,8 @@ static void copy_corner(const fxl_screen_corner *from, uint32_t carried, fxl_scr
     }
 }
 
-/* How the corners of a triangle lie to a plane: how many are inside, and the one that
- * is alone on its side, first of three in the triangle's order. */
+/* How the vertices of a triangle lie to a plane: how many are inside, and which one is alone on
+ * its side. That one is first; second and third follow in the triangle's order. */
 typedef struct {
     uint32_t inside;
     uint32_t first, second, third;
@@ -31,10 +31,10 @@ static sides sides_of(const fxl_q18_46 *distances, fxl_q18_46 sliver)
     return of;
 }
 
-/* Where the way from an inside to an outside corner meets the plane. */
-static void cross_solid(const fxl_clip_triangle *in, const fxl_q18_46 *distances, uint32_t inside,
-                        uint32_t outside, uint32_t carried, fxl_clip_stats *stats,
-                        fxl_varying_vertex *to)
+/* Computes the intersection of an edge with the plane, from its inside to its outside vertex. */
+static void intersect_solid(const fxl_clip_triangle *in, const fxl_q18_46 *distances,
+                            uint32_t inside, uint32_t outside, uint32_t carried,
+                            fxl_clip_stats *stats, fxl_varying_vertex *to)
 {
     if (distances[inside] == 0 || distances[outside] >= 0) {
         fxl_copy_vertex(&in->corners[distances[inside] == 0 ? inside : outside], carried, to);
@@ -72,12 +72,12 @@ uint32_t fxl_triangle_cut(const fxl_clip_triangle *in, const fxl_half_space *pla
         return 1;
     }
     if (of.inside == 1 && distances[of.first] > 0) {
-        cross_solid(in, distances, of.first, of.second, carried, stats, &low);
-        cross_solid(in, distances, of.first, of.third, carried, stats, &high);
+        intersect_solid(in, distances, of.first, of.second, carried, stats, &low);
+        intersect_solid(in, distances, of.first, of.third, carried, stats, &high);
         set_solid(first, &low, &high, carried, &out[made++]);
-    } else if (of.inside == 2) { /* second, third, and where both meet the plane */
-        cross_solid(in, distances, of.third, of.first, carried, stats, &low);
-        cross_solid(in, distances, of.second, of.first, carried, stats, &high);
+    } else if (of.inside == 2) { /* left: second, third and the two intersections */
+        intersect_solid(in, distances, of.third, of.first, carried, stats, &low);
+        intersect_solid(in, distances, of.second, of.first, carried, stats, &high);
         if (distances[of.third] > 0) {
             set_solid(second, third, &low, carried, &out[made++]);
         }
@@ -88,7 +88,8 @@ uint32_t fxl_triangle_cut(const fxl_clip_triangle *in, const fxl_half_space *pla
     return made;
 }
 
-/* How far inside of a border. Coordinates are below 2^28, and a border at most 2^26. */
+/* Returns how far a point is inside a border. Coordinates are below 2^28, and a border is at
+ * most 2^26. */
 static fxl_q18_46 border_distance(const fxl_screen_point *at, int border, uint16_t extent)
 {
     switch (border) {
@@ -104,7 +105,7 @@ static fxl_q18_46 border_distance(const fxl_screen_point *at, int border, uint16
     }
 }
 
-/* part * depth, of which high has at most 58 bits and low 32. */
+/* part * depth as 2^32 high + low; high has at most 58 bits and low 32. */
 typedef struct {
     uint64_t high, low;
 } weight;
@@ -121,10 +122,10 @@ static fxl_q18_46 shifted(const weight *of, unsigned shift)
     return (fxl_q18_46)((of->high << (32 - shift)) + (of->low >> shift));
 }
 
-/* The fraction of the way in space that a way on the screen is cut at: with s from the
- * inside end on the screen, s z0 / (s z0 + (1 - s) z1). Both weights are brought to 62
- * bits; the outside one keeps at least one, for a distance is at least a unit and a
- * depth 2^37. */
+/* The fraction in space of an edge that is cut at a given fraction on the screen. With s counted
+ * from the inside end on the screen, it is s z0 / (s z0 + (1 - s) z1). Both weights are brought
+ * to 62 bits. The outside weight keeps at least one bit, because a distance is at least a unit
+ * and a depth 2^37. */
 static uint64_t fraction_in_space(fxl_q18_46 inside, fxl_q18_46 z_inside, fxl_q18_46 outside,
                                   fxl_q18_46 z_outside)
 {
@@ -136,19 +137,19 @@ static uint64_t fraction_in_space(fxl_q18_46 inside, fxl_q18_46 z_inside, fxl_q1
     return fxl_intersection_fraction(shifted(&to, shift), -shifted(&from, shift));
 }
 
-/* from + (to - from) inside / (inside + |outside|), rounded once: distances and the
- * difference are below 2^29, the product below 2^58. */
+/* from + (to - from) inside / (inside + |outside|), rounded once. Distances and the difference
+ * are below 2^29, the product below 2^58. */
 static fxl_q16_16 meet(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside, fxl_q18_46 outside)
 {
     int64_t product = ((int64_t)to - from) * inside;
     return from + fxl_divide_round(product, (uint32_t)(inside - outside));
 }
 
-/* Always from the inside to the outside corner, so that both owners of an edge get the
+/* Always from the inside to the outside vertex, so both triangles that share the edge get the
  * same bits. */
-static void cross_flat(const fxl_screen_triangle *in, const fxl_q18_46 *distances, int border,
-                       uint16_t extent, uint32_t inside, uint32_t outside, uint32_t carried,
-                       fxl_clip_stats *stats, fxl_screen_corner *corner)
+static void intersect_flat(const fxl_screen_triangle *in, const fxl_q18_46 *distances, int border,
+                           uint16_t extent, uint32_t inside, uint32_t outside, uint32_t carried,
+                           fxl_clip_stats *stats, fxl_screen_corner *corner)
 {
     const fxl_screen_corner *from = &in->corners[inside], *to = &in->corners[outside];
     if (distances[inside] == 0 || distances[outside] >= 0) {
@@ -171,8 +172,8 @@ static void cross_flat(const fxl_screen_triangle *in, const fxl_q18_46 *distance
     }
 }
 
-/* Puts a triangle out if it has any area: differences are below 2^29, so each product
- * is below 2^58. */
+/* Writes a triangle to `to` if it has any area. Returns how many it wrote. Differences are below
+ * 2^29, so each product is below 2^58. */
 static uint32_t set_flat(const fxl_screen_corner *a, const fxl_screen_corner *b,
                          const fxl_screen_corner *c, uint32_t carried, fxl_screen_triangle *to)
 {
@@ -206,12 +207,12 @@ uint32_t fxl_triangle_cut_screen(const fxl_screen_triangle *in, int border, uint
         return set_flat(first, second, third, carried, &out[0]);
     }
     if (of.inside == 1) {
-        cross_flat(in, distances, border, extent, of.first, of.second, carried, stats, &low);
-        cross_flat(in, distances, border, extent, of.first, of.third, carried, stats, &high);
+        intersect_flat(in, distances, border, extent, of.first, of.second, carried, stats, &low);
+        intersect_flat(in, distances, border, extent, of.first, of.third, carried, stats, &high);
         return set_flat(first, &low, &high, carried, &out[0]);
     }
-    cross_flat(in, distances, border, extent, of.third, of.first, carried, stats, &low);
-    cross_flat(in, distances, border, extent, of.second, of.first, carried, stats, &high);
+    intersect_flat(in, distances, border, extent, of.third, of.first, carried, stats, &low);
+    intersect_flat(in, distances, border, extent, of.second, of.first, carried, stats, &high);
     uint32_t made = set_flat(second, third, &low, carried, &out[0]);
     return made + set_flat(second, &low, &high, carried, &out[made]);
 }

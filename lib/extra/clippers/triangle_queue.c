@@ -6,7 +6,7 @@
 
 #define MASK (FXL_TRIANGLE_QUEUE - 1u)
 
-/* A border at most doubles what waits, so four of them end at 16. */
+/* A border at most doubles the triangles that wait, so four borders make at most 16. */
 static void cut_flats(fxl_triangle_workspace *workspace, int border, uint16_t extent)
 {
     fxl_clip_stats stats = workspace->stats;
@@ -47,9 +47,9 @@ fxl_clip_result fxl_triangle_begin(const fxl_clip_triangle *in, uint32_t carried
     return any == 0 ? FXL_CLIP_INSIDE : FXL_CLIP_CUT;
 }
 
-/* The triangle on top of the stack, cut by the planes that it has not met yet. Where a
- * plane leaves two, the second is pushed, to meet the planes that follow: so of those
- * that wait, no two are to meet the same plane next. Null where nothing is left. */
+/* Cuts the triangle on top of the stack by the planes that have not cut it yet. Where a plane
+ * leaves two triangles, the second is pushed, to be cut by the planes that follow. So no two
+ * triangles that wait have the same next plane. Returns null where nothing is left. */
 static const fxl_clip_triangle *pop_solid(const fxl_volume *volume,
                                           fxl_triangle_workspace *workspace)
 {
@@ -59,7 +59,7 @@ static const fxl_clip_triangle *pop_solid(const fxl_volume *volume,
         if ((workspace->planes >> plane & 1u) == 0) {
             continue;
         }
-        /* Into the place that it came from: the next one lies above. */
+        /* The result replaces its source on the stack; the next triangle goes above it. */
         uint32_t made = fxl_triangle_cut(&workspace->solids[top], &volume->planes[plane],
                                          workspace->carried, &workspace->stats, cut);
         if (made == 0) {
@@ -78,7 +78,7 @@ static const fxl_clip_triangle *pop_solid(const fxl_volume *volume,
     return &workspace->solids[top];
 }
 
-/* Onto the screen, with the depth. */
+/* Projects a triangle, and keeps the depth of each vertex. */
 static fxl_status project(const fxl_lens *lens, const fxl_clip_triangle *solid, uint32_t carried,
                           fxl_screen_triangle *flat)
 {

@@ -5,7 +5,7 @@
 #include "../../src/scene/motion_limits.h"
 #include "fixel/stage/camera.h"
 
-/* +1, 0 or -1: a key, or its opposite, or neither or both. */
+/* +1 for the plus key, -1 for the minus key, 0 for neither or both. */
 static int32_t key_sign(uint32_t keys, uint32_t plus, uint32_t minus)
 {
     return ((keys & plus) != 0) - ((keys & minus) != 0);
@@ -25,8 +25,8 @@ static fxl_q16_16 held_within(int64_t value, fxl_q16_16 limit, bool *held)
     return value < 0 ? -limit : limit;
 }
 
-/* Takes friction off a speed, to no less than 0. */
-static fxl_q16_16 slowed(fxl_q16_16 speed, fxl_q16_16 friction)
+/* Reduces a speed by friction, to no less than 0. */
+static fxl_q16_16 slow_down(fxl_q16_16 speed, fxl_q16_16 friction)
 {
     if (speed > friction) {
         return speed - friction;
@@ -51,7 +51,8 @@ fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_l
     pose->roll =
         turned(pose->roll, key_sign(keys, FXL_KEY_ROLL_LEFT, FXL_KEY_ROLL_RIGHT), limits->turn);
 
-    bool speed_held = false;        /* the top speed is a setting, not a boundary of the world */
+    bool speed_held = false; /* the top speed is a setting, not an edge of the world, so clamping it
+                                is not reported */
     int32_t speed = viewer->speed + /* both within FXL_MOTION_MAX */
                     key_sign(keys, FXL_KEY_FORWARD, FXL_KEY_BACK) * limits->acceleration;
     viewer->speed = held_within(speed, limits->speed_max, &speed_held);
@@ -74,6 +75,6 @@ fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_l
     if (clamped != NULL) {
         *clamped = held;
     }
-    viewer->speed = slowed(viewer->speed, limits->friction);
+    viewer->speed = slow_down(viewer->speed, limits->friction);
     return FXL_OK;
 }

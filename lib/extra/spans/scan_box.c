@@ -5,13 +5,13 @@
 
 #define HALF_PIXEL 32768
 
-/* The first row (or column) whose centre is at or past a coordinate. */
+/* The first row (or column) whose centre is at or beyond a coordinate. */
 static int32_t first_centre_from(int32_t coordinate)
 {
     return (coordinate - HALF_PIXEL + 65535) >> 16;
 }
 
-static int32_t held(int32_t value, int32_t low, int32_t high)
+static int32_t clamped(int32_t value, int32_t low, int32_t high)
 {
     return value < low ? low : value > high ? high : value;
 }
@@ -30,17 +30,18 @@ void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fx
     int32_t top = band->first_row, bottom = top + band->rows;
     scan->points = points;
     scan->count = count;
-    scan->left = held(first_centre_from(low.x), 0, band->width);
-    scan->right = held(first_centre_from(high.x), 0, band->width);
-    scan->row = held(first_centre_from(low.y), top, bottom);
-    scan->bottom = held(first_centre_from(high.y), top, bottom);
+    scan->left = clamped(first_centre_from(low.x), 0, band->width);
+    scan->right = clamped(first_centre_from(high.x), 0, band->width);
+    scan->row = clamped(first_centre_from(low.y), top, bottom);
+    scan->bottom = clamped(first_centre_from(high.y), top, bottom);
     scan->column = scan->left;
 }
 
-/* The winding number about a centre, edge by edge (SPEC.md, section 5). A crossing counts where
- * the edge's x at the centre's height is not beyond the centre: with t the way down from
- * the upper end, (x - upper.x) height >= (lower.x - upper.x) t. Coordinates are below
- * 2^28 and a centre below 2^27, so the products are below 2^58. */
+/* Tells whether the winding number about a pixel's centre is not 0, edge by edge (SPEC.md,
+ * section 5). An edge counts where its x at the height of the centre is not right of the centre.
+ * With t the distance down from the upper end this is (x - upper.x) height >= (lower.x -
+ * upper.x) t. Coordinates are below 2^28 and a centre below 2^27, so the products are below
+ * 2^58. */
 static bool covers(const fxl_scan_box *scan, int32_t x, int32_t y)
 {
     int winding = 0;

@@ -34,7 +34,8 @@ void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band)
     buffer->open_rows = band->rows;
 }
 
-/* A new interval at *link, before what is there. False where the pool is full. */
+/* Inserts a new interval at *link, before the interval there. Returns false where the pool is
+ * full. */
 static inline bool insert(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, uint32_t x1)
 {
     uint32_t number = buffer->unused;
@@ -50,8 +51,8 @@ static inline bool insert(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, 
     return true;
 }
 
-/* Draws from the interval's end to x1 where nothing is, and takes into the interval all that
- * it then touches. */
+/* Draws the uncovered pixels from the interval's end to x1, and merges all intervals that it
+ * then touches into it. */
 static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1, uint8_t *pixels,
                           uint32_t four)
 {
@@ -71,12 +72,12 @@ static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1,
     }
 }
 
-/* Pixels x0 <= x < x1 of a row whose first interval is *link and whose first pixel is *pixels;
- * x0 < x1. */
+/* Draws and covers pixels x0 <= x < x1 of a row. The first interval of the row is *link and the
+ * first pixel *pixels; x0 < x1. Returns false where the pool is full. */
 static inline bool cover(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, uint32_t x1,
                          uint8_t *pixels, uint32_t four)
 {
-    fxl_covered *at = NULL; /* the first that does not end before the span */
+    fxl_covered *at = NULL; /* the first interval that does not end before the span */
     while (*link != FXL_COVERED_END) {
         at = &buffer->pool[*link];
         if (at->x1 >= x0) { /* bug: touch-begins */

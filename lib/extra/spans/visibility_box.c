@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every pixel of a polygon's bounding box is tested: for clippers that leave the sides of
- * the screen to the scan. */
+/* The raster backend that tests every pixel of a polygon's bounding box, for clippers that leave
+ * the sides of the screen to the scan. */
 #include "fixel/stage/fill.h"
 #include "fixel/extra/spans/scan_box.h"
 #include "../../src/draw/submit.h"

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What painters with a span buffer share. Internal. */
+/* What the raster backends with a span buffer share. Internal. */
 #ifndef FXL_VISIBILITY_SPANS_H
 #define FXL_VISIBILITY_SPANS_H
 
 #include "fixel/extra/spans/span_buffer.h"
 #include "../../src/draw/submit.h"
 
-/* fxl_raster_backend.room and .begin: the span buffer is all of the painter's room. */
+/* fxl_raster_backend.workspace_size and .begin_band: the span buffer fills the whole workspace
+ * of the backend. */
 uint32_t fxl_spans_workspace_size(const fxl_lens *lens);
 void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 

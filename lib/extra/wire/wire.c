@@ -34,11 +34,11 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
 }
 
 static void to_view(const fxl_wire *wire, const fxl_instance *instance, const fxl_point *vertex,
-                    fxl_view_point *seen)
+                    fxl_view_point *view_point)
 {
     const fxl_point point = {instance->centre.x + vertex->x, instance->centre.y + vertex->y,
                              instance->centre.z + vertex->z};
-    fxl_transform_point(&wire->view.camera, &point, seen);
+    fxl_transform_point(&wire->view.camera, &point, view_point);
 }
 
 /* transform -> clip -> project -> pixels. */
@@ -67,20 +67,20 @@ static void draw_edge(fxl_wire *wire, const fxl_instance *instance, const fxl_po
     fxl_wire_line(&ends[0], &ends[1], colour, band);
 }
 
-static void draw_object(fxl_wire *wire, const fxl_instance *instance, const fxl_band *band)
+static void draw_instance(fxl_wire *wire, const fxl_instance *instance, const fxl_band *band)
 {
     const fxl_scene *scene = wire->scene;
     const fxl_model *model = &scene->models[instance->model];
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        const uint16_t *corners = &scene->indices[face->first_index];
+        const uint16_t *indices = &scene->indices[face->first_index];
         if (!fxl_face_is_front(scene, instance, face, &wire->view.camera.position)) {
             continue;
         }
         for (uint32_t k = 0; k < face->count; k++) {
             const uint32_t next = k + 1 == face->count ? 0 : k + 1;
-            draw_edge(wire, instance, &vertices[corners[k]], &vertices[corners[next]], face->colour,
+            draw_edge(wire, instance, &vertices[indices[k]], &vertices[indices[next]], face->colour,
                       band);
         }
     }
@@ -106,7 +106,7 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
             fxl_sphere_planes(&wire->view.camera, &wire->view.view_frustum, &instance->centre,
                               scene->models[instance->model].radius);
         if (planes != FXL_SPHERE_OUTSIDE) {
-            draw_object(wire, instance, band);
+            draw_instance(wire, instance, band);
         }
     }
     return FXL_OK;

@@ -2,25 +2,26 @@
 #include "../../src/math/arith.h"
 #include "fixel/extra/wire.h"
 
-/* A line along the axis on which it is longer. */
+/* A line, described along its major axis. */
 typedef struct {
-    int32_t from, to; /* along, from < to */
+    int32_t from, to; /* along the major axis, from < to */
     int32_t across;   /* at from */
-    int32_t rise;     /* across, from `from` to `to`: no larger than to - from */
-} way;
+    int32_t rise;     /* change across from `from` to `to`, no larger than to - from */
+} major_line;
 
-/* The first pixel whose centre is not before a coordinate; so the pixels with centres from a
- * (included) to b (not included) are first_centre(a) .. first_centre(b) - 1. */
+/* The first pixel whose centre is not before a coordinate. So the pixels with centres from a
+ * (included) to b (excluded) are first_centre(a) .. first_centre(b) - 1. */
 static int32_t first_centre(int32_t coordinate)
 {
     return (coordinate + 32767) >> 16; /* ceil(c / 2^16 - 1/2) */ /* bug: wire-tie */
 }
 
-/* The pixel across at the centre of pixel `along`, and what is left: in units of 1/2^16 of
- * 1/length, 65536 length to a pixel. The sum is (across + 8192 * 65536) length + (centre - from)
- * rise: the first below 2^30 2^30, the second, between two points of the line, below 2^29 2^30; and
- * it is positive, because the point lies on the line and no point lies beyond -4095 pixels. */
-static int32_t pixel_at(const way *line, int32_t along, int64_t *left)
+/* Returns the pixel across the line at the centre of pixel `along`. *left is the remainder, in
+ * units of 1/2^16 of 1/length; a pixel is 65536 length of them. The sum is (across + 8192 *
+ * 65536) length + (centre - from) rise. The first term is below 2^30 2^30; the second, between
+ * two points of the line, is below 2^29 2^30. The sum is positive, because the point lies on the
+ * line and no point lies beyond -4095 pixels. */
+static int32_t pixel_at(const major_line *line, int32_t along, int64_t *left)
 {
     const int32_t length = line->to - line->from; /* below 2^30 */
     const int32_t centre = along * 65536 + 32768;
@@ -33,7 +34,7 @@ static int32_t pixel_at(const way *line, int32_t along, int64_t *left)
     return (int32_t)pixel - 8192;
 }
 
-static void set(const fxl_band *band, int32_t x, int32_t y, uint8_t colour)
+static void set_pixel(const fxl_band *band, int32_t x, int32_t y, uint8_t colour)
 {
     const int32_t row = y - band->first_row;
     if (x >= 0 && x < band->width && row >= 0 && row < band->rows) {
@@ -41,9 +42,9 @@ static void set(const fxl_band *band, int32_t x, int32_t y, uint8_t colour)
     }
 }
 
-/* From pixel to pixel: across moves by rise / length, at most one pixel. */
-static void traversal(const way *line, int32_t first, int32_t end, bool upright, uint8_t colour,
-                      const fxl_band *band)
+/* Draws from pixel to pixel: across changes by rise / length, at most one pixel. */
+static void draw_pixels(const major_line *line, int32_t first, int32_t end, bool upright,
+                        uint8_t colour, const fxl_band *band)
 {
     const int64_t pixel = (int64_t)(line->to - line->from) * 65536; /* below 2^46 */
     const int64_t step = (int64_t)line->rise * 65536;
@@ -54,9 +55,9 @@ static void traversal(const way *line, int32_t first, int32_t end, bool upright,
     int32_t across = pixel_at(line, first, &left);
     for (int32_t along = first; along < end; along++) {
         if (upright) {
-            set(band, across, along, colour);
+            set_pixel(band, across, along, colour);
         } else {
-            set(band, along, across, colour);
+            set_pixel(band, along, across, colour);
         }
         left += step;
         if (left >= pixel) {
@@ -86,15 +87,16 @@ void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uin
     const bool upright = (height < 0 ? -height : height) > (width < 0 ? -width : width);
     if (upright) {
         const fxl_screen_point *top = height < 0 ? to : from;
-        const way line = {top->y, height < 0 ? from->y : to->y, top->x,
-                          height < 0 ? -width : width};
-        traversal(&line, greater(first_centre(line.from), band->first_row),
-                  lesser(first_centre(line.to), band->first_row + band->rows), true, colour, band);
+        const major_line line = {top->y, height < 0 ? from->y : to->y, top->x,
+                                 height < 0 ? -width : width};
+        draw_pixels(&line, greater(first_centre(line.from), band->first_row),
+                    lesser(first_centre(line.to), band->first_row + band->rows), true, colour,
+                    band);
     } else {
         const fxl_screen_point *first = width < 0 ? to : from;
-        const way line = {first->x, width < 0 ? from->x : to->x, first->y,
-                          width < 0 ? -height : height};
-        traversal(&line, greater(first_centre(line.from), 0),
-                  lesser(first_centre(line.to), band->width), false, colour, band);
+        const major_line line = {first->x, width < 0 ? from->x : to->x, first->y,
+                                 width < 0 ? -height : height};
+        draw_pixels(&line, greater(first_centre(line.from), 0),
+                    lesser(first_centre(line.to), band->width), false, colour, band);
     }
 }

@@ -1,32 +1,33 @@
 /* SPDX-License-Identifier: MIT */
 /* The settings of the build. Each is a macro that the build may define, as in
- * -DFXL_SMALL; none changes a pixel.
+ * -DFXL_SMALL. None changes a pixel.
  *
- *   FXL_SMALL             few bytes of code instead of few instructions: defined or not
- *   FXL_POLYGON_CAPACITY  vertices of a polygon: a number, 12..32, 32 where it is not set
- *   FXL_PORTABLE_KERNELS  plain C instead of a core's own kernels: defined or not (lib/kernels)
- *   FXL_ASSERT_HOOK       assertions call fxl_assert_failed, which the program then has:
- *                         for tests; defined or not (lib/src/math/arith.h)
+ *   FXL_SMALL             defined or not: few bytes of code instead of few instructions
+ *   FXL_POLYGON_CAPACITY  a number, 12..32: the most vertices of a polygon; default 32
+ *   FXL_PORTABLE_KERNELS  defined or not: kernels in plain C on every core (lib/kernels)
+ *   FXL_ASSERT_HOOK       defined or not, for tests: assertions call fxl_assert_failed, which
+ *                         the program must define (lib/src/math/arith.h)
  */
 #ifndef FXL_CONFIG_H
 #define FXL_CONFIG_H
 
-/* With FXL_SMALL the library leaves out each second, quicker way to a result: outlines are
- * scanned by their crossings alone, vertices are projected by a long division alone, and so
- * on. No kernel in assembly is taken (lib/lib.mk). On a Cortex-M3 with -Os a renderer then
- * takes half of the bytes that it takes with -O2, and four to ten times the instructions. The
- * bits are the same. It is a setting of the library alone: records are the same, and a program that
- * uses the library need not define it. */
+/* With FXL_SMALL the library omits the second, faster algorithms: all outlines are scanned by
+ * active edges, all vertices are projected by a long division, and so on. It takes no kernel in
+ * assembly (lib/kernels/family.h). On a Cortex-M3 with -Os a renderer then takes half of the bytes
+ * that it takes with -O2, and four to ten times the instructions. All results are the same. This is
+ * a setting of the library alone: the records are the same, so a program that uses the library need
+ * not define it. */
 #ifdef FXL_SMALL
 #define FXL_IS_SMALL 1
 #else
 #define FXL_IS_SMALL 0
 #endif
 
-/* Vertices of a polygon anywhere in the pipeline. It decides how large a renderer is
- * (render.h) and which faces it draws. The library and what uses it must be
- * built with the same: where they are not, fxl_renderer_init_with is not found by
- * the linker, for its symbol ends in this number. Nothing but digits, therefore. */
+/* The most vertices of a polygon anywhere in the pipeline. It determines the size of a
+ * renderer (render.h) and which faces it draws. The library and the program must be
+ * built with the same value. If they are not, the linker does not find
+ * fxl_renderer_init_with, because its symbol ends in this number. So the value must
+ * consist of digits only. */
 #ifndef FXL_POLYGON_CAPACITY
 #define FXL_POLYGON_CAPACITY 32
 #endif

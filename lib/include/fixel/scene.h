@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes: models, objects and a path, used in place from a scene image. The
- * byte layout of an image is docs/formats.md, section 1; these structures are that
- * layout, so a scene may also be written as C tables. */
+/* Scenes: models, instances and a path, used in place from a scene image. The byte layout of an
+ * image is docs/formats.md, section 1. These structures have that layout, so a scene may also be
+ * written as C tables. */
 #ifndef FXL_SCENE_H
 #define FXL_SCENE_H
 
 #include "fixel/types.h"
 
-/* How much a scene may hold. Placed vertices are those of all objects' models
- * added up: the limit bounds the loader's time. */
+/* The most elements of a scene. FXL_SCENE_PLACED_MAX limits the sum of the vertex counts of all
+ * instances' models: it bounds the time of the checks. FXL_SCENE_IMAGE_MAX is in bytes. */
 #define FXL_SCENE_IMAGE_MAX         (16u * 1024u * 1024u)
 #define FXL_SCENE_VERTICES_MAX      1000000u
 #define FXL_SCENE_INDICES_MAX       4000000u
@@ -23,15 +23,16 @@
 #define FXL_BSP_NODES_MAX           65535u
 #define FXL_BSP_DEPTH_MAX           1023u /* of a node below the root */
 
-/* How far the vertices of a node's faces may lie from its plane. */
+/* The largest distance of a vertex of a BSP node's faces from the node's plane, in units of
+ * 1/65536. */
 #define FXL_BSP_PLANARITY_MAX ((fxl_q16_16)8)
 
-/* No node. */
+/* The number that stands for no BSP node. */
 #define FXL_BSP_NONE 0xFFFFu
 
-/* A face: count corners from corners[first_index] on, each the number of a
- * vertex of the model, clockwise as seen from the front. The normal points to
- * the front and alone decides which side that is. */
+/* A face. Its vertices are count entries of the scene's indices, from indices[first_index] on. Each
+ * index is the number of a vertex within the model. The vertices go clockwise as seen from the
+ * front. The normal points to the front; it alone decides which side is the front. */
 typedef struct {
     fxl_direction normal;
     uint32_t first_index;
@@ -40,9 +41,10 @@ typedef struct {
     uint16_t reserved; /* 0 */
 } fxl_face;
 
-/* What ordering asks of a face in every frame, worked out beforehand. */
+/* The plane and the bounding box of a face of a sorted model, precomputed: facing and order need
+ * them in every frame. */
 typedef struct {
-    uint32_t height_low; /* normal . first vertex in 18.46, two's complement */
+    uint32_t height_low; /* normal . first vertex, 18.46, two's complement */
     uint32_t height_high;
     int32_t box_x, box_y, box_z; /* minimum + maximum of the vertices, 16.16 */
 } fxl_face_bounds;
@@ -52,22 +54,22 @@ enum {
     FXL_MODEL_SORTED = 1  /* faces drawn far to near */
 };
 
-/* A model: vertex_count vertices from vertices[first_vertex] on, face_count
- * faces from faces[first_face] on. Models share neither: the first begins at
- * 0, each begins where the one before ends, the last ends with the tables.
- * Vertices are relative to the object's centre; none is farther from it than
- * the radius. The smaller the radius, the sooner an object is left out. */
+/* A model: vertex_count vertices from vertices[first_vertex] on, and face_count faces from
+ * faces[first_face] on. Models share neither vertices nor faces: the first model begins at 0, each
+ * other model begins where the one before it ends, and the last ends with the tables.
+ * Vertices are relative to the centre of the instance. No vertex is farther from the model's origin
+ * than the radius. A smaller radius lets the sphere test reject more instances. */
 typedef struct {
     uint32_t first_vertex, vertex_count; /* vertex_count 3..65535 */
     uint32_t first_face, face_count;     /* face_count 1..65535 */
     uint8_t kind;
     uint8_t reserved[3];        /* 0 */
     fxl_q16_16 radius;          /* 0..FXL_RADIUS_MAX */
-    uint32_t first_face_bounds; /* of a sorted model where the scene has keys, else 0 */
+    uint32_t first_face_bounds; /* of a sorted model, if the scene has face bounds; else 0 */
 } fxl_model;
 
-/* A model put somewhere. Objects of a lower layer are drawn first; within a
- * layer far to near. */
+/* An instance: a model at a place of the world. Instances of a lower layer are drawn first;
+ * within a layer the order is far to near. */
 typedef struct {
     fxl_point centre;
     uint16_t model;
@@ -75,46 +77,47 @@ typedef struct {
     uint8_t reserved; /* 0 */
 } fxl_instance;
 
-/* A node of a tree over the faces of one object (docs/extras/bsp.md): a plane,
- * relative to the object's centre, the faces on it, and what is in front of it
- * and behind. Nodes are listed as one comes upon them: root, front, back. */
+/* A node of a BSP tree over the faces of one instance (docs/extras/bsp.md): a plane relative to the
+ * instance's centre, the faces on the plane, and the subtrees in front of it and behind it. The
+ * table has the nodes in pre-order: a node, its front subtree, its back subtree.
+ * A point is in front of the plane if normal . point > distance. */
 typedef struct {
     fxl_direction normal;
-    uint32_t distance_low;           /* 18.46, two's complement: a point is in front where */
-    uint32_t distance_high;          /* normal . point > distance */
+    uint32_t distance_low; /* 18.46, two's complement */
+    uint32_t distance_high;
     uint16_t front, back, parent;    /* numbers of nodes, or FXL_BSP_NONE */
-    uint16_t first_face, face_count; /* within the model, the first behind the node's before */
+    uint16_t first_face, face_count; /* in the model; the nodes take its faces in turn */
     uint16_t reserved;               /* 0 */
-    fxl_point centre;                /* of a sphere that holds its faces, and the spheres of */
-    fxl_q16_16 radius;               /* the nodes in front and behind; 0..FXL_RADIUS_MAX */
+    fxl_point centre;                /* of a sphere about the node's faces and its children's */
+    fxl_q16_16 radius;               /* spheres; 0..FXL_RADIUS_MAX */
 } fxl_bsp_node;
 
-/* Planes of one beam, and beams of one scene. */
+/* The most planes of a beam, and the most beams of a scene. */
 #define FXL_BEAM_PLANES_MAX 8
 #define FXL_BEAMS_MAX       4
 
-/* A plane of the world, as in a scene image: inside where normal . point >= distance. */
+/* A plane of the world, as in a scene image. A point is inside if normal . point >= distance. */
 typedef struct {
-    fxl_direction normal; /* to unit length as a face's is */
+    fxl_direction normal; /* of unit length, with the tolerance of a face's normal */
     uint32_t distance_low;
     uint32_t distance_high; /* the distance in 18.46, two's complement, below 2^61 */
 } fxl_beam_plane;
 
 enum {
-    FXL_BEAM_POINT = 0,    /* light comes from a point of the world */
-    FXL_BEAM_DIRECTION = 1 /* light travels along a direction */
+    FXL_BEAM_POINT = 0,    /* the light comes from a point of the world */
+    FXL_BEAM_DIRECTION = 1 /* the light travels along a direction */
 };
 
-/* A beam. The order of its planes is that in which they cut (docs/extras/beams.md). */
+/* A beam of light. Its planes cut in their order in the table (docs/extras/beams.md). */
 typedef struct {
     int32_t from[3]; /* the point in 16.16, or the direction in 2.30 */
     uint8_t kind;
-    uint8_t plane_count; /* 1..FXL_BEAM_PLANES_MAX; the others are all 0 */
+    uint8_t plane_count; /* 1..FXL_BEAM_PLANES_MAX; the planes after these are all 0 */
     uint16_t reserved;   /* 0 */
     fxl_beam_plane planes[FXL_BEAM_PLANES_MAX];
 } fxl_beam;
 
-/* What a player holds down, as bits. */
+/* The keys that a player holds down, as bits. */
 enum {
     FXL_KEY_FORWARD = 1u << 0,
     FXL_KEY_BACK = 1u << 1,
@@ -127,31 +130,31 @@ enum {
     FXL_KEY_ALL = 0xFFu
 };
 
-/* How fast keys work, per step. */
+/* What the keys change in a step. */
 typedef struct {
     fxl_q16_16 acceleration; /* world units per step per step, 0..256 */
-    fxl_q16_16 friction;     /* the same, taken off the speed after moving, 0..256 */
+    fxl_q16_16 friction;     /* the same unit and range; taken off the speed after the move */
     fxl_q16_16 speed_max;    /* world units per step, 0..256 */
     fxl_angle turn;          /* angle per step, at most a quarter turn */
 } fxl_motion_limits;
 
 #define FXL_MOTION_MAX ((fxl_q16_16)(256 * 65536))
 
-/* Who looks, and moves. */
+/* A player: the eye, its speed, and a count. */
 typedef struct {
     fxl_pose pose;
-    fxl_q16_16 speed; /* along the view, negative is backward */
-    uint32_t clamped; /* steps in which a coordinate was held at the range's end */
+    fxl_q16_16 speed; /* world units per step along forward; negative is backward */
+    uint32_t clamped; /* steps in which a coordinate was limited to FXL_COORDINATE_MAX */
 } fxl_player;
 
-/* What a player holds down for a number of frames. */
+/* The keys that a player holds down for a number of frames. */
 typedef struct {
     uint16_t keys;   /* FXL_KEY_... */
     uint16_t frames; /* >= 1 */
 } fxl_path_segment;
 
-/* A scene: tables that the caller owns and that outlive it. Without keys it is
- * drawn the same, and its sorted models take longer. */
+/* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
+ * the same frames; its sorted models take longer. */
 typedef struct {
     const fxl_point *vertices;
     const uint16_t *indices;
@@ -159,59 +162,61 @@ typedef struct {
     const fxl_model *models;
     const fxl_instance *instances;
     uint32_t vertex_count, index_count, face_count, model_count, instance_count;
-    uint32_t order_needed; /* entries that fxl_renderer_init_with asks for */
-    const fxl_face_bounds
-        *face_bounds; /* one for each face of each sorted model in turn; or null */
+    uint32_t order_needed; /* entries that the order of a renderer needs; set by the checks */
+    const fxl_face_bounds *face_bounds; /* a record a face, sorted models in turn; or null */
     uint32_t face_bounds_count;
-    const fxl_bsp_node *bsp_nodes; /* of a tree over the faces of one object; or null */
+    const fxl_bsp_node *bsp_nodes; /* a tree over the faces of one instance; or null */
     uint32_t bsp_node_count;
-    uint32_t bsp_instance; /* whose: its model is sorted, and no other object's; 0 without a tree */
-    const fxl_beam *beams; /* of light, for fxl_renderer_set_beams; or null */
+    uint32_t bsp_instance; /* the instance of the tree; no other has its model; 0 without a tree */
+    const fxl_beam *beams; /* for fxl_renderer_set_beams; or null */
     uint32_t beam_count;
-    const uint8_t *lit; /* for each colour, the one that it has in a beam; or null */
+    const uint8_t *lit; /* 256 entries: the colour that each colour has in a beam; or null */
 } fxl_scene;
 
-/* Everything that a scene image holds beside the scene. */
+/* A scene image: the scene and the settings beside it. */
 typedef struct {
     fxl_scene scene;
     fxl_lens lens;
     uint8_t background;
     const uint8_t *palette; /* 256 x red, green, blue */
-    fxl_player start;       /* where a walk begins */
+    fxl_player start;       /* where the path begins */
     fxl_motion_limits motion_limits;
-    const fxl_pose *poses;            /* one a frame; null where the path is strides */
-    const fxl_path_segment *segments; /* null where the path is poses */
-    uint32_t path_count;              /* poses or strides */
+    const fxl_pose *poses;            /* one a frame; null if the path is segments */
+    const fxl_path_segment *segments; /* null if the path is poses */
+    uint32_t path_count;              /* poses or segments */
     uint32_t frame_count;             /* frames of the whole path */
 } fxl_scene_image;
 
-/* Where a check failed: the number of the element, counted from 0, and of
- * what. For people. */
+/* The element at which a check failed, for messages: what it is, and its number, counted from 0. */
 typedef struct {
     const char *what; /* "vertex", "face", "instance" and so on; never null */
     uint32_t index;
 } fxl_scene_fault;
 
-/* Checks a scene written as tables: every count, index, range, normal and
- * planarity, that no vertex lies outside its model's radius, and that every
- * vertex of every object lies within FXL_COORDINATE_MAX; sets order_needed. scene->order_needed is
- * written only on FXL_OK; *fault (may be null) only on an error. FXL_E_ARGUMENT, _COUNT, _INDEX,
- * _RANGE, _RADIUS, _NORMAL, _PLANARITY, _KEY, _TREE,
- * _RESERVED; _CAPACITY for a face of more than
- * FXL_FACE_VERTICES_MAX vertices, which a build with a larger FXL_POLYGON_CAPACITY would draw.
- * A scene that has a tree or beams is refused (FXL_E_ARGUMENT): fxl_scene_check_all checks those
- * too. A program that does not call it links neither check. */
+/* Checks a scene written as tables, and sets scene->order_needed. It checks every count, index,
+ * range, normal, planarity and face bounds; that no vertex lies outside its model's radius; and
+ * that every vertex of every instance lies within FXL_COORDINATE_MAX.
+ * Requires tables as long as their counts; fault may be null.
+ * FXL_E_ARGUMENT, FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_RADIUS, FXL_E_NORMAL,
+ * FXL_E_PLANARITY, FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
+ * FXL_E_CAPACITY is for a face of more than FXL_FACE_VERTICES_MAX vertices, which a build with a
+ * larger FXL_POLYGON_CAPACITY would draw. On FXL_OK *fault is untouched.
+ * A scene that has a BSP tree or beams is refused (FXL_E_ARGUMENT); fxl_scene_check_all checks
+ * them. They are two functions so that a program without either links neither of their checks. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
-/* The same for a scene that may have a tree and beams, which it checks. */
+/* Checks a scene that may have a BSP tree and beams: these too. Otherwise as fxl_scene_check, and
+ * also FXL_E_BSP. */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
-/* Opens a scene image of size bytes in memory aligned to four bytes, on a
- * little-endian machine. Checks everything before anything is used: magic,
- * version, size, checksum, every table, every count, index and range. Nothing
- * is copied: the image must outlive *opened. size may exceed what the image
- * says it needs (a flash partition is longer than what is in it).
- * *opened is written only on FXL_OK, *fault (may be null) only on an error. */
+/* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
+ * version, size, checksum, every table, every count, index and range. Nothing is copied, so the
+ * image must outlive *opened. size may exceed the size that the image states: a flash partition is
+ * longer than the image in it.
+ * Requires memory aligned to four bytes and a little-endian machine; fault may be null.
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_SIZE, FXL_E_MAGIC, FXL_E_VERSION, FXL_E_CRC, FXL_E_OFFSET,
+ * and those of fxl_scene_check_all: *opened untouched, *fault written. On FXL_OK *fault is
+ * untouched. */
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
 

@@ -11,10 +11,10 @@
 
 /* Number formats and the ranges of every public input.
  *
- * A format stands in the name of its type: fxl_q16_16 has 16 bits before and
- * 16 after the binary point. All are two's complement. Rounding, wherever a
- * bound does not say otherwise, is to nearest with halves upward:
- * floor(x + 1/2). The reasons for the ranges stand in SPEC.md.
+ * The name of a type states its format: fxl_q16_16 has 16 bits before and
+ * 16 after the binary point. Signed types are two's complement. Rounding is to
+ * nearest with halves upward, floor(x + 1/2), unless a bound says otherwise.
+ * SPEC.md, section 3, gives the reasons for the ranges.
  */
 
 /* A cast, an assertion of the compiler's, and an object's alignment to 8 bytes, as C and C++
@@ -42,31 +42,31 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 /* 90 degrees. */
 #define FXL_ANGLE_QUARTER ((fxl_angle)0x40000000u)
 
-/* Constants of a program, worked out by the compiler: integer constant expressions where their
- * arguments are, without a floating-point number. Arguments are evaluated more than once.
+/* Constants of a program. They are integer constant expressions if their arguments are, and use no
+ * floating-point number. They evaluate an argument more than once.
  *
- * n world units, |n| <= 32767, exact. */
+ * n world units, |n| <= 32767. Exact. */
 #define FXL_UNITS(n) FXL_CAST(fxl_q16_16, FXL_CAST(int32_t, n) * 65536)
 /* n / d world units, to the nearest 1/65536, halves upward. Requires d > 0, |n|, d < 2^31 and
  * a result within +-32767. */
 #define FXL_RATIO(n, d) \
     FXL_CAST(fxl_q16_16, \
              FXL_DIVIDE_FLOOR(131072 * FXL_CAST(int64_t, n) + (d), 2 * FXL_CAST(int64_t, d)))
-/* n degrees as a binary angle, to the nearest 2^-32 turn, halves upward; |n| < 2^29. */
+/* n degrees as a binary angle, to the nearest 2^-32 turn, halves upward. Requires |n| < 2^29. */
 #define FXL_DEGREES(n) \
     FXL_CAST(fxl_angle, \
              FXL_CAST(uint64_t, FXL_DIVIDE_FLOOR(FXL_CAST(int64_t, n) * 8589934592 + 360, 720)) & \
                  0xFFFFFFFFu)
-/* floor(n / d) for d > 0. */
+/* floor(n / d). Requires d > 0. */
 #define FXL_DIVIDE_FLOOR(n, d) ((n) >= 0 ? (n) / (d) : -((-(n) + (d)-1) / (d)))
 
-/* World coordinates of vertices, object centres and the eye: |c| <= 8191.
+/* World coordinates of vertices, centres of instances and the eye: |c| <= 8191.
  * Then a difference of two is below 2^30 units, a sum of three products with
- * a unit vector below 2^61, and a squared distance below 2^62. */
+ * a unit vector is below 2^61, and a squared distance is below 2^62. */
 #define FXL_COORDINATE_MAX ((fxl_q16_16)(8191 * 65536))
 
 /* A model's vertices lie within 2 * 8191 of its origin in each coordinate, so
- * no radius need be larger than sqrt(3) * 16382 = 28374.5. */
+ * no radius needs to be larger than sqrt(3) * 16382 = 28374.5. */
 #define FXL_RADIUS_MAX ((fxl_q16_16)(28375 * 65536))
 
 /* Screen width and height in pixels: 1..1024. */
@@ -76,44 +76,46 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 #define FXL_FOV_MIN ((fxl_angle)119304648u)
 #define FXL_FOV_MAX ((fxl_angle)1789569706u)
 
-/* Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
+/* In world units. Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
 #define FXL_NEAR_MIN  ((fxl_q16_16)256)
 #define FXL_FAR_MAX   ((fxl_q16_16)(32767 * 65536))
 #define FXL_INSET_MAX FXL_Q16_16_ONE
-/* The chapter's epsilon is 0.0001. None is needed: without it a vertex that the clipper made
- * lies less than 128/65536 pixel beyond the screen's border by any lens, less than 3/65536
- * by one of a usual aspect. An inset leaves a border of background where
- * focal * inset * sqrt(1 + (width / 2 focal)^2) / near is above 1/2 pixel. */
+/* The Black Book's chapter 65 has an inset (its epsilon) of 0.0001. Fixel needs none. Without an
+ * inset, a vertex that the clipper makes lies less than 128/65536 pixel beyond the border of the
+ * screen with any lens, and less than 3/65536 pixel with a lens of a usual aspect. An inset leaves
+ * a border of background if focal * inset * sqrt(1 + (width / 2 focal)^2) / near is above
+ * 1/2 pixel. */
 #define FXL_INSET_DEFAULT ((fxl_q16_16)0)
 
-/* Screen coordinates that project gives and scan takes: |c| <= 4095 pixels.
- * A vertex inside the frustum lies on the screen; the rest is room for the
- * clipper's rounding at the smallest near plane. */
+/* Screen coordinates that project returns and scan accepts: |c| <= 4095 pixels.
+ * A vertex inside the frustum lies on the screen. The rest of the range is a
+ * margin for the clipper's rounding at the smallest near plane. */
 #define FXL_SCREEN_COORDINATE_MAX ((fxl_q16_16)(4095 * 65536))
 
-/* Vertices of a face that this build draws: 24 where nothing was set. Each of
- * six planes adds at most one vertex to a convex polygon; the two more are for
- * polygons that rounding made slightly concave. */
+/* The most vertices of a face that this build draws: 24 with the default capacity.
+ * Each of six planes adds at most one vertex to a convex polygon. The other two of
+ * the 8 are for polygons that rounding made slightly concave. */
 #define FXL_FACE_VERTICES_MAX (FXL_POLYGON_CAPACITY - 8)
 
-/* How far a face's vertices may lie from the plane through its first vertex
- * with its stated normal, and how far the square of that normal's length may
- * lie from 1 (in units of 2^-60). */
+/* The largest distance of a face's vertex from the plane through the face's first
+ * vertex with the face's stated normal, in units of 1/65536. The largest difference
+ * of the squared length of that normal from 1, in units of 2^-60. */
 #define FXL_PLANARITY_MAX           ((fxl_q16_16)4)
 #define FXL_NORMAL_SQUARE_MAX_ERROR ((int64_t)1 << 32)
 
-/* What a public function answers. The world's fault is a status and changes
- * nothing; our own bug is an assertion. */
+/* The result of a public function. If the input is wrong, the function returns a
+ * status other than FXL_OK and changes nothing. A bug of the library itself is an
+ * assertion (FXL_ASSERT in lib/src/math/arith.h). */
 
 typedef enum {
     FXL_OK = 0,
-    FXL_E_ARGUMENT,    /* a null pointer, or a count of zero where one is needed */
+    FXL_E_ARGUMENT,    /* a null pointer, or a count of zero where at least one is needed */
     FXL_E_RANGE,       /* a number outside its stated range */
-    FXL_E_CAPACITY,    /* memory handed in, or a capacity set at build, does not suffice */
+    FXL_E_CAPACITY,    /* the caller's memory, or a capacity set at build, is too small */
     FXL_E_DEGENERATE,  /* fewer than three vertices */
     FXL_E_ORDER,       /* a call out of order: draw before begin */
-    FXL_E_ALIGNMENT,   /* image or offset not a multiple of four bytes */
-    FXL_E_SIZE,        /* image shorter than it says, or longer than allowed */
+    FXL_E_ALIGNMENT,   /* an image or an offset is not a multiple of four bytes */
+    FXL_E_SIZE,        /* an image shorter than its header states, or longer than allowed */
     FXL_E_MAGIC,       /* not a scene image */
     FXL_E_VERSION,     /* a scene image of another version */
     FXL_E_CRC,         /* the checksum does not match */
@@ -124,27 +126,27 @@ typedef enum {
     FXL_E_PLANARITY,   /* a face vertex off the plane of its face */
     FXL_E_RESERVED,    /* a reserved field or an enumeration holds an unknown value */
     FXL_E_RADIUS,      /* a vertex farther from its model's origin than the model's radius */
-    FXL_E_FACE_BOUNDS, /* a face's key that is not what its vertices and its normal say */
-    FXL_E_BSP,         /* nodes of a tree that do not hang together, or lie too deep */
+    FXL_E_FACE_BOUNDS, /* a face's bounds differ from those of its vertices and its normal */
+    FXL_E_BSP,         /* links of BSP nodes that form no tree, or a tree that is too deep */
     FXL_STATUS_COUNT
 } fxl_status;
 
-/* One clear sentence for a status, never null; unknown values included. */
+/* Describes a status in one English sentence. Never null, not even for an unknown value. */
 const char *fxl_status_text(fxl_status status);
 
-/* The records between the stages: the treaty that every stage signs.
+/* The records between the stages: the interface of every stage.
  *
  *   scene -> cull -> transform -> fxl_cached_vertex -> clip -> fxl_view_polygon ->
- *   project -> fxl_screen_polygon -> list -> scan -> fxl_trapezoid -> fill ->
+ *   project -> fxl_screen_polygon -> display list -> scan -> fxl_trapezoid -> fill ->
  *   fxl_band
  *
- * What decides by span what is seen takes from scan the same pixels as
- * fxl_span instead, and hands spans to fill.
+ * A visibility method that decides by spans takes the same pixels from scan as
+ * fxl_span instead, and gives spans to fill.
  *
- * A face whose vertices are all inside goes from its vertices to the screen at
- * once. The chapter's clipper stands before transform instead: cull ->
- * fxl_polygon -> clip -> fxl_polygon -> transform. clipper.h is the treaty that
- * covers every way from a face to the screen.
+ * If all vertices of a face are inside the frustum, the projected vertices are
+ * the polygon; there is no fxl_view_polygon. The Black Book's clipper comes before
+ * the transform: cull -> fxl_polygon -> clip -> fxl_polygon -> transform. clipper.h
+ * is the interface that all clippers share, from a face to the screen.
  *
  * Axes: x right, y up, z forward, left-handed, in the world and in the view.
  * On the screen x goes right and y goes DOWN; pixel (i, j) covers
@@ -161,14 +163,14 @@ typedef struct {
     fxl_q2_30 x, y, z;
 } fxl_direction;
 
-/* A point is inside where normal . point >= distance; the normal points
- * inside (chapter 65, Listing 65.1). The distance is kept exact. */
+/* A plane. A point is inside it if normal . point >= distance; the normal points
+ * inside. The distance is exact. Source: A1, A2 (Listing 65.1). */
 typedef struct {
     fxl_direction normal;
     fxl_q18_46 distance;
 } fxl_plane;
 
-/* Where the eye is and how it is turned: yaw turns from +z towards +x, then
+/* Position and direction of the eye. Yaw turns from +z towards +x, then
  * pitch raises the view towards +y, then roll turns the view's right side
  * towards its up side. */
 typedef struct {
@@ -176,31 +178,31 @@ typedef struct {
     fxl_angle yaw, pitch, roll;
 } fxl_pose;
 
-/* The screen, and what of the world it shows; fxl_lens_from_fov makes one. */
+/* The screen, and the part of the world that it shows. fxl_lens_from_fov makes one. */
 typedef struct {
     uint16_t width, height;   /* pixels */
     fxl_q16_16 focal;         /* pixels: screen x = width/2 + focal * X / Z */
     fxl_q16_16 near_z, far_z; /* world units along forward */
-    fxl_q16_16 inset;         /* every plane of the frustum moves in by this much */
+    fxl_q16_16 inset;         /* world units that every plane of the frustum moves inward */
 } fxl_lens;
 
-/* A vertex of a world polygon, with texture coordinates in texels,
+/* A vertex of a polygon in the world. u and v are texture coordinates in texels,
  * |u|, |v| <= 16383. */
 typedef struct {
     fxl_point position;
     fxl_q16_16 u, v;
 } fxl_vertex;
 
-/* A polygon of the world: what a clipper in the world cuts. */
+/* A polygon of the world: input and output of a clipper in the world. */
 typedef struct {
     uint8_t colour; /* palette index */
     uint8_t count;  /* 3..FXL_POLYGON_CAPACITY */
-    bool textured;  /* else u and v mean nothing, and cost nothing */
+    bool textured;  /* if false, u and v are neither read nor written */
     fxl_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_polygon;
 
 /* A point relative to the eye, along right, up and forward, in units of 2^-46
- * world unit. Below 2^61. */
+ * world unit. Each coordinate is below 2^61. */
 typedef struct {
     fxl_q18_46 x, y, z;
 } fxl_view_point;
@@ -209,33 +211,33 @@ typedef struct {
     fxl_view_point position;
 } fxl_view_vertex;
 
-/* A polygon of the view: what a clipper in the view cuts, and hands to project. */
+/* A polygon of the view: input and output of a clipper in the view, input of project. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
     fxl_view_vertex vertices[FXL_POLYGON_CAPACITY];
 } fxl_view_polygon;
 
-/* What a clipper makes of a polygon. */
+/* The outcome of clipping a polygon. Only an fxl_clipper returns the last two. */
 typedef enum {
     FXL_CLIP_INSIDE,     /* wholly inside: the input is the result */
     FXL_CLIP_CUT,        /* cut: the result is in the output */
     FXL_CLIP_OUTSIDE,    /* no vertex inside */
     FXL_CLIP_DEGENERATE, /* fewer than three vertices left */
-    FXL_CLIP_CAPACITY,   /* more than FXL_POLYGON_CAPACITY vertices: refused */
-    FXL_CLIP_RANGE,      /* a clipper's alone: off FXL_SCREEN_COORDINATE_MAX: refused */
-    FXL_CLIP_BETWEEN     /* a clipper's alone: inside, and no pixel's centre is covered */
+    FXL_CLIP_CAPACITY,   /* refused: more than FXL_POLYGON_CAPACITY vertices */
+    FXL_CLIP_RANGE,      /* refused: a coordinate beyond FXL_SCREEN_COORDINATE_MAX */
+    FXL_CLIP_BETWEEN     /* inside, and it covers no pixel centre */
 } fxl_clip_result;
 
-/* How a clipper goes about it, and what it counts. */
+/* A setting of a clipper, and what the clipper counts. */
 typedef struct {
-    /* The sliver rule: a vertex less than this far inside a plane counts as
-     * outside where the vertex before it does; 0 leaves the rule out. In the
-     * unit of the plane's distances, below 2^62. Neighbours that share an edge
-     * may then part by as much. */
+    /* The sliver rule: a vertex that is less than this far inside a plane counts as
+     * outside if the vertex before it counts as outside. 0 turns the rule off. In
+     * the unit of the plane's distances, below 2^62. With the rule, neighbours that
+     * share an edge may be apart by as much. Source: C3. */
     fxl_q18_46 sliver;
-    uint32_t intersections; /* crossings worked out since the caller set it to 0 */
-    uint32_t distances;     /* distances worked out by products since then, codes' included */
+    uint32_t intersections; /* intersections computed since the caller set it to 0 */
+    uint32_t distances;     /* distances computed by products since then, those of outcodes too */
 } fxl_clip_stats;
 
 /* A point of the screen in pixels, y down. */
@@ -243,7 +245,7 @@ typedef struct {
     fxl_q16_16 x, y;
 } fxl_screen_point;
 
-/* What project hands to list and scan. */
+/* A polygon of the screen: output of project, input of the display list and of scan. */
 typedef struct {
     uint8_t colour;
     uint8_t count;
@@ -256,39 +258,39 @@ enum {
     FXL_POLYGON_FLAT = 0 /* one colour */
 };
 
-/* Rows first <= row < end; none where the two are equal. */
+/* The rows first <= row < end. No rows if the two are equal. */
 typedef struct {
     uint16_t first, end;
 } fxl_rows;
 
-/* An edge where it meets a row's line of centres, and how it goes on from row
- * to row: 32.32 numbers, of which x is the row's first pixel whose centre is
- * not left of the edge. Good for the rows of its trapezoid, and exact there. */
+/* An edge on a row's line of pixel centres, and its step to the next row. Both are
+ * 32.32 numbers. x is the row's first pixel whose centre is not left of the edge.
+ * The record holds for the rows of its trapezoid, and x is exact on each of them. */
 typedef struct {
     int32_t x;
     uint32_t fraction;
-    int32_t step; /* a row */
+    int32_t step; /* pixels a row */
     uint32_t step_fraction;
 } fxl_edge;
 
-/* What scan hands to fill: rows first_row .. end_row - 1 between two edges, on
- * each the pixels from the lesser x to the greater, the latter not included.
- * Which of the two is the lesser may change from row to row; both lie within
- * 0..width of the band on every row. */
+/* Output of scan, input of fill: the rows first_row .. end_row - 1 between two
+ * edges. A row has the pixels from the smaller x (included) to the larger x (not
+ * included). Which of the two edges has the smaller x may change from row to row.
+ * Both x lie within 0..width of the band on every row. */
 typedef struct {
     int16_t first_row, end_row; /* first_row < end_row, within the band */
-    fxl_edge edges[2];          /* as they are on first_row */
+    fxl_edge edges[2];          /* on first_row */
 } fxl_trapezoid;
 
-/* Pixels x0 <= x < x1 of row y: a trapezoid's row. Never empty, never outside
+/* Pixels x0 <= x < x1 of row y: one row of a trapezoid. Never empty, never outside
  * the band. */
 typedef struct {
     int16_t y, x0, x1;
 } fxl_span;
 
-/* A strip of the frame, or the whole frame: rows first_row ..
- * first_row + rows - 1, one byte a pixel, the first pixel of row first_row at
- * pixels[0] and of the next row at pixels[stride]. The caller owns it. */
+/* A band of rows of the frame, or the whole frame: rows first_row ..
+ * first_row + rows - 1, one byte a pixel. The first pixel of row first_row is
+ * pixels[0], that of the next row is pixels[stride]. The caller owns the pixels. */
 typedef struct {
     uint8_t *pixels;
     uint16_t width;  /* 1..FXL_SCREEN_MAX */
@@ -297,19 +299,19 @@ typedef struct {
     uint16_t rows; /* >= 1; first_row + rows <= screen height */
 } fxl_band;
 
-/* What became of a frame's polygons. Each polygon that came in is counted
- * once: in == backfacing + outside + degenerate + refused + drawn. */
+/* What happened to the faces of a frame. Each face is counted once:
+ * in == backfacing + outside + degenerate + refused + drawn. */
 typedef struct {
     uint32_t in;            /* faces of the scene */
     uint32_t backfacing;    /* culled: turned away from the eye */
-    uint32_t outside;       /* culled: wholly outside one plane, with their object or alone */
+    uint32_t outside;       /* culled: wholly outside one plane, with their instance or alone */
     uint32_t degenerate;    /* culled: fewer than three vertices left */
-    uint32_t refused;       /* outside the contract: too many vertices, or off range */
-    uint32_t drawn;         /* reached the screen (it may still cover no pixel centre) */
+    uint32_t refused;       /* too many vertices, or a screen coordinate out of range */
+    uint32_t drawn;         /* reached the screen (the face may still cover no pixel centre) */
     uint32_t clipped;       /* of those drawn: cut by at least one plane */
     uint32_t refused_calls; /* public calls that returned an error */
-    uint32_t spilled;       /* of those drawn: not in the list, so worked out anew for every band */
-    uint32_t split_bands;   /* bands or parts of bands that were drawn again in halves */
+    uint32_t spilled;       /* of those drawn: not in the display list, computed for every band */
+    uint32_t split_bands;   /* bands, or parts of bands, that were drawn again in halves */
 } fxl_counters;
 
 #endif

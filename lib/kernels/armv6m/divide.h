@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Divisions of 32 bits for a core without UDIV. The same quotients as
- * portable. Internal. */
+/* Divisions of 32 bits for a core without UDIV. They give the same results as
+ * lib/kernels/portable/divide.h. Internal. */
 #ifndef FXL_DIVIDE_H
 #define FXL_DIVIDE_H
 
 #include <stdint.h>
 
-/* floor(numerator / denominator), not by 0, and what is left: bit by bit, as
- * many as the quotient has, which in an edge's slope are few. */
+/* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. It
+ * takes a step for each bit of the quotient; the quotients of an edge's slope have few. */
 static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest)
 {
     uint32_t quotient = 0, bit = 1;
@@ -27,16 +27,16 @@ static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, 
     return quotient;
 }
 
-/* Entry i is 2^23 / (2^15 + 2^9 i + 2^8), rounded: a reciprocal to 7 bits. */
+/* Entry i is 2^23 / (2^15 + 2^9 i + 2^8), rounded: a reciprocal of 7 bits. */
 static const uint8_t fxl_reciprocals[65] = {
     254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206, 204,
     201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172, 170, 168,
     166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147, 146, 144, 143,
     142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 129, 128};
 
-/* 2^31 / value for 2^15 <= value <= 2^16, within 3 units (every value tried):
- * the table's, and two steps after Newton, 2 r - r^2 v, which square its error.
- * 254^2 2^16 < 2^32. After the first step 2^31 - r v is below 2^18, so its product
+/* 2^31 / value for 2^15 <= value <= 2^16, within 3 units (every value was tried). It starts
+ * from the table; two steps of Newton's method, 2 r - r^2 v, square the relative error
+ * each. 254^2 2^16 < 2^32. After the first step 2^31 - r v is below 2^18, so its product
  * with r / 16 is below 2^30. */
 static inline uint32_t fxl_reciprocal_half(uint32_t value)
 {
@@ -46,9 +46,9 @@ static inline uint32_t fxl_reciprocal_half(uint32_t value)
     return rough + (uint32_t)((int32_t)rough * (error >> 4) >> 27);
 }
 
-/* floor(numerator / denominator) for 2^15 <= denominator <= 2^16. The upper half
- * of the numerator times the reciprocal gives the quotient within 12; the
- * lower half, in the rest, what is missing but for 1. */
+/* floor(numerator / denominator) for 2^15 <= denominator <= 2^16. The upper half of the
+ * numerator times the reciprocal gives the quotient to within 12. The rest, which includes
+ * the lower half, times the reciprocal gives the correction to within 1. */
 static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
 {
     uint32_t reciprocal = fxl_reciprocal_half(denominator);

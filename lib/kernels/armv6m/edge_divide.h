@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The division of an edge's set-up on a core without division and with
- * products of 32 bits only; the contract is lib/kernels/portable/edge_divide.h. */
+/* The division of an edge's set-up, for a core without division and with products of 32 bits
+ * only. lib/kernels/portable/edge_divide.h states what each function requires and returns. */
 #ifndef FXL_EDGE_DIVIDE_H
 #define FXL_EDGE_DIVIDE_H
 
@@ -14,7 +14,7 @@
 
 typedef struct {
     uint32_t height;
-    uint32_t reciprocal; /* 2^(47 - shift) / height, off by 2^-14 of it at most (every one tried) */
+    uint32_t reciprocal; /* 2^(47 - shift) / height; error 2^-14 of it at most (all were tried) */
     unsigned shift;      /* 2^31 <= height 2^shift < 2^32 */
 } fxl_edge_divider;
 
@@ -29,10 +29,10 @@ static const uint8_t fxl_edge_reciprocals[128] = {
     135, 135, 134, 133, 133, 132, 132, 131, 131, 130, 130, 129, 129, 128,
 };
 
-/* Eight bits from the table, one step after Newton for fifteen: with top =
- * height 2^shift / 2^16 and rough about 2^31 / top, the relative error of
- * rough is below 2^-7.4, so (2^31 - top rough) / 2^9 is below 2^14.6 and its
- * product with rough < 2^16 below 2^31. */
+/* The table gives eight bits of the reciprocal; one step of Newton's method gives fifteen.
+ * With top = height 2^shift / 2^16 and rough about 2^31 / top, the relative error of rough
+ * is below 2^-7.4. So (2^31 - top rough) / 2^9 is below 2^14.6, and its product with
+ * rough < 2^16 is below 2^31. */
 static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
 {
     fxl_edge_divider divider;
@@ -50,9 +50,9 @@ static inline unsigned fxl_edge_divider_shift(const fxl_edge_divider *divider)
     return divider->shift;
 }
 
-/* The next 16 bits of a quotient whose remainder is *left < height, and what is
- * left then. The estimate is off by a few (every divider tried), so what it leaves is
- * below 2^31 either way and its lower 32 bits tell all of it. */
+/* The next 16 bits of a quotient whose remainder is *left < height; *left becomes the new
+ * remainder. The estimate is off by a few units (every divider was tried). So the magnitude
+ * of the rest that it leaves is below 2^31, and the lower 32 bits hold all of the rest. */
 static inline uint32_t fxl_edge_digit(const fxl_edge_divider *divider, uint32_t *left)
 {
     uint32_t top = (*left << divider->shift) >> 16;
@@ -70,8 +70,8 @@ static inline uint32_t fxl_edge_digit(const fxl_edge_divider *divider, uint32_t 
     return digit;
 }
 
-/* Whole and remainder of a magnitude by the height. From 2^13 on the estimate is
- * off by a few; edges that are less high and cross a row are rare. */
+/* floor(*magnitude / height); *magnitude becomes the remainder. From a height of 2^13 on the
+ * estimate is off by a few units. Lower edges that cross a row are rare. */
 static inline uint32_t fxl_edge_whole(const fxl_edge_divider *divider, uint32_t *magnitude)
 {
     uint32_t height = divider->height;

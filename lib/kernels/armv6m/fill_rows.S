@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_fill_trapezoid for ARMv6-M; the contract is lib/include/fixel/stage/fill.h, the
- * bytes are those of lib/kernels/portable.
+/* fxl_fill_trapezoid for Armv6-M. lib/include/fixel/stage/fill.h states what it requires and
+ * does; it writes the same bytes as lib/kernels/portable/fill_rows.c.
  *
- * Both edges are kept as addresses, x added to where the row begins and stride
- * to the step: so a row's span is from one address to the other, and a step is
- * two additions an edge. What changes is in the lower registers, the steps are
- * in the upper ones. Every store is aligned. */
+ * Both edges are kept as addresses: the row's address is added to x, and the stride is added
+ * to the step. So a row's span goes from one address to the other, and a step is two
+ * additions an edge. The lower registers have the values that change; the upper registers
+ * have the steps. Every store is aligned. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV6M
@@ -14,7 +14,7 @@
     .syntax unified
     .thumb
 
-/* fxl_band and fxl_trapezoid; fill.c holds them against the structures. */
+/* Offsets in fxl_band and fxl_trapezoid; fill.c asserts them. */
 #define PIXELS      0
 #define STRIDE      6
 #define FIRST_ROW   8       /* of the band */
@@ -22,20 +22,20 @@
 #define EDGES       4
 
 left        .req r0     /* address of the left edge's pixel */
-right       .req r1     /* of the right edge's: one past the span */
+right       .req r1     /* address of the right edge's pixel: one past the span */
 left_fraction       .req r2
 right_fraction      .req r3
-pixel       .req r4     /* where to store next */
-bytes       .req r5     /* still to be stored */
-colour      .req r6     /* four times */
+pixel       .req r4     /* the next address to store to */
+bytes       .req r5     /* bytes still to be stored */
+colour      .req r6     /* in each of four bytes */
 spare       .req r7
-left_step           .req r8     /* stride added */
+left_step           .req r8     /* with the stride */
 left_step_fraction  .req r9
-right_step          .req r10    /* stride added */
+right_step          .req r10    /* with the stride */
 right_step_fraction .req r11
-rows        .req r12    /* to be done */
+rows        .req r12    /* rows still to be filled */
 
-/* A pixel's address to a multiple of four. */
+/* Stores bytes from left on until pixel is a multiple of four; then bytes is the rest. */
     .macro align_pixel
     movs    pixel, left
     lsrs    spare, pixel, #1
@@ -75,7 +75,7 @@ fxl_fill_trapezoid:
     ldrh    r5, [r0, #STRIDE]
     muls    r4, r5
     ldr     r6, [r0, #PIXELS]
-    adds    r4, r4, r6          /* where the first row begins */
+    adds    r4, r4, r6          /* address of the first row */
     lsls    r6, r2, #8
     orrs    r2, r6
     lsls    r6, r2, #16
@@ -104,7 +104,7 @@ fxl_fill_trapezoid:
     cmp     bytes, #8
     blo     .Lshort
     align_pixel
-    /* The tail from the right end back, then as many words as there are. */
+    /* The tail of 0 to 3 bytes, from the right end back; then all words. */
 .Lrest:
     lsrs    spare, bytes, #1
     bcc     1f
@@ -145,7 +145,7 @@ fxl_fill_trapezoid:
     mov     r11, r7
     pop     {r4-r7, pc}
 
-    /* Fewer than 8 bytes, or none. */
+    /* Fewer than 8 bytes, perhaps none. */
 .Lshort:
     lsls    bytes, bytes, #1
     negs    bytes, bytes
@@ -181,7 +181,7 @@ fxl_fill_trapezoid:
     adds    bytes, #64
     b       .Lrest
 
-    /* They change places; a second time they cannot cross. */
+    /* The edges crossed: exchange them. Straight edges do not cross a second time. */
 .Lcrossed:
     movs    spare, left
     movs    left, right

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* For a core without CLZ. Internal. */
+/* The count of leading zeros, for a core without CLZ. Internal. */
 #ifndef FXL_LEADING_ZEROS_H
 #define FXL_LEADING_ZEROS_H
 
 #include <stdint.h>
 
-/* How many bits of value, not 0, are 0 before its highest 1: halves the bits in
- * question, then looks four of them up. */
+/* The number of 0 bits above the highest 1 of value. Requires value > 0. It halves the range of
+ * bits three times, then looks up four of them. */
 static inline unsigned fxl_leading_zeros(uint32_t value)
 {
     unsigned zeros = 0;
@@ -22,7 +22,8 @@ static inline unsigned fxl_leading_zeros(uint32_t value)
         zeros += 4;
         value <<= 4;
     }
-    /* 4 bits each for 0..15, 0 not asked for: 3 2 2 1 1 1 1 and 0 from 8 on. */
+    /* The table has 4 bits for each of 1..7: 3 2 2 1 1 1 1. The result is 0 from 8 on; the
+     * entry for 0 is not used. */
     return zeros + (value >> 31 != 0 ? 0u : (0x11112230u >> (value >> 28) * 4u & 15u));
 }
 

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Products of 32 by 32 bits, whole, on a core that keeps the lower 32 bits of a
- * product: four products of 16 by 16. The same bits as portable. Internal.
+/* Products of 32 by 32 bits, all 64 bits, for a core that has only the lower 32 bits of a
+ * product: four products of 16 by 16 bits. They give the same results as
+ * lib/kernels/portable/multiply.h. Internal.
  *
- * In assembly, since the compiler makes twice as much of it; what the multiplier
- * is asked for is what fits, so nothing is lost: 16 by 16 bits fit 32, and so
- * they do where one or both are signed, 2^15 (2^16 - 1) < 2^31. */
+ * They are in assembly because the compiler's code is twice as long. Each product fits 32
+ * bits: 16 by 16 bits fit 32, also if one or both factors are signed, because
+ * 2^15 (2^16 - 1) < 2^31. */
 #ifndef FXL_MULTIPLY_H
 #define FXL_MULTIPLY_H
 
 #include <stdint.h>
 
-/* *low, *high, *one and *other become the four products of the halves of a and
- * b, the upper halves by SHIFT: 2^32 high + 2^16 (one + other) + low. */
+/* low, high, one and other become the four products of the halves of a and b. SHIFT takes
+ * the upper halves. The product of a and b is 2^32 high + 2^16 (one + other) + low. */
 #define FXL_HALVES(SHIFT, a, b, low, one, other, high) \
     __asm__(".syntax unified\n\tuxth %[l], %[p]\n\t" \
             "uxth %[o], %[q]\n\t" SHIFT " %[p], %[p], #16\n\t" SHIFT " %[q], %[q], #16\n\t" \
@@ -25,7 +26,7 @@
             : "cc"); \
     (high) = (uint32_t)(b)
 
-/* Adds 2^16 middle, which is used up, to 2^32 high + low. */
+/* Adds 2^16 middle to 2^32 high + low. middle is overwritten. */
 #define FXL_ADD_MIDDLE(SHIFT, low, high, middle) \
     do { \
         uint32_t fxl_spare; \
@@ -55,8 +56,9 @@ static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)
     return (int64_t)((uint64_t)high << 32 | low);
 }
 
-/* The same for |a| <= 2^30 + 2^16 and |b| < 2^30, in two instructions less: the middle
- * products together are below 2 (2^14 + 1) 2^16 and fit 32 bits. */
+/* The same as fxl_multiply_s32, with two instructions less. Requires |a| <= 2^30 + 2^16 and
+ * |b| < 2^30: the sum of the two middle products is then below 2 (2^14 + 1) 2^16 and fits
+ * 32 bits. */
 static inline int64_t fxl_multiply_s31(int32_t a, int32_t b)
 {
     uint32_t low, one, other, high;
@@ -66,8 +68,8 @@ static inline int64_t fxl_multiply_s31(int32_t a, int32_t b)
     return (int64_t)((uint64_t)high << 32 | low);
 }
 
-/* The product of a signed and an unsigned number: below 2^63. Taken as unsigned,
- * a negative a is 2^32 more than it is. */
+/* The product of a signed and an unsigned number. It is below 2^63. A negative a, converted
+ * to unsigned, is larger by 2^32, so 2^32 b is subtracted. */
 static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)
 {
     uint64_t wrapped = a < 0 ? (uint64_t)b << 32 : 0;

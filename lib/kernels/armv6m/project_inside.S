@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_project_inside for Armv6-M: products of 32 bits, no division, no CLZ. The
- * numbers' names, and why nothing overflows, stand in
- * lib/kernels/portable/project_inside.c; the reciprocal of 16 bits is that of
- * divide.h. */
+/* fxl_project_inside for Armv6-M: products of 32 bits, no division, no CLZ.
+ * lib/kernels/portable/project_inside.c defines the letters and shows that nothing
+ * overflows. The reciprocal of 16 bits is that of divide.h. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV6M
@@ -11,7 +10,7 @@
     .syntax unified
     .thumb
 
-/* fxl_projection, fxl_view_point, fxl_screen_point. */
+/* Offsets in fxl_projection (project.c asserts them), fxl_view_point and fxl_screen_point. */
 #define FACTOR      0
 #define DEPTH_MIN   4
 #define FACTOR_2    12
@@ -21,7 +20,7 @@
 #define VIEW_X      0
 #define VIEW_Y      8
 #define VIEW_Z      16
-/* The stack; beyond these r4 to r7 and lr. */
+/* Offsets on the stack; above these are r4 to r7 and lr. */
 #define HALF        0
 #define SCALE       4
 #define SHIFT       8       /* n - 3 */
@@ -29,8 +28,8 @@
 #define VIEW        16
 #define SCREEN      20
 
-/* floor((P + h) / d), or one less: r0; its remainder: r1; d: r3. Uses the rest but
- * r5. lr: d. */
+/* Results: r0: floor((P + h) / d), or one less; r1: its remainder; r3: d. Input: lr: d.
+ * Overwrites r0 to r7. */
     .macro  offset side
     ldr     r2, [sp, #VIEW]
     ldr     r6, [r2, #\side]
@@ -67,9 +66,9 @@
     adds    r0, r0, r3
     adds    r0, r0, r4
     adds    r1, r1, r0
-    ldr     r0, [sp, #SCALE]                /* x G: |x|, G <= 2^30, so the middle */
-    uxth    r2, r7                          /* products and what the lowest carries are */
-    asrs    r7, r7, #16                     /* below 2^31 together */
+    ldr     r0, [sp, #SCALE]                /* x G: |x|, G <= 2^30, so the sum of the middle */
+    uxth    r2, r7                          /* products and the lowest product's carry is */
+    asrs    r7, r7, #16                     /* below 2^31 */
     uxth    r4, r0
     lsrs    r0, r0, #16
     movs    r3, r2
@@ -88,8 +87,8 @@
     subs    r1, r1, r2
     .endm
 
-/* r0 = floor(r0 / r6), r6 = D, r4 its reciprocal, r0 < 2^31: fxl_divide_half.
- * What is left stays in r2; uses r7. */
+/* fxl_divide_half: r0 = floor(r0 / r6), r2 = the remainder. Input: r0 < 2^31, r6: D,
+ * r4: the reciprocal of D. Overwrites r7. */
     .macro  divide_half
     movs    r2, r0
     lsrs    r0, r0, #16
@@ -112,8 +111,8 @@
 
     .section .text.fxl_project_inside, "ax", %progbits
 
-/* Before the function, where its first branches reach it. */
-long_way:
+/* Before the function, so that a short branch reaches it. */
+slow_path:
     bl      fxl_project_any
     add     sp, sp, #24
     pop     {r4-r7, pc}
@@ -128,7 +127,7 @@ fxl_project_inside:
     ldr     r3, [r1, #VIEW_Z + 4]
     ldr     r4, [r0, #DEPTH_MIN]
     cmp     r3, r4
-    blt     long_way
+    blt     slow_path
 
     movs    r5, #0                          /* n */
     lsrs    r6, r3, #16
@@ -156,7 +155,7 @@ fxl_project_inside:
     subs    r7, r7, r5
     lsrs    r6, r6, r7
     orrs    r3, r3, r6
-    lsrs    r3, r3, #1                      /* the bit that falls out rounds */
+    lsrs    r3, r3, #1                      /* the bit shifted out rounds */
     movs    r6, #0
     adcs    r3, r3, r6
     mov     lr, r3                          /* d */

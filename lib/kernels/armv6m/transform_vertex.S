@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_transform_vertex for Armv6-M; the sums, their bounds and the bound of the upper
- * words stand in lib/src/math/arith.h and lib/src/view/outside.h. A product of 32 by 32
- * bits is made of four of 16 by 16; as one factor is at most 2^30 and the other
- * below it, the two in the middle together fit 32 bits (multiply.h). */
+/* fxl_transform_vertex for Armv6-M. lib/src/math/arith.h (fxl_dot) and
+ * lib/src/view/outside.h define the sums and derive their bounds. A product of 32 by 32 bits
+ * is made of four products of 16 by 16. One factor is at most 2^30 and the other is below
+ * 2^30, so the sum of the two middle products fits 32 bits (multiply.h). */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV6M
@@ -11,7 +11,8 @@
     .syntax unified
     .thumb
 
-/* fxl_model_view, fxl_view, fxl_view_frustum, fxl_cached_vertex: placed.c. */
+/* Offsets in fxl_model_view, fxl_view, fxl_view_frustum and fxl_cached_vertex; model_view.c
+ * asserts them. */
 #define TAG         12
 #define VERTICES    16
 #define OFFSET      24
@@ -25,19 +26,20 @@
 #define NEAR        16
 #define FAR         24
 #define INSET_UPPER 36
-#define STATE       4
+#define CLIP_FLAGS       4
 #define POSITION_X  16
 #define POSITION_Y  24
 #define POSITION_Z  32
 #define UNPROJECTED 0x80
-/* The stack: the vertex from the eye, x, y, z; later the inset in place of x. */
+/* Offsets on the stack. FROM_EYE is the vertex relative to the eye, x, y, z; later the inset
+ * takes the place of x. */
 #define FROM_EYE    0
 #define INSET       0
-#define PLACED      12
+#define MODEL_VIEW      12
 #define ENTRY       16
 
-/* The halves of r2 and r3 multiplied: r0 lowest, r4 both in the middle, r3 highest.
- * Uses r5. */
+/* Multiplies the halves of r2 and r3: r0 is the lowest product, r4 the sum of the two middle
+ * products, r3 the highest. Overwrites r2 and r5. */
     .macro  products
     uxth    r4, r2
     asrs    r2, r2, #16
@@ -51,7 +53,7 @@
     adds    r4, r4, r5
     .endm
 
-/* The next entry of the rotation times a coordinate: added to r7:r6. */
+/* Adds the next entry of the rotation times a coordinate to r7:r6; coordinate 0 sets r7:r6. */
     .macro  add_product coordinate
     ldm     r1!, {r2}
     ldr     r3, [sp, #FROM_EYE + 4 * \coordinate]
@@ -78,7 +80,7 @@
     str     r7, [r2, #\position + 4]
     .endm
 
-/* r0: the upper word of a normal's part times a position's upper word. */
+/* r0 = fxl_upper_term of a component of a normal and a coordinate of the position. */
     .macro  upper_term part position
     ldr     r3, [sp, #ENTRY]
     ldr     r3, [r3, #\position + 4]
@@ -90,8 +92,9 @@
     adds    r0, r0, r3
     .endm
 
-/* r6: the signs of a pair's distances, lowest first; to `open` where an upper
- * distance does not decide, which 4 more by the inset make 0..7. */
+/* r6 = the signs of the distances from a pair of side planes, the first plane in the lowest
+ * bit. It branches to `undecided` if a distance from the upper words does not decide. The
+ * inset is smaller by 4, so such a distance, -4..3, is 0..7 here. */
     .macro  pair side depth position
     upper_term \side, \position
     movs    r6, r0
@@ -101,9 +104,9 @@
     subs    r7, r0, r6
     adds    r6, r6, r0
     cmp     r6, #8
-    blo     open
+    blo     undecided
     cmp     r7, #8
-    blo     open
+    blo     undecided
     lsrs    r6, r6, #31
     lsrs    r7, r7, #31
     lsls    r7, r7, #1
@@ -115,11 +118,11 @@
     .type fxl_transform_vertex, %function
     .thumb_func
 
-/* r0: placed, r1: number, r2: entry */
+/* r0: model_view, r1: number, r2: entry */
 fxl_transform_vertex:
     push    {r2, r4-r7, lr}
     sub     sp, sp, #16
-    str     r0, [sp, #PLACED]
+    str     r0, [sp, #MODEL_VIEW]
     ldr     r3, [r0, #TAG]
     adds    r3, r3, r1
     str     r3, [r2]
@@ -144,7 +147,7 @@ fxl_transform_vertex:
     row     POSITION_Z
 
     movs    r6, #0
-    ldr     r0, [sp, #PLACED]
+    ldr     r0, [sp, #MODEL_VIEW]
     adds    r0, r0, #PLANES
     ldrb    r0, [r0]
     cmp     r0, #0
@@ -152,13 +155,13 @@ fxl_transform_vertex:
 decided:
     movs    r0, #UNPROJECTED
     orrs    r6, r6, r0
-    str     r6, [r2, #STATE]
+    str     r6, [r2, #CLIP_FLAGS]
     add     sp, sp, #20
     pop     {r4-r7, pc}
 
-open:
+undecided:
     movs    r0, r1
-    ldr     r1, [sp, #PLACED]
+    ldr     r1, [sp, #MODEL_VIEW]
     adds    r1, r1, #PLANES
     ldrb    r1, [r1]
     ldr     r2, [sp, #ENTRY]
@@ -197,7 +200,7 @@ some_planes:
     lsrs    r4, r4, #31
     lsls    r6, r6, #1
     orrs    r6, r6, r4
-    ldr     r0, [sp, #PLACED]
+    ldr     r0, [sp, #MODEL_VIEW]
     adds    r0, r0, #PLANES
     ldrb    r0, [r0]
     ands    r6, r6, r0

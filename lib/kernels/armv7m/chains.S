@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_scan_next_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
- * lib/include/fixel/stage/scan.h, the bits are those of lib/kernels/portable/chains.c. The
- * arithmetic, with its bounds, is that of edge.h and armv7m/edge_divide.h. */
+/* fxl_scan_next_trapezoid for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/scan.h
+ * states what it requires and returns; it gives the same bits as
+ * lib/kernels/portable/chains.c. The arithmetic, with its bounds, is that of
+ * lib/src/raster/edge.h and lib/kernels/armv7m/edge_divide.h. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -10,12 +11,12 @@
     .syntax unified
     .thumb
 
-/* fxl_scan; scan.c holds these against the structure. */
+/* Offsets in fxl_scan; scan.c asserts them. */
 #define POINTS      0
 #define COUNT       4
 #define BY_CHAINS   5
 #define END_ROW     6
-#define VERTEX      8       /* of chain 0; chain 1 is 4 further on */
+#define VERTEX      8       /* of chain 0; those of chain 1 are larger by 4 */
 #define ONWARD      9
 #define CHAIN_END   10
 #define FIRST_ROW   20      /* of the trapezoid */
@@ -27,7 +28,8 @@
     .type fxl_scan_next_trapezoid, %function
     .thumb_func
 
-/* r0: scan, r2: end of the rows so far, r3: scan + 4 side, lr: the row's centre in 16.16 */
+/* Input: r0: scan. In the loop over the two sides, r2: the least end row so far, r3: scan + 4
+ * times the side, lr: the y of the row's centres in 16.16. */
 fxl_scan_next_trapezoid:
     ldrsh   r1, [r0, #LAST_END]
     ldrsh   r2, [r0, #END_ROW]
@@ -43,7 +45,7 @@ fxl_scan_next_trapezoid:
     ble     .Lbegin
     ldrsh   r6, [r0, #FIRST_ROW]
     rsb     r6, r6, lr, asr #16
-.Ladvance:                          /* the edge by r6 rows */
+.Ladvance:                          /* moves the edge down by r6 rows */
     sub     r7, r3, r0
     add     r7, r0, r7, lsl #2
     ldrd    r8, r9, [r7, #EDGES]
@@ -69,10 +71,10 @@ fxl_scan_next_trapezoid:
     pop     {r3-r11, pc}
 .Lnone:
     ldrb    r1, [r0, #BY_CHAINS]
-    cbz     r1, .Lcrossings
+    cbz     r1, .Lactive_edges
     movs    r0, #0
     bx      lr
-.Lcrossings:
+.Lactive_edges:
     b.w     fxl_scan_next_of_active_edges
 
     /* Down the chain to the edge that ends below the row's centre. */
@@ -81,10 +83,10 @@ fxl_scan_next_trapezoid:
     ldrb    r7, [r3, #ONWARD]
     ldrb    r1, [r0, #COUNT]
     ldr     r9, [r0, #POINTS]
-    b       .Lwalk
-.Lpassed:
+    b       .Ltest_edge
+.Lnext_edge:
     mov     r6, r10
-.Lwalk:
+.Ltest_edge:
     add     r10, r6, r7
     cmp     r10, r1
     it      hs
@@ -92,7 +94,7 @@ fxl_scan_next_trapezoid:
     add     r8, r9, r10, lsl #3
     ldrd    r11, r12, [r8]
     cmp     r12, lr
-    ble     .Lpassed
+    ble     .Lnext_edge
     strb    r10, [r3, #VERTEX]
     sub     r12, r12, #1
     add     r5, r12, #32768
@@ -103,16 +105,16 @@ fxl_scan_next_trapezoid:
     sub     r10, r12, r7
     adds    r10, r10, #1            /* height; no carry */
     sub     r11, r11, r6            /* dx */
-    sub     r7, lr, r7              /* from the top to the centre: rows, and t */
+    sub     r7, lr, r7              /* the centre less the top: whole rows, and t */
     clz     r1, r10
     sbc     r12, r5, lr, asr #16
-    adds    r12, r12, r7, lsr #16   /* rows above it and from it on, less 1 */
+    adds    r12, r12, r7, lsr #16   /* the edge's rows above this one and from it on, less 1 */
     beq     .Lone_row
-    lsrs    r12, r12, r1            /* more than the edge is good for */
-    bne     .Lfar
+    lsrs    r12, r12, r1            /* not 0: more rows than the edge holds for */
+    bne     .Lset_far
     uxth    r12, r7
     lsrs    r7, r7, #16
-    orr     r8, r1, r7, lsl #8      /* rows above; shift, the byte that shifts look at */
+    orr     r8, r1, r7, lsl #8      /* rows above; lowest byte: shift (shifts read this byte) */
     smull   r4, r5, r11, r12
     sub     r6, r6, #32768          /* start */
     uxth    r12, r6
@@ -121,7 +123,7 @@ fxl_scan_next_trapezoid:
     sbc     r5, r5, #0
     lsrs    r4, r4, #16
     lsls    r4, r4, #2
-    orr     r4, r4, r5, lsl #18     /* the first row's dividend, four times */
+    orr     r4, r4, r5, lsl #18     /* the first row's dividend times four */
 
     lsl     r12, r10, r8
     mvn     r1, #0x8000
@@ -136,7 +138,8 @@ fxl_scan_next_trapezoid:
     lsr     r12, r12, r5
     sub     r12, r12, #1            /* 2^(shift - 1) - 1 */
 
-/* dividend r: r4, whole: \whole, fraction: r1; r12: as above */
+/* Input: r4: the dividend times four, r12: as above. Results: \whole, and r1: the fraction, whose
+ * carry the caller adds to \whole. */
     .macro  divide whole
     smull   r1, \whole, r4, r9
     lsl     r7, \whole, r8
@@ -145,7 +148,7 @@ fxl_scan_next_trapezoid:
     asr     \whole, \whole, r5
     subs    r1, r1, r12
     sbc     \whole, \whole, #0
-    mls     r7, r1, r10, r10        /* what is left, half added */
+    mls     r7, r1, r10, r10        /* the rest of the dividend, with half added */
     udiv    r7, r7, r10
     adds    r1, r1, r7
     .endm
@@ -165,7 +168,7 @@ fxl_scan_next_trapezoid:
     beq     .Lside_done
     b       .Ladvance
 
-    /* The edge crosses this row alone: its first pixel, and no steps. */
+    /* The edge crosses only this row: compute its first pixel, and no step. */
 .Lone_row:
     smull   r4, r8, r11, r7
     sub     r6, r6, #32768          /* start */
@@ -188,8 +191,8 @@ fxl_scan_next_trapezoid:
     strd    r1, r1, [r6, #EDGES + 8]
     b       .Lside_done
 
-    /* By its exact remainder: r8 bottom, r9 top, r5 end row. */
-.Lfar:
+    /* Start the edge from its exact remainder. r8: bottom, r9: top, r5: end row. */
+.Lset_far:
     push    {r0, r2, r3, lr}
     sub     r7, r3, r0
     add     r7, r0, r7, lsl #2
@@ -206,7 +209,7 @@ fxl_scan_next_trapezoid:
     add     r7, r7, lr, asr #16
     cmp     r7, r5
     beq     .Lside_done
-    mov     r5, r7                  /* the same edge again from there on */
+    mov     r5, r7                  /* the same edge is set again from that row on */
     strh    r5, [r3, #CHAIN_END]
     ldr     r6, [r0, #POINTS]
     sub     r6, r9, r6

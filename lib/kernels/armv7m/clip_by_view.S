@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline; the contract is
- * lib/include/fixel/stage/clipper.h, the bits are those of lib/kernels/portable/clip_by_view.c. */
+/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/clipper.h states
+ * what it requires and returns; it gives the same bits as
+ * lib/kernels/portable/clip_by_view.c. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -9,11 +10,12 @@
     .syntax unified
     .thumb
 
-/* Of fxl_model_view, fxl_face, fxl_cached_vertex, fxl_screen_polygon and fxl_view, and the
- * results: clipper_view.c holds them against the structures. */
-#define FIRST_CORNER 12
+/* Offsets in fxl_face, fxl_cached_vertex, fxl_screen_polygon and fxl_view, and results:
+ * clipper_view.c asserts them. fxl_model_view begins with view, entries, mask, tag, vertices,
+ * indices. */
+#define FIRST_INDEX  12
 #define COUNT        16      /* and the colour beside it */
-#define STATE        4
+#define CLIP_FLAGS   4
 #define SCREEN       8
 #define POSITION     16
 #define POINTS       4
@@ -22,7 +24,7 @@
 #define RANGE        5
 #define BETWEEN      6
 
-/* On the stack: placed, face, work, screen, r4-r11, the vertex, lr. */
+/* On the stack: model_view, face, work, screen, r4-r11, the vertex, lr. */
 #define AT_FACE     4
 #define AT_SCREEN   12
 #define AT_VERTEX   48
@@ -33,45 +35,45 @@ entries .req r5
 mask    .req r6
 tag     .req r7
 point   .req r8
-corner  .req r9
+index   .req r9     /* address of the next index */
 count   .req r10
 of_any  .req r11
-state   .req r12
+flags   .req r12
 
     .section .text.fxl_clip_by_view, "ax", %progbits
     .global fxl_clip_by_view
     .type fxl_clip_by_view, %function
     .thumb_func
 
-/* r0: placed, r1: face, r2: work, r3: screen */
+/* r0: model_view, r1: face, r2: work, r3: screen */
 fxl_clip_by_view:
     push    {r0-r12, lr}
-    ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, corners */
-    ldr     r2, [r1, #FIRST_CORNER]
+    ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, indices */
+    ldr     r2, [r1, #FIRST_INDEX]
     ldrb    count, [r1, #COUNT]
-    add     corner, corner, r2, lsl #1
+    add     index, index, r2, lsl #1
     add     point, r3, #POINTS
     mov     of_any, #0
     mvn     of_all, #0
-.Lcorner:
-    ldrh    r1, [corner], #2
+.Lvertex:
+    ldrh    r1, [index], #2
     and     r2, r1, mask
     add     r2, r2, r2, lsl #2              /* 40 bytes each */
     add     vertex, entries, r2, lsl #3
-    ldrd    r0, state, [vertex]
+    ldrd    r0, flags, [vertex]
     add     r3, r1, tag
     cmp     r0, r3
-    bne     .Lunknown
-.Lknown:
-    lsls    r0, state, #24
+    bne     .Lmiss
+.Lcached:
+    lsls    r0, flags, #24
     bne     .Lunprojected
 .Lready:
     ldrd    r0, r1, [vertex, #SCREEN]
-    orr     of_any, of_any, state
-    and     of_all, of_all, state
+    orr     of_any, of_any, flags
+    and     of_all, of_all, flags
     stm     point!, {r0, r1}
     subs    count, count, #1
-    bne     .Lcorner
+    bne     .Lvertex
 
     ldr     r1, [sp, #AT_FACE]
     ldr     r2, [sp, #AT_SCREEN]
@@ -89,16 +91,16 @@ fxl_clip_by_view:
     add     sp, sp, #16
     pop     {r4-r12, pc}
 
-.Lunknown:
+.Lmiss:
     ldr     r0, [sp]
     str     vertex, [sp, #AT_VERTEX]
     bl      fxl_transform_vertex
     ldr     vertex, [sp, #AT_VERTEX]
-    ldr     state, [vertex, #STATE]
-    b       .Lknown
+    ldr     flags, [vertex, #CLIP_FLAGS]
+    b       .Lcached
 
 .Lunprojected:
-    cmp     state, #UNPROJECTED
+    cmp     flags, #UNPROJECTED
     bne     .Loutside
     str     vertex, [sp, #AT_VERTEX]
     ldr     r0, [sp]
@@ -116,8 +118,8 @@ fxl_clip_by_view:
     asrs    r0, r0, #16
     asrs    r1, r1, #16
     lsls    r1, r1, #20
-    orr     state, r1, r0, lsl #8
-    str     state, [vertex, #STATE]
+    orr     flags, r1, r0, lsl #8
+    str     flags, [vertex, #CLIP_FLAGS]
     b       .Lready
 
 .Loutside:

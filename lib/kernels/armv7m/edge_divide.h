@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The division of an edge's set-up with UDIV of 32 bits and UMULL; the contract
- * is lib/kernels/portable/edge_divide.h. */
+/* The division of an edge's set-up, with UDIV of 32 bits and UMULL.
+ * lib/kernels/portable/edge_divide.h states what each function requires and returns. */
 #ifndef FXL_EDGE_DIVIDE_H
 #define FXL_EDGE_DIVIDE_H
 
@@ -11,16 +11,16 @@
 
 typedef struct {
     uint32_t height;
-    uint32_t half;      /* 2^31 <= 2 half < 2^32: height 2^(shift - 1) */
-    int32_t reciprocal; /* 2^62 / (2 half), off by -2^-29.38 to 2^-30.9 of it (every upper half
-                           tried) */
+    uint32_t half;      /* height 2^(shift - 1): 2^31 <= 2 half < 2^32 */
+    int32_t reciprocal; /* 2^62 / (2 half); error -2^-29.38 to 2^-30.9 of it (all upper halves
+                           were tried) */
     unsigned shift;
 } fxl_edge_divider;
 
-/* One division of 32 bits gives the reciprocal's upper 16, one step after
- * Newton the rest; what is subtracted from the numerator shares the first
- * error out to both sides. rough 2 half is about 2^63, and
- * rough (2^64 - rough 2 half) / 2^64 about 2^62 / (2 half). */
+/* One division of 32 bits gives the upper 16 bits of the reciprocal, and one step of Newton's
+ * method gives the rest. The numerator is reduced so that the error of the division is
+ * centred about 0. rough 2 half is about 2^63, and rough (2^64 - rough 2 half) / 2^64 is
+ * about 2^62 / (2 half). */
 static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
 {
     fxl_edge_divider divider;
@@ -39,24 +39,23 @@ static inline unsigned fxl_edge_divider_shift(const fxl_edge_divider *divider)
     return divider->shift;
 }
 
-/* dividend 2^62 / (height 2^shift), shifted right by 30 - shift, is the
- * quotient but for an error of |dividend| 2^(32 - 29.38) / height + 1 at most.
- * What is left of the dividend then is below 2^29.63 + 2^26 < 2^30 either way,
- * so its lower 32 bits tell all of it; with 2^30 <= half < 2^31 added, which is
- * height 2^(shift - 1), it is not negative, and one division finds the rest.
- * The dividend's two spare bits are given before the product: so the shift is
- * 1 at least. */
+/* The estimate is dividend 2^62 / (height 2^shift), shifted right by 30 - shift. Its error is
+ * at most |dividend| 2^(32 - 29.38) / height + 1. The magnitude of the rest that it leaves
+ * is below 2^29.63 + 2^26 < 2^30, so the lower 32 bits hold all of the rest. half, which is
+ * height 2^(shift - 1) and 2^30 <= half < 2^31, is added to the rest, which then is not
+ * negative, and one division finds the correction. The dividend is multiplied by 4 before
+ * the product, because it has two spare bits. So the shift right is by at least 1. */
 static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t dividend,
                                    int32_t *whole, uint32_t *fraction)
 {
     int64_t product = (int64_t)(dividend * 4) * divider->reciprocal;
     int32_t high = (int32_t)(product >> 32);
     unsigned shift = divider->shift, rest_shift = 32 - shift;
-    uint32_t near_z = (uint32_t)high << shift | (uint32_t)product >> rest_shift;
-    uint32_t left = divider->half - near_z * divider->height;
+    uint32_t estimate = (uint32_t)high << shift | (uint32_t)product >> rest_shift;
+    uint32_t left = divider->half - estimate * divider->height;
     int32_t more = (int32_t)(left / divider->height) - (int32_t)((1u << shift) >> 1) + 1;
-    uint32_t sum = near_z + (uint32_t)more;
-    *whole = (high >> rest_shift) + (more >> 31) + (sum < near_z);
+    uint32_t sum = estimate + (uint32_t)more;
+    *whole = (high >> rest_shift) + (more >> 31) + (sum < estimate);
     *fraction = sum;
 }
 

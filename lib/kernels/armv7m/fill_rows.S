@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_fill_trapezoid for ARMv7-M and ARMv8-M Mainline; the contract is
- * lib/include/fixel/stage/fill.h, the bytes are those of lib/kernels/portable.
+/* fxl_fill_trapezoid for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/fill.h states
+ * what it requires and does; it writes the same bytes as lib/kernels/portable/fill_rows.c.
  *
- * Both edges are kept as addresses, x added to where the row begins and stride
- * to the step: so a row's span is from one address to the other, and a step is
- * two additions an edge. Every store is aligned. */
+ * Both edges are kept as addresses: the row's address is added to x, and the stride is added
+ * to the step. So a row's span goes from one address to the other, and a step is two
+ * additions an edge. Every store is aligned. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV7M && (!FXL_KERNELS_MVE || defined FXL_ROWS_BY_VECTORS)
@@ -13,28 +13,29 @@
     .syntax unified
     .thumb
 
-/* fxl_band and fxl_trapezoid; fill.c holds them against the structures. */
+/* Offsets in fxl_band and fxl_trapezoid; fill.c asserts them. */
 #define PIXELS      0
 #define STRIDE      6
 #define FIRST_ROW   8       /* of the band */
 #define END_ROW     2       /* of the trapezoid; its first row is at 0 */
 #define EDGES       4
 
-pixel       .req r0     /* where to store next, aligned to four */
-bytes       .req r1     /* still to be stored */
-colour      .req r2     /* four times */
+pixel       .req r0     /* the next address to store to, aligned to four */
+bytes       .req r1     /* bytes still to be stored */
+colour      .req r2     /* in each of four bytes, after four_times */
 spare       .req r3
 left        .req r4     /* address of the left edge's pixel */
 left_fraction       .req r5
-left_step           .req r6     /* stride added */
+left_step           .req r6     /* with the stride */
 left_step_fraction  .req r7
-right       .req r8     /* of the right edge's: one past the span */
+right       .req r8     /* address of the right edge's pixel: one past the span */
 right_fraction      .req r9
-right_step          .req r10
+right_step          .req r10    /* with the stride */
 right_step_fraction .req r11
-rows        .req r12    /* to be done */
+rows        .req r12    /* rows still to be filled */
 
-    /* The colour is needed four times at first, or by vectors where a row is long. */
+    /* Copies the colour into all four bytes: at the beginning, or, with vectors, only where a
+     * row is long. */
     .macro  four_times where
 #ifdef FXL_ROWS_BY_VECTORS
     .ifc    \where, colour_late
@@ -67,7 +68,7 @@ fxl_fill_trapezoid:
     add     left, left, r0
     add     right, right, r0
     orrs    spare, left_step, right_step
-    beq     .Lperhaps_upright
+    beq     .Ltest_upright
 .Lslanted:
     add     left_step, left_step, lr
     add     right_step, right_step, lr
@@ -91,7 +92,7 @@ fxl_fill_trapezoid:
     cmp     bytes, #64
     bhs     .Llong
 #ifdef FXL_ROWS_BY_VECTORS
-    /* 16 bytes at a time, the last time as many as are left; lr is free. */
+    /* 16 bytes at a time, the last time only the bytes that remain. lr is free. */
     mov     pixel, left
     wlstp.8 lr, bytes, .Lnext
 .Lvector:
@@ -102,7 +103,7 @@ fxl_fill_trapezoid:
     cmp     bytes, #8
     blo     .Lshort
 
-    /* To a multiple of four: 0 to 3 of the 8 bytes at least. */
+    /* Store up to a multiple of four: 0 to 3 bytes, of at least 8. */
     and     spare, left, #3
     tbb     [pc, spare]
 .Lheads:
@@ -135,9 +136,9 @@ fxl_fill_trapezoid:
     .byte   (.Lend_2_\words - .Lends) / 2, (.Lend_3_\words - .Lends) / 2
     .endr
 
-/* Four times the words and the tail of 0 to 3 bytes, which is stored from the
- * right end back. Words are stored from the last pair to the first, so that
- * each count is a place to enter at. */
+/* The words and the tail of 0 to 3 bytes, once for each length of the tail. The tail is
+ * stored from the right end back. Words are stored from the last pair to the first, so each
+ * number of words has a label at which to enter. */
     .macro tail length
     .if     \length == 3
     strh    colour, [right, #-3]
@@ -173,7 +174,7 @@ fxl_fill_trapezoid:
     words_and_tail 3
 
 #ifndef FXL_ROWS_BY_VECTORS
-    /* Fewer than 8 bytes, or none. */
+    /* Fewer than 8 bytes, perhaps none. */
 .Lshort:
     tbb     [pc, bytes]
 .Lshorts:
@@ -233,7 +234,7 @@ fxl_fill_trapezoid:
     adds    bytes, #64
     b       .Lrest
 
-    /* They change places; a second time they cannot cross. */
+    /* The edges crossed: exchange them. Straight edges do not cross a second time. */
 .Lcrossed:
     push    {r4-r7}
     mov     r4, r8
@@ -243,10 +244,10 @@ fxl_fill_trapezoid:
     pop     {r8-r11}
     b       .Lrow
 
-    /* Steps of 0, and fractions that have no carry to make: the same span on
-     * every row. Worth it from 32 bytes on. The step of an upright edge is
-     * 2^-32 (lib/kernels/portable/edge_divide.h). */
-.Lperhaps_upright:
+    /* If both whole steps are 0 and no fraction will carry, every row has the same span. The
+     * test pays from 32 bytes on. The step of an upright edge is 2^-32
+     * (lib/kernels/portable/edge_divide.h). */
+.Ltest_upright:
     orr     spare, left_step_fraction, right_step_fraction
     cmp     spare, #1
     bhi     .Lslanted
@@ -258,10 +259,10 @@ fxl_fill_trapezoid:
     adds    spare, right_fraction, rows
     bcs     .Lslanted
 
-    /* r4-r11: colour, lr: rows to be done. */
+    /* r4-r11: colour, lr: rows still to be filled. */
     four_times colour_late
-start   .req r3
-rest    .req r12    /* of a row */
+start   .req r3     /* of the row's span */
+rest    .req r12    /* bytes of the row still to be stored */
 stride  .req r2
     mov     start, left
     .irp    register, r4, r5, r6, r7, r8, r9, r10, r11
@@ -310,7 +311,7 @@ stride  .req r2
     sub     rest, rest, pixel
     b       .Lupright_body
 
-    /* Bits 4 to 0 of what is left, one after the other as carry and sign. */
+    /* Bits 4 to 0 of the rest, one after the other in the carry and sign flags. */
 .Lupright_tail:
     lsls    rest, rest, #28
     it      cs

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_front_faces for Armv7-M and Armv8-M Mainline; the sums and their bounds stand in
- * lib/src/view/front_faces.h. */
+/* fxl_front_faces for Armv7-M and Armv8-M Mainline. lib/src/view/front_faces.h defines the sums
+ * and their bounds. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -9,30 +9,30 @@
     .syntax unified
     .thumb
 
-/* sizeof fxl_face and fxl_face_bounds: order.c holds them against the structures. The key is
- * height, low and high, and box x, y, z. */
+/* sizeof fxl_face and fxl_face_bounds; order.c asserts them. fxl_face_bounds is the height, low
+ * and high word, and the box's x, y, z. */
 #define FACE    20
-#define KEY     20
+#define BOUNDS  20
 #define COUNT   36          /* on the stack */
 
 face    .req r0
-key     .req r1             /* the next one's */
+bounds  .req r1             /* of the next face */
 entry   .req r3
-left    .req lr             /* faces still to be looked at, this one included */
+left    .req lr             /* faces still to be tested, including this one */
 
     .section .text.fxl_front_faces, "ax", %progbits
     .global fxl_front_faces
     .type fxl_front_faces, %function
     .thumb_func
 
-/* r0: faces, r1: keys, r2: from, r3: entry; on the stack: count */
+/* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count */
 fxl_front_faces:
     push    {r4-r11, lr}
     ldm     r2, {r4-r6}
     ldr     left, [sp, #COUNT]
 .Lface:
     ldm     face, {r7-r9}
-    ldrd    r10, r11, [key], #KEY
+    ldrd    r10, r11, [bounds], #BOUNDS
     smull   r7, r12, r7, r4
     smlal   r7, r12, r8, r5
     smlal   r7, r12, r9, r6
@@ -40,8 +40,8 @@ fxl_front_faces:
     cmp     r10, r7
     sbcs    r11, r11, r12
     bge     .Lnext                          /* turned away */
-    ldr     r7, [key, #8 - KEY]
-    ldrd    r8, r9, [key, #12 - KEY]
+    ldr     r7, [bounds, #8 - BOUNDS]
+    ldrd    r8, r9, [bounds, #12 - BOUNDS]
     sub     r7, r7, r4, lsl #1
     sub     r8, r8, r5, lsl #1
     sub     r9, r9, r6, lsl #1

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_project_inside for Armv7-M and Armv8-M Mainline: UMULL, UDIV, CLZ. The
- * numbers' names, and why nothing overflows, stand in
- * lib/kernels/portable/project_inside.c.
+/* fxl_project_inside for Armv7-M and Armv8-M Mainline: UMULL, UDIV, CLZ.
+ * lib/kernels/portable/project_inside.c defines the letters and shows that nothing overflows.
  *
- * Sides are shifted by multiplication, which takes two instructions for 64 bits; half the
- * depth is what their product with F is added to. What decides the rounding is left in the
- * carry and added with the centre. */
+ * Sides are shifted by multiplication, which takes two instructions for 64 bits. Their product
+ * with F is accumulated onto half the depth. The comparison that decides the rounding leaves
+ * its result in the carry, which is added together with the centre. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -14,8 +13,8 @@
     .syntax unified
     .thumb
 
-/* Of fxl_projection, which begins with factor, depth_min, factor_less_1, factor_2,
- * factor_17; fxl_view_point is x, y, z: project.c holds them against the structures. */
+/* Offset in fxl_projection, which begins with factor, depth_min, factor_less_1, factor_2,
+ * factor_17; fxl_view_point is x, y, z. project.c asserts them. */
 #define CENTRES 20
 
 projection  .req r0
@@ -23,12 +22,12 @@ view        .req r1     /* later 2^n, then 2^(n - 3) */
 power       .req r1
 screen      .req r2
 factor      .req r3     /* F */
-depth       .req r9     /* d; before it the upper word of Z */
-upper       .req r10    /* least upper word of Z; later of whatever product comes along */
-factor_1    .req r11    /* F - 1: a lower word times it, added to itself */
+depth       .req r9     /* d; before it, the upper word of Z */
+upper       .req r10    /* the least upper word of Z; later the upper word of a product */
+factor_1    .req r11    /* F - 1: UMLAL adds a lower word to its product with F - 1 */
 factor_2    .req r12    /* 4 F */
 scale       .req r12    /* G */
-factor_17   .req lr     /* 2^17 F, without what wraps; later P + h */
+factor_17   .req lr     /* 2^17 F, modulo 2^32; later P + h */
 
     .section .text.fxl_project_inside, "ax", %progbits
     .global fxl_project_inside
@@ -40,7 +39,7 @@ fxl_project_inside:
     ldm     view, {r4-r9}
     ldm     projection, {r3, r10, r11, r12, lr}
     cmp     r9, r10
-    blt     long_way
+    blt     slow_path
 
     clz     r10, r9
     mov     power, #1
@@ -48,7 +47,7 @@ fxl_project_inside:
     umull   r8, upper, r8, power            /* the upper word of Z 2^n */
     mla     r9, r9, power, upper
     lsr     power, power, #3
-    lsrs    depth, r9, #1                   /* the bit that falls out rounds */
+    lsrs    depth, r9, #1                   /* the bit shifted out rounds */
     adc     depth, depth, #0
 
     lsr     r8, depth, #15                  /* D */
@@ -82,7 +81,7 @@ fxl_project_inside:
     movs    r0, #0                          /* FXL_OK */
     pop     {r4-r11, pc}
 
-long_way:
+slow_path:
     pop     {r4-r11, lr}
     b.w     fxl_project_any
 

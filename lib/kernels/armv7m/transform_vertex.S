@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_transform_vertex for Armv7-M and Armv8-M Mainline; the sums, their bounds and the
- * bound of the upper words stand in lib/src/math/arith.h and lib/src/view/outside.h.
+/* fxl_transform_vertex for Armv7-M and Armv8-M Mainline. lib/src/math/arith.h (fxl_dot) and
+ * lib/src/view/outside.h define the sums and derive their bounds.
  *
- * Products go where sums are wanted, loads by several words. A point that the
- * upper words leave open is measured by fxl_outcode. */
+ * If the upper words of a distance do not decide a sign, fxl_outcode computes the outcode. */
 #include "../family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -12,18 +11,17 @@
     .syntax unified
     .thumb
 
-/* Of fxl_view, fxl_view_frustum and fxl_cached_vertex: placed.c holds them against
- * the structures, and the beginning of fxl_model_view: view, entries, mask, tag,
- * vertices, corners, offset, planes. */
+/* Offsets in fxl_view, fxl_view_frustum and fxl_cached_vertex. fxl_model_view is view,
+ * entries, mask, tag, vertices, indices, offset, planes. model_view.c asserts them. */
 #define ROTATION    12      /* three rows of three */
-#define FRUSTUM     96      /* side and depth of x, of y; near, far, inset */
+#define FRUSTUM     96      /* side and depth of x, of y; near_z, far_z, inset */
 #define INSET_UPPER 36
-#define STATE       4
+#define CLIP_FLAGS  4
 #define POSITION    16
 #define UNPROJECTED 0x80
 
 entry       .req r2
-view        .req r3         /* then what comes after what was read of it */
+view        .req r3         /* then the address after the part of the view read so far */
 planes      .req lr         /* in the lowest byte */
 
     .section .text.fxl_transform_vertex, "ax", %progbits
@@ -31,7 +29,7 @@ planes      .req lr         /* in the lowest byte */
     .type fxl_transform_vertex, %function
     .thumb_func
 
-/* r0: placed, r1: number, r2: entry */
+/* r0: model_view, r1: number, r2: entry */
 fxl_transform_vertex:
     push    {r3-r11, lr}
     ldm     r0!, {r3-r7}                    /* view, -, -, tag, vertices */
@@ -63,12 +61,12 @@ fxl_transform_vertex:
     strd    r10, r0, [entry, #POSITION + 16]
 
     lsls    r1, planes, #24
-    beq     decided                         /* inside of all planes */
+    beq     decided                         /* inside all planes */
     adds    view, view, #FRUSTUM - ROTATION - 36
     ldm     view, {r4-r7}
     ldr     r9, [view, #INSET_UPPER]
     asr     r9, r9, #2
-    subs    r9, r9, #4                      /* makes distances 4 larger: open is 0..7 */
+    subs    r9, r9, #4                      /* distances become 4 larger: 0..7 is undecided */
     smull   r1, r4, r4, r11
     smull   r1, r5, r5, r0
     subs    r5, r5, r9
@@ -85,16 +83,16 @@ fxl_transform_vertex:
     cmphs   r11, #8
     cmphs   r12, #8 /* bug: v7m-outcode */
     cmphs   r9, #8
-    blo     open
+    blo     undecided
 
-    ldrd    r4, r5, [view, #16]             /* near, far */
+    ldrd    r4, r5, [view, #16]             /* near_z, far_z */
     ldrd    r6, r7, [view, #24]
     subs    r4, r10, r4
     sbc     r5, r0, r5
     subs    r6, r6, r10
     sbc     r7, r7, r0
-    lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; where none
-                                               is open, 4 more change none */
+    lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
+                                               changes no sign that is decided */
     lsrs    r7, r7, #31
     orr     r1, r1, r7, lsl #1
     lsr     r8, r8, #31
@@ -109,17 +107,17 @@ fxl_transform_vertex:
 
 decided:
     orr     r1, r1, #UNPROJECTED
-    str     r1, [entry, #STATE]
+    str     r1, [entry, #CLIP_FLAGS]
     pop     {r3-r11, pc}
 
-open:
+undecided:
     mov     r4, entry
     mov     r0, view
     uxtb    r1, planes
     add     r2, entry, #POSITION
     bl      fxl_outcode
     orr     r0, r0, #UNPROJECTED
-    str     r0, [r4, #STATE]
+    str     r0, [r4, #CLIP_FLAGS]
     pop     {r3-r11, pc}
 
     .size fxl_transform_vertex, . - fxl_transform_vertex

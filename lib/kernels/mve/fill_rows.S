@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_fill_trapezoid for ARMv8.1-M with MVE: rows of fewer than 64 bytes by vectors
- * whose last one is cut off, which takes no more for bytes beside a word. Longer
- * ones go by multiple stores, which take half the instructions. The caller has
- * turned the vectors on, as for any code of a hard-float ABI. */
+/* fxl_fill_trapezoid for Armv8.1-M with MVE. Rows of fewer than 64 bytes are stored by
+ * vectors, the last of which is predicated, so bytes beside a word cost nothing extra.
+ * Longer rows are stored by store-multiple instructions, which takes half the
+ * instructions. The program has turned on the vector unit, as for any code of a hard-float
+ * ABI. */
 #include "../family.h"
 
 #if FXL_KERNELS_MVE
@@ -11,7 +12,7 @@
     .arch_extension mve
 #define FXL_ROWS_BY_VECTORS 1
 
-/* The compiler is told of a core without (lib/lib.mk). */
+/* The compiler's flags name a core without MVE (lib/lib.mk). */
     .arch   armv8.1-m.main
     .arch_extension mve
 

@@ -6,7 +6,7 @@
 
 #if !FXL_KERNELS_ARMV7M
 
-/* Goes down a chain to the edge that crosses a row, and places it there. */
+/* Goes down a chain to the edge that crosses a row, and sets the edge on that row. */
 static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
 {
     const fxl_screen_point *points = scan->points;
@@ -18,9 +18,9 @@ static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_
         next -= next >= count ? count : 0u;
         end_row = fxl_first_centre_from(points[next].y);
     } while (end_row <= row);
-    int32_t good = fxl_edge_set(&points[vertex], &points[next], row, end_row - row, edge);
-    chain->end_row = (int16_t)(row + good);
-    chain->vertex = (uint8_t)(row + good == end_row ? next : vertex);
+    int32_t rows = fxl_edge_set(&points[vertex], &points[next], row, end_row - row, edge);
+    chain->end_row = (int16_t)(row + rows);
+    chain->vertex = (uint8_t)(row + rows == end_row ? next : vertex);
 }
 
 const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)

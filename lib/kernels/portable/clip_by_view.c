@@ -5,18 +5,18 @@
 
 #if !FXL_KERNELS_ARMV7M
 
-/* Mostly every vertex is inside: then their places on the screen are the result. */
+/* Usually all vertices are inside. Then their places on the screen are the result. */
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     if (FXL_IS_SMALL) {
         return fxl_clip_assembled(model_view, face, work, screen);
     }
-    const uint16_t *corners = model_view->indices + face->first_index;
+    const uint16_t *index = model_view->indices + face->first_index;
     fxl_screen_point *point = screen->points;
     uint32_t of_any = 0, of_all = UINT32_MAX;
-    for (const uint16_t *end = corners + face->count; corners < end; corners++, point++) {
-        fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, *corners);
+    for (const uint16_t *end = index + face->count; index < end; index++, point++) {
+        fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, *index);
         uint32_t state = vertex->clip_flags;
         if ((state & FXL_VERTEX_OUTSIDE) != 0) {
             if (state != FXL_VERTEX_UNPROJECTED) {

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/* floor(numerator / denominator), not by 0, and what is left. */
+/* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
 static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest)
 {
     uint32_t quotient = numerator / denominator;
@@ -13,7 +13,7 @@ static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, 
     return quotient;
 }
 
-/* The same for 2^15 <= denominator <= 2^16. */
+/* floor(numerator / denominator). Requires 2^15 <= denominator <= 2^16. */
 static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
 {
     return numerator / denominator;

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The division of an edge's set-up. Internal; one file for each family of
- * cores, all with the same bits as this one. */
+/* The division of an edge's set-up. Internal. Each family of cores has its own file; all
+ * give the same bits as this one. */
 #ifndef FXL_EDGE_DIVIDE_H
 #define FXL_EDGE_DIVIDE_H
 
 #include <stdint.h>
 
-/* What is divided, and by what, at most. */
+/* The largest divisor, and the largest magnitude of a dividend. */
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
 #define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))
 
-/* A height that numbers are divided by. */
+/* A height as a divisor. */
 typedef struct {
     uint32_t height;
 } fxl_edge_divider;
@@ -21,7 +21,8 @@ static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
     return (fxl_edge_divider){height};
 }
 
-/* 2^shift is above 2^32 / (2 height) and not above 2^32 / height. */
+/* The largest shift such that 2^shift is not above 2^32 / height. So it is above
+ * 2^32 / (2 height). */
 static inline unsigned fxl_edge_divider_shift(const fxl_edge_divider *divider)
 {
     unsigned shift = 0;
@@ -31,9 +32,9 @@ static inline unsigned fxl_edge_divider_shift(const fxl_edge_divider *divider)
     return shift;
 }
 
-/* floor(2^32 dividend / height) + 1, as whole and fraction: larger than the
- * quotient by at most 2^-32. |dividend| <= FXL_EDGE_DIVIDEND_MAX, so that
- * 2^32 times it is below 2^60. */
+/* floor(2^32 dividend / height) + 1, as whole and fraction. It is larger than the exact
+ * quotient by at most 2^-32. Requires |dividend| <= FXL_EDGE_DIVIDEND_MAX, so 2^32 times
+ * the dividend is below 2^60. */
 static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t dividend,
                                    int32_t *whole, uint32_t *fraction)
 {

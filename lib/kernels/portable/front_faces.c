@@ -6,14 +6,16 @@
 
 #if !FXL_KERNELS_ARMV7M
 
-fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
-                                 const fxl_point *from, fxl_order_entry *entry, uint32_t count)
+fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
+                                 const fxl_point *eye, fxl_order_entry *entry, uint32_t count)
 {
-    const fxl_point eye = *from;
+    const fxl_point from = *eye;
     for (uint32_t i = 0; i < count; i++) {
-        const fxl_face_bounds *key = &keys[i];
-        if (fxl_dot(&faces[i].normal, eye.x, eye.y, eye.z) > fxl_face_bounds_height(key)) {
-            uint64_t distance = fxl_box_distance(key->box_x, key->box_y, key->box_z, &eye);
+        const fxl_face_bounds *face_bounds = &bounds[i];
+        if (fxl_dot(&faces[i].normal, from.x, from.y, from.z) >
+            fxl_face_bounds_height(face_bounds)) {
+            uint64_t distance =
+                fxl_box_distance(face_bounds->box_x, face_bounds->box_y, face_bounds->box_z, &from);
             *entry++ = fxl_order_entry_of(distance, (uint16_t)i, 0);
         }
     }

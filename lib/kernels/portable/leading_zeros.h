@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Internal; one file for each family of cores. */
+/* The count of leading zeros. Internal; each family of cores has its own file. */
 #ifndef FXL_LEADING_ZEROS_H
 #define FXL_LEADING_ZEROS_H
 
 #include <stdint.h>
 
-/* How many bits of value, not 0, are 0 before its highest 1. */
+/* The number of 0 bits above the highest 1 of value. Requires value > 0. */
 static inline unsigned fxl_leading_zeros(uint32_t value)
 {
     return (unsigned)__builtin_clz(value);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Products of 32 by 32 bits, whole. Internal; one file for each family of cores. */
+/* Products of 32 by 32 bits, all 64 bits. Internal; each family of cores has its own file. */
 #ifndef FXL_MULTIPLY_H
 #define FXL_MULTIPLY_H
 
@@ -15,13 +15,14 @@ static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)
     return (int64_t)a * b;
 }
 
-/* The same, where |a| <= 2^30 + 2^16 and |b| < 2^30: some cores have it cheaper. */
+/* The same as fxl_multiply_s32; on some cores it is cheaper. Requires |a| <= 2^30 + 2^16 and
+ * |b| < 2^30. */
 static inline int64_t fxl_multiply_s31(int32_t a, int32_t b)
 {
     return (int64_t)a * b;
 }
 
-/* The product of a signed and an unsigned number: below 2^63. */
+/* The product of a signed and an unsigned number. It is below 2^63. */
 static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)
 {
     return (int64_t)a * b;

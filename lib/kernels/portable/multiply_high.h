@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Internal. */
+/* The upper half of a product of 64 by 64 bits. Internal. */
 #ifndef FXL_MULTIPLY_HIGH_H
 #define FXL_MULTIPLY_HIGH_H
 

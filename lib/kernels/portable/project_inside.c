@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* Projection by one reciprocal for x and y, and a remainder that decides.
+/* Projection with one reciprocal for x and y; the remainder decides the last unit.
  *
- * What is asked for (project.c) is, for a side X and a depth Z,
+ * The result must be the same as in project.c. For a side X and a depth Z that is q with
  *   d = round(Z 2^-s), 2^30 <= d <= 2^31;  P = floor(focal X 2^-s);
  *   q = floor(P / d + 1/2) = floor((P + h) / d) with h = floor(d / 2).
- * Let n be the zeros before Z's upper word, so s = 33 - n, and
- *   X' = X 2^(n - 3), below 2^62 where |X| <= 2 Z; its upper word is x, |x| <= 2^30;
+ * Let n be the number of leading zeros of Z's upper word, so s = 33 - n, and
+ *   X' = X 2^(n - 3), below 2^62 if |X| <= 2 Z; its upper word is x, |x| <= 2^30;
  *   F = 4 focal < 2^28; then P = floor(F X' / 2^32), and P / d = F X' / (2^32 d).
- * With G within one unit of 2^32 F / d the estimate is e = x G / 2^32:
- *   cutting X' to x takes 0..F/d < 1/4 off;  G's unit is worth |x| / 2^32 <= 1/4.
- * So e lies in (P/d - 1/2, P/d + 1/4], floor(e) is q or q - 1, and the remainder
- * P + h - floor(e) d lies in 0..2 d - 1, so that 32 bits of it say which.
- * An offset so found is below 2^27 units, which no screen's range forbids. */
+ * With G within one unit of 2^32 F / d the estimate is e = x G / 2^32. It has two errors:
+ *   truncating X' to x takes 0..F/d < 1/4 off;  G's unit is worth |x| / 2^32 <= 1/4.
+ * So e lies in (P/d - 1/2, P/d + 1/4], and floor(e) is q or q - 1. The remainder
+ * P + h - floor(e) d lies in 0..2 d - 1, so its lower 32 bits tell which of the two.
+ * The offset found is below 2^27 units, which is within the range of screen coordinates. */
 #include "../../src/math/arith.h"
 #include "../../src/view/project_any.h"
 #include "../family.h"
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
-/* Within one unit of 2^30 factor / depth, factor < 2^30, 2^30 <= depth <= 2^31,
- * by two divisions of 32 bits. With d = 2^15 D + f, f < 2^15, and
- * factor = g D + r, r < D, the rest 2^15 factor - g d = 2^15 r - g f is between
- * -2^30 and 2^31 (g <= 2^15): it fits 32 bits whatever wraps on the way. Divided by D
- * instead of d 2^-15 it comes out too large by up to 2^-15 of itself, one unit
- * at the most, and is cut off towards 0. */
+/* Within one unit of 2^30 factor / depth, for factor < 2^30 and 2^30 <= depth <= 2^31, by
+ * two divisions of 32 bits. Let d = 2^15 D + f, f < 2^15, and factor = g D + r, r < D. The
+ * rest 2^15 factor - g d = 2^15 r - g f is between -2^30 and 2^31 (g <= 2^15), so it fits
+ * 32 bits, and intermediate wraps cancel. It is divided by D instead of d 2^-15. That makes
+ * the quotient too large by up to 2^-15 of itself, one unit at most; it is truncated
+ * towards 0. */
 static uint32_t scale_of(const fxl_projection *projection, uint32_t depth)
 {
     uint32_t divisor = depth >> 15;

@@ -12,9 +12,9 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
 {
     const fxl_view *view = model_view->view;
     fxl_point from_eye = fxl_model_view_vertex(model_view, number);
-    fxl_view_point seen;
-    fxl_rotate(&view->camera, &from_eye, &seen);
-    entry->position = seen;
+    fxl_view_point rotated;
+    fxl_rotate(&view->camera, &from_eye, &rotated);
+    entry->position = rotated;
     entry->tag = model_view->tag + number;
     unsigned outside = 0;
     if (model_view->planes != 0) {

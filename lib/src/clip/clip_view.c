@@ -6,17 +6,18 @@
 #include "cut_polygon.h"
 #include "../math/divide_wide.h"
 
-/* The upper 32 bits; by an unsigned shift, which compilers see through. */
+/* The upper 32 bits. Compilers optimise the unsigned shift away. */
 static inline int32_t upper(int64_t value)
 {
     return (int32_t)((uint64_t)value >> 32);
 }
 
-/* floor((side * across + depth * along) / 2^30) for a unit vector (side, depth),
- * neither below 0, and |across|, |along| < 2^61, exactly. With v = 2^32 high + low
- * the sum is 2^32 (side across_high + depth along_high) + (side across_low + depth
- * along_low): the first bracket is below 2^60, the second below
- * sqrt(2) 2^62 < 2^63, and 2^32 is divisible by 2^30. */
+/* floor((side * across + depth * along) / 2^30), exactly. Requires a unit vector
+ * (side, depth), neither below 0, and |across|, |along| < 2^61. With
+ * v = 2^32 high + low the sum is
+ *   2^32 (side across_high + depth along_high) + (side across_low + depth along_low).
+ * The first bracket is below 2^60, the second is below sqrt(2) 2^62 < 2^63, and 2^32 is
+ * divisible by 2^30. */
 static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth,
                                       fxl_q18_46 along)
 {
@@ -26,8 +27,8 @@ static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_
     return high * 4 + (int64_t)(low >> 30);
 }
 
-/* Near and far: below 2^62. A side: below 2^61 before the inset; across is the second of a
- * pair's, left or down, where it is negated. */
+/* Distances from near and far are below 2^62, those from a side plane below 2^61 before the inset.
+ * For the second plane of a pair, right or top, across is negated. */
 fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point)
 {
@@ -45,15 +46,15 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
            frustum->inset;
 }
 
-/* floor(2^64 inside / (inside - outside)), inside >= 0 > outside, both below
- * 2^62. */
-static uint64_t crossing_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
+/* floor(2^64 inside / (inside - outside)): the place of the intersection on the edge.
+ * Requires inside >= 0 > outside, both below 2^62. */
+static uint64_t intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
     return fxl_fraction((uint64_t)inside, (uint64_t)inside - (uint64_t)outside);
 }
 
-/* from + (to - from) fraction / 2^64, rounded towards from: less than one unit.
+/* from + (to - from) fraction / 2^64, rounded towards from. Error: less than one unit.
  * |to - from| is below 2^62. */
 static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
 {
@@ -74,7 +75,7 @@ static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, 
     fxl_view_polygon *out = cut->out;
     const fxl_view_point *from = &in->vertices[inside].position;
     const fxl_view_point *end = &in->vertices[outside].position;
-    const uint64_t fraction = crossing_fraction(cut->distances[inside], cut->distances[outside]);
+    const uint64_t fraction = intersection_fraction(cut->distances[inside], cut->distances[outside]);
     fxl_view_point *point = &out->vertices[to].position;
     point->x = interpolate(from->x, end->x, fraction);
     point->y = interpolate(from->y, end->y, fraction);

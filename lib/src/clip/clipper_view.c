@@ -7,9 +7,9 @@
 
 _Static_assert((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
                    (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,
-               "all share a byte");
+               "planes and the flag share a byte");
 
-/* The kernels in assembly know where members lie. */
+/* The kernels in assembly have the offsets of these members. */
 #ifdef __arm__
 _Static_assert(offsetof(fxl_model_view, entries) == 4 && offsetof(fxl_model_view, mask) == 8 &&
                    offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, indices) == 20 &&
@@ -17,7 +17,7 @@ _Static_assert(offsetof(fxl_model_view, entries) == 4 && offsetof(fxl_model_view
                    offsetof(fxl_cached_vertex, clip_flags) == 4 &&
                    offsetof(fxl_cached_vertex, screen) == 8 &&
                    offsetof(fxl_cached_vertex, position) == 16,
-               "lib/kernels: seen vertex");
+               "lib/kernels: cached vertex");
 _Static_assert(offsetof(fxl_face, first_index) == 12 && offsetof(fxl_face, count) == 16 &&
                    offsetof(fxl_face, colour) == 17 && offsetof(fxl_screen_polygon, colour) == 0 &&
                    offsetof(fxl_screen_polygon, count) == 1 &&
@@ -32,31 +32,31 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
                                    fxl_clipper_work *workspace, fxl_screen_polygon *screen)
 {
     fxl_clip_view_work *work = &workspace->by_view;
-    const uint16_t *corners = model_view->indices + face->first_index;
+    const uint16_t *indices = model_view->indices + face->first_index;
     const fxl_view *view = model_view->view;
-    fxl_view_polygon *seen = &work->polygons[0];
+    fxl_view_polygon *assembled = &work->polygons[0];
     const fxl_view_polygon *clipped;
     unsigned of_any = 0, of_all = FXL_PLANES_ALL; /* bug: unprojected-out */
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, corners[i]);
+        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
         of_any |= vertex->clip_flags;
         of_all &= vertex->clip_flags;
-        seen->vertices[i].position = vertex->position;
+        assembled->vertices[i].position = vertex->position;
     }
     if (of_all != 0) {
         return FXL_CLIP_OUTSIDE;
     }
-    seen->colour = face->colour;
-    seen->count = face->count;
-    fxl_clip_result result =
-        fxl_clip_view_by_planes(seen, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL),
-                                work, view->clipper_workspace, &clipped);
+    assembled->colour = face->colour;
+    assembled->count = face->count;
+    fxl_clip_result result = fxl_clip_view_by_planes(assembled, &view->view_frustum,
+                                                     (fxl_planes)(of_any & FXL_PLANES_ALL), work,
+                                                     view->clipper_workspace, &clipped);
     if (clipped == NULL) {
         return result;
     }
     screen->colour = clipped->colour;
     screen->count = clipped->count;
-    int32_t columns = 0; /* in which bits any differs from the first */
+    int32_t columns = 0; /* the bits in which any vertex's column differs from the first's */
     for (uint32_t i = 0; i < clipped->count; i++) {
         fxl_screen_point *point = &screen->points[i];
         if (fxl_project_inside(&view->projection, &clipped->vertices[i].position, point) !=
@@ -65,8 +65,8 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
         }
         columns |= fxl_first_centre_from(point->x) ^ fxl_first_centre_from(screen->points[0].x);
     }
-    /* With FXL_SMALL faces come here that nothing cuts; that one reaches no row is found as for
-     * any. */
+    /* With FXL_SMALL, faces that no plane cuts come here too. A face whose vertices have the same
+     * row is found later, as any polygon that reaches no row. */
     return FXL_IS_SMALL && result == FXL_CLIP_INSIDE && columns == 0 ? FXL_CLIP_BETWEEN : result;
 }
 

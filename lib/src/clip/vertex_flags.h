@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What fxl_clip_by_view, a kernel, shares with the rest of its clipper. Internal. */
+/* The parts that the kernel fxl_clip_by_view and the rest of its clipper share. Internal. */
 #ifndef FXL_VERTEX_FLAGS_H
 #define FXL_VERTEX_FLAGS_H
 
@@ -7,15 +7,15 @@
 #include "../math/pixel_centre.h"
 #include "fixel/stage/clipper.h"
 
-/* A face with a vertex that is outside, or with FXL_SMALL any: assembled, cut by the planes
- * that a vertex is outside of, and projected. */
+/* Assembles a face, cuts it by the planes that a vertex is outside of, and projects it. It serves
+ * the faces with a vertex that is outside a plane; with FXL_SMALL, all faces. */
 fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
                                    fxl_clipper_work *work, fxl_screen_polygon *screen);
 
-/* The state of a vertex that is inside of all planes, at its place on the screen: the first
- * column whose centre is not left of it, and the first row whose centre is not above it. A
- * polygon whose vertices have the same row, or the same column, covers no centre. Inside of
- * all planes both are 0..FXL_SCREEN_MAX: 12 bits each. */
+/* The first pixel centre of a vertex, in clip_flags, for a vertex that is inside all planes and
+ * projected: the first column whose centre is not left of the vertex, and the first row whose
+ * centre is not above it. If all vertices of a polygon have the same row, or the same column, the
+ * polygon covers no centre. Inside all planes both are 0..FXL_SCREEN_MAX: 12 bits each. */
 #define FXL_VERTEX_COLUMN 0x000FFF00u
 #define FXL_VERTEX_ROW    0xFFF00000u
 

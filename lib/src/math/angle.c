@@ -4,51 +4,51 @@
 #include "arith.h"
 #include "sine.h"
 
-/* Numbers below are unsigned fractions with 64 bits after the point unless
- * their names say otherwise; fxl_multiply_high multiplies two of them and loses
- * less than one unit. Beside what a series leaves out, errors stay below 2^-58. */
+/* Numbers below are unsigned fractions with 64 bits after the binary point, unless their names say
+ * otherwise. fxl_multiply_high multiplies two of them; its error is less than one unit. Besides the
+ * omitted terms of a series, errors stay below 2^-58. */
 
 /* 2 pi with 61 bits after the point. */
 #define TWO_PI_Q61 0xC90FDAA22168C235u
 
-/* An eighth of a turn at the most, as radians: angle * 2 pi / 2^32 < 0.79. */
+/* Converts an angle of at most an eighth of a turn to radians: angle * 2 pi / 2^32 < 0.79. */
 static uint64_t radians(uint32_t angle)
 {
     FXL_ASSERT(angle <= FXL_ANGLE_QUARTER / 2);
     return fxl_multiply_high((uint64_t)angle << 34, TWO_PI_Q61) << 1;
 }
 
-/* What divides by a number of the series. */
+/* The factor that divides by a number of the series. */
 #define BY(divisor) (UINT64_MAX / (divisor))
 
 /* sin x = x (1 - x^2/6 (1 - x^2/20 (1 - x^2/42 (1 - x^2/72 (1 - x^2/110))))).
- * What is left out is below x^13/13! < 2^-37 for x <= pi/4.
+ * The omitted terms are below x^13/13! < 2^-37 for x <= pi/4.
  * cos x = 1 - x^2/2 (1 - x^2/12 (1 - x^2/30 (1 - x^2/56 (1 - x^2/90 (1 - x^2/132))))).
- * What is left out is below x^14/14! < 2^-41 for x <= pi/4. */
+ * The omitted terms are below x^14/14! < 2^-41 for x <= pi/4. */
 static const uint64_t factors[] = {BY(110), BY(72), BY(42), BY(20), BY(6), BY(132),
                                    BY(90),  BY(56), BY(30), BY(12), BY(2)};
-#define OF_SINE   5u /* the first of them; the others are the cosine's */
-#define OF_EITHER (sizeof factors / sizeof factors[0])
+#define SINE_FACTORS 5u /* the first five factors; the others are the cosine's */
+#define ALL_FACTORS  (sizeof factors / sizeof factors[0])
 
-/* The sine of 0..1/4 turn, with 62 bits after the point: that of an angle up to an eighth of a
- * turn, or the cosine of what is left to a quarter. Both series are summed from within, a step
- * being square * factor * (1 - rest). */
+/* The sine of 0..1/4 turn, with 62 bits after the point. Up to an eighth of a turn it is the sine
+ * of the angle; above, it is the cosine of a quarter turn less the angle. Both series are summed
+ * from the innermost bracket outward; a step is square * factor * (1 - rest). */
 static uint64_t quarter_sine_q62(uint32_t angle)
 {
     const bool by_cosine = angle > FXL_ANGLE_QUARTER / 2;
     const uint64_t x = radians(by_cosine ? FXL_ANGLE_QUARTER - angle : angle);
     const uint64_t square = fxl_multiply_high(x, x);
-    const uint32_t end = by_cosine ? OF_EITHER : OF_SINE;
+    const uint32_t end = by_cosine ? ALL_FACTORS : SINE_FACTORS;
     uint64_t rest = 0;
-    for (uint32_t i = by_cosine ? OF_SINE : 0; i < end; i++) {
+    for (uint32_t i = by_cosine ? SINE_FACTORS : 0; i < end; i++) {
         rest = fxl_multiply_high(square - fxl_multiply_high(square, rest), factors[i]);
     }
-    /* 1 itself takes one bit more than the 64 after the point. */
+    /* 1 itself does not fit 64 bits after the point. */
     return by_cosine ? ((uint64_t)1 << 62) - (rest >> 2) : (x - fxl_multiply_high(x, rest)) >> 2;
 }
 
-/* The same of any angle, without its sign. Any angle is folded to a quarter turn, and the sign
- * comes after rounding, so that sin(-a) is -sin(a) by itself. */
+/* The magnitude of the sine of any angle, with 62 bits after the point. The angle is folded to a
+ * quarter turn. The callers apply the sign after rounding, so sin(-a) is exactly -sin(a). */
 static int64_t magnitude_q62(fxl_angle angle)
 {
     uint32_t folded = angle > 2 * FXL_ANGLE_QUARTER ? 0u - angle : angle;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The integer kernels that every stage shares. Each says why it cannot
- * overflow and what its rounding costs. Not part of the public interface. */
+/* Integer arithmetic that all stages share. Each function states why it cannot overflow
+ * and the error of its rounding. Internal. */
 #ifndef FXL_ARITH_H
 #define FXL_ARITH_H
 
@@ -11,8 +11,8 @@
 #include "../../kernels/multiply.h"
 #include "../../kernels/multiply_high.h"
 
-/* One assertion for our own bugs: a test build lets it abort, a proof takes it
- * as a goal, a shipped build leaves it out. */
+/* An assertion, for bugs of the library itself. A test build aborts on it, a proof takes
+ * it as a goal, and a build without FXL_ASSERT_HOOK omits it. */
 #ifdef FXL_ASSERT_HOOK
 void fxl_assert_failed(const char *file, int line);
 #define FXL_ASSERT(condition) \
@@ -25,23 +25,23 @@ void fxl_assert_failed(const char *file, int line);
 #define FXL_ASSERT(condition) ((void)0)
 #endif
 
-/* Right shifts of negative numbers are arithmetic on every compiler that we
- * build with; the standard leaves it open. */
+/* The C standard leaves right shifts of negative numbers to the implementation. They are
+ * arithmetic on every compiler that Fixel is built with. */
 _Static_assert((-3 >> 1) == -2, "needs arithmetic right shift");
 
 /* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
- * in int or unsigned. */
+ * computed in int or unsigned. */
 _Static_assert(sizeof(int) >= 4, "needs an int of at least 32 bits");
 
-/* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow
- * for |value| <= 2^62. Costs half a unit of the result. */
+/* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow for
+ * |value| <= 2^62. Error: half a unit of the result. */
 static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
 {
     return (value + ((int64_t)1 << (shift - 1))) >> shift;
 }
 
-/* floor(numerator / denominator), denominator > 0 and the quotient below 2^31. Downward, that of
- * -1 - n is -1 less that of n. */
+/* floor(numerator / denominator). Requires denominator > 0 and a quotient below 2^31. A negative
+ * numerator is inverted: floor((-1 - n) / d) is -1 - floor(n / d). */
 static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
 {
     FXL_ASSERT(denominator > 0);
@@ -51,15 +51,15 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
            (int32_t)sign;
 }
 
-/* floor(numerator / denominator + 1/2) under the same conditions: of an odd denominator the
- * half that is cut off decides nothing. Costs half a unit. */
+/* floor(numerator / denominator + 1/2), under the same conditions. If the denominator is odd, its
+ * half is rounded down, which does not change the result. Error: half a unit. */
 static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
 {
     /* bug: half-up */
     return fxl_divide_down(numerator + (denominator >> 1), denominator); /* bug: half-down */
 }
 
-/* floor(numerator / denominator) and what is left, denominator > 0. */
+/* floor(numerator / denominator) and the remainder. Requires denominator > 0. */
 static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
 {
     FXL_ASSERT(denominator > 0);
@@ -75,7 +75,7 @@ static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, i
     return quotient;
 }
 
-/* How many bits a number needs; 0 for 0. */
+/* The number of bits of a value up to its highest 1; 0 for 0. */
 static inline unsigned fxl_bit_length(uint64_t value)
 {
     uint32_t high = (uint32_t)(value >> 32);
@@ -103,9 +103,9 @@ static inline bool fxl_point_in_range(const fxl_point *point)
 }
 
 /* direction . (x, y, z), exact, in units of 2^-46.
- * |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28: by Cauchy-Schwarz the sum
- * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61, and so is every partial sum of
- * it: a partial sum is the product with the same vector, some components 0. */
+ * Requires |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28. By Cauchy-Schwarz the sum
+ * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61. So is every partial sum: it is the
+ * product with the same vector, with some components set to 0. */
 static inline fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
 {
     return fxl_multiply_s31(direction->x, x) + fxl_multiply_s31(direction->y, y) +

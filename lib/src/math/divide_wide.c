@@ -6,8 +6,8 @@
 
 #ifdef FXL_SMALL
 
-/* Long division, a bit at a time: 268 bytes less on a Cortex-M3. The quotient comes into the lower
- * word as the numerator goes out. */
+/* Long division, a bit at a time: 268 bytes less on a Cortex-M3. The bits of the quotient enter the
+ * lower word as those of the numerator leave it. */
 uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
 {
     uint32_t left = (uint32_t)(numerator >> 32), lower = (uint32_t)numerator;
@@ -15,8 +15,8 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
     if (left == 0) {
         return fxl_divide_u32(lower, denominator, rest);
     }
-    /* The quotient's bits are 0 while what is left is shorter than the denominator: all of
-     * these but the last are skipped. */
+    /* The quotient's bits are 0 while the remainder is shorter than the denominator. These bits
+     * except the last are skipped. */
     unsigned bits = fxl_leading_zeros(left) - fxl_leading_zeros(denominator);
     bits -= bits != 0; /* bug: small-skip */
     left = left << bits | lower >> 1 >> (31 - bits);
@@ -51,9 +51,10 @@ uint64_t fxl_fraction(uint64_t part, uint64_t whole)
 
 #else
 
-/* A digit of 16 bits of 2^16 rest / whole, rest < whole, 2^31 <= whole < 2^32,
- * with the numerator's next half; *rest becomes what is left (Knuth, algorithm
- * D). The estimate from the upper half of whole is too large by two at most. */
+/* A digit of 16 bits: floor((2^16 rest + half) / whole), where half is the numerator's
+ * next 16 bits; *rest becomes the remainder (Knuth, algorithm D).
+ * Requires rest < whole and 2^31 <= whole < 2^32. The estimate from the upper half of
+ * whole is too large by two at most. */
 static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
 {
     uint32_t upper = whole >> 16, lower = whole & 0xFFFFu;
@@ -64,7 +65,7 @@ static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
         digit -= 1;
         left += upper;
     }
-    /* The true remainder is below 2^32, so what wraps on the way cancels. */
+    /* The true remainder is below 2^32, so intermediate wraps cancel. */
     *rest = (*rest << 16 | half) - digit * whole;
     return digit;
 }
@@ -77,7 +78,7 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
     }
     unsigned shift = fxl_leading_zeros(denominator);
     uint32_t whole = denominator << shift;
-    /* Below 2^32 denominator, so nothing is shifted out. */
+    /* The numerator is below 2^32 denominator, so no bit is shifted out. */
     uint64_t shifted = numerator << shift;
     uint32_t left = (uint32_t)(shifted >> 32), lower = (uint32_t)shifted;
     uint32_t upper_digit = divide_digit(&left, whole, lower >> 16);
@@ -86,11 +87,11 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
     return upper_digit << 16 | lower_digit;
 }
 
-/* At most 2^60 / value, and less by 2^-27 of itself at the most, for
- * 2^30 < value <= 2^31. A reciprocal r of 16 bits, too small by less than 2^-14
- * of itself (its divisor is rounded up, itself downward), and a step after
- * Newton, 2 r - r^2 v, which squares that; the two units are for its cuts.
- * r is below 2^16. */
+/* A lower bound of 2^60 / value, too small by at most 2^-27 of itself, for
+ * 2^30 < value <= 2^31. It starts from a reciprocal r of 16 bits, which is too small by
+ * less than 2^-14 of itself: its divisor is rounded up, and the quotient downward. A
+ * step of Newton's method, 2 r - r^2 v, squares that relative error. The two units that
+ * are subtracted cover the rounding of the step. r is below 2^16. */
 static uint32_t reciprocal_below(uint32_t value)
 {
     uint32_t rough = fxl_divide_half(0x7FFFFFFFu, ((value - 1u) >> 15) + 1u);
@@ -98,16 +99,17 @@ static uint32_t reciprocal_below(uint32_t value)
     return (rough << 15) - (uint32_t)(fxl_multiply_u32(rough * rough, value) >> 32) - 2u;
 }
 
-/* `bits` (22 at most) bits more of a fraction: floor(2^bits rest / whole);
- * *rest becomes what is left. 2^62 <= whole < 2^63, rest < whole.
- * The estimate is at most that, and less by 2^22 (2^-27 + 2^-29 + 2^-31) at the
- * most, and by 1 for being cut off: so the rest is below 2 whole. */
+/* The next `bits` bits of a fraction, 22 at most: floor(2^bits rest / whole). *rest
+ * becomes the remainder. Requires 2^62 <= whole < 2^63 and rest < whole.
+ * The estimate is not too large. It is too small by at most
+ * 2^22 (2^-27 + 2^-29 + 2^-31), and by 1 for its truncation. So the remainder is below
+ * 2 whole, and one correction suffices. */
 static uint32_t fraction_digit(uint64_t *rest, uint64_t whole, uint32_t reciprocal, unsigned bits)
 {
     /* rest 2^-31 times 2^92 / whole. */
     uint64_t product = fxl_multiply_u32((uint32_t)(*rest >> 31), reciprocal);
     uint32_t digit = (uint32_t)(product >> 32) >> (29u - bits);
-    /* Below 2^64, so what wraps on the way cancels. */
+    /* The true remainder is below 2^64, so intermediate wraps cancel. */
     uint64_t left = (*rest << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -
                     ((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);
     if (left >= whole) { /* bug: fraction-digit */

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Divisions of 64 bits, by those of 32 that every family of cores has. Internal. */
+/* Divisions of 64 bits, built from those of 32 bits that every family of cores has. Internal. */
 #ifndef FXL_DIVIDE_WIDE_H
 #define FXL_DIVIDE_WIDE_H
 
 #include <stdint.h>
 
-/* floor(numerator / denominator) and what is left, where the quotient is below
- * 2^32. */
+/* floor(numerator / denominator); *rest becomes the remainder. Requires a quotient below
+ * 2^32, that is, numerator / 2^32 < denominator. */
 uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
 
-/* floor(2^64 part / whole), part < whole < 2^63. */
+/* floor(2^64 part / whole). Requires part < whole < 2^63. */
 uint64_t fxl_fraction(uint64_t part, uint64_t whole);
 
 #endif

@@ -7,8 +7,8 @@
 
 #define FXL_HALF_PIXEL 32768
 
-/* The first row (or column) whose centre is at or past a coordinate below
- * 2^30. */
+/* The first row (or column) whose centre is at or past a coordinate. Requires
+ * |coordinate| < 2^30. */
 static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
 {
     return (coordinate + FXL_HALF_PIXEL - 1) >> 16; /* bug: tie-top */

@@ -3,11 +3,12 @@
 
 #include "arith.h"
 
-/* The depth is brought to 31 bits where it has more, which costs 2^-31 of the
- * quotient, and the product by as much: downward, which costs less than 2^-30 of
- * a unit, for the depth is then at least 2^30. With side = 2^32 high + low the
- * product is 2^32 (factor high) + factor low: |factor high| <= 2^58, factor low is
- * below 2^61, and 2^32 (factor high) is divisible by 2^shift. */
+/* If the depth has more than 31 bits, it is shifted down to 31 bits and rounded; the error
+ * is 2^-31 of the quotient. The product is shifted down by the same amount and rounded
+ * downward; the error is less than 2^-30 of a unit, because the depth is then at least
+ * 2^30. With side = 2^32 high + low the product is 2^32 (factor high) + factor low:
+ * |factor high| <= 2^58, factor low is below 2^61, and 2^32 (factor high) is divisible by
+ * 2^shift. */
 bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t limit,
                int32_t *quotient)
 {
@@ -17,8 +18,8 @@ bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t lim
     int64_t scaled = shift > 0 ? fxl_round_shift(depth, shift) : depth;
     int64_t high = fxl_multiply_s32(factor, (int32_t)(side >> 32));
     int64_t low = fxl_multiply_su32(factor, (uint32_t)side);
-    /* Beyond that the product is beyond 2^61, the limit times the depth below
-     * 2^60. */
+    /* If high is larger than that, the product is above 2^61, while the limit times the
+     * depth is below 2^60. */
     if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
         return false;
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sines with the two bits more that sums of products need. Internal. */
+/* Sine and cosine with more bits than 2.30, as sums of products need them. Internal. */
 #ifndef FXL_SINE_H
 #define FXL_SINE_H
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A root, for what is set up once. Not part of the public interface. */
+/* A square root, for set-up that is done once. Internal. */
 #ifndef FXL_SQUARE_ROOT_H
 #define FXL_SQUARE_ROOT_H
 
 #include <stdint.h>
 
-/* The whole number nearest to sqrt(value), one bit a step; below 2^32 for
- * value < 2^64 - 2^32. What is left at the end is value - root^2, and (root + 1/2)^2
- * is root^2 + root + 1/4. */
+/* The integer nearest to sqrt(value), one bit a step. It is below 2^32 for
+ * value < 2^64 - 2^32. At the end the remainder is value - root^2, and it is compared with
+ * root because (root + 1/2)^2 is root^2 + root + 1/4. */
 static inline uint32_t fxl_square_root(uint64_t value)
 {
     uint64_t root = 0;

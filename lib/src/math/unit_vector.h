@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Whether a normal has unit length, for those who check scenes. Internal. */
+/* Whether a normal has unit length, for the checks of a scene. Internal. */
 #ifndef FXL_UNIT_VECTOR_H
 #define FXL_UNIT_VECTOR_H
 
 #include "arith.h"
 
-/* Components up to 2^30 + 2^2 keep every square below 2^61 and the sum below
- * 2^63. */
+/* Whether the squared length is within FXL_NORMAL_SQUARE_MAX_ERROR of 1. Components of at
+ * most 2^30 + 2^2 keep every square below 2^61 and the sum below 2^63. */
 static inline bool fxl_is_unit(const fxl_direction *normal)
 {
     const int64_t limit = (int64_t)FXL_Q2_30_ONE + 4;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* On each row every edge is looked at, and divided anew where it crosses the row: an outline
- * that is scanned so has few edges, and nothing is to be set up or kept from row to row. */
+/* On each row every edge is tested, and one that crosses the row is divided anew. Outlines that are
+ * scanned so have few edges, and nothing needs to be set up or kept from row to row. */
 #include "active_edges.h"
 
 #include "edge.h"
 
-/* Where the edge crosses the row, it goes among the crossings, by x. An edge is always taken
- * from its top, so its owner does not matter. */
-static void take_edge(fxl_active_edges *crossings, const fxl_screen_point *from,
-                      const fxl_screen_point *to)
+/* If the edge crosses the row, inserts its crossing in the order of x. The edge is always computed
+ * from its top, so both polygons of an edge get the same bits. */
+static void insert_crossing(fxl_active_edges *crossings, const fxl_screen_point *from,
+                            const fxl_screen_point *to)
 {
     const bool down = from->y < to->y;
     const fxl_screen_point *top = down ? from : to, *bottom = down ? to : from;
@@ -17,7 +17,8 @@ static void take_edge(fxl_active_edges *crossings, const fxl_screen_point *from,
         return;
     }
     int32_t dx = bottom->x - top->x, height = bottom->y - top->y, start = top->x - FXL_HALF_PIXEL;
-    /* fxl_slope_set's, below 2^30, and dx more a row: fewer than 2^13 rows, so below 2^43. */
+    /* The dividend of fxl_slope_set is below 2^30. It grows by dx a row, for fewer than 2^13 rows,
+     * so it is below 2^43. */
     int64_t dividend =
         fxl_edge_first_dividend(start, dx, height, top->y) + fxl_multiply_s32(dx, rows);
     int32_t x = (start >> 16) + 1 + fxl_divide_down(dividend, (uint32_t)height);
@@ -43,11 +44,11 @@ void fxl_active_edges_begin(fxl_active_edges *crossings, const fxl_screen_point 
     crossings->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
 }
 
-/* Begins the next row; false below the last. */
+/* Finds the crossings of the next row. Returns false if there is no next row. */
 static bool next_row(fxl_active_edges *crossings)
 {
     const fxl_screen_point *points = crossings->points;
-    const fxl_screen_point *before = &points[crossings->count - 1];
+    const fxl_screen_point *previous = &points[crossings->count - 1];
     if (crossings->row + 1 >= crossings->end_row) {
         return false;
     }
@@ -55,14 +56,14 @@ static bool next_row(fxl_active_edges *crossings)
     crossings->found_count = 0;
     crossings->next = 0;
     for (uint32_t left = crossings->count; left != 0; left--) {
-        take_edge(crossings, before, points);
-        before = points++;
+        insert_crossing(crossings, previous, points);
+        previous = points++;
     }
     return true;
 }
 
-/* The row's next stretch of pixels with a winding number other than 0: crossings at the same
- * place count together. A closed outline's windings add up to 0 on every row. */
+/* Finds the row's next stretch of pixels with a winding number other than 0. Crossings at the same
+ * x count together. The windings of a closed outline add up to 0 on every row. */
 static void next_stretch(fxl_active_edges *crossings, int32_t *x0, int32_t *x1)
 {
     const fxl_crossing *crossing = &crossings->found[crossings->next];

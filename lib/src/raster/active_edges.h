@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Scanning any outline: on each row its edges' crossings, by x.
+/* Scanning any outline by active edges: on each row, the crossings of its edges in the order of x.
  * Internal to scan. */
 #ifndef FXL_ACTIVE_EDGES_H
 #define FXL_ACTIVE_EDGES_H
 
 #include "fixel/stage/scan.h"
 
-/* Begins with an outline and a band that were checked. first_row is that of the highest vertex,
- * end_row that of the lowest (fxl_first_centre_from). The points must outlive the scan. */
+/* Begins a scan. Requires an outline and a band as fxl_scan_begin does. first_row and end_row are
+ * fxl_first_centre_from of the highest and of the lowest vertex. The points must outlive the
+ * scan. */
 void fxl_active_edges_begin(fxl_active_edges *crossings, const fxl_screen_point *points,
                             uint32_t count, int32_t first_row, int32_t end_row,
                             const fxl_band *band);
 
-/* The next span; false, and span untouched, when there are no more. */
+/* Finds the next span. Returns false if there are no more: span untouched. */
 bool fxl_active_edges_next(fxl_active_edges *crossings, fxl_span *span);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "edge.h"
 
-/* From the exact remainder on that row, so that the count of rows begins anew. */
+/* The edge starts from the exact remainder on the row, so the rows for which it holds count from
+ * there. */
 int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
                          int32_t rows, fxl_edge *edge)
 {
@@ -12,9 +13,9 @@ int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bo
         fxl_slope_skip(&slope, row - first_row);
     }
     fxl_edge_divider divider = fxl_edge_divider_of(slope.height);
-    int32_t none;
-    fxl_edge_divide(&divider, (int32_t)slope.error, &none, &edge->fraction);
-    fxl_edge_divide(&divider, (int32_t)slope.error_step, &none, &edge->step_fraction);
+    int32_t unused;
+    fxl_edge_divide(&divider, (int32_t)slope.error, &unused, &edge->fraction);
+    fxl_edge_divide(&divider, (int32_t)slope.error_step, &unused, &edge->step_fraction);
     edge->x = slope.x;
     edge->step = slope.step;
     uint32_t good = 1u << fxl_edge_divider_shift(&divider); /* bug: edge-rows */

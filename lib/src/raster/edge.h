@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Edges on the grid of pixel centres: what both ways of scanning share.
- * Internal. */
+/* Edges on the grid of pixel centres, for both kinds of scan. Internal. */
 #ifndef FXL_EDGE_H
 #define FXL_EDGE_H
 
@@ -9,24 +8,24 @@
 #include "../../kernels/edge_divide.h"
 #include "../../kernels/multiply.h"
 
-/* An edge's slope as whole numbers, and its place on its first row. */
+/* An edge on a row and its step to the next row, as integers with remainders. */
 typedef struct {
     int32_t x;           /* first pixel whose centre is not left of the edge */
-    uint32_t error;      /* what is left over, < height */
+    uint32_t error;      /* remainder, < height */
     int32_t step;        /* whole pixels a row */
-    uint32_t error_step; /* what is left over, < height */
+    uint32_t error_step; /* remainder, < height */
     uint32_t height;     /* in 1/65536 pixel */
 } fxl_slope;
 
-/* What is divided by the height for the first pixel of an edge's first row: the
- * first whose centre is at or below the top, which is t < 65536 above it.
+/* The dividend for the first pixel of an edge's first row; the divisor is the height. The
+ * first row is the first whose centre is at or below the top; the top is t < 65536 above
+ * that centre.
  *
- * The edge's x there is top.x + dx t / height, and the first pixel is
- * ceil(x - 1/2). With start = top.x - 1/2 = 65536 whole + part (0 <= part <
- * 65536) that is
- *   whole + ceil((part height + dx t) / (65536 height)),
- * and ceil(n / m) = floor((n - 1) / m) + 1, and a floor of a floor is the floor
- * of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
+ * The edge's x there is top.x + dx t / height, and the first pixel is ceil(x - 1/2). With
+ * start = top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
+ *   whole + ceil((part height + dx t) / (65536 height)).
+ * Now ceil(n / m) = floor((n - 1) / m) + 1, and the floor of a floor divided by an integer
+ * is the floor of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
  * below 2^46 and, without its low 16 bits, below 2^30. Exact. */
 static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
                                               int32_t top_y)
@@ -37,8 +36,8 @@ static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t
     return (int32_t)((sum - 1) >> 16);
 }
 
-/* The edge from top to bottom on its first row. A row further down adds 65536
- * dx to the sum above, so dx to what is divided by height. Exact. */
+/* Sets the edge from top to bottom on its first row. The next row adds 65536 dx to the sum
+ * of fxl_edge_first_dividend, so it adds dx to the dividend. Exact. */
 static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
                                  fxl_slope *slope)
 {
@@ -56,9 +55,9 @@ static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_p
     slope->height = (uint32_t)height;
 }
 
-/* Moves the place down by 0 < rows < 2^13 rows at once: the carries that single
- * steps would have made are floor((error + rows error_step) / height), found
- * by long division, as they are fewer than 2^13. The sum is below 2^43. */
+/* Moves the edge down by 0 < rows < 2^13 rows at once. The carries of the single steps add
+ * up to floor((error + rows error_step) / height). They are fewer than 2^13, so a long
+ * division finds them. The sum is below 2^43. Exact. */
 static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
 {
     FXL_ASSERT(rows > 0 && rows < 8192);
@@ -75,14 +74,14 @@ static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
     slope->error = (uint32_t)error;
 }
 
-/* Places the edge from top to bottom on `row`, which it crosses, for that and
- * the rows - 1 below it; answers for how many of these it is good, 1 at least.
- * Requires a height of FXL_EDGE_HEIGHT_MAX and |dx| <= 1025 pixels at most.
+/* Sets the edge from top to bottom on `row`, which it crosses, for this row and the
+ * rows - 1 below it. Returns the number of these rows for which the edge holds, at least 1.
+ * Requires a height of at most FXL_EDGE_HEIGHT_MAX and |dx| of at most 1025 pixels.
  *
- * Row k's first pixel is x + k step + floor((error + k error_step) / height), as
- * in fxl_slope. That quotient's fraction is 1 - 1/height at most, and the
- * edge's is larger by at most (k + 1) 2^-32; so the floors are the same while
- * (k + 1) height is below 2^32, k + 1 <= 2^shift. */
+ * The first pixel of row k is x + k step + floor((error + k error_step) / height), as in
+ * fxl_slope. The fraction of that quotient is at most 1 - 1/height, and the edge's fraction
+ * is larger by at most (k + 1) 2^-32. So the floors are the same while (k + 1) height is
+ * below 2^32: while k + 1 <= 2^shift. */
 int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
                          int32_t rows, fxl_edge *edge);
 
@@ -94,9 +93,10 @@ static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
     edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32); /* bug: edge-no-carry */
 }
 
-/* The dividends are dx, for a step, and fxl_slope_set's, for the first row;
- * that is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. Of an edge that
- * crosses one row alone nothing but that row's first pixel is asked. */
+/* The same as fxl_edge_set_far, faster if the edge holds for all of its rows from the first
+ * on. The dividends are dx, for a step, and that of fxl_slope_set, for the first row, which
+ * is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. For an edge that crosses only
+ * one row, only that row's first pixel is computed. */
 static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
                                    int32_t row, int32_t rows, fxl_edge *edge)
 {
@@ -107,10 +107,10 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     FXL_ASSERT(height > 0 && height <= FXL_EDGE_HEIGHT_MAX && above >= 0 && rows > 0);
     FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
     if (above + rows == 1) {
-        int32_t left;
+        int32_t unused;
         edge->x =
             (start >> 16) + 1 +
-            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &left);
+            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &unused);
         edge->fraction = 0;
         edge->step = 0;
         edge->step_fraction = 0;

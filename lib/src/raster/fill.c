@@ -5,7 +5,7 @@
 
 #include "../math/arith.h"
 
-/* As the kernels of lib/kernels read them where pointers have 32 bits. */
+/* The kernels in assembly have the offsets of these members, for pointers of 32 bits. */
 #ifdef __arm__
 _Static_assert(offsetof(fxl_band, pixels) == 0 && offsetof(fxl_band, stride) == 6 &&
                    offsetof(fxl_band, first_row) == 8,
@@ -16,8 +16,8 @@ _Static_assert(offsetof(fxl_trapezoid, end_row) == 2 && offsetof(fxl_trapezoid, 
                "fill_rows.S");
 #endif
 
-/* With FXL_SMALL rows are memset's, and no trapezoid is filled: 240 bytes less on a Cortex-M3,
- * and fewer instructions. */
+/* With FXL_SMALL a row is a call of memset, and no trapezoid is filled: 240 bytes less on a
+ * Cortex-M3, and fewer instructions. */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)
 {
     FXL_ASSERT(span->x0 >= 0 && span->x0 < span->x1 && span->x1 <= band->width);

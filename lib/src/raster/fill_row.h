@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Filling in plain C, for those that fill a row at a time, and an edge's way from row to
- * row. Internal. */
+/* Filling a row in plain C, and the step of an edge to the next row. Internal. */
 #ifndef FXL_FILL_ROW_H
 #define FXL_FILL_ROW_H
 
@@ -8,7 +7,8 @@
 
 typedef uint32_t __attribute__((may_alias)) fxl_word;
 
-/* Pixels from *pixel to before *end; four of the colour in `four`. */
+/* Fills the bytes from pixel (included) to end (not included). `four` has the colour in each of its
+ * four bytes. */
 static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
 {
     while (pixel != end && ((uintptr_t)pixel & 3u) != 0) {
@@ -29,7 +29,7 @@ static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
     }
 }
 
-/* The next row's x; the fraction's carry is a pixel. */
+/* Moves an edge to the next row. The carry of the fraction is a pixel. */
 static inline void fxl_edge_step(fxl_edge *edge)
 {
     uint64_t fraction = (uint64_t)edge->fraction + edge->step_fraction;

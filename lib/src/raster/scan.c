@@ -5,7 +5,7 @@
 #include "edge.h"
 #include "active_edges.h"
 
-/* As the kernels of lib/kernels read it where pointers have 32 bits. */
+/* The kernels in assembly have the offsets of these members, for pointers of 32 bits. */
 #ifdef __arm__
 _Static_assert(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4 &&
                    offsetof(fxl_scan, by_chains) == 5 && offsetof(fxl_scan, end_row) == 6 &&
@@ -15,12 +15,12 @@ _Static_assert(offsetof(fxl_scan, points) == 0 && offsetof(fxl_scan, count) == 4
                "chains.S");
 #endif
 
-/* What a look at every vertex tells of an outline. */
+/* The result of one pass over the vertices of an outline. */
 typedef struct {
-    uint32_t top;    /* a vertex that none is above */
+    uint32_t top;    /* the highest vertex, or one of several */
     int32_t top_row; /* the first row whose centre is at or below it */
-    int32_t end_row; /* the same of the lowest vertex: no row from here on is crossed */
-    bool by_chains;  /* as survey says */
+    int32_t end_row; /* the same of the lowest vertex: the edges cross no row from here on */
+    bool by_chains;  /* whether it can be scanned between two chains: see survey */
 } outline;
 
 static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
@@ -44,17 +44,16 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
-/* An outline is scanned between two chains where
- * - the rows that it walks downward add up to its height: it never goes down
- *   again after going up. Then each row between its top and its bottom is
- *   crossed by two edges only, one of either chain, and with opposite windings:
- *   what is covered lies between the two;
- * - every edge's x is within 0..width on every row. An edge's first pixel
- *   ceil(x - 1/2) lies between its ends' own, so that of x in
- *   -1/2 < x <= width + 1/2 will do: these are the x for which x + 1/2 - 2^-16
- *   is in 0..width + 1 - 2^-16;
- * - no edge is higher than FXL_EDGE_HEIGHT_MAX: rows that are 1022 apart have
- *   centres that are, and vertices less than 2 pixels more. */
+/* Looks at every vertex of an outline. The outline is scanned between two chains if
+ * - the rows of its downward edges add up to its height, so it never goes down again
+ *   after it went up. Then two edges cross each row between its top and its bottom, one
+ *   of each chain, with opposite windings; the covered pixels lie between the two;
+ * - every edge's x is within 0..width on every row. The first pixel of an edge,
+ *   ceil(x - 1/2), lies between those of its ends. So it suffices that every vertex has
+ *   -1/2 < x <= width + 1/2: these are the x for which x + 1/2 - 2^-16 is in
+ *   0..width + 1 - 2^-16;
+ * - no edge is higher than FXL_EDGE_HEIGHT_MAX. Rows that are 1022 apart have centres that
+ *   are 1022 apart, and the vertices are farther apart by less than 2 pixels. */
 static void survey(const fxl_screen_point *points, uint32_t count, int32_t width, outline *found)
 {
     const uint32_t places = (uint32_t)(width + 1) << 16;
@@ -91,8 +90,8 @@ static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *b
 {
     int32_t first_row = found->top_row > band->first_row ? found->top_row : band->first_row;
     int32_t end_row = band->first_row + band->rows;
-    /* Seen from the front an outline goes round clockwise: its left chain is
-     * the way back from the top. */
+    /* The outline of a front face goes clockwise. So its left chain goes from the top
+     * backward through the vertices. */
     scan->chains[0].onward = (uint8_t)(scan->count - 1);
     scan->chains[1].onward = 1;
     for (int side = 0; side < 2; side++) {
@@ -105,7 +104,7 @@ static void begin_chains(fxl_scan *scan, const outline *found, const fxl_band *b
     scan->end_row = (int16_t)(found->end_row < end_row ? found->end_row : end_row);
 }
 
-/* No rows: no pixels. */
+/* Makes a scan without pixels. */
 static void clear(fxl_scan *scan)
 {
     scan->by_chains = false;
@@ -149,7 +148,7 @@ fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *ban
     return status;
 }
 
-static uint16_t row_held(int32_t row, uint16_t height)
+static uint16_t clamp_row(int32_t row, uint16_t height)
 {
     return row < 0 ? 0 : row > height ? height : (uint16_t)row;
 }
@@ -162,12 +161,11 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
         top = y < top ? y : top;
         bottom = y > bottom ? y : bottom;
     }
-    fxl_rows rows = {row_held(fxl_first_centre_from(top), height),
-                     row_held(fxl_first_centre_from(bottom), height)};
+    fxl_rows rows = {clamp_row(fxl_first_centre_from(top), height),
+                     clamp_row(fxl_first_centre_from(bottom), height)};
     return rows;
 }
 
-/* A span as a trapezoid of one row. */
 const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)
 {
     fxl_span span;
@@ -181,7 +179,8 @@ const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)
     return &scan->trapezoid;
 }
 
-/* Rows are taken off the trapezoid's top, so that it is what is left of it. */
+/* Finds the next row that is not empty. Rows are removed from the trapezoid's top, so the
+ * trapezoid always is the part that is still to come. */
 static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
 {
     fxl_trapezoid *trapezoid = &scan->trapezoid;

@@ -41,8 +41,9 @@ static fxl_status check_plane(const fxl_bsp_node *node)
     return fxl_within(fxl_bsp_distance(node), (int64_t)1 << 61) ? FXL_OK : FXL_E_RANGE;
 }
 
-/* A vertex is below 2^30 in each coordinate, so its height is below 2^61, and the
- * difference below 2^62. */
+/* Whether all vertices of a face lie on the node's plane, to within FXL_BSP_PLANARITY_MAX. A
+ * vertex is below 2^30 in each coordinate, so its height is below 2^61, and the difference is
+ * below 2^62. */
 static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
                     const fxl_bsp_node *node)
 {
@@ -59,7 +60,8 @@ static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_fa
     return true;
 }
 
-/* Below 3 * 2^62: the points are below 2^30 each coordinate, so the differences below 2^31. */
+/* The squared distance of two points. Each coordinate is below 2^30, so the differences are
+ * below 2^31 and the sum is below 3 * 2^62. */
 static uint64_t square_between(const fxl_point *a, const fxl_point *b)
 {
     const int64_t x = (int64_t)a->x - b->x, y = (int64_t)a->y - b->y, z = (int64_t)a->z - b->z;
@@ -71,7 +73,8 @@ static uint64_t square(fxl_q16_16 radius)
     return (uint64_t)((int64_t)radius * radius);
 }
 
-/* In the world, and no larger than the sphere of a model may be. */
+/* Whether the centre of the node's sphere lies in the world, and the radius is at most
+ * FXL_RADIUS_MAX. */
 static bool sphere_in_range(const fxl_scene *scene, const fxl_bsp_node *node)
 {
     const fxl_point *origin = &scene->instances[scene->bsp_instance].centre;
@@ -82,8 +85,8 @@ static bool sphere_in_range(const fxl_scene *scene, const fxl_bsp_node *node)
            node->radius <= FXL_RADIUS_MAX;
 }
 
-/* The sphere holds the node's faces, and lies within that of the node before which has the
- * parent's number: whether it is the parent, the links are asked. */
+/* Whether the node's sphere holds the node's faces and lies within its parent's sphere. The node
+ * of the parent's number is taken for the parent; check_links checks that it is. */
 static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_t number)
 {
     const fxl_bsp_node *node = &scene->bsp_nodes[number];
@@ -105,7 +108,7 @@ static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_
            square_between(&above->centre, &node->centre) <= square(above->radius - node->radius);
 }
 
-/* Planes and faces; nodes take the model's faces in turn. */
+/* Checks planes, spheres and faces. The nodes take the model's faces in turn. */
 static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const fxl_model *model = &scene->models[scene->instances[scene->bsp_instance].model];
@@ -138,9 +141,9 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
                                       : fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
 }
 
-/* Goes through the tree as its nodes are listed, without a stack. Each step down
- * is to the next number, so it ends; each step up is to the node from which the
- * step down was. What was not come upon is not in the tree. */
+/* Traverses the tree in pre-order, without a stack. Each step down must be to the next number, so
+ * the traversal ends. Each step up is to the parent, from which a step down was made. At the end
+ * every node must have been visited. */
 static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const fxl_bsp_node *nodes = scene->bsp_nodes;
@@ -164,7 +167,7 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
         } else if (!front_done) {
             front_done = true;
         } else {
-            /* Up, past those of which this is the back. */
+            /* Up, past every node of which this is the back child. */
             uint32_t from;
             do {
                 from = at;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is asked of a tree's node. Internal. */
+/* The plane of a BSP node, and the side of it that a point is on. Internal. */
 #ifndef FXL_BSP_NODE_H
 #define FXL_BSP_NODE_H
 
@@ -11,8 +11,8 @@ static inline fxl_q18_46 fxl_bsp_distance(const fxl_bsp_node *node)
     return (int64_t)((uint64_t)node->distance_high << 32 | node->distance_low);
 }
 
-/* Whether a point, relative to the tree's object and below 2^30 in each coordinate,
- * is in front of a node's plane. Exact: see fxl_dot. */
+/* Whether a point is in front of a node's plane. The point is relative to the centre of the BSP
+ * instance; each coordinate is below 2^30. Exact: see fxl_dot. */
 static inline bool fxl_bsp_is_front(const fxl_bsp_node *node, const fxl_point *point)
 {
     return fxl_dot(&node->normal, point->x, point->y, point->z) > fxl_bsp_distance(node);

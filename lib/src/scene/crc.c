@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "crc.h"
 
-/* The remainders of the 16 values of four bits by the reflected polynomial
- * 0xEDB88320: 64 bytes instead of the usual 1,024, at half the speed. */
+/* The remainders of the 16 values of four bits, for the reflected polynomial 0xEDB88320. The table
+ * takes 64 bytes instead of the usual 1,024, at half the speed. */
 static const uint32_t remainders[16] = {
     0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,
     0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What a face's key is made of, for those who check keys and those who have none.
- * Internal. */
+/* The bounds of a face from its vertices: for the check of a scene's face bounds, and for the order
+ * of a scene that has none. Internal. */
 #ifndef FXL_FACE_BOUNDS_H
 #define FXL_FACE_BOUNDS_H
 
 #include "../math/arith.h"
 #include "fixel/scene.h"
 
-/* Lets [*low, *high] hold the value. */
+/* Widens [*low, *high] to hold the value. */
 static inline void fxl_widen(int32_t value, int32_t *low, int32_t *high)
 {
     if (value < *low) {
@@ -18,16 +18,16 @@ static inline void fxl_widen(int32_t value, int32_t *low, int32_t *high)
     }
 }
 
-/* Minimum + maximum of each coordinate. A model's vertices are below 2^30, so the
- * sums are below 2^31. */
-static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *corners,
+/* The bounding box of a face: minimum + maximum of each coordinate. A model's vertices are below
+ * 2^30, so the sums are below 2^31. */
+static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *indices,
                                      uint32_t count)
 {
-    const uint16_t *end = corners + count;
-    fxl_point low = vertices[*corners];
+    const uint16_t *end = indices + count;
+    fxl_point low = vertices[*indices];
     fxl_point high = low;
-    while (++corners < end) {
-        const fxl_point *vertex = &vertices[*corners];
+    while (++indices < end) {
+        const fxl_point *vertex = &vertices[*indices];
         fxl_widen(vertex->x, &low.x, &high.x);
         fxl_widen(vertex->y, &low.y, &high.y);
         fxl_widen(vertex->z, &low.z, &high.z);
@@ -36,18 +36,18 @@ static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *
     return box;
 }
 
-/* How high the plane of a face lies over its model's origin. Each coordinate is
- * below 2^30: see fxl_dot. */
-static inline fxl_q18_46 fxl_face_height(const fxl_point *vertices, const uint16_t *corners,
+/* The distance of the face's plane from the model's origin, along the normal, in units of 2^-46.
+ * Each coordinate is below 2^30: see fxl_dot. */
+static inline fxl_q18_46 fxl_face_height(const fxl_point *vertices, const uint16_t *indices,
                                          const fxl_face *face)
 {
-    const fxl_point *first = &vertices[*corners];
+    const fxl_point *first = &vertices[*indices];
     return fxl_dot(&face->normal, first->x, first->y, first->z);
 }
 
-static inline fxl_q18_46 fxl_face_bounds_height(const fxl_face_bounds *key)
+static inline fxl_q18_46 fxl_face_bounds_height(const fxl_face_bounds *bounds)
 {
-    return (int64_t)((uint64_t)key->height_high << 32 | key->height_low);
+    return (int64_t)((uint64_t)bounds->height_high << 32 | bounds->height_low);
 }
 
 #endif

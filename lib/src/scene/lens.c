@@ -25,9 +25,9 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
         !depth_in_range(near_z, far_z, inset)) {
         return FXL_E_RANGE;
     }
-    /* 1 / tan(fov / 2) = (1 + cos fov) / sin fov, which takes fov as it is. Width
-     * is below 2^11, so the product is below 2^(11 + 15 + 32) = 2^58; the sine
-     * of 10..150 degrees is above 2^28. */
+    /* 1 / tan(fov / 2) = (1 + cos fov) / sin fov, which does not halve fov. Width is
+     * below 2^11, so the product is below 2^(11 + 15 + 32) = 2^58. The sine of
+     * 10..150 degrees is above 2^28. */
     int64_t numerator =
         fxl_multiply_s64((int32_t)width * 32768, ((int64_t)1 << 31) + fxl_cos_q31(fov));
     lens->width = width;

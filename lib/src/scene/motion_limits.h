@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The range of a player's motion limits: for the loader and for the player. Internal. */
+/* The range of a player's motion limits, for fxl_scene_open and for the player. Internal. */
 #ifndef FXL_MOTION_LIMITS_H
 #define FXL_MOTION_LIMITS_H
 

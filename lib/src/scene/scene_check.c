@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks of a scene's tables: after them no stage can read outside a table or
- * leave its ranges. Linear in the size of the tables and in the placed
- * vertices, which are limited. */
+/* Checks of a scene's tables. For a scene that passes them no stage reads outside a table or leaves
+ * its ranges. The time is linear in the size of the tables and in the sum of the vertex counts of
+ * all instances' models, which is limited. */
 #include "fixel/scene.h"
 
 #include "../math/arith.h"
@@ -56,7 +56,7 @@ static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-static fxl_status check_corners(const fxl_scene *scene, const fxl_model *model,
+static fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
                                 fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
@@ -70,8 +70,8 @@ static fxl_status check_corners(const fxl_scene *scene, const fxl_model *model,
     return FXL_OK;
 }
 
-/* Models take the vertices and the faces in turn, without gap or overlap: so
- * all models together are no longer than the tables. */
+/* Models take the vertices and the faces in turn, without gap or overlap. So all models
+ * together are as long as the tables, and no longer. */
 static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t vertex = 0, face = 0;
@@ -95,7 +95,7 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
         }
         vertex += model->vertex_count;
         face += model->face_count;
-        fxl_status status = check_corners(scene, model, fault);
+        fxl_status status = check_indices(scene, model, fault);
         if (status != FXL_OK) {
             return status;
         }
@@ -108,7 +108,7 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 
 static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    uint64_t model_view = 0; /* below 2^16 * 2^16 */
+    uint64_t placed_vertices = 0; /* below 2^16 * 2^16 */
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         if (instance->reserved != 0) {
@@ -120,15 +120,16 @@ static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault
         if (!fxl_point_in_range(&instance->centre)) {
             return fxl_fault_at(fault, "instance", i, FXL_E_RANGE);
         }
-        model_view += scene->models[instance->model].vertex_count;
-        if (model_view > FXL_SCENE_PLACED_MAX) {
+        placed_vertices += scene->models[instance->model].vertex_count;
+        if (placed_vertices > FXL_SCENE_PLACED_MAX) {
             return fxl_fault_at(fault, "instance", i, FXL_E_COUNT);
         }
     }
     return FXL_OK;
 }
 
-static bool placed_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
+/* Whether a coordinate of an instance's vertex lies within the world. */
+static bool sum_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
 {
     return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
 }
@@ -140,9 +141,9 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
         const fxl_model *model = &scene->models[instance->model];
         for (uint32_t j = 0; j < model->vertex_count; j++) {
             const fxl_point *vertex = &scene->vertices[model->first_vertex + j];
-            if (!placed_in_range(vertex->x, instance->centre.x) ||
-                !placed_in_range(vertex->y, instance->centre.y) ||
-                !placed_in_range(vertex->z, instance->centre.z)) {
+            if (!sum_in_range(vertex->x, instance->centre.x) ||
+                !sum_in_range(vertex->y, instance->centre.y) ||
+                !sum_in_range(vertex->z, instance->centre.z)) {
                 return fxl_fault_at(fault, "instance", i, FXL_E_RANGE);
             }
         }
@@ -150,7 +151,7 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
     return FXL_OK;
 }
 
-/* A vertex of a model that is placed nowhere is held to twice the range. */
+/* A model may have no instance, so its vertices are checked too: against twice the range. */
 static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const int64_t limit = 2 * (int64_t)FXL_COORDINATE_MAX;
@@ -164,8 +165,8 @@ static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-/* Vertices are held to twice the range, so each square is below 2^60 and the
- * sum below 2^62; a radius below 2^31 squares to less than 2^62. Exact. */
+/* Vertices lie within twice the range, so each square is below 2^60 and the sum is below
+ * 2^62. A radius is below 2^31, so its square is below 2^62. Exact. */
 static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -183,8 +184,9 @@ static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-/* The differences of two model vertices are below 2^31, so the sum is below
- * sqrt(3) * 2^61 for a unit normal. */
+/* Whether the vertices of a face lie on its plane, to within FXL_PLANARITY_MAX. The differences
+ * of two vertices of a model are below 2^31, so the sum is below sqrt(3) * 2^61 for a unit
+ * normal. */
 static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
@@ -218,18 +220,18 @@ static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-static bool is_key_of(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
-                      const fxl_face_bounds *key)
+static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
+                              const fxl_face_bounds *key)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    const uint16_t *corners = &scene->indices[face->first_index];
-    fxl_point box = fxl_face_box(vertices, corners, face->count);
-    return fxl_face_bounds_height(key) == fxl_face_height(vertices, corners, face) &&
+    const uint16_t *indices = &scene->indices[face->first_index];
+    fxl_point box = fxl_face_box(vertices, indices, face->count);
+    return fxl_face_bounds_height(key) == fxl_face_height(vertices, indices, face) &&
            key->box_x == box.x && key->box_y == box.y && key->box_z == box.z; /* bug: key-box */
 }
 
-/* Sorted models take the keys in turn. */
-static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
+/* Sorted models take the face bounds in turn. */
+static fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t first = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -246,7 +248,7 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
         }
         for (uint32_t j = 0; j < model->face_count; j++) {
             const fxl_face *face = &scene->faces[model->first_face + j];
-            if (!is_key_of(scene, model, face, &scene->face_bounds[first + j])) {
+            if (!face_bounds_match(scene, model, face, &scene->face_bounds[first + j])) {
                 return fxl_fault_at(fault, "face", model->first_face + j, FXL_E_FACE_BOUNDS);
             }
         }
@@ -258,7 +260,7 @@ static fxl_status check_keys(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-/* One entry for each object, and for each face of the largest sorted model. */
+/* One entry for each instance, and one for each face of the largest sorted model. */
 static uint32_t order_needed(const fxl_scene *scene)
 {
     uint32_t faces = 0;
@@ -274,8 +276,8 @@ static uint32_t order_needed(const fxl_scene *scene)
 fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_scene_checker *more)
 {
     static fxl_scene_checker *const checks[] = {
-        check_counts,   check_faces, check_models,  check_instances, check_placed_vertices,
-        check_vertices, check_radii, check_normals, check_keys,
+        check_counts,   check_faces, check_models,  check_instances,   check_placed_vertices,
+        check_vertices, check_radii, check_normals, check_face_bounds,
     };
     if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {

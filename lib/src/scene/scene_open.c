@@ -13,7 +13,7 @@ typedef struct {
     uint32_t offset, count;
 } table;
 
-/* The header, byte for byte. */
+/* The header of an image, byte for byte. */
 typedef struct {
     uint32_t magic;
     uint16_t version, header_size;
@@ -26,18 +26,18 @@ typedef struct {
     fxl_pose start;
     int32_t acceleration, friction, speed_max;
     uint32_t turn;
-    table palette, vertices, corners, faces, models, instances, path;
+    table palette, vertices, indices, faces, models, instances, path;
     uint32_t frame_count;
-    table keys, nodes;
+    table face_bounds, bsp_nodes;
     uint32_t bsp_instance;
 } header;
 
-/* What follows it where a scene has beams. */
+/* The rest of the header, only if the scene has beams. */
 typedef struct {
     table beams;
     uint32_t lit; /* offset of 256 bytes */
     uint32_t reserved;
-} lit_header;
+} beam_header;
 
 _Static_assert(sizeof(header) == 160, "docs/formats.md, section 1");
 _Static_assert(offsetof(header, start) == 40, "docs/formats.md, section 1");
@@ -48,9 +48,9 @@ _Static_assert(sizeof(fxl_face) == 20, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_model) == 28, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
-_Static_assert(offsetof(header, nodes) == 148, "docs/formats.md, section 1");
+_Static_assert(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
-_Static_assert(sizeof(lit_header) == 16, "docs/formats.md, section 1");
+_Static_assert(sizeof(beam_header) == 16, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
 _Static_assert(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
@@ -58,25 +58,25 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in pl
 
 #define MAGIC           0x534C5846u /* "FXLS" */
 #define VERSION         2u
-#define VERSION_MORE    3u /* may have a tree, and beams */
+#define VERSION_MORE    3u /* has a BSP tree, or beams, or both */
 #define PALETTE_ENTRIES 256u
 
 enum {
     PATH_POSES = 0,
-    PATH_STRIDES = 1
+    PATH_SEGMENTS = 1
 };
 
 /* Null where the scene has no beams. */
-static const lit_header *lit_of(const header *head)
+static const beam_header *beam_header_of(const header *head)
 {
-    return head->header_size > sizeof *head ? (const lit_header *)(const void *)(head + 1) : NULL;
+    return head->header_size > sizeof *head ? (const beam_header *)(const void *)(head + 1) : NULL;
 }
 
-/* The larger header says nothing but with beams. */
+/* Only a scene of VERSION_MORE may have the larger header. */
 static bool header_size_is_known(const header *head)
 {
     return head->header_size == sizeof *head ||
-           (head->version != VERSION && head->header_size == sizeof *head + sizeof(lit_header));
+           (head->version != VERSION && head->header_size == sizeof *head + sizeof(beam_header));
 }
 
 static fxl_status check_envelope(const header *head, size_t size)
@@ -99,18 +99,19 @@ static fxl_status check_envelope(const header *head, size_t size)
     if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
         return FXL_E_CRC;
     }
-    if (head->reserved != 0 || head->path_kind > PATH_STRIDES) {
+    if (head->reserved != 0 || head->path_kind > PATH_SEGMENTS) {
         return FXL_E_RESERVED;
     }
-    if (lit_of(head) != NULL && lit_of(head)->reserved != 0) {
+    if (beam_header_of(head) != NULL && beam_header_of(head)->reserved != 0) {
         return FXL_E_RESERVED;
     }
-    bool tree = (head->nodes.offset | head->nodes.count | head->bsp_instance) != 0;
-    if (tree && head->version == VERSION) {
+    bool has_bsp = (head->bsp_nodes.offset | head->bsp_nodes.count | head->bsp_instance) != 0;
+    if (has_bsp && head->version == VERSION) {
         return FXL_E_RESERVED;
     }
-    /* One scene, one way to say it: the larger version where there is more. */
-    return head->version == VERSION || tree || lit_of(head) != NULL ? FXL_OK : FXL_E_VERSION;
+    /* An image has VERSION_MORE only if it has a tree or beams, so a scene has one image. */
+    return head->version == VERSION || has_bsp || beam_header_of(head) != NULL ? FXL_OK
+                                                                               : FXL_E_VERSION;
 }
 
 /* Lens, start pose and motion limits. */
@@ -139,8 +140,8 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
     return FXL_OK;
 }
 
-/* One table: aligned, behind the header, within the image. A count times at
- * most 48 bytes is below 2^37. */
+/* Checks that a table is aligned, behind the header and within the image. A count times the
+ * size of an entry, at most 176 bytes, is below 2^37. */
 static fxl_status check_table(const header *head, const table *entry, uint32_t entry_size,
                               uint32_t count_max, const char *what, fxl_scene_fault *fault)
 {
@@ -169,20 +170,20 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
     } tables[] = {
         {&head->palette, 3, PALETTE_ENTRIES, "palette table"},
         {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
-        {&head->corners, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
+        {&head->indices, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
         {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
         {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
         {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table"},
         {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
-        {&head->keys, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "face bounds table"},
-        {&head->nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
+        {&head->face_bounds, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "face bounds table"},
+        {&head->bsp_nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
     };
     const size_t count = sizeof tables / sizeof tables[0];
     if (head->palette.count != PALETTE_ENTRIES) {
         return fxl_fault_at(fault, "palette table", 0, FXL_E_COUNT);
     }
     for (size_t i = 0; i < count; i++) {
-        /* The last two need not be: without sorted models there are no keys. */
+        /* The last two are optional: without sorted models there are no face bounds. */
         if (i >= count - 2 && tables[i].entry->count == 0) {
             if (tables[i].entry->offset != 0) {
                 return fxl_fault_at(fault, tables[i].what, 0, FXL_E_OFFSET);
@@ -195,12 +196,12 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
             return status;
         }
     }
-    if (lit_of(head) == NULL) {
+    if (beam_header_of(head) == NULL) {
         return FXL_OK;
     }
-    const table lit = {lit_of(head)->lit, PALETTE_ENTRIES};
-    fxl_status status = check_table(head, &lit_of(head)->beams, sizeof(fxl_beam), FXL_BEAMS_MAX,
-                                    "beam table", fault);
+    const table lit = {beam_header_of(head)->lit, PALETTE_ENTRIES};
+    fxl_status status = check_table(head, &beam_header_of(head)->beams, sizeof(fxl_beam),
+                                    FXL_BEAMS_MAX, "beam table", fault);
     return status == FXL_OK
                ? check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault)
                : status;
@@ -215,27 +216,28 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
 {
     opened->palette = at(head, head->palette.offset);
     opened->scene.vertices = at(head, head->vertices.offset);
-    opened->scene.indices = at(head, head->corners.offset);
+    opened->scene.indices = at(head, head->indices.offset);
     opened->scene.faces = at(head, head->faces.offset);
     opened->scene.models = at(head, head->models.offset);
     opened->scene.instances = at(head, head->instances.offset);
-    opened->scene.face_bounds = head->keys.count > 0 ? at(head, head->keys.offset) : NULL;
-    opened->scene.face_bounds_count = head->keys.count;
-    opened->scene.bsp_nodes = head->nodes.count > 0 ? at(head, head->nodes.offset) : NULL;
-    opened->scene.bsp_node_count = head->nodes.count;
+    opened->scene.face_bounds =
+        head->face_bounds.count > 0 ? at(head, head->face_bounds.offset) : NULL;
+    opened->scene.face_bounds_count = head->face_bounds.count;
+    opened->scene.bsp_nodes = head->bsp_nodes.count > 0 ? at(head, head->bsp_nodes.offset) : NULL;
+    opened->scene.bsp_node_count = head->bsp_nodes.count;
     opened->scene.bsp_instance = head->bsp_instance;
-    if (lit_of(head) != NULL) {
-        opened->scene.beams = at(head, lit_of(head)->beams.offset);
-        opened->scene.beam_count = lit_of(head)->beams.count;
-        opened->scene.lit = at(head, lit_of(head)->lit);
+    if (beam_header_of(head) != NULL) {
+        opened->scene.beams = at(head, beam_header_of(head)->beams.offset);
+        opened->scene.beam_count = beam_header_of(head)->beams.count;
+        opened->scene.lit = at(head, beam_header_of(head)->lit);
     }
     opened->scene.vertex_count = head->vertices.count;
-    opened->scene.index_count = head->corners.count;
+    opened->scene.index_count = head->indices.count;
     opened->scene.face_count = head->faces.count;
     opened->scene.model_count = head->models.count;
     opened->scene.instance_count = head->instances.count;
     opened->poses = head->path_kind == PATH_POSES ? at(head, head->path.offset) : NULL;
-    opened->segments = head->path_kind == PATH_STRIDES ? at(head, head->path.offset) : NULL;
+    opened->segments = head->path_kind == PATH_SEGMENTS ? at(head, head->path.offset) : NULL;
     opened->path_count = head->path.count;
     opened->frame_count = head->frame_count;
 }
@@ -251,14 +253,14 @@ static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fau
             frames += 1;
             continue;
         }
-        const fxl_path_segment *stride = &opened->segments[i];
-        if ((stride->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
+        const fxl_path_segment *segment = &opened->segments[i];
+        if ((segment->keys & ~(uint32_t)FXL_KEY_ALL) != 0) {
             return fxl_fault_at(fault, "path segment", i, FXL_E_RESERVED);
         }
-        if (stride->frames == 0) {
+        if (segment->frames == 0) {
             return fxl_fault_at(fault, "path segment", i, FXL_E_COUNT);
         }
-        frames += stride->frames;
+        frames += segment->frames;
     }
     if (frames != opened->frame_count || frames > FXL_SCENE_PATH_MAX) {
         return fxl_fault_at(fault, "path table", 0, FXL_E_COUNT);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Each number of the matrix is a sum of two products. Which numbers these are of stands in a
- * table: written out they take 116 bytes more on a Cortex-M3. */
+/* Each entry of the matrix is a sum of two products. A table says which factors they have; written
+ * out, the sums take 116 bytes more on a Cortex-M3. */
 #include "fixel/stage/camera.h"
 
 #include "../math/arith.h"
 #include "../math/sine.h"
 
-/* What is multiplied, in units of 2^-31: cosines and sines of yaw, pitch and roll, the sines'
- * negatives, x and z of the view's up before roll, and constants. */
+/* The factors, in units of 2^-31: cosines (C) and sines (S) of yaw (Y), pitch (P) and roll (R), the
+ * negated sines, x and z of the view's up before roll, and constants. */
 enum {
     CY,
     SY,
@@ -25,7 +25,7 @@ enum {
     FACTOR_COUNT
 };
 
-/* a b + c d: four factors. */
+/* a b + c d: the numbers of four factors. */
 typedef uint8_t sum_of_products[4];
 
 /* The view's up before roll is (-sp sy, cp, -sp cy). */
@@ -38,8 +38,9 @@ static const sum_of_products matrix[3][3] = {
     {{MINUS_SR, CY, CR, UP_X}, {CR, CP, ZERO, ZERO}, {SR, SY, CR, UP_Z}}, /* up */
     {{CP, SY, ZERO, ZERO}, {SP, ONE, ZERO, ZERO}, {CP, CY, ZERO, ZERO}}}; /* forward */
 
-/* Rounded once, to units of 2^(bits - 62); costs half a unit. Every sum is an entry of a
- * rotation, so |a b| + |c d| <= 2^62 (1 + 2^-29), which leaves the rounding room. */
+/* A sum of two products, rounded once, to units of 2^(bits - 62). Error: half a unit. Every sum is
+ * an entry of a rotation, so |a b| + |c d| <= 2^62 (1 + 2^-29), and adding the half of the rounding
+ * does not overflow. */
 static int64_t sum(const int64_t *factors, const sum_of_products of, unsigned bits)
 {
     return fxl_round_shift(fxl_multiply_s64(factors[of[0]], factors[of[1]]) +

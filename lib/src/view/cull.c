@@ -9,8 +9,8 @@ bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, con
     uint32_t first_vertex = scene->models[instance->model].first_vertex;
     const fxl_point *vertex = &scene->vertices[first_vertex + scene->indices[face->first_index]];
     const fxl_point *centre = &instance->centre;
-    /* Vertex in the world and eye are within FXL_COORDINATE_MAX, so each
-     * difference is below 2^30; eye less centre, too. */
+    /* The vertex in the world and the eye are within FXL_COORDINATE_MAX, so each
+     * difference is below 2^30; so is eye - centre. */
     return fxl_dot(&face->normal, eye->x - centre->x - vertex->x, eye->y - centre->y - vertex->y,
                    eye->z - centre->z - vertex->z) > 0;
 }
@@ -18,14 +18,14 @@ bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, con
 void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,
                          fxl_polygon *polygon)
 {
-    const uint16_t *corners = model_view->indices + face->first_index;
+    const uint16_t *indices = model_view->indices + face->first_index;
     const fxl_point *eye = &model_view->view->camera.position;
     FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
     polygon->colour = face->colour;
     polygon->count = face->count;
     polygon->textured = false;
     for (uint32_t i = 0; i < face->count; i++) {
-        fxl_point from_eye = fxl_model_view_vertex(model_view, corners[i]);
+        fxl_point from_eye = fxl_model_view_vertex(model_view, indices[i]);
         fxl_point *position = &polygon->vertices[i].position;
         position->x = from_eye.x + eye->x;
         position->y = from_eye.y + eye->y;

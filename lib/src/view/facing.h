@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Facing, for who asks it of every face of an object. Internal. */
+/* The facing test with a model view, for all faces of an instance. Internal. */
 #ifndef FXL_FACING_H
 #define FXL_FACING_H
 
 #include "../math/arith.h"
 #include "fixel/stage/model_view.h"
 
-/* fxl_face_is_front of a placed object's face, its first vertex relative to the
- * eye: normal . (eye - vertex) > 0. Exact. */
+/* The same as fxl_face_is_front, with the first vertex relative to the eye: normal . (eye - vertex)
+ * > 0. Exact. */
 static inline bool fxl_model_view_face_is_front(const fxl_model_view *model_view,
                                                 const fxl_face *face)
 {

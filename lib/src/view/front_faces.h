@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which faces of a model face the eye, by the scene's keys: a kernel, one for each
- * family of cores. Internal. */
+/* The faces of a model that face the eye, by the scene's face bounds. It is a kernel: each family
+ * of cores has its own. Internal. */
 #ifndef FXL_FRONT_FACES_H
 #define FXL_FRONT_FACES_H
 
@@ -13,9 +13,9 @@ static inline uint64_t fxl_square(int32_t value)
     return (uint64_t)fxl_multiply_s32(value, value);
 }
 
-/* The key of a face whose box and whose eye are relative to the same point: of
- * box - 2 eye. The difference of two points of the world is below 2^30, so each
- * coordinate is below 2^31; what wraps on the way cancels. */
+/* The squared distance of fxl_face_distance_squared: the squared length of box - 2 eye. Requires
+ * box and eye relative to the same point. The difference of two points of the world is below 2^30,
+ * so each coordinate is below 2^31, and intermediate wraps cancel. */
 static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const fxl_point *eye)
 {
     return fxl_square((int32_t)((uint32_t)x - 2 * (uint32_t)eye->x)) +
@@ -23,11 +23,12 @@ static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const f
            fxl_square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
 }
 
-/* Puts down, with its distance and number, each of count faces whose normal . from exceeds its
- * key's height: both are below 2^61, and their difference is what fxl_face_is_front takes the
- * sign of. from is the eye as the model sees it, each coordinate below 2^30. Requires
- * count >= 1. Answers behind the last entry; the entries' `next` means nothing. */
-fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
-                                 const fxl_point *from, fxl_order_entry *entry, uint32_t count);
+/* Appends an entry, with squared distance and number, for each of count faces that faces the eye.
+ * A face does if normal . eye > height. Both sides are below 2^61; fxl_face_is_front tests the sign
+ * of their difference. Returns the address behind the last entry. The entries' `next` has no
+ * meaning.
+ * Requires count >= 1, and the eye relative to the model's origin, each coordinate below 2^30. */
+fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
+                                 const fxl_point *eye, fxl_order_entry *entry, uint32_t count);
 
 #endif

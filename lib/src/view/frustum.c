@@ -5,29 +5,30 @@
 #include "fixel/stage/plane.h"
 #include "../math/square_root.h"
 
-/* Scales (a, b), 0 < a, b < 2^30, to unit length. Both are first shifted up
- * until one has 30 bits, so that the root's last unit is below 2^-29 of it. */
+/* Scales (a, b), 0 < a, b < 2^30, to unit length. Both are first shifted up until one of
+ * them has 30 bits, so that the last unit of the root is below 2^-29 of it. */
 static void normalise(uint32_t a, uint32_t b, fxl_q2_30 *unit_a, fxl_q2_30 *unit_b)
 {
     unsigned shift = 30u - fxl_bit_length(a | b);
     uint32_t wide_a = a << shift;
     uint32_t wide_b = b << shift;
-    /* Squares below 2^60, so four times their sum is below 2^63. The root of
-     * that is twice the length, with a bit more than the length itself. */
+    /* The squares are below 2^60, so four times their sum is below 2^63. Its root is
+     * twice the length, which has one bit more than the length. */
     uint32_t length =
         fxl_square_root(4 * (fxl_multiply_u32(wide_a, wide_a) + fxl_multiply_u32(wide_b, wide_b)));
     *unit_a = fxl_divide_round((int64_t)wide_a << 31, length);
     *unit_b = fxl_divide_round((int64_t)wide_b << 31, length);
 }
 
-/* Of unit vectors, so the sum of the two products is below 2^61. */
+/* A component of turn. The vectors have unit length, so the sum of the two products is below
+ * 2^61. */
 static fxl_q2_30 turned_entry(fxl_q2_30 along, fxl_q2_30 side, fxl_q2_30 depth, fxl_q2_30 forward)
 {
     return (fxl_q2_30)fxl_round_shift(
         fxl_multiply_s32(along, side) + fxl_multiply_s32(depth, forward), 30);
 }
 
-/* along * side + depth * forward: a view normal turned into the world. */
+/* Rotates a normal of the view into the world: along * side + depth * forward. */
 static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 depth,
                           const fxl_direction *forward)
 {
@@ -37,7 +38,7 @@ static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 
     return turned;
 }
 
-/* The two planes through the eye that bound one axis of the screen. */
+/* Sets up the two side planes that bound one axis of the screen. */
 static void set_side_planes(const fxl_camera *camera, const fxl_lens *lens, uint16_t extent,
                             const fxl_direction *axis, fxl_plane *low, fxl_plane *high)
 {
@@ -54,7 +55,7 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
     uint32_t focal = (uint32_t)lens->focal;
     normalise(focal, lens->width * 32768u, &frustum->x_side, &frustum->x_depth);
     normalise(focal, lens->height * 32768u, &frustum->y_side, &frustum->y_depth);
-    /* near and far are below 2^31, the inset is at most 2^16: below 2^62. */
+    /* near_z and far_z are below 2^31, the inset is at most 2^16: the products are below 2^62. */
     frustum->near_z = ((int64_t)lens->near_z + lens->inset) * FXL_Q2_30_ONE;
     frustum->far_z = ((int64_t)lens->far_z - lens->inset) * FXL_Q2_30_ONE;
     frustum->inset = (int64_t)lens->inset * FXL_Q2_30_ONE;
@@ -68,7 +69,7 @@ void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl
     set_side_planes(camera, lens, lens->height, &camera->up, &planes[FXL_PLANE_BOTTOM],
                     &planes[FXL_PLANE_TOP]);
 
-    /* near and far add at most 2^31 * 2^30 = 2^61 to a distance below 2^61. */
+    /* near_z and far_z add at most 2^31 * 2^30 = 2^61 to a distance below 2^61. */
     planes[FXL_PLANE_NEAR] = fxl_plane_from_point(&camera->position, &camera->forward, lens->inset);
     planes[FXL_PLANE_NEAR].distance += (int64_t)lens->near_z * FXL_Q2_30_ONE;
 

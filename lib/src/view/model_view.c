@@ -3,16 +3,16 @@
 
 #include "../math/arith.h"
 
-/* What a tag counts objects by: below it is the vertex's number. */
-#define TAG_OBJECT ((uint32_t)1 << 16)
+/* The unit of the cache's count in a tag. The lower bits of a tag are the vertex's number. */
+#define TAG_INSTANCE ((uint32_t)1 << 16)
 
-_Static_assert(FXL_MODEL_VERTICES_MAX < TAG_OBJECT, "a number fits a tag");
+_Static_assert(FXL_MODEL_VERTICES_MAX < TAG_INSTANCE, "a vertex number fits a tag");
 
-/* The kernels in assembly know where members lie. */
+/* The kernels in assembly have the offsets of these members. */
 #ifdef __arm__
 _Static_assert(offsetof(fxl_model_view, tag) == 12 && offsetof(fxl_model_view, vertices) == 16 &&
                    offsetof(fxl_model_view, offset) == 24 && offsetof(fxl_model_view, planes) == 36,
-               "lib/kernels: placed");
+               "lib/kernels: model view");
 _Static_assert(offsetof(fxl_view, camera.right) == 12 && offsetof(fxl_view, view_frustum) == 96 &&
                    offsetof(fxl_view_frustum, y_side) == 8 &&
                    offsetof(fxl_view_frustum, near_z) == 16 &&
@@ -21,7 +21,7 @@ _Static_assert(offsetof(fxl_view, camera.right) == 12 && offsetof(fxl_view, view
                "lib/kernels: view");
 _Static_assert(offsetof(fxl_cached_vertex, clip_flags) == 4 &&
                    offsetof(fxl_cached_vertex, position) == 16 && FXL_VERTEX_UNPROJECTED == 0x80u,
-               "lib/kernels: seen vertex");
+               "lib/kernels: cached vertex");
 #endif
 
 static void forget_all(fxl_vertex_cache *cache)
@@ -36,8 +36,8 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
                            uint32_t entry_count)
 {
     FXL_ASSERT(entries != NULL && entry_count >= 1);
-    /* A model has no more vertices than that. */
-    uint32_t size = TAG_OBJECT;
+    /* A model has fewer vertices. */
+    uint32_t size = TAG_INSTANCE;
     while (size > entry_count) {
         size >>= 1;
     }
@@ -46,13 +46,13 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
     forget_all(cache);
 }
 
-/* Makes entries of objects placed before stale; answers vertex 0's tag. */
-static uint32_t count_up(fxl_vertex_cache *cache)
+/* Makes all entries stale. Returns the tag of vertex 0 of the next instance. */
+static uint32_t next_tag(fxl_vertex_cache *cache)
 {
-    cache->count += TAG_OBJECT;
+    cache->count += TAG_INSTANCE;
     if (cache->count == 0) {
         forget_all(cache); /* bug: cache-wrap */
-        cache->count = TAG_OBJECT;
+        cache->count = TAG_INSTANCE;
     }
     return cache->count;
 }
@@ -62,7 +62,7 @@ void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *sce
                                 const fxl_view *view, fxl_vertex_cache *cache)
 {
     const fxl_point *eye = &view->camera.position;
-    model_view->tag = count_up(cache);
+    model_view->tag = next_tag(cache);
     model_view->view = view;
     model_view->entries = cache->entries;
     model_view->mask = cache->mask;
@@ -79,17 +79,17 @@ void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *sce
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
                                fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache)
 {
-    static const uint16_t corners[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
+    static const uint16_t indices[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
                                        11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                                        22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
-    _Static_assert(sizeof corners / sizeof corners[0] >= FXL_POLYGON_CAPACITY, "all corners");
+    _Static_assert(sizeof indices / sizeof indices[0] >= FXL_POLYGON_CAPACITY, "all indices");
     const fxl_point *eye = &view->camera.position;
-    model_view->tag = count_up(cache);
+    model_view->tag = next_tag(cache);
     model_view->view = view;
     model_view->entries = cache->entries;
     model_view->mask = cache->mask;
     model_view->vertices = points;
-    model_view->indices = corners;
+    model_view->indices = indices;
     model_view->offset.x = -eye->x;
     model_view->offset.y = -eye->y;
     model_view->offset.z = -eye->z;

@@ -19,7 +19,8 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
            fxl_square(point->z - eye->z);
 }
 
-/* The eye as a model sees it. Both within FXL_COORDINATE_MAX: below 2^30. */
+/* The eye relative to an instance's centre. Both are within FXL_COORDINATE_MAX, so the result is
+ * below 2^30. */
 static fxl_point relative_to(const fxl_point *eye, const fxl_point *centre)
 {
     fxl_point relative = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
@@ -48,9 +49,9 @@ static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
     return a->layer < b->layer;
 }
 
-/* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place,
- * without recursion, and whatever the input, of order count^(4/3) at most. Few
- * objects are in sight: what counts is that short arrays are cheap. */
+/* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place, without
+ * recursion, and of order count^(4/3) at most, for any input. Few instances are visible, so
+ * it matters most that short arrays are fast. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
 {
     static const uint16_t gaps[] = {16577, 4193, 1073, 281, 77, 23, 8, 1};
@@ -68,8 +69,8 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
     }
 }
 
-/* Faces as objects of one layer. */
-static void sort_as_objects(fxl_order_entry *entries, uint32_t count)
+/* Sorts faces as instances of one layer. */
+static void sort_as_instances(fxl_order_entry *entries, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         entries[i].next = 0;
@@ -80,11 +81,11 @@ static void sort_as_objects(fxl_order_entry *entries, uint32_t count)
     }
 }
 
-/* Behind the last entry of a chain; no entry has this place. */
+/* The `next` of the last entry of a chain. No entry has this place. */
 #define END 0xFFFFu
 
-/* Two chains of entries, each in order, as one; the places of a's entries come
- * before those of b's, so that of two equal ones a's goes first. */
+/* Merges two chains of entries, each in order, into one; returns its first place. Requires that
+ * a's entries have lower places than b's: of two entries with equal distances a's comes first. */
 static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
 {
     fxl_order_entry *at_a = &entries[a], *at_b = &entries[b];
@@ -120,8 +121,8 @@ static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
     }
 }
 
-/* Chains the entries from *place on that are in order already, or in the opposite
- * order without equal ones; *place is then behind them. Answers the chain. */
+/* Chains the longest run of entries from *place on that are in order, or in the reverse order
+ * without equal distances, and moves *place behind the run. Returns the chain. */
 static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *place)
 {
     uint32_t head = *place, at = head + 1;
@@ -145,8 +146,8 @@ static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *pla
     return head;
 }
 
-/* Writes the numbers of a chain's faces down, from the entry at `place` on; answers
- * where it ended. Distances are lost by it, links are not. */
+/* Writes the numbers of a chain's faces into `face` of the entries from `place` on. Returns the
+ * place behind the last. This overwrites distances, but no links. */
 static uint32_t put_in_order(fxl_order_entry *entries, uint32_t chain, uint32_t place)
 {
     while (chain != END) {
@@ -157,9 +158,8 @@ static uint32_t put_in_order(fxl_order_entry *entries, uint32_t chain, uint32_t 
     return place;
 }
 
-/* Merging of runs: in place, without recursion. chains[i] is made of 2^i runs
- * that come before those of chains[i - 1]; a run is two entries at least, but for
- * the last. */
+/* Merge sort of runs, in place and without recursion. chains[i] has 2^i runs, whose places are
+ * below those of chains[i - 1]. A run has at least two entries, except the last. */
 static void sort_by_merging(fxl_order_entry *entries, uint32_t count)
 {
     uint16_t chains[16];
@@ -184,31 +184,31 @@ static void sort_by_merging(fxl_order_entry *entries, uint32_t count)
     put_in_order(entries, all, 0);
 }
 
-/* Buckets of equal width, the farthest first: 128 bytes of stack. */
+/* Buckets of equal width, the farthest first. Their chains take 128 bytes of stack. */
 #define BUCKETS 64u
 
-/* How far a bucket may be gone through for each face, before something else sorts. */
+/* The steps along chains, on average a face, after which the sort by buckets gives up. */
 #define STEPS_A_FACE 4u
 
-/* Which bucket a distance belongs to. */
+/* The map from distances to buckets. */
 typedef struct {
-    uint64_t far_z;  /* none of the buckets' is farther */
-    uint64_t range;  /* far less the nearest; what is beyond either joins the bucket there */
-    uint32_t factor; /* below BUCKETS 2^(32 + shift) / range */
+    uint64_t farthest; /* farther distances go into the first bucket */
+    uint64_t range;    /* farthest - nearest; nearer distances go into the last bucket */
+    uint32_t factor;   /* below BUCKETS 2^(32 + shift) / range */
     uint32_t shift;
 } buckets;
 
-/* What a look at some of the faces says. */
+/* Sets up the buckets from a sample of the faces. */
 static void survey_distances(const fxl_order_entry *entries, uint32_t count, buckets *by)
 {
-    uint64_t far_z = 0, near_z = UINT64_MAX;
+    uint64_t farthest = 0, nearest = UINT64_MAX;
     for (uint32_t i = 0; i < count; i += count / 64 | 1) {
         uint64_t distance = fxl_order_distance(&entries[i]);
-        far_z = distance > far_z ? distance : far_z;
-        near_z = distance < near_z ? distance : near_z;
+        farthest = distance > farthest ? distance : farthest;
+        nearest = distance < nearest ? distance : nearest;
     }
-    by->far_z = far_z;
-    by->range = far_z - near_z;
+    by->farthest = farthest;
+    by->range = farthest - nearest;
     uint32_t high = (uint32_t)(by->range >> 32), low = (uint32_t)by->range | UINT16_MAX;
     unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
     unsigned bits = (high != 0 ? 64u : 32u) - zeros;
@@ -220,23 +220,23 @@ static void survey_distances(const fxl_order_entry *entries, uint32_t count, buc
     by->shift = bits < 32 ? bits - 7 : 25;
 }
 
-/* floor((far - distance) factor / 2^(32 + shift)). The range is below 2^bits, and its upper
- * 16 bits, plus 1, times the first factor not above 2^32: so range factor is below 2^63 where
- * bits >= 32, else below 2^(31 + bits); nothing wraps, and the result is below 2^6. */
+/* floor((farthest - distance) factor / 2^(32 + shift)). The range is below 2^bits. Its upper 16
+ * bits, plus 1, times the first factor are not above 2^32. So range factor is below 2^63 if
+ * bits >= 32, else below 2^(31 + bits). Nothing wraps, and the result is below 2^6. */
 static inline uint32_t bucket_of(const buckets *by, uint64_t distance)
 {
-    uint64_t nearer = by->far_z - distance;
+    uint64_t nearer = by->farthest - distance;
     if (nearer > by->range) {
-        return distance > by->far_z ? 0 : BUCKETS - 1;
+        return distance > by->farthest ? 0 : BUCKETS - 1;
     }
     uint32_t high = (uint32_t)(nearer >> 32) * by->factor;
     return (high + (uint32_t)(fxl_multiply_u32((uint32_t)nearer, by->factor) >> 32)) >> by->shift;
 }
 
-/* Each face into its bucket, a chain in order, from the last number to the first: so one goes
- * before its equals. Squared distances of a surface's points are spread evenly where it is
- * flat or a sphere, so that a bucket holds few. False, and nothing but links is changed, where
- * too many are in few. */
+/* Inserts each face into its bucket, which is a chain in order. Faces come from the last number to
+ * the first, so a face goes before others of the same distance. Squared distances of the points of
+ * a plane or a sphere are spread evenly, so a bucket holds few. Returns false if too many faces
+ * share too few buckets: then only links have changed. */
 static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count)
 {
     buckets by;
@@ -269,7 +269,7 @@ static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count)
 void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count)
 {
     if (FXL_IS_SMALL) {
-        sort_as_objects(entries, count);
+        sort_as_instances(entries, count);
     } else if (!sort_by_buckets(entries, count)) {
         sort_by_merging(entries, count);
     }
@@ -298,19 +298,20 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
-/* fxl_front_faces of a scene that has no keys: by what they are made of. */
+/* The same as fxl_front_faces, for a scene without face bounds: it computes them from the
+ * vertices. */
 static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
-                                   const fxl_point *from, fxl_order_entry *entry)
+                                   const fxl_point *eye, fxl_order_entry *entry)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     const fxl_face *faces = &scene->faces[model->first_face];
     for (uint32_t i = 0; i < model->face_count; i++) {
-        const uint16_t *corners = &scene->indices[faces[i].first_index];
-        if (fxl_dot(&faces[i].normal, from->x, from->y, from->z) >
-            fxl_face_height(vertices, corners, &faces[i])) {
-            fxl_point box = fxl_face_box(vertices, corners, faces[i].count);
+        const uint16_t *indices = &scene->indices[faces[i].first_index];
+        if (fxl_dot(&faces[i].normal, eye->x, eye->y, eye->z) >
+            fxl_face_height(vertices, indices, &faces[i])) {
+            fxl_point box = fxl_face_box(vertices, indices, faces[i].count);
             *entry++ =
-                fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, from), (uint16_t)i, 0);
+                fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, eye), (uint16_t)i, 0);
         }
     }
     return entry;
@@ -320,12 +321,12 @@ uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_instance *instance, c
                          fxl_order_entry *entries)
 {
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_point from = relative_to(eye, &instance->centre);
+    const fxl_point relative = relative_to(eye, &instance->centre);
     const fxl_order_entry *end =
         scene->face_bounds != NULL ? fxl_front_faces(&scene->faces[model->first_face],
                                                      &scene->face_bounds[model->first_face_bounds],
-                                                     &from, entries, model->face_count)
-                                   : find_front(scene, model, &from, entries);
+                                                     &relative, entries, model->face_count)
+                                   : find_front(scene, model, &relative, entries);
     uint32_t count = (uint32_t)(end - entries);
     fxl_order_sort_faces(entries, count);
     return count;

@@ -1,36 +1,37 @@
 /* SPDX-License-Identifier: MIT */
-/* The outcode, for those that work it out together with something else.
- * Internal. */
+/* The outcode as an inline function, for the kernels that compute it together with something else.
+ * Most signs follow from the upper words of the distances. Internal. */
 #ifndef FXL_OUTSIDE_H
 #define FXL_OUTSIDE_H
 
 #include "../math/arith.h"
 #include "fixel/stage/outcode.h"
 
-/* Those of a pair of side planes, plane and plane + 1, that a point is outside
- * of: exact, for where the upper bits do not decide. */
+/* Those of a pair of side planes, plane and plane + 1, that a point is outside of. Exact: it uses
+ * all bits of the distances. */
 unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point);
 
-/* floor(side * (across / 2^32) / 2^32). In units of 2^-12 that is the term
- * side * across, less than 1.25 too small: the factor that is cut off is below
- * 1, side at most 2^30. */
+/* floor(side * floor(across / 2^32) / 2^32): the term side * across of a distance, in
+ * units of 2^-12. It is too small by less than 1.25: the part of across that is cut off is
+ * below 1 unit, and side is at most 2^30. */
 static inline int32_t fxl_upper_term(fxl_q2_30 side, fxl_q18_46 across)
 {
     return (int32_t)(fxl_multiply_s31(side, (int32_t)((uint64_t)across >> 32)) >> 32);
 }
 
-/* Whether an upper distance leaves the sign open. */
+/* Whether a distance computed from upper words does not decide the sign. */
 static inline bool fxl_is_open(int32_t distance)
 {
     return (uint32_t)distance + 4u < 8u; /* bug: outcode-soon */
 }
 
-/* A pair of side planes, at distances depth +- across (less the inset, which
- * depth lacks already, rounded downward). Each true term exceeds its upper one by
- * 0 to 1.25, the true inset by 0 to 1: the true distance lies within -2.25..2.5
- * of the upper, so the latter has its sign where it is not within -4..3. The
- * sums are below 2^29. */
+/* The outcode's bits of a pair of side planes, plane and plane + 1. Their distances are
+ * depth + across and depth - across; depth has the inset, rounded downward, subtracted
+ * already. Each true term exceeds the computed one by 0 to 1.25, and the true inset exceeds
+ * the rounded one by 0 to 1. So the true distance lies within -2.25..2.5 of the computed
+ * one, and the two have the same sign if the computed one is not within -4..3. The sums are
+ * below 2^29. */
 static inline unsigned fxl_pair_outside(const fxl_view_frustum *frustum, int plane, int32_t across,
                                         int32_t depth, const fxl_view_point *point)
 {
@@ -41,6 +42,7 @@ static inline unsigned fxl_pair_outside(const fxl_view_frustum *frustum, int pla
     return ((uint32_t)first >> 31 | (uint32_t)second >> 31 << 1) << plane;
 }
 
+/* The same as fxl_outcode. Exact. */
 static inline fxl_planes fxl_outside(const fxl_view_frustum *frustum, fxl_planes planes,
                                      const fxl_view_point *point)
 {

@@ -4,12 +4,12 @@
 #include "../math/arith.h"
 #include "project_any.h"
 
-/* Below it the kernels' short way holds: 1024 pixels. And no point that is inside the
- * frustum, or a few units outside, may have a side of more than twice its depth: so half the
- * screen is to be less than twice the focal length, with something to spare. */
-#define FOCAL_SHORT ((uint32_t)1 << 26)
+/* The kernels' fast path requires a focal length below this: 1024 pixels. It also requires that no
+ * point inside the frustum, or a few units outside, has a side (X or Y) of more than twice its
+ * depth: so half the screen must be less than twice the focal length, with a margin. */
+#define FAST_FOCAL_END ((uint32_t)1 << 26)
 
-/* The kernels in assembly know where members lie. */
+/* The kernels in assembly have the offsets of these members. */
 _Static_assert(offsetof(fxl_projection, depth_min) == 4 &&
                    offsetof(fxl_projection, factor_less_1) == 8 &&
                    offsetof(fxl_projection, factor_2) == 12 &&
@@ -18,8 +18,8 @@ _Static_assert(offsetof(fxl_projection, depth_min) == 4 &&
                    offsetof(fxl_projection, centre_y) == 24 && offsetof(fxl_view_point, z) == 16,
                "lib/kernels");
 
-/* Where a view point's depth is brought to: depth = z 2^-shift, rounded, from
- * 2^30 to 2^31. z below 2^61 and at least 2^37 keeps shift within 7..30. */
+/* A scaled depth: depth = z 2^-shift, rounded, from 2^30 to 2^31. As z is below 2^61 and at
+ * least 2^37, shift is within 7..30. */
 typedef struct {
     uint32_t depth;
     unsigned shift;
@@ -28,7 +28,7 @@ typedef struct {
 static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;
-    /* The upper word is at least 2^5. Of the 32 bits from the highest on, the last is rounded. */
+    /* The upper word is at least 2^5. The last of the 32 bits from the highest 1 on is rounded. */
     unsigned zeros = fxl_leading_zeros((uint32_t)((uint64_t)z >> 32));
     uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32); /* bug: depth-24 */
     scaled.shift = 33u - zeros;
@@ -36,15 +36,15 @@ static scaled_depth scale_depth(fxl_q18_46 z)
     return scaled;
 }
 
-/* floor(focal side / 2^shift), 2 <= shift < 32; false where it is not below 2^62. focal is below
- * 2^29 and |side| below 2^61, so that the product has three words. */
+/* floor(focal side / 2^shift), 2 <= shift < 32. Returns false if its magnitude is not below 2^62.
+ * focal is below 2^29 and |side| is below 2^61, so the product has three words. */
 static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
 {
     uint64_t low = fxl_multiply_u32((uint32_t)focal, (uint32_t)side);
     int64_t high = fxl_multiply_s32(focal, (int32_t)((uint64_t)side >> 32)) + (int64_t)(low >> 32);
     int32_t top = (int32_t)((uint64_t)high >> 32);
     uint32_t middle = (uint32_t)high;
-    /* All above 62 bits of the result, and its sign: 0 or -1. */
+    /* The bits of the result above the lower 62 must all equal its sign: 0 or -1. */
     if ((uint32_t)(top >> (shift - 2)) + 1u > 1u) {
         return false;
     }
@@ -54,13 +54,13 @@ static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int
     return true;
 }
 
-/* round(focal side / depth) + centre, a half upward; false where that is outside the screen's
- * range before it is rounded. Rounding never carries past a whole limit. The centre is a whole
- * number, below 2^26, and may come before the division; it and the limit, below 2^29,
- * have products with the depth below 2^60. The product's own rounding down
- * costs less than 2^-30 of a unit; that of the depth 2^-31 of the result. */
-static bool place_of(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled, int32_t centre,
-                     int32_t *place)
+/* round(focal side / depth) + centre, halves upward. Returns false if that is outside the range of
+ * screen coordinates before it is rounded; rounding never carries past the limit, which is an
+ * integer. The centre is an integer, below 2^26, so it may be added before the division. The limit
+ * is below 2^29. So their products with the depth are below 2^60. Errors: rounding the product
+ * downward costs less than 2^-30 of a unit, rounding the depth 2^-31 of the result. */
+static bool project_side(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled,
+                         int32_t centre, int32_t *coordinate)
 {
     int64_t product;
     if (!scale_product(focal, side, scaled->shift, &product)) {
@@ -70,7 +70,7 @@ static bool place_of(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scal
     if (!fxl_within(product, fxl_multiply_su32(FXL_SCREEN_COORDINATE_MAX, scaled->depth))) {
         return false;
     }
-    *place = fxl_divide_round(product, scaled->depth); /* bug: project-cut */
+    *coordinate = fxl_divide_round(product, scaled->depth); /* bug: project-cut */
     return true;
 }
 
@@ -83,8 +83,8 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
     const fxl_q16_16 focal = (fxl_q16_16)(projection->factor >> 2);
     const scaled_depth scaled = scale_depth(view->z);
     int32_t x, y;
-    if (!place_of(focal, view->x, &scaled, projection->centre_x, &x) ||
-        !place_of(focal, view->y, &scaled, -projection->centre_y, &y)) {
+    if (!project_side(focal, view->x, &scaled, projection->centre_x, &x) ||
+        !project_side(focal, view->y, &scaled, -projection->centre_y, &y)) {
         return FXL_E_RANGE;
     }
     screen->x = x;
@@ -98,7 +98,7 @@ void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection)
     uint32_t half = (lens->width > lens->height ? lens->width : lens->height) * 32768u;
     projection->factor = focal << 2;
     projection->factor_less_1 = projection->factor - 1;
-    projection->depth_min = focal < FOCAL_SHORT && half < 2 * focal - focal / 64
+    projection->depth_min = focal < FAST_FOCAL_END && half < 2 * focal - focal / 64
                                 ? (int32_t)(FXL_PROJECT_DEPTH_MIN >> 32)
                                 : INT32_MAX;
     projection->factor_2 = focal << 4;
@@ -107,6 +107,7 @@ void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection)
     projection->centre_y = (int32_t)lens->height * 32768;
 }
 
+/* The upper word of a side, or its complement if the side is negative. */
 static uint32_t upper_magnitude(int64_t side)
 {
     int32_t upper = (int32_t)(side >> 32);
@@ -117,7 +118,7 @@ fxl_status fxl_project_visible(const fxl_projection *projection, const fxl_view_
                                fxl_screen_point *screen)
 {
     int32_t upper = (int32_t)(view->z >> 32);
-    /* With m < 2 z of upper words, |X| <= 2^32 (m + 1) <= 2 Z. */
+    /* If the upper words m of |X| and z of Z have m < 2 z, then |X| <= 2^32 (m + 1) <= 2 Z. */
     if (FXL_IS_SMALL || upper < projection->depth_min ||
         /* bug: side-range */
         (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {

@@ -6,8 +6,8 @@
 #include "../math/arith.h"
 #include "fixel/stage/camera.h"
 
-/* A point relative to the eye, each coordinate below 2^30, along right, up and
- * forward: three exact sums, below 2^61 (fxl_dot). */
+/* Rotates a point relative to the eye, each coordinate below 2^30, into the view: along right, up
+ * and forward. Three exact sums, below 2^61 (fxl_dot). */
 static inline void fxl_rotate(const fxl_camera *camera, const fxl_point *point,
                               fxl_view_point *view)
 {

@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* Only upper words are used: of a view point in 18.46 the upper word is in units
- * of 2^-14, of its product with a component of a normal in units of 2^-12.
- * Distances are in the latter.
+/* The sphere test uses upper words only. The upper word of a view point in 18.46 is in
+ * units of 2^-14. The upper word of its product with a component of a normal is in units of
+ * 2^-12. Distances are in units of 2^-12.
  *
- * How far off they are, in these units. Side planes: the floors of the view point
- * move the distance by less than (side + depth) / 4 < 0.36, the floors of two
- * products by less than 2 in all, that of the inset by less than 1 the other way.
- * Near and far: two floors, less than 1. So a true distance lies less than 2.37
- * from the computed one.
+ * Error of a distance, in these units. Side planes: the floors of the view point move the
+ * distance by less than (side + depth) / 4 < 0.36; the floors of the two products move it by
+ * less than 2 in all; the floor of the inset moves it by less than 1 the other way. Near and
+ * far: two floors, less than 1. So a true distance differs from the computed one by less
+ * than 2.37.
  *
- * How much farther than the radius from the centre a vertex may lie along that
- * normal: rows of the matrix err by 2 units of 2^-30 an entry (camera.h) and so
- * stretch by 6 * 2^-30 at most, a normal's two components err by 1 each and
- * stretch it by 1.5 * 2^-30: 13 / 65536 at the largest radius. The world's normals
- * (frustum.h: 4 * 2^-30 a component) differ from these by less than 14.5 * 2^-30,
- * which moves a point that is 28375 units away by 25 / 65536; five cuts in the
- * world round by 0.9 / 65536 each, in the view by nothing to speak of. All this
- * is below 43 / 65536, 2.7 of our units.
+ * How much farther than the radius a vertex may lie from the centre, along the normal of a
+ * plane. Entries of the matrix have errors of 2 units of 2^-30 (camera.h), so a row stretches
+ * by at most 6 * 2^-30. The two components of a normal have errors of 1 unit each, which
+ * stretch it by 1.5 * 2^-30. Together that is 13 / 65536 at the largest radius. The normals of
+ * the world (frustum.h: 4 * 2^-30 a component) differ from these by less than 14.5 * 2^-30,
+ * which moves a point that is 28375 units away by 25 / 65536. Five cuts in the world round by
+ * 0.9 / 65536 each; cuts in the view round by a negligible amount. All this is below
+ * 43 / 65536, which is 2.7 of the units of 2^-12.
  *
- * Both together are below 5.1. What is added to the radius, floored, is 9, so at
- * least 8 are left for them: no object is left out of which a face is drawn. */
+ * Both errors together are below 5.1. The slack that is added to the radius, floored, is 9,
+ * so at least 8 remain for the errors. So the test never rejects an instance of which a
+ * face would be drawn. */
 #include "fixel/stage/sphere.h"
 
 #include "../math/arith.h"
@@ -27,19 +28,19 @@
 #define SLACK 9 /* bug: sphere-slack */
 
 /* The upper word of a product. */
-static int32_t scaled(fxl_q2_30 part, int32_t size)
+static int32_t multiply_upper(fxl_q2_30 component, int32_t coordinate)
 {
-    return (int32_t)(fxl_multiply_s31(part, size) >> 32);
+    return (int32_t)(fxl_multiply_s31(component, coordinate) >> 32);
 }
 
-/* The two planes through the eye of one axis; the normal of low points along it.
- * across and along are below 2^29, what is made of them below 2^27: no sum of it
- * and of the reach, which is below 2^27 too, passes 2^30. */
+/* Tests the two side planes of one axis. The normal of low points along the axis. across and
+ * along are below 2^29, so their products' upper words are below 2^27. So is the reach. No
+ * sum of these exceeds 2^30. */
 static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int32_t along,
                             int32_t inset, int32_t reach, int low, int high)
 {
-    int32_t apart = scaled(side, across);
-    int32_t ahead = scaled(depth, along) - inset;
+    int32_t apart = multiply_upper(side, across);
+    int32_t ahead = multiply_upper(depth, along) - inset;
     int32_t from_low = ahead + apart;
     int32_t from_high = ahead - apart; /* bug: sphere-swap */
     if (from_low + reach < 0 || from_high + reach < 0) {
@@ -48,7 +49,7 @@ static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int
     return (uint32_t)(from_low < reach) << low | (uint32_t)(from_high < reach) << high;
 }
 
-/* Exact but for the floor. */
+/* The coordinate along an axis of the view, in units of 2^-14. Exact except for the floor. */
 static int32_t along_axis(const fxl_direction *axis, int32_t dx, int32_t dy, int32_t dz)
 {
     return (int32_t)((uint64_t)fxl_dot(axis, dx, dy, dz) >> 32);

@@ -1,43 +1,44 @@
 /* SPDX-License-Identifier: MIT */
-/* What hides what, by a tree (docs/extras/bsp.md): exact for what stands still, and for
- * convex objects that move about in it, which are cut to the tree's leaves. Source: chapter
- * 65 (A14). */
+/* Visibility by a BSP (docs/extras/bsp.md). It is exact for what stands still, and for convex
+ * instances that move about in it, which are cut to the leaves of the BSP. Source: chapter 65
+ * (A14). */
 #ifndef FXL_BSP_H
 #define FXL_BSP_H
 
 #include "fixel/stage/visibility.h"
 
-/* How far a walk has come in a tree. */
+/* How far a traversal has come in the BSP. */
 typedef struct {
     uint16_t node;
-    uint16_t index; /* of the node's faces, or of what is in the leaf, so many are done */
-    uint16_t face;  /* and so many faces of an object in the leaf */
+    uint16_t index; /* how many of the node's faces, or of the items in the leaf, are done */
+    uint16_t face;  /* how many faces of an instance in the leaf are done */
     uint16_t phase;
 } fxl_bsp_resume_point;
 
-/* The room that fxl_visibility_bsp works in begins with this; what follows is sized by the
- * method's walk_room. The caller may set the first two between two frames, after
- * fxl_renderer_set_visibility, which clears them; the rest is for reading only. */
+/* The workspace of fxl_visibility_bsp begins with this record. The submit_workspace_size of the
+ * method includes what follows it. The caller may set the first two members between two frames,
+ * after fxl_renderer_set_visibility, which clears them. The rest is for reading only. */
 typedef struct {
-    void *pieces;         /* room for pieces of objects that move; null: none */
-    uint32_t pieces_size; /* bytes: aligned to four; 12 a piece and 16 a vertex of one */
-    uint32_t unsplit; /* objects of this frame that were drawn whole: their pieces had no room */
-    uint32_t used;    /* bytes of pieces that this frame took at most */
-    uint32_t refused; /* pieces of this frame that could not be drawn, out of range when cut */
-    fxl_bsp_resume_point rest; /* where the list was full */
-    uint16_t first, end;       /* the order's entries of the tree's layer */
-    uint16_t owner;            /* the tree's object in the order; 0xFFFF: not in sight */
-    uint16_t movers;           /* other entries of its layer */
+    void *pieces;         /* memory for pieces of instances that move; null: none */
+    uint32_t pieces_size; /* bytes; memory aligned to four; 12 a piece and 16 a vertex of one */
+    uint32_t unsplit;     /* instances of this frame drawn whole, for lack of memory */
+    uint32_t used;        /* the most bytes of pieces that this frame used */
+    uint32_t refused;     /* pieces of this frame not drawn: out of range when clipped */
+    fxl_bsp_resume_point rest; /* where to resume after a full display list */
+    uint16_t first, end; /* entries of the order on the layer of the BSP: first <= entry < end */
+    uint16_t owner;      /* entry of the instance of the BSP; 0xFFFF: it is not visible */
+    uint16_t movers;     /* the other entries of the layer */
 } fxl_bsp_workspace;
 
-/* Objects by layer and distance, but for the layer of the tree's object, which is drawn by its
- * tree, far to near, one over another. A scene without a tree is drawn as by fxl_visibility_sorted.
- * Objects that move do so by their table's centre, which is to stay in range with every vertex.
- * Its room is 36 bytes, a bit for each node, and where other objects are on the tree's
- * layer, another bit and 4 bytes for each node and 12 for each of them. */
+/* Draws instances by layer and distance, as fxl_visibility_sorted does, except on the layer of
+ * the BSP's instance. That layer is drawn by the BSP, far to near, each polygon over those
+ * before. A scene without a BSP is drawn as by fxl_visibility_sorted. The caller moves an
+ * instance by changing its centre in the scene's table; every vertex must stay in range. The
+ * workspace is 36 bytes and a bit for each node. Where other instances are on the layer, it is
+ * another bit and 4 bytes for each node, and 12 bytes for each of these instances, in addition. */
 extern const fxl_visibility fxl_visibility_bsp;
 
-/* The same near to far into a span buffer; its room is behind the tree's. */
+/* Draws the same near to far into a span buffer. */
 extern const fxl_visibility fxl_visibility_bsp_spans;
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Other clippers, each a constant record of its own, and the functions that they are made of. */
+/* The other clippers, each a constant record, and the functions that they are made of. */
 #ifndef FXL_EXTRA_CLIPPERS_H
 #define FXL_EXTRA_CLIPPERS_H
 

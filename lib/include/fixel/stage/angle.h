@@ -5,12 +5,12 @@
 
 #include "fixel/types.h"
 
-/* The sine of an angle, as 2.30.
- * Takes any angle. Error: at most 0.51 unit of 2^-30; exact at the quarter turns.
- * sin(-a) == -sin(a) for every a. */
+/* The sine of an angle, as 2.30. Takes any angle. sin(-a) == -sin(a) for every a.
+ * Error: at most 0.51 unit of 2^-30; exact at the quarter turns. */
 fxl_q2_30 fxl_sin(fxl_angle angle);
 
-/* The cosine of an angle, as 2.30: fxl_sin(angle + FXL_ANGLE_QUARTER). */
+/* The cosine of an angle, as 2.30: fxl_sin(angle + FXL_ANGLE_QUARTER). Takes any angle.
+ * Error: at most 0.51 unit of 2^-30; exact at the quarter turns. */
 fxl_q2_30 fxl_cos(fxl_angle angle);
 
 #endif

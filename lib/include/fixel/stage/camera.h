@@ -5,20 +5,21 @@
 
 #include "fixel/types.h"
 
-/* The rows of the world-to-view rotation, and where the eye stands. */
+/* The view matrix: the position of the eye, and the rows of the world-to-view rotation. */
 typedef struct {
     fxl_point position;
     fxl_direction right, up, forward;
 } fxl_camera;
 
-/* Sets up a camera from a pose (Listing 65.3, UpdateViewPos; SPEC.md says
- * where sign and order of the angles follow the text and not the listing).
+/* Sets up a camera from a pose:
  *   forward = ( cos p sin y,  sin p, cos p cos y)
  *   right   = ( cos r cos y - sin r sin p sin y,  sin r cos p, -cos r sin y - sin r sin p cos y)
  *   up      = (-sin r cos y - cos r sin p sin y,  cos r cos p,  sin r sin y - cos r sin p cos y)
- * Requires |position| <= FXL_COORDINATE_MAX in each coordinate; any angles.
- * Error: each entry within 2 units of 2^-30.
- * FXL_E_ARGUMENT, FXL_E_RANGE: camera untouched. */
+ * Requires |position| <= FXL_COORDINATE_MAX in each coordinate. Takes any angles.
+ * FXL_E_ARGUMENT, FXL_E_RANGE: camera untouched.
+ * Error: at most 2 units of 2^-30 an entry.
+ * Source: Listing 65.3, UpdateViewPos. SPEC.md, section 1.4, says where sign and order of the
+ * angles follow the Black Book's text and not its listing. */
 fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
 
 #endif

@@ -1,37 +1,46 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping in the view, plane by plane, on exact sums: the precise way. */
+/* Clipping in the view, plane by plane, on exact sums. */
 #ifndef FXL_CLIP_VIEW_H
 #define FXL_CLIP_VIEW_H
 
 #include "fixel/stage/outcode.h"
 
-/* What the clipper needs beside its input. The caller owns it; its contents
- * mean nothing between calls. */
+/* The workspace of fxl_clip_view_to_planes. The caller owns it. It keeps nothing from
+ * one call to the next. */
 typedef struct {
     fxl_view_polygon polygons[2];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 } fxl_clip_view_work;
 
-/* How far a point lies inside one of the frustum's planes (FXL_PLANE_...), in
- * units of 2^-46, rounded downward. Exact but for that rounding, so its sign
- * cannot err. Requires |x|, |y|, |z| < 2^61. */
+/* The distance of a point from one of the frustum's planes (FXL_PLANE_...), in units
+ * of 2^-46 world unit, rounded downward; negative outside.
+ * Requires |x|, |y|, |z| < 2^61 units.
+ * Error: only that rounding, less than 1 unit, so the sign is exact. Source: A12. */
 fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point);
 
-/* Clips a polygon of the view to one plane; the rules, and what is written
- * when, are those of fxl_clip_world_to_plane.
- * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, |x|, |y|, |z| < 2^61.
- * Error of a new vertex: at most 1 unit of 2^-46 in each coordinate from a
- * point of the edge, 3 units from the plane; 2^-38 of its depth at the nearest
- * near plane, which no screen shows. */
+/* Clips a polygon of the view to one plane. A vertex is inside if its distance is >= 0.
+ * Each intersection is computed from the inside end of the edge towards the outside
+ * end, so two polygons that share the edge get the same bits. A vertex exactly on the
+ * plane is not repeated. distances becomes the distances of in's vertices.
+ * *out is written only for FXL_CLIP_CUT and FXL_CLIP_DEGENERATE, and up to the capacity
+ * for FXL_CLIP_CAPACITY. Its colour and count are set only for FXL_CLIP_CUT.
+ * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, |x|, |y|, |z| < 2^61 units,
+ * out != in, and FXL_POLYGON_CAPACITY elements at distances.
+ * Error of a new vertex: at most 1 unit of 2^-46 in each coordinate from a point of
+ * the edge, and 3 units from the plane. At the nearest near plane that is 2^-38 of its
+ * depth, which no screen shows. Source: A2, A12, C8. */
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                        int plane, fxl_view_polygon *out, fxl_q18_46 *distances);
 
-/* Clips a polygon of the view to some of the planes, in the order of their
- * numbers. *result points to the input itself where no plane cut it, else into
- * work; null where nothing is left. The input may be either polygon of work, and
- * is then lost where a plane cuts it. Where the input lies inside all other
- * planes, so does the result, to within 1 unit of 2^-46 a coordinate. */
+/* Clips a polygon of the view to some of the planes, in the order of their numbers.
+ * *result points to the input itself if no plane cut it, else to a polygon of work. It
+ * is null if nothing is left.
+ * Requires what fxl_clip_view_to_plane requires of in. in may be a polygon of work; it
+ * is then lost if a plane cuts it.
+ * Error: that of fxl_clip_view_to_plane for each cut. If the input lies inside all
+ * planes that are not given, so does the result, to within 1 unit of 2^-46 a
+ * coordinate. Source: A10, A12. */
 fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                         fxl_planes planes, fxl_clip_view_work *work,
                                         const fxl_view_polygon **result);

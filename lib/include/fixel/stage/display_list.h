@@ -1,23 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* The list: a frame's polygons as the screen shows them, in the order of
- * drawing, in memory of the caller. A frame is worked out once into the list
- * and drawn from it band by band. */
+/* The display list: a frame's polygons of the screen, in the order of drawing, in memory of the
+ * caller. begin computes a frame once into the list; draw draws it from the list band by band. */
 #ifndef FXL_DISPLAY_LIST_H
 #define FXL_DISPLAY_LIST_H
 
 #include "fixel/types.h"
 
-/* Words of 32 bits that a polygon with so many vertices takes in a list: its
- * rows, its colour and count, and each point as it is. */
+/* The words of 32 bits that a polygon of so many vertices takes in a display list: one for its
+ * rows, one for its kind, colour and count, and two for each point, unchanged. */
 #define FXL_DISPLAY_LIST_WORDS(vertices) (2u + 2u * (vertices))
 
-/* The first `used` of `capacity` words hold records. */
+/* A display list. The first `used` of `capacity` words hold records. */
 typedef struct {
     uint32_t *words; /* the caller's; may be null where capacity is 0 */
     uint32_t capacity, used;
 } fxl_display_list;
 
-/* A polygon of a list; its points lie in the list itself. */
+/* A polygon of a display list. Its points lie in the list itself. */
 typedef struct {
     fxl_rows rows;
     uint8_t colour, count;
@@ -25,15 +24,15 @@ typedef struct {
     const fxl_screen_point *points;
 } fxl_display_list_record;
 
-/* Appends a polygon that reaches the given rows of the screen. False where it
- * does not fit: the list is then as it was.
+/* Appends a polygon that reaches the given rows of the screen. Returns false if it
+ * does not fit: list untouched.
  * Requires 3 <= count <= FXL_POLYGON_CAPACITY, rows.first < rows.end. Exact. */
 bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *polygon,
                              fxl_rows rows);
 
-/* The next polygon, from *place on, that reaches one of the given rows; *place
- * is then behind it. Begin with a place of 0. False when there are no more;
- * record is then untouched. */
+/* Finds the next polygon, from *place on, that reaches one of the given rows, and moves *place
+ * behind it. *place is a number of words; begin with 0. Returns false if there is none: record
+ * untouched. Exact. */
 bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t *place,
                            fxl_display_list_record *record);
 

@@ -5,13 +5,14 @@
 
 #include "fixel/types.h"
 
-/* A lens from a horizontal field of view:
+/* Makes a lens from a horizontal field of view:
  *   focal = (width / 2) / tan(fov / 2), for both axes (square pixels).
+ * width and height are in pixels; near_z, far_z and inset are in world units.
  * Requires width, height in 1..FXL_SCREEN_MAX; fov in FXL_FOV_MIN..FXL_FOV_MAX;
- * near >= FXL_NEAR_MIN; far <= FXL_FAR_MAX; 0 <= inset <= FXL_INSET_MAX;
- * near + 2 * inset < far.
- * Error of focal: at most 1 unit of 1/65536 pixel plus focal * 2^-27.
- * FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched. */
+ * near_z >= FXL_NEAR_MIN; far_z <= FXL_FAR_MAX; 0 <= inset <= FXL_INSET_MAX;
+ * near_z + 2 * inset < far_z.
+ * FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched.
+ * Error of focal: at most 1 unit of 1/65536 pixel plus focal * 2^-27. Source: A4. */
 fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
                              fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens);
 

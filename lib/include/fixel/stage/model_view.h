@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An object as the eye sees it in one frame: what its faces share, and its
- * vertices in the view, each worked out when a face first asks for it. */
+/* The model view of an instance in one frame: what its faces share, and its vertices
+ * in the view. A vertex is transformed when a face first fetches it. */
 #ifndef FXL_MODEL_VIEW_H
 #define FXL_MODEL_VIEW_H
 
@@ -8,61 +8,65 @@
 #include "fixel/scene.h"
 #include "fixel/stage/view.h"
 
-/* Its place on the screen was not worked out yet. */
+/* A clip flag: the vertex was not projected yet, so `screen` has no meaning. */
 #define FXL_VERTEX_UNPROJECTED 0x80u
 
-/* What of a state is planes and the above: 0 for a vertex inside of all, on the screen. */
+/* The clip flags that are planes, and the one above. These bits are 0 for a vertex that is inside
+ * all planes and projected. */
 #define FXL_VERTEX_OUTSIDE 0xFFu
 
 /* A vertex in the view. */
 typedef struct {
-    uint32_t tag;        /* which vertex of which object in the cache's count; 0: none */
-    uint32_t clip_flags; /* the planes that it lies outside of; FXL_VERTEX_UNPROJECTED; where those
-                       are 0, the first centre from its place on (seen.h) */
+    uint32_t tag;        /* the instance, in the cache's count, and the vertex; 0: no vertex */
+    uint32_t clip_flags; /* its outcode and FXL_VERTEX_UNPROJECTED; if both are 0, its first pixel
+                            centre (lib/src/clip/vertex_flags.h) */
     fxl_screen_point screen;
     fxl_view_point position;
 } fxl_cached_vertex;
 
-/* Where vertices are kept: vertex n in entry n & mask. Two of one entry displace
- * each other, which costs time and nothing else. */
+/* A direct-mapped cache of vertices: vertex n is in entry n & mask. Two vertices of one entry
+ * displace each other, which costs only time. */
 typedef struct {
     fxl_cached_vertex *entries;
-    uint32_t mask;  /* entries - 1, a power of two less 1 */
-    uint32_t count; /* objects placed, from 1, in units of 2^16 */
+    uint32_t mask;  /* number of entries - 1; the number is a power of two */
+    uint32_t count; /* model views made, from 1, in units of 2^16 */
 } fxl_vertex_cache;
 
 struct fxl_beam_light;
 
-/* The caller owns it. */
+/* A model view. The caller owns it. */
 typedef struct {
     const fxl_view *view;
     fxl_cached_vertex *entries; /* of the cache */
     uint32_t mask;              /* of the cache */
-    uint32_t tag;               /* of its vertex 0 */
-    const fxl_point *vertices;  /* of its model */
+    uint32_t tag;               /* of vertex 0 */
+    const fxl_point *vertices;  /* of the model */
     const uint16_t *indices;    /* of the scene */
-    fxl_point offset;           /* its centre less the eye; each below 2^30 */
-    fxl_planes planes;          /* none of its vertices lies outside of another plane */
-    const struct fxl_beam_light *beam_light; /* beams that may light it; null: none */
+    fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
+    fxl_planes planes;          /* no vertex lies outside any plane that is not in this set */
+    const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
 } fxl_model_view;
 
-/* A cache in memory of the caller, of the largest power of two of entries that
- * fits, 1 <= entry_count. */
+/* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that
+ * is at most entry_count and at most 65536. Requires entry_count >= 1. */
 void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
                            uint32_t entry_count);
 
-/* Places an object of a checked scene; what the cache holds of others is stale. */
+/* Sets up the model view of an instance. All entries of the cache become stale.
+ * Requires a checked scene, a view with a pose, and planes such that no vertex of the instance lies
+ * outside any other plane. Exact. */
 void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
                                 const fxl_instance *instance, fxl_planes planes,
                                 const fxl_view *view, fxl_vertex_cache *cache);
 
-/* Places a polygon of the world, of FXL_POLYGON_CAPACITY points at most, each within
- * FXL_COORDINATE_MAX, which must outlive *placed: its faces are those whose first corner is
- * 0. What the cache holds of others is stale. */
+/* Sets up the model view of a polygon of the world: its vertices are points, and its face is any
+ * whose first_index is 0. All entries of the cache become stale.
+ * Requires at most FXL_POLYGON_CAPACITY points, each within FXL_COORDINATE_MAX, that outlive
+ * *model_view; planes as for an instance. Exact. */
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
                                fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache);
 
-/* A vertex of the model relative to the eye, along the world's axes. Exact: the
+/* A vertex of the model relative to the eye, along the world's axes, in world units. Exact: the
  * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each
  * coordinate is below 2^30. */
 static inline fxl_point fxl_model_view_vertex(const fxl_model_view *model_view, uint32_t number)
@@ -73,12 +77,14 @@ static inline fxl_point fxl_model_view_vertex(const fxl_model_view *model_view, 
     return moved;
 }
 
-/* Works a vertex out into its entry. Exact, given the camera's matrix. */
+/* Transforms a vertex of the model into an entry of the cache: tag, position and clip flags. The
+ * vertex becomes unprojected. It is a kernel: each family of cores has its own (lib/kernels), and
+ * all give the same bits. Exact, given the camera's matrix. */
 void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry);
 
-/* The vertex in the view; good until the next is asked for. The state alone may
- * be changed, together with screen. */
+/* Returns a vertex of the model in the view, from the cache or transformed. The pointer is valid
+ * until the next fetch. The caller may change clip_flags and screen, and nothing else. */
 static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_view, uint32_t number)
 {
     fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];

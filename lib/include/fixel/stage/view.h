@@ -1,30 +1,32 @@
 /* SPDX-License-Identifier: MIT */
-/* What the stages of a frame share: from where it is seen, and what of it. */
+/* The view: camera, lens and frustum of a frame, which the stages share. */
 #ifndef FXL_VIEW_H
 #define FXL_VIEW_H
 
 #include "fixel/stage/frustum.h"
 #include "fixel/stage/project.h"
 
-/* The caller owns it. Set up by the functions below, first the lens. */
+/* A view. The caller owns it, and sets first the lens, then the pose of each frame. */
 typedef struct {
     fxl_camera camera;
     fxl_lens lens;
     fxl_projection projection;
     fxl_view_frustum view_frustum;
-    fxl_frustum frustum;     /* the same in the world: fxl_view_set_world_frustum */
-    uint32_t frame;          /* counts poses; 0: none yet */
-    void *clipper_workspace; /* the clipper's, of the caller's memory; or null */
+    fxl_frustum frustum;     /* in the world; valid after fxl_view_set_world_frustum */
+    uint32_t frame;          /* counts poses, skipping 0; 0: no pose yet */
+    void *clipper_workspace; /* the clipper's workspace, of the caller's memory; or null */
 } fxl_view;
 
-/* Sets frame and room to 0 and null. Requires a lens made by its function. */
+/* Sets the lens, and what depends on it; frame becomes 0 and clipper_workspace null.
+ * Requires a lens made by fxl_lens_from_fov. */
 void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
 
-/* FXL_E_ARGUMENT, FXL_E_RANGE (pose): view untouched. */
+/* Sets the pose, which begins the next frame. Requires and rounds as
+ * fxl_camera_from_pose. FXL_E_ARGUMENT, FXL_E_RANGE (pose): view untouched. */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 
-/* Works out the planes in the world, once a pose: fxl_clipper.begin of clippers
- * that clip there. */
+/* Sets up the planes in the world: fxl_clipper.begin of clippers that clip there. Requires a pose.
+ * Error: that of fxl_frustum_from_camera. */
 void fxl_view_set_world_frustum(fxl_view *view);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What hides what. A visibility method is a constant record in a file of its own, so a program
- * links only the methods that it names. A method decides two things: the order in which faces
- * are submitted, and, by its raster backend, what becomes of a pixel that is drawn already. Any
- * order goes with any backend made for it. */
+/* The interface of the visibility methods. Each is one constant record in a file of its own, so a
+ * program links only the methods that it names. A method has two parts: a submit function,
+ * which gives the faces in an order, and a raster backend, which decides about a pixel that was
+ * drawn already. Any submit function goes with any raster backend of the same order. */
 #ifndef FXL_VISIBILITY_H
 #define FXL_VISIBILITY_H
 
@@ -13,57 +13,60 @@ typedef struct fxl_renderer fxl_renderer;
 struct fxl_workspace;                       /* fixel/render.h */
 typedef struct fxl_traversal fxl_traversal; /* lib/src/draw/submit.h, which is internal */
 
-/* How a polygon's pixels get into a band. */
+/* A raster backend: it draws the polygons of a band. */
 typedef struct {
-    /* The least bytes of the caller's memory that it works in. Null: none. */
+    /* The least size of its workspace, in bytes. Null: it needs none. */
     uint32_t (*workspace_size)(const fxl_lens *lens);
-    /* Draws a band, and deals with a workspace that is full. Null: the band is drawn once. */
+    /* Draws a band, in parts if the workspace is too small for the whole. Null: the renderer draws
+     * the band at once. */
     void (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
                       const fxl_band *band);
-    /* A band begins, of which nothing is drawn. Null where nothing need be done. */
+    /* Begins a band of which nothing was drawn. Null: there is nothing to begin. */
     void (*begin_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
                        const fxl_band *band);
-    /* Draws an outline that reaches rows of the screen, which the band need not hold.
-     * False where the workspace is full: then some of it may have been drawn. */
+    /* Draws an outline that reaches rows of the screen; the band may hold none of them. Returns
+     * false if the workspace is full: then some of the outline may have been drawn. */
     bool (*draw_polygon)(struct fxl_workspace *workspace, const fxl_screen_point *points,
                          uint32_t count, uint8_t colour, const fxl_band *band);
-    /* Each polygon is scanned and filled over what is there, and nothing else: a face may then
-     * go from the clipper straight to scan. */
+    /* Whether draw_polygon only scans and fills, over what is there: then a face may go from the
+     * clipper straight to scan. */
     bool draws_over;
 } fxl_raster_backend;
 
+/* A visibility method. */
 typedef struct {
-    bool front_to_back; /* else what comes later covers what came before */
-    /* Submits every face from the traversal's resume point on, in the order of drawing or, front
-     * to back, in the exact reverse. False where the traversal was stopped: the resume point is
-     * then the face that found no room. */
+    bool front_to_back; /* if false, a later polygon covers an earlier one */
+    /* Submits every face from the traversal's resume point on, in the order of drawing, or, if
+     * front_to_back, in its exact reverse. Returns false if it was stopped: the resume point is
+     * then the face for which there was no space. */
     bool (*submit)(const fxl_traversal *on);
-    /* Bytes of the caller's memory that submitting wants. Null: none. */
+    /* Size of the workspace of submit, in bytes. Null: it needs none. */
     uint32_t (*submit_workspace_size)(const fxl_scene *scene);
     const fxl_raster_backend *backend;
 } fxl_visibility;
 
-/* One over another: for back to front. */
+/* The painter's algorithm: a later polygon covers an earlier one. For back to front. */
 extern const fxl_raster_backend fxl_raster_over;
 
-/* Objects by layer and distance, the faces of a sorted model by distance, far to
- * near, one over another: what a renderer uses unless told otherwise. */
+/* The default: instances by layer and distance, the faces of a sorted model by distance, far to
+ * near; a later polygon covers an earlier one. */
 extern const fxl_visibility fxl_visibility_sorted;
 
-/* The same, but every pixel of a polygon's bounding box is tested (scan_box.h): the same
- * pixels, without edges. */
+/* The same order; every pixel of a polygon's bounding box is tested (extra/spans/scan_box.h). It
+ * gives the same pixels without setting up edges. */
 extern const fxl_raster_backend fxl_raster_box;
 extern const fxl_visibility fxl_visibility_box;
 
-/* Front to back into a span buffer (span_buffer.h): each pixel is drawn once, by the first
- * that covers it, so the picture is that of the order turned round. Room:
- * FXL_SPAN_BUFFER_BYTES_LEAST of the screen at least. A band whose intervals are more than
- * the pool holds is drawn again in halves and so on, each time counted in split_bands: the
- * picture never depends on the pool. The least pool is enough for any one row. */
+/* Front to back into a span buffer (extra/spans/span_buffer.h). Each pixel is drawn once, by the
+ * first polygon that covers it, so the frame is that of the reverse order.
+ * The workspace has at least FXL_SPAN_BUFFER_BYTES_LEAST of the screen. If a band has more
+ * intervals than the workspace holds, the band is drawn again in halves, and these in halves if
+ * need be; each time counts in split_bands. The least workspace holds any one row, so the frame
+ * never depends on its size. */
 extern const fxl_raster_backend fxl_raster_spans;
 extern const fxl_visibility fxl_visibility_spans;
 
-/* The same by the pixels of each polygon's bounding box (scan_box.h). */
+/* The span buffer, with every pixel of a polygon's bounding box tested (extra/spans/scan_box.h). */
 extern const fxl_raster_backend fxl_raster_spans_box;
 extern const fxl_visibility fxl_visibility_spans_box;
 

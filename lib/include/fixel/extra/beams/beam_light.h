@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Beams for a renderer: its faces are split by them, the lit parts drawn lit. */
+/* Beams for a renderer: it splits faces by the beams and draws the lit parts lit. */
 #ifndef FXL_BEAM_LIGHT_H
 #define FXL_BEAM_LIGHT_H
 
 #include "fixel/extra/beams/beam.h"
 #include "fixel/render.h"
 
-/* Bytes that beams want of the caller's memory, aligned to 8. With one beam of 4, 5 or 8
- * planes 1,320, 1,408 or 1,624 on a core of 32 bits. 0 where they are out of what fxl_beams_fit
- * allows. Requires checked beams. */
+/* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
+ * needs 1,320, 1,408 or 1,624 on a 32-bit core. Returns 0 where fxl_beams_fit does not allow the
+ * beams. Requires checked beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
-/* Has a renderer draw by the light of 1..FXL_BEAMS_MAX beams; none, with whatever else, puts
- * the light out. lit[c] is the colour of what is drawn in colour c and lies in a beam. beams,
- * lit and room are kept hold of. Then a frame must begin anew.
- * FXL_E_ARGUMENT; FXL_E_COUNT; what fxl_beam_check says; FXL_E_CAPACITY where the room does
- * not suffice, or a face of the renderer's scene has too many vertices (fxl_beams_fit):
- * renderer untouched but for refused_calls. */
+/* Makes a renderer draw with 1..FXL_BEAMS_MAX beams. beam_count 0 turns the light off; the other
+ * arguments are then ignored. lit[c] is the lit variant of colour c. The renderer keeps pointers
+ * to beams, lit and workspace. The caller must begin a frame anew.
+ * FXL_E_ARGUMENT, FXL_E_COUNT, the errors of fxl_beam_check, FXL_E_CAPACITY (the workspace is
+ * too small, or a face of the renderer's scene has too many vertices for fxl_beams_fit): the
+ * renderer is untouched, except for refused_calls. */
 fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
                                   uint32_t beam_count, const uint8_t *lit, void *workspace,
                                   uint32_t workspace_size);

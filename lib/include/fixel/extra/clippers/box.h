@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A box about an object against the frustum: tighter than a sphere about what is
- * long or flat, and dearer. A renderer asks spheres. Source: chapter 65 (A9). */
+/* Tests a bounding box against the frustum. A box is tighter than a sphere about a long or flat
+ * instance, and costs more. The renderer itself tests spheres. Source: chapter 65 (A9). */
 #ifndef FXL_BOX_H
 #define FXL_BOX_H
 
@@ -8,25 +8,27 @@
 #include "fixel/scene.h"
 #include "fixel/stage/sphere.h"
 
-/* A part of the world with its sides along the axes: least <= point <= most in each
- * coordinate. */
+/* An axis-aligned box of the world: least <= point <= most in each coordinate. */
 typedef struct {
     fxl_point least, most;
 } fxl_box;
 
-/* The least box about all vertices of an object, where it stands. Exact. One look at
- * each vertex of its model: so keep it where the object does not move.
- * Requires an object of a checked scene. */
+/* Makes the smallest box that holds all vertices of an instance, in world coordinates. Exact.
+ * Reads every vertex of the model once, so a caller should keep the box of an instance that does
+ * not move. Requires an instance of a checked scene. */
 void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, fxl_box *box);
 
-/* Which planes a box may cross, as fxl_sphere_planes answers: a bit each, 0 where it lies
- * inside all of them, FXL_SPHERE_OUTSIDE alone where it lies outside of one. A plane is
- * crossed unless all corners of the box lie outside of it by more than 2^-9 unit, or all
- * inside of it by no less, with the world's integers, exactly. The 2^-9 unit covers what lies
- * between them and those of the view, and what every clipper rounds. So of vertices that lie in the
- * box no face is drawn, by whatever clipper, where the answer is FXL_SPHERE_OUTSIDE; and every one
- * is inside a plane whose bit is not set. Requires a frustum made by its function, corners within
- * FXL_COORDINATE_MAX. At most twelve sums of three long products. */
+/* Finds the planes that a box may cross. Returns a bit for each such plane (1 << FXL_PLANE_...):
+ * 0 where the box lies inside all planes, FXL_SPHERE_OUTSIDE alone where it lies outside one, as
+ * fxl_sphere_planes does. The box is outside a plane if all eight corners are more than 2^-9
+ * unit outside it. It is inside a plane if all eight corners are at least 2^-9 unit inside it.
+ * Otherwise it may cross the plane. The test is exact on the integers of the world's planes. The
+ * margin of 2^-9 unit covers the difference between the planes of the world and those of the
+ * view, and the rounding of every clipper. The test is therefore conservative. If the result is
+ * FXL_SPHERE_OUTSIDE, no clipper draws a face whose vertices all lie in the box. If a plane's
+ * bit is not set, every vertex in the box is inside that plane.
+ * Requires a frustum made by its function, and corners within FXL_COORDINATE_MAX. Costs at most
+ * twelve sums of three 32 x 32 -> 64 bit products. */
 uint32_t fxl_box_planes(const fxl_frustum *frustum, const fxl_box *box);
 
 #endif

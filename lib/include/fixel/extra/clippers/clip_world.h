@@ -1,31 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* Clipping in world space, plane by plane (Sutherland-Hodgman; Listing 65.2),
- * in 16.16. */
+/* Clips polygons in world space, plane by plane (Sutherland and Hodgman; Listing 65.2), in
+ * 16.16. */
 #ifndef FXL_CLIP_WORLD_H
 #define FXL_CLIP_WORLD_H
 
 #include "fixel/stage/clipper.h"
 
-/* Clips a polygon to the inside of one plane. A vertex at distance >= 0 is
- * inside. Where an edge crosses, the new vertex is computed from the inside
- * end towards the outside end, so that two polygons that share the edge get
- * the same vertex bit for bit; a vertex exactly on the plane is not repeated.
- * u and v of a textured polygon are cut by the same fraction as x, y and z.
- * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, coordinates within
- * FXL_COORDINATE_MAX, out != in, distances for FXL_POLYGON_CAPACITY.
- * out is written only for FXL_CLIP_CUT and FXL_CLIP_DEGENERATE, and up to the
- * capacity for FXL_CLIP_CAPACITY; its colour and count are set for
- * FXL_CLIP_CUT.
- * Error of a new vertex: at most 0.51 unit of 1/65536 in each coordinate from
- * a point of the edge; at most (edge length) * 2^-29 + 0.9 unit from the plane;
- * u and v: 0.51 unit + their difference along the edge * 2^-30. */
+/* Clips a polygon to one plane. A vertex at distance >= 0 is inside. Where an edge crosses the
+ * plane, the new vertex is computed from the inside end towards the outside end. So two polygons
+ * that share the edge get the same vertex bit for bit. A vertex exactly on the plane is not
+ * repeated. u and v of a textured polygon are cut by the same fraction as x, y and z. distances
+ * receives the distance of each vertex of the input.
+ * Requires 3 <= in->count <= FXL_POLYGON_CAPACITY, coordinates within FXL_COORDINATE_MAX, out !=
+ * in, and room for FXL_POLYGON_CAPACITY distances. The vertices of out are written only for
+ * FXL_CLIP_CUT and FXL_CLIP_DEGENERATE, and up to the capacity for FXL_CLIP_CAPACITY. Its colour
+ * and count are set for FXL_CLIP_CUT.
+ * Error of a new vertex: at most 0.51 unit of 1/65536 in each coordinate from a point of the
+ * edge; at most (edge length) * 2^-29 + 0.9 unit from the plane; u and v: 0.51 unit + their
+ * difference along the edge * 2^-30. */
 fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *plane,
                                         fxl_polygon *out, fxl_q18_46 *distances);
 
-/* Clips a polygon to the six planes, in the order of their numbers. *result
- * points to the input itself where no plane cut it, else into work; null
- * where nothing is left. The input may be either polygon of work, and is then
- * lost where a plane cuts it. Requirements and error as above. */
+/* Clips a polygon to the six planes, in the order of their numbers. *result is the input itself
+ * where no plane cut it, a polygon of work where one did, null where nothing is left. The input
+ * may be a polygon of work; a plane that cuts it then overwrites it. Requirements and error are
+ * those of fxl_clip_world_to_plane. */
 fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
                                           fxl_clip_world_work *work, const fxl_polygon **result);
 

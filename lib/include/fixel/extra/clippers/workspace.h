@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the family's clippers want of the caller's memory when they serve a renderer.
- * Each begins with its account: the caller may set its slivers, and reads what it counts. */
+/* The workspaces of the other clippers, for use with a renderer. Each begins with an
+ * fxl_clip_stats: the caller may set its slivers and read its counters. */
 #ifndef FXL_CLIPPER_WORKSPACE_H
 #define FXL_CLIPPER_WORKSPACE_H
 
@@ -9,14 +9,15 @@
 #include "fixel/stage/model_view.h"
 #include "fixel/extra/clippers/triangle.h"
 
-/* Of fxl_clipper_normalised. frame: the view's, that the rest is set up for; 0: none. */
+/* The workspace of fxl_clipper_normalised. frame is the view's frame that the rest was made for;
+ * 0: none. */
 typedef struct {
     fxl_clip_workspace clip;
     uint32_t frame;
     fxl_normalised frustum;
 } fxl_normalised_workspace;
 
-/* Of fxl_clipper_once. */
+/* The workspace of fxl_clipper_once. */
 typedef struct {
     fxl_clip_once_workspace clip;
     uint32_t frame;
@@ -24,26 +25,26 @@ typedef struct {
     fxl_varying_polygon in;
 } fxl_once_workspace;
 
-/* Of fxl_clipper_half_spaces, fxl_clipper_near and fxl_clipper_left. */
+/* The workspace of fxl_clipper_half_spaces, fxl_clipper_near and fxl_clipper_left. */
 typedef struct {
     fxl_clip_workspace clip;
     uint32_t frame;
-    uint32_t screen; /* planes that are cut where the screen ends; of near and left alone */
+    uint32_t screen; /* near and left alone: the planes at the borders of the screen */
     fxl_volume volume;
 } fxl_volume_workspace;
 
-/* Of fxl_clipper_triangles: a face is a fan, of which some triangles are done. The
- * slivers of the borders are clip.screen_sliver. */
+/* The workspace of fxl_clipper_triangles. A face is a fan of triangles, some of which are done.
+ * clip.screen_sliver is the sliver rule of the borders. */
 typedef struct {
     fxl_triangle_workspace clip;
     uint32_t frame;
     fxl_volume volume;
     const fxl_face *face;
-    uint32_t corner; /* of the face, the last of the triangle that comes next */
+    uint32_t corner; /* number in the face of the last vertex of the next triangle */
     fxl_cached_vertex first, before;
 } fxl_fan_workspace;
 
-/* For who tries one after the other. */
+/* A workspace that is large enough for any of these clippers. */
 typedef union {
     fxl_clip_stats stats;
     fxl_normalised_workspace normalised;

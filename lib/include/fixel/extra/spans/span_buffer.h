@@ -1,60 +1,61 @@
 /* SPDX-License-Identifier: MIT */
-/* The span buffer (C5): of each row of a band what is covered, so that front to
- * back each pixel is drawn once, by the first that covers it. */
+/* The span buffer (C5) keeps, for each row of a band, the pixels that are covered. With
+ * front-to-back drawing each pixel is then drawn once, by the first polygon that covers it. */
 #ifndef FXL_SPAN_BUFFER_H
 #define FXL_SPAN_BUFFER_H
 
 #include "fixel/types.h"
 
-/* Covered pixels x0 <= x < x1 of a row, and what comes next to the right. */
+/* An interval of covered pixels x0 <= x < x1 of a row; next is the number of the next interval
+ * to the right. */
 typedef struct {
     uint16_t x0, x1, next;
 } fxl_covered;
 
-/* Behind the last of a row. */
+/* The next of the last interval of a row. */
 #define FXL_COVERED_END 0xFFFFu
 
-/* Rows of covered intervals from one pool. The intervals of a row come from left
- * to right, and no two touch. The caller owns it; all members are for
- * span_buffer.c, and for who looks. */
+/* Rows of covered intervals from one pool. The intervals of a row are sorted from left to right,
+ * and no two touch. The caller owns the record. Only span_buffer.c writes its members; the
+ * caller may read them. */
 typedef struct {
     uint16_t *rows;    /* the first interval of each row, or FXL_COVERED_END */
-    fxl_covered *pool; /* the first `used` of `capacity` were in use */
+    fxl_covered *pool; /* the first `used` of `capacity` are in use, or are free again */
     uint16_t capacity, used;
-    uint16_t unused; /* of those used, what holds nothing any more: a chain */
+    uint16_t unused; /* the first free interval of those used: a list by next */
     uint16_t first_row, row_count, width;
-    uint16_t open_rows; /* that are not covered whole */
+    uint16_t open_rows; /* rows that are not wholly covered */
 } fxl_span_buffer;
 
-/* Intervals that are always enough for one row of so many pixels. */
+/* How many intervals always suffice for one row of this width in pixels. */
 #define FXL_SPAN_BUFFER_ROW(width) (((uint32_t)(width) + 1u) / 2u) /* bug: pool-odd */
 
-/* Bytes of memory for bands of so many rows and a pool of so many intervals. */
+/* Size in bytes for bands of so many rows and a pool of so many intervals. */
 #define FXL_SPAN_BUFFER_BYTES(rows, intervals) \
     ((uint32_t)(sizeof(fxl_span_buffer) + ((uint32_t)(rows) + 1u) / 2u * 4u + \
                 (uint32_t)(intervals) * sizeof(fxl_covered)))
 
-/* The least room for a screen: a pool that is enough for any one row. */
+/* The smallest size for a screen, in bytes: its pool suffices for any one row. */
 #define FXL_SPAN_BUFFER_BYTES_LEAST(width, height) \
     FXL_SPAN_BUFFER_BYTES(height, FXL_SPAN_BUFFER_ROW(width))
 
-/* Makes a span buffer of memory aligned to a pointer, for bands of a screen of this
- * height; of a pool beyond 65535 intervals the rest lies idle. Requires size >=
- * FXL_SPAN_BUFFER_BYTES(height, 1). Answers memory, in which nothing is covered in no row. */
+/* Makes a span buffer in memory that is aligned to a pointer, for bands of a screen of this
+ * height. Uses at most 65535 intervals; memory beyond them stays unused. Requires size >=
+ * FXL_SPAN_BUFFER_BYTES(height, 1). Returns memory. The buffer then has no rows. */
 fxl_span_buffer *fxl_span_buffer_make(void *memory, uint32_t size, uint16_t height);
 
-/* Empties it: nothing of the rows of a band is covered. Requires band->rows <= the height. */
+/* Empties the buffer and gives it the rows of a band. Requires band->rows <= height. */
 void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band);
 
-/* Draws what is not covered of a trapezoid's rows into the band, one after the other, and
- * covers it. False where the pool is full: then nothing is drawn of that row and of those
- * below. A row that holds FXL_SPAN_BUFFER_ROW(width) intervals cannot want another.
- * Requires a trapezoid within the band that the buffer was begun with.
- * Exact. Source: the span structure of "Realtime 3D Clipping" (C5), kept as what is covered. */
+/* Draws the uncovered pixels of a trapezoid into the band, row by row, and marks them covered.
+ * Returns false where the pool is full; then that row and the rows below are not drawn. A row
+ * that holds FXL_SPAN_BUFFER_ROW(width) intervals never needs another one.
+ * Requires a trapezoid within the band that the buffer was begun with. Exact. Source: the span
+ * structure of "Realtime 3D Clipping" (C5), which here holds the covered pixels. */
 bool fxl_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trapezoid, uint8_t colour,
                           const fxl_band *band);
 
-/* A span as a trapezoid of one row. */
+/* Converts a span to a trapezoid of one row. */
 static inline fxl_trapezoid fxl_trapezoid_of_span(const fxl_span *span)
 {
     return (fxl_trapezoid){

@@ -20,14 +20,14 @@ ANSWER = struct.Struct("<4sIII")
 
 @dataclasses.dataclass(frozen=True)
 class Answer:
-    """The twin's view of one frame of the board's; what was not wanted is empty."""
+    """The reference of one frame of the board; a part that was not wanted is empty."""
     frame: dump.Frame
     pixels: bytes
     outlines: bytes     # u16 points, u8 colour, u8 0, then f32 x, y of each; one after the other
     outlined: bool      # outlines were wanted, though there may be none
 
 
-class Twin:
+class Reference:
     """The program, and a thread that talks with it. found(answer) and failed(error) are called from
     that thread."""
 
@@ -42,7 +42,7 @@ class Twin:
                                              stderr=subprocess.PIPE, start_new_session=True)
         except OSError as error:
             raise ToolError(f"cannot start {program}: {error.strerror}; make all builds it") from error
-        self._thread = threading.Thread(target=self._run, name="twin", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="reference", daemon=True)
         self._thread.start()
 
     def ask(self, frame, wants):
@@ -72,14 +72,14 @@ class Twin:
         self._process.stdin.flush()
         magic, number, pixels, outlines = ANSWER.unpack(self._read(ANSWER.size))
         if magic != b"TWIN" or number != self._asked or pixels not in (0, frame.pixels.size):
-            raise ToolError("its answer does not have the agreed format")
+            raise ToolError("its answer does not have the agreed form")
         self._asked += 1
         return Answer(frame, self._read(pixels), self._read(outlines), bool(wants & OUTLINES))
 
     def _read(self, size):
         data = self._process.stdout.read(size)
         if len(data) != size:
-            raise ToolError("its answer is incomplete")
+            raise ToolError("its answer is cut off")
         return data
 
     def close(self):

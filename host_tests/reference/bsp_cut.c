@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "reference/bsp.h"
+#include "reference/bsp_cut.h"
 
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 
 __extension__ typedef __int128 wide;
 
-/* In units of 2^-46; exact. */
+/* How far a point lies in front of a node's plane, in units of 2^-46; exact. */
 static wide height(const ref_scene *scene, const ref_bsp_node *node, const ref_lattice_point *point)
 {
     const ref_lattice_point *centre = &scene->instances[scene->bsp_instance].centre;
@@ -42,7 +42,7 @@ static bool same(const ref_lattice_point *a, const ref_lattice_point *b)
     return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-/* Whether the ends are those of an edge, whichever way it goes. */
+/* Tells whether two points are the ends of an edge, in either direction. */
 static bool is_edge(const ref_piece *shape, int i, const ref_lattice_point ends[2])
 {
     const ref_lattice_point *here = &shape->points[i];
@@ -51,9 +51,11 @@ static bool is_edge(const ref_piece *shape, int i, const ref_lattice_point ends[
            (same(here, &ends[1]) && same(next, &ends[0]));
 }
 
-/* False where a piece becomes too large. */
-static bool share(ref_bsp_pieces *all, size_t first, uint32_t node, const ref_lattice_point ends[2],
-                  const ref_lattice_point *crossing)
+/* Inserts an intersection into every piece that has the edge, except those at the node. Returns
+ * false where a piece gets too many vertices. */
+static bool insert_into_others(ref_bsp_pieces *all, size_t first, uint32_t node,
+                               const ref_lattice_point ends[2],
+                               const ref_lattice_point *intersection)
 {
     for (size_t p = first; p < all->count; p++) {
         ref_piece *shape = &all->pieces[p].shape;
@@ -70,19 +72,19 @@ static bool share(ref_bsp_pieces *all, size_t first, uint32_t node, const ref_la
             for (int k = shape->count; k > i + 1; k--) {
                 shape->points[k] = shape->points[k - 1];
             }
-            shape->points[i + 1] = *crossing;
+            shape->points[i + 1] = *intersection;
             shape->count++;
         }
     }
     return true;
 }
 
-static void go_on(const ref_scene *scene, ref_bsp_piece *piece, bool behind)
+static void move_down(const ref_scene *scene, ref_bsp_piece *piece, bool behind)
 {
-    const ref_bsp_node *node = &scene->nodes[piece->node];
+    const ref_bsp_node *node = &scene->bsp_nodes[piece->node];
     uint32_t below = behind ? node->back : node->front;
     piece->behind = behind;
-    piece->in_leaf = below == REF_NODE_NONE;
+    piece->in_leaf = below == REF_BSP_NONE;
     piece->node = piece->in_leaf ? piece->node : below;
 }
 
@@ -95,11 +97,12 @@ static bool keep(ref_piece *part, const ref_lattice_point *point)
     return true;
 }
 
-/* Both parts of a piece, each crossing shared. False where one becomes too large. */
+/* Divides a piece into both parts, and inserts each intersection into the other pieces. Returns
+ * false where one gets too many vertices. */
 static bool divide(const ref_scene *scene, ref_bsp_pieces *all, size_t first,
                    const ref_bsp_piece *piece, ref_piece *front, ref_piece *back)
 {
-    const ref_bsp_node *node = &scene->nodes[piece->node];
+    const ref_bsp_node *node = &scene->bsp_nodes[piece->node];
     const ref_piece *shape = &piece->shape;
     bool fits = true;
     front->count = back->count = 0;
@@ -109,11 +112,11 @@ static bool divide(const ref_scene *scene, ref_bsp_pieces *all, size_t first,
         fits = (here < 0 || keep(front, &ends[0])) && (here > 0 || keep(back, &ends[0]));
         if ((here > 0 && there < 0) || (here < 0 && there > 0)) {
             const bool down = here > 0;
-            const ref_lattice_point crossing =
+            const ref_lattice_point intersection =
                 ref_split_edge(&ends[!down], &ends[down], (long double)(down ? here : there),
                                (long double)(down ? there : here));
-            fits = fits && share(all, first, piece->node, ends, &crossing) &&
-                   keep(front, &crossing) && keep(back, &crossing);
+            fits = fits && insert_into_others(all, first, piece->node, ends, &intersection) &&
+                   keep(front, &intersection) && keep(back, &intersection);
         }
     }
     return fits;
@@ -125,12 +128,12 @@ static ref_bsp_result cut_piece(const ref_scene *scene, ref_bsp_pieces *all, siz
     ref_bsp_piece *piece = &all->pieces[number];
     bool ahead = false, behind = false;
     for (int i = 0; i < piece->shape.count; i++) {
-        wide above = height(scene, &scene->nodes[piece->node], &piece->shape.points[i]);
+        wide above = height(scene, &scene->bsp_nodes[piece->node], &piece->shape.points[i]);
         ahead = ahead || above > 0;
         behind = behind || above < 0;
     }
     if (!ahead || !behind) {
-        go_on(scene, piece, behind);
+        move_down(scene, piece, behind);
         return REF_BSP_CUT;
     }
     const ref_bsp_piece whole = *piece;
@@ -138,8 +141,8 @@ static ref_bsp_result cut_piece(const ref_scene *scene, ref_bsp_pieces *all, siz
     if (!divide(scene, all, first, &whole, &front.shape, &back.shape)) {
         return REF_BSP_WHOLE;
     }
-    go_on(scene, &front, false);
-    go_on(scene, &back, true);
+    move_down(scene, &front, false);
+    move_down(scene, &back, true);
     all->pieces[number] = front;
     return append(all, &back) ? REF_BSP_CUT : REF_BSP_MEMORY;
 }
@@ -170,7 +173,7 @@ ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t instance, const ref_
         return REF_BSP_MEMORY;
     }
     ref_bsp_result result = REF_BSP_CUT;
-    for (uint32_t node = 0; node < scene->node_count; node++) {
+    for (uint32_t node = 0; node < scene->bsp_node_count; node++) {
         const size_t count = pieces->count;
         for (size_t i = first; i < count && result == REF_BSP_CUT; i++) {
             if (!pieces->pieces[i].in_leaf && pieces->pieces[i].node == node) {

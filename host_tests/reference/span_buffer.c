@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-#include "reference/cover.h"
+#include "reference/span_buffer.h"
 
 #include <string.h>
 
-void ref_cover_begin(ref_cover *cover, bool *covered, const ref_band *band)
+void ref_span_buffer_begin(ref_span_buffer *cover, bool *covered, const ref_band *band)
 {
-    *cover = (ref_cover){covered, band->width, band->first_row, band->rows};
+    *cover = (ref_span_buffer){covered, band->width, band->first_row, band->rows};
     memset(covered, 0, (size_t)band->width * (size_t)band->rows * sizeof *covered);
 }
 
-static bool *row_of(const ref_cover *cover, int y)
+static bool *row_of(const ref_span_buffer *cover, int y)
 {
     return cover->covered + (ptrdiff_t)(y - cover->first_row) * cover->width;
 }
@@ -23,7 +23,7 @@ static long runs_of(const bool *row, int width)
     return runs;
 }
 
-long ref_cover_runs(const ref_cover *cover)
+long ref_span_buffer_intervals(const ref_span_buffer *cover)
 {
     long runs = 0;
     for (int y = 0; y < cover->rows; y++) {
@@ -32,15 +32,17 @@ long ref_cover_runs(const ref_cover *cover)
     return runs;
 }
 
-bool ref_cover_span(ref_cover *cover, const ref_span *span, uint8_t colour, const ref_band *band,
-                    long runs)
+bool ref_span_buffer_draw(ref_span_buffer *cover, const ref_span *span, uint8_t colour,
+                          const ref_band *band, long runs)
 {
     bool *row = row_of(cover, span->y), with[REF_SCREEN_MAX];
     memcpy(with, row, (size_t)cover->width * sizeof *row);
     for (int x = span->x0; x < span->x1; x++) {
         with[x] = true;
     }
-    if (ref_cover_runs(cover) - runs_of(row, cover->width) + runs_of(with, cover->width) > runs) {
+    if (ref_span_buffer_intervals(cover) - runs_of(row, cover->width) +
+            runs_of(with, cover->width) >
+        runs) {
         return false;
     }
     uint8_t *pixels = band->pixels + (ptrdiff_t)(span->y - band->first_row) * band->stride;

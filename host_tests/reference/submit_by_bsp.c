@@ -1,52 +1,54 @@
 /* SPDX-License-Identifier: MIT */
-#include "reference/render_bsp.h"
+#include "reference/submit_by_bsp.h"
 
 #include <stdlib.h>
 
 #include "reference/camera.h"
 #include "reference/cull.h"
-#include "reference/bsp.h"
+#include "reference/bsp_cut.h"
 
 typedef struct {
     ref_renderer *renderer;
     const ref_scene *scene;
-    bool in_sight; /* the tree's object */
+    bool is_visible; /* the BSP's instance is visible */
     ref_bsp_pieces pieces;
-} visit;
+} bsp_traversal;
 
-static bool take_node_faces(const visit *at, const ref_bsp_node *node)
+static bool submit_node_faces(const bsp_traversal *traversal, const ref_bsp_node *node)
 {
-    const ref_scene *scene = at->scene;
+    const ref_scene *scene = traversal->scene;
     const ref_instance *instance = &scene->instances[scene->bsp_instance];
     const ref_model *model = &scene->models[instance->model];
-    for (uint32_t i = node->first_face; at->in_sight && i < node->first_face + node->face_count;
-         i++) {
+    for (uint32_t i = node->first_face;
+         traversal->is_visible && i < node->first_face + node->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
-        at->renderer->counters.in++;
-        if (!ref_face_is_front(scene, instance, face, &at->renderer->eye)) {
-            at->renderer->counters.backfacing++;
-        } else if (!ref_submit_face(at->renderer, scene->bsp_instance, i)) {
+        traversal->renderer->counters.in++;
+        if (!ref_face_is_front(scene, instance, face, &traversal->renderer->eye)) {
+            traversal->renderer->counters.backfacing++;
+        } else if (!ref_submit_face(traversal->renderer, scene->bsp_instance, i)) {
             return false;
         }
     }
     return true;
 }
 
-static bool take_leaf(const visit *at, uint32_t node, bool behind)
+static bool submit_leaf(const bsp_traversal *traversal, uint32_t node, bool behind)
 {
     ref_counters counted_already = {0};
-    for (size_t i = 0; i < at->pieces.count; i++) {
-        const ref_bsp_piece *piece = &at->pieces.pieces[i];
+    for (size_t i = 0; i < traversal->pieces.count; i++) {
+        const ref_bsp_piece *piece = &traversal->pieces.pieces[i];
         if (piece->node != node || piece->behind != behind) {
             continue;
         }
-        const ref_model *model = &at->scene->models[at->scene->instances[piece->instance].model];
-        ref_polygon polygon = {.colour = at->scene->faces[model->first_face + piece->face].colour,
+        const ref_model *model =
+            &traversal->scene->models[traversal->scene->instances[piece->instance].model];
+        ref_polygon polygon = {.colour =
+                                   traversal->scene->faces[model->first_face + piece->face].colour,
                                .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!ref_submit_polygon(at->renderer, &polygon, piece->instance, piece->face,
+        if (!ref_submit_polygon(traversal->renderer, &polygon, piece->instance, piece->face,
                                 &counted_already)) {
             return false;
         }
@@ -54,25 +56,26 @@ static bool take_leaf(const visit *at, uint32_t node, bool behind)
     return true;
 }
 
-/* Far to near: what is on the side where the eye is not, the plane, the eye's side. */
-static bool take_side(const visit *at, uint32_t number, bool behind);
+/* Far to near: the side on which the eye is not, then the plane, then the side of the eye. */
+static bool submit_side(const bsp_traversal *traversal, uint32_t number, bool behind);
 
-static bool take_node(const visit *at, uint32_t number)
+static bool submit_node(const bsp_traversal *traversal, uint32_t number)
 {
-    const ref_bsp_node *node = &at->scene->nodes[number];
-    bool eye_behind = !ref_bsp_is_front(at->scene, node, &at->renderer->eye);
-    return take_side(at, number, !eye_behind) && take_node_faces(at, node) &&
-           take_side(at, number, eye_behind);
+    const ref_bsp_node *node = &traversal->scene->bsp_nodes[number];
+    bool eye_behind = !ref_bsp_is_front(traversal->scene, node, &traversal->renderer->eye);
+    return submit_side(traversal, number, !eye_behind) && submit_node_faces(traversal, node) &&
+           submit_side(traversal, number, eye_behind);
 }
 
-static bool take_side(const visit *at, uint32_t number, bool behind)
+static bool submit_side(const bsp_traversal *traversal, uint32_t number, bool behind)
 {
-    const ref_bsp_node *node = &at->scene->nodes[number];
+    const ref_bsp_node *node = &traversal->scene->bsp_nodes[number];
     uint32_t below = behind ? node->back : node->front;
-    return below == REF_NODE_NONE ? take_leaf(at, number, behind) : take_node(at, below);
+    return below == REF_BSP_NONE ? submit_leaf(traversal, number, behind)
+                                 : submit_node(traversal, below);
 }
 
-/* Every face of an object that may move, once. */
+/* Counts every face of a moving instance once. */
 static bool count_faces(ref_renderer *renderer, uint32_t number)
 {
     const ref_instance *instance = &renderer->scene->instances[number];
@@ -93,7 +96,7 @@ static bool count_faces(ref_renderer *renderer, uint32_t number)
     return true;
 }
 
-/* An object that was not cut: its faces, whole, in the leaf of its centre. */
+/* Puts an instance that was not cut into the leaf of its centre: its faces, whole. */
 static bool put_whole(const ref_renderer *renderer, uint32_t number, ref_bsp_pieces *pieces)
 {
     const ref_scene *scene = renderer->scene;
@@ -101,10 +104,10 @@ static bool put_whole(const ref_renderer *renderer, uint32_t number, ref_bsp_pie
     const size_t first = pieces->count;
     uint32_t node = 0, below = 0;
     bool behind = false;
-    while (below != REF_NODE_NONE) {
+    while (below != REF_BSP_NONE) {
         node = below;
-        behind = !ref_bsp_is_front(scene, &scene->nodes[node], &instance->centre);
-        below = behind ? scene->nodes[node].back : scene->nodes[node].front;
+        behind = !ref_bsp_is_front(scene, &scene->bsp_nodes[node], &instance->centre);
+        below = behind ? scene->bsp_nodes[node].back : scene->bsp_nodes[node].front;
     }
     if (!ref_bsp_faces(scene, number, &renderer->eye, pieces)) {
         return false;
@@ -117,37 +120,37 @@ static bool put_whole(const ref_renderer *renderer, uint32_t number, ref_bsp_pie
     return true;
 }
 
-static bool cut_mover(visit *at, uint32_t number)
+static bool cut_mover(bsp_traversal *traversal, uint32_t number)
 {
-    if (!count_faces(at->renderer, number)) {
+    if (!count_faces(traversal->renderer, number)) {
         return false;
     }
-    switch (ref_bsp_cut(at->scene, number, &at->renderer->eye, &at->pieces)) {
+    switch (ref_bsp_cut(traversal->scene, number, &traversal->renderer->eye, &traversal->pieces)) {
     case REF_BSP_CUT:
         return true;
     case REF_BSP_WHOLE:
-        at->renderer->unsplit++;
-        return put_whole(at->renderer, number, &at->pieces);
+        traversal->renderer->unsplit++;
+        return put_whole(traversal->renderer, number, &traversal->pieces);
     case REF_BSP_MEMORY:
         break;
     }
     return false;
 }
 
-/* The entries of the tree's layer. */
-static bool take_layer(ref_renderer *renderer, const ref_order_entry *entries, uint32_t count)
+/* Submits the entries of the BSP's layer. */
+static bool submit_layer(ref_renderer *renderer, const ref_order_entry *entries, uint32_t count)
 {
-    visit at = {.renderer = renderer, .scene = renderer->scene};
+    bsp_traversal traversal = {.renderer = renderer, .scene = renderer->scene};
     bool sound = true;
     for (uint32_t i = 0; i < count && sound; i++) {
-        if (entries[i].index == at.scene->bsp_instance) {
-            at.in_sight = true;
+        if (entries[i].index == traversal.scene->bsp_instance) {
+            traversal.is_visible = true;
         } else {
-            sound = cut_mover(&at, entries[i].index);
+            sound = cut_mover(&traversal, entries[i].index);
         }
     }
-    sound = sound && take_node(&at, 0);
-    free(at.pieces.pieces);
+    sound = sound && submit_node(&traversal, 0);
+    free(traversal.pieces.pieces);
     return sound;
 }
 
@@ -161,7 +164,7 @@ bool ref_submit_by_bsp(ref_renderer *renderer, const ref_order_entry *entries, u
             end++;
         }
         if (end > i) {
-            if (!take_layer(renderer, entries + i, end - i)) {
+            if (!submit_layer(renderer, entries + i, end - i)) {
                 return false;
             }
             i = end;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Library and reference renderer on the same input at each stage's boundary: a scene's polygons, and random
-input from the whole of what the contract allows."""
+"""Library and reference renderer on the same input at the boundary of each stage: the polygons of a scene, and
+random input from the whole allowed range."""
 
 from fixel import image
 from fixel.programs import HostPrograms
@@ -8,7 +8,7 @@ from fixel.progress import Progress
 
 STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light")
 KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", "beyond_bound", "mismatched")
-# Random samples of a stage for so many vertices of the whole report.
+# A stage gets one random sample for this many samples of the report.
 SAMPLES_PER = 50
 
 
@@ -21,14 +21,14 @@ def measure(build, walk, samples, seed, folder):
         rows = HostPrograms(build).stage_errors(file, count, seed)
     order = {name: place for place, name in enumerate(STAGES)}
     rows.sort(key=lambda row: (order.get(row["stage"], len(order)), row["input"] != "scene"))
-    # A scene without beams has no sample for light, one that nothing cuts none for clip: no row.
+    # No row without samples: a scene without beams has none for light, an unclipped scene none for clip.
     return [{key: row[key] for key in KEYS} for row in rows if row["samples"] > 0]
 
 
 def complaints(rows):
-    """What left its bound, in sentences."""
+    """What exceeded its bound, as sentences."""
     measured = {row["stage"] for row in rows if row["input"] == "random"}
     return [f"{stage}: no random sample was compared with double" for stage in STAGES if stage not in measured] + \
            [f"{row['stage']} on {row['input']} input: {row['beyond_bound'] + row['mismatched']:,} of "
-            f"{row['samples']:,} samples left the bound ({row['bound']})"
+            f"{row['samples']:,} samples exceed the bound ({row['bound']})"
             for row in rows if row["beyond_bound"] or row["mismatched"]]

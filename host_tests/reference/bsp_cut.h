@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A tree (docs/extras/bsp.md), exact in 128 bits, and objects in pieces. */
-#ifndef REF_BSP_H
-#define REF_BSP_H
+/* The BSP (docs/extras/bsp.md), exact in 128 bits, and instances that are cut to its leaves. */
+#ifndef REF_BSP_CUT_H
+#define REF_BSP_CUT_H
 
 #include "reference/split.h"
 #include "reference/scene.h"
@@ -9,7 +9,7 @@
 bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
                       const ref_lattice_point *point);
 
-/* A piece of a face: at a node, or in the leaf on one side of it. */
+/* A piece of a face: at a node, or in the leaf on one side of a node. */
 typedef struct {
     uint32_t instance, face, node;
     bool in_leaf, behind;
@@ -23,16 +23,16 @@ typedef struct {
 
 typedef enum {
     REF_BSP_CUT,
-    REF_BSP_WHOLE, /* a piece would have more vertices than a face may: none are kept */
-    REF_BSP_MEMORY /* is short */
+    REF_BSP_WHOLE, /* a piece would have more vertices than a face may have: no piece is kept */
+    REF_BSP_MEMORY /* memory is short */
 } ref_bsp_result;
 
-/* Appends an object's faces that face the eye as pieces at the root. False where memory is short.
- */
+/* Appends an instance's faces that face the eye as pieces at the root. Returns false where
+ * memory is short. */
 bool ref_bsp_faces(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
                    ref_bsp_pieces *pieces);
 
-/* Appends the pieces of an object's faces that face the eye, each in its leaf. */
+/* Appends the pieces of those faces of an instance that face the eye, each in its leaf. */
 ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
                            ref_bsp_pieces *pieces);
 
