@@ -139,8 +139,9 @@ screen: ## save what a board's screen shows after the last frame [BOARD= SCENE= 
 
 pictures: ## renew the pictures of the documents (needs make run and make report)
 	@tools/setup.sh test
-	@$(MAKE) $(WALK) $(BUILD)/host/live
+	@$(MAKE) $(WALK) $(BUILD)/host/live $(BUILD)/host/libfixel.a
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
+	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png

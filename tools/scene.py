@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Scene files into scene images, and scene images explained.
+"""Scene files into scene images or C headers, and scene images explained.
 
     scene.py build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
         SCENE is a .toml or an .obj; LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
+    scene.py export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
+        SCENE is a .toml, an .obj or a .fxls; --frames N exports the path too, as N poses
     scene.py info OUT.fxls [--json]"""
 
 from fixel import interpreter
@@ -17,7 +19,7 @@ import re
 import sys
 import time
 
-from fixel import framing, image, path, toml_scene, tree
+from fixel import c_scene, framing, image, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 
 QUIET_SECONDS = 2.0
@@ -44,25 +46,56 @@ def parse_screen(text):
     return screen
 
 
-def build(scene, out, frames=None, screen=None, layers=None):
-    """Compiles a scene file into an image file; answers the SceneImage and
-    what there is to say about it. screen: width and height instead of the scene's. layers: those that
-    are to have a tree (tree.layers_of)."""
+def compile_scene(scene, frames=None, screen=None, layers=None, framed=framing.WALK):
+    """Compiles a .toml or .obj; answers the SceneImage and what there is to say about it. screen: width
+    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of). framed:
+    how an .obj is framed."""
     suffix = os.path.splitext(scene)[1].lower()
     if suffix not in (".toml", ".obj"):
         raise ToolError(f"{scene}: a scene is a .toml or an .obj file")
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
-    compiler = framing.compile_obj if suffix == ".obj" else toml_scene.compile_file
-    compiled, notes = compiler(scene, frames, Progress(), screen)
+    if suffix == ".obj":
+        compiled, notes = framing.compile_obj(scene, frames, Progress(), screen, framed)
+    else:
+        compiled, notes = toml_scene.compile_file(scene, frames, Progress(), screen)
     if layers:
         notes = notes + [plant(compiled, layers, scene)]
+    return compiled, notes
+
+
+def packed(compiled, name):
+    """The bytes of a scene's image, in which everything is checked."""
     try:
-        blob = image.pack(compiled)
+        return image.pack(compiled)
     except ToolError as error:
-        raise ToolError(f"{scene}: {error}") from error
+        raise ToolError(f"{name}: {error}") from error
+
+
+def build(scene, out, frames=None, screen=None, layers=None):
+    """Compiles a scene file into an image file; answers as compile_scene."""
+    compiled, notes = compile_scene(scene, frames, screen, layers)
+    blob = packed(compiled, scene)
     image.save(out, blob)
     compiled.size = len(blob)
+    return compiled, notes
+
+
+def export(scene, out, name=None, frames=None, screen=None, layers=None):
+    """Writes a scene, or a scene image, as a C header; answers as compile_scene. frames: with so many
+    poses of the path."""
+    stem, suffix = os.path.splitext(os.path.basename(scene))
+    name = stem if name is None else name
+    c_scene.check_name(name)
+    if suffix.lower() == ".fxls":
+        if frames or screen or layers:
+            raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or .obj; a scene image "
+                            "has its path, its screen and its tree already")
+        compiled, notes = image.load(scene), []
+    else:
+        compiled, notes = compile_scene(scene, frames, screen, layers, framing.PROGRAM)
+        packed(compiled, scene)
+    output.write_file(out, c_scene.header(compiled, name, os.path.basename(scene), frames is not None))
     return compiled, notes
 
 
@@ -117,29 +150,42 @@ def info(file, as_json):
     print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")
 
 
-def main(argv):
+def arguments_of(argv):
     parser = argparse.ArgumentParser(prog="scene.py", description=__doc__.split("\n")[0])
     commands = parser.add_subparsers(dest="command", required=True)
     making = commands.add_parser("build", help="compile a .toml or .obj into a scene image")
-    making.add_argument("scene")
-    making.add_argument("-o", "--out", required=True)
-    making.add_argument("--frames", type=int)
-    making.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
-    making.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, "
-                        "or all, or most")
+    exporting = commands.add_parser("export", help="write a .toml, .obj or .fxls as a C header")
+    exporting.add_argument("--c", action="store_true", required=True, help="as C, the only language there is")
+    exporting.add_argument("--name", help="what the header's names begin with; without, the file's name")
+    for command in (making, exporting):
+        command.add_argument("scene")
+        command.add_argument("-o", "--out", required=True)
+        command.add_argument("--frames", type=int, help="frames of the path; export writes no path without it")
+        command.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
+        command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, "
+                             "or all, or most")
     telling = commands.add_parser("info", help="say what is in a scene image")
     telling.add_argument("image")
     telling.add_argument("--json", action="store_true")
-    arguments = parser.parse_args(argv)
+    return parser.parse_args(argv)
+
+
+def main(argv):
+    arguments = arguments_of(argv)
     if arguments.command == "info":
         info(arguments.image, arguments.json)
         return 0
-    compiled, notes = build(arguments.scene, arguments.out, arguments.frames,
-                            parse_screen(arguments.screen) if arguments.screen else None,
-                            arguments.tree)
+    screen = parse_screen(arguments.screen) if arguments.screen else None
+    if arguments.command == "export":
+        compiled, notes = export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen,
+                                 arguments.tree)
+        size = os.path.getsize(arguments.out)
+    else:
+        compiled, notes = build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree)
+        size = compiled.size
     for note in notes:
         print(note if note.startswith("warning:") else f"note: {note}", file=sys.stderr)
-    print(f"{arguments.out}: {compiled.size:,} bytes, {len(compiled.objects)} objects, "
+    print(f"{arguments.out}: {size:,} bytes, {len(compiled.objects)} objects, "
           f"{compiled.frames} frames", file=sys.stderr)
     return 0
 

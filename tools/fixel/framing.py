@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A scene for a bare OBJ file: the model in the middle, the camera about it."""
 
+from dataclasses import dataclass
 from fractions import Fraction
 import math
 import os
@@ -12,14 +13,27 @@ from fixel.errors import ToolError
 from fixel.mesh import UNIT
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
-RADIUS = 4          # world units from the model's middle to its farthest vertex
 MARGIN = 0.9        # how much of the screen the model may fill
 RISE = 15           # degrees that the camera looks down
-START = 210         # yaw of the first frame: most models' fronts, from a corner
 FRAMES = 60
 
 
-def _distance(points, frames, width, height):
+@dataclass(frozen=True)
+class Framing:
+    """Where a model stands, and what it is seen by."""
+    radius: int     # world units from the model's middle to its farthest vertex
+    start: int      # yaw of the first frame in degrees
+    light: tuple    # the way that the light travels
+
+
+# A scene image: most models' fronts, from a corner.
+WALK = Framing(4, 210, (Fraction(-8, 10), -1, Fraction(-4, 10)))
+# A C header. An eye at (0, 2, -8) that looks ahead and down sees the whole model, and the side of
+# it that the light falls on.
+PROGRAM = Framing(2, 30, (Fraction(8, 10), -1, Fraction(4, 10)))
+
+
+def _distance(points, start, frames, width, height):
     """How far the camera must stand from the middle so that every vertex is
     inside the screen in every frame. Per vertex, with sideways x, upward y and
     onward z about the middle: |x| <= slope * (distance + z)."""
@@ -27,7 +41,7 @@ def _distance(points, frames, width, height):
     slope_y = slope_x * height / width
     rise, needed = math.radians(RISE), 0.0
     for i in range(frames):
-        yaw = math.radians(START) + 2 * math.pi * i / frames
+        yaw = math.radians(start) + 2 * math.pi * i / frames
         x = points[:, 0] * math.cos(yaw) - points[:, 2] * math.sin(yaw)
         level = points[:, 0] * math.sin(yaw) + points[:, 2] * math.cos(yaw)
         y = points[:, 1] * math.cos(rise) + level * math.sin(rise)
@@ -36,8 +50,9 @@ def _distance(points, frames, width, height):
     return needed
 
 
-def scene_data(path, frames=None, screen=None):
+def scene_data(path, frames=None, screen=None, framing=WALK):
     """The scene as a TOML file would say it. screen: width and height, not the usual ones."""
+    radius = framing.radius
     width, height = screen or (WIDTH, HEIGHT)
     name = os.path.basename(path)
     mesh, _ = obj.read(path, name)
@@ -48,29 +63,30 @@ def scene_data(path, frames=None, screen=None):
     if not 1e-9 < size < 1e9:
         raise ToolError(f"{name}: the model's radius of {size:g} cannot be framed")
     # Sixteen significant bits of scale do, and make the same numbers everywhere.
-    bits = 16 - math.frexp(RADIUS / size)[1]
-    scale = Fraction(round(RADIUS / size * Fraction(2) ** bits)) / Fraction(2) ** bits
-    distance = max(_distance(points * float(scale), frames or FRAMES, width, height), RADIUS * 1.1)
+    bits = 16 - math.frexp(radius / size)[1]
+    scale = Fraction(round(radius / size * Fraction(2) ** bits)) / Fraction(2) ** bits
+    distance = max(_distance(points * float(scale), framing.start, frames or FRAMES, width, height),
+                   radius * 1.1)
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
     return {
         "screen": {"width": width, "height": height},
-        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - RADIUS) * Fraction(9, 10)),
-                 "far": (distance + RADIUS) * Fraction(11, 10)},
+        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - radius) * Fraction(9, 10)),
+                 "far": (distance + radius) * Fraction(11, 10)},
         "background": "#1b2a38",
-        "light": {"direction": [Fraction(-8, 10), -1, Fraction(-4, 10)], "ambient": Fraction(1, 3),
+        "light": {"direction": list(framing.light), "ambient": Fraction(1, 3),
                   "colour": "#fff2dc", "sky": "#c4d4ff"},
         "objects": [{"name": name, "obj": name, "scale": scale, "anchor": "middle",
                      "colour": "#e8a860"}],
-        "path": {"orbit": {"radius": flat, "height": rise, "start": START,
+        "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
                            "frames": frames or FRAMES}},
     }
 
 
-def compile_obj(path, frames=None, progress=None, screen=None):
+def compile_obj(path, frames=None, progress=None, screen=None, framing=WALK):
     """A bare OBJ file -> (SceneImage, notes)."""
-    data = scene_data(path, frames, screen)
+    data = scene_data(path, frames, screen, framing)
     name = os.path.basename(path)
     scene, notes = toml_scene.compile_data(data, name, os.path.dirname(path), frames, progress)
     return scene, notes + [f"{name}: framed by default: scaled by "

@@ -14,7 +14,7 @@ def choose():
     already. A tool calls this before it imports a package. In any other program it does nothing."""
     if pathlib.Path(sys.argv[0]).resolve().parent != TOOLS:
         return
-    if pathlib.Path(sys.prefix).resolve() == VENV:
+    if pathlib.Path(sys.prefix).resolve() == VENV.resolve():
         sys.excepthook = explain
         return
     python = VENV / "bin" / "python"

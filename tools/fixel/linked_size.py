@@ -6,14 +6,14 @@ import re
 import tempfile
 
 from fixel import link_map, stack
+from fixel.first_program import write_scene
 from fixel.errors import ToolError
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = re.compile(r"```c\n(#include <fixel\.h>\n.*?)```", re.DOTALL)
 FROM_LIBRARY = re.compile(r"libfixel\.a\(")
 # What a system would bring; it gets an address and takes no bytes.
-SYSTEM = ("printf", "memcpy", "memmove", "memset", "memcmp")
-STDIO = "int printf(const char *format, ...);\n"
+SYSTEM = ("memcpy", "memmove", "memset", "memcmp")
 
 
 def first_program(readme=ROOT / "README.md"):
@@ -26,10 +26,10 @@ def first_program(readme=ROOT / "README.md"):
 
 def measure(core, library, cross, include=ROOT / "lib" / "include"):
     """{"linked_flash", "linked_ram", "linked_helpers"}: bytes that the first program links of the library, of
-    flash and of variables, and of the compiler's arithmetic."""
+    flash and of variables, and of the compiler's arithmetic. The scene's tables are the program's own."""
     with tempfile.TemporaryDirectory(prefix="fixel-size-") as name:
         folder = pathlib.Path(name)
-        (folder / "stdio.h").write_text(STDIO, encoding="utf-8")
+        write_scene(folder)
         (folder / "first.c").write_text(first_program(), encoding="utf-8")
         stack.run([f"{cross}gcc", f"-mcpu={core}", "-mthumb", "-std=c11", "-O2", "-ffreestanding", "-fno-builtin",
                    "-nostdlib", f"-I{folder}", f"-I{include}", str(folder / "first.c"), str(library), "-lgcc",

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its picture: the
+ * pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the program's file. */
+#define main example_main
+#include EXAMPLE
+#undef main
+
+#ifdef EXAMPLE_ON_BOARD
+#include "contract/system.h"
+
+/* IEEE 802.3, as zlib's crc32. */
+static uint32_t crc32_of(const uint8_t *bytes, uint32_t size)
+{
+    uint32_t crc = 0xFFFFFFFFu;
+
+    for (uint32_t i = 0; i < size; i++) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; bit++) {
+            crc = crc >> 1 ^ (0xEDB88320u & (0u - (crc & 1u)));
+        }
+    }
+    return ~crc;
+}
+
+int main(int argc, char **argv)
+{
+    char text[] = "crc 00000000\n";
+
+    system_start(argc, argv);
+    if (example_main() != 0) {
+        system_exit(SYSTEM_EXIT_RENDER);
+    }
+    uint32_t crc = crc32_of(pixels[0], sizeof pixels);
+    for (int digit = 11; digit >= 4; digit--, crc >>= 4) {
+        text[digit] = "0123456789abcdef"[crc & 15u];
+    }
+    system_text(text);
+    system_exit(SYSTEM_EXIT_DONE);
+    return 0; /* not reached */
+}
+#else
+#include <stdio.h>
+
+int main()
+{
+    if (example_main() != 0) {
+        return 1;
+    }
+    return fwrite(pixels, 1, sizeof pixels, stdout) == sizeof pixels ? 0 : 2;
+}
+#endif

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: MIT
+"""tools/scene.py export: headers that any compiler takes, that hold what the scene image holds, and that
+say how much memory the library wants."""
+
+import functools
+import subprocess
+from types import SimpleNamespace
+
+import pytest
+
+import scene as scene_tool
+from board_programs import ROOT, made
+from conftest import assert_one_sentence, run_cli
+from fixel import c_scene, framing, image, memory_needed
+
+CUBE = ROOT / "examples" / "cube" / "cube.obj"
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]
+COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11"], ["g++", "-std=c++11", "-Wold-style-cast"],
+             ["g++", "-std=c++20", "-Wold-style-cast"], ["clang++", "-std=c++11", "-Wold-style-cast"]]
+# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree.
+SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
+          "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
+          "knot": (ROOT / "scenes" / "knot.toml", "all")}
+
+
+@functools.cache
+def library():
+    return made("build/host/libfixel.a")
+
+
+def compiled(folder, text, *options, compiler=("gcc", "-std=c11"), name="main.c"):
+    """A program of this text, linked with the library."""
+    (folder / name).write_text(text, encoding="utf-8")
+    done = subprocess.run([*compiler, *WARNINGS, name, "-I", ROOT / "lib" / "include", *options, library(), "-o", "main"],
+                          cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return folder / "main"
+
+
+def printed(program, *arguments):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
+
+
+@pytest.fixture(scope="module", params=SCENES)
+def exported(request, tmp_path_factory):
+    """A scene's header, made from a .toml or .obj, and its image."""
+    name, folder = request.param, tmp_path_factory.mktemp(request.param)
+    file, layers = SCENES[name]
+    scene, _ = scene_tool.compile_scene(str(file), None, None, layers, framing.PROGRAM)
+    (folder / "scene.fxls").write_bytes(image.pack(scene))
+    frames = len(scene.path) if scene.path_kind == image.POSES else None
+    scene_tool.export(str(file), str(folder / "scene.h"), name, frames, None, layers)
+    return SimpleNamespace(name=name, folder=folder, scene=scene, frames=frames)
+
+
+# Every table of the header against the same table of the image.
+SAME = """
+#include <stdio.h>
+#include <string.h>
+#include <fixel/all.h>
+#include "scene.h"
+#define JOIN(a, b)  JOINED(a, b)
+#define JOINED(a, b) a##b
+#define OF(what)    JOIN(NAME, what)
+static _Alignas(8) unsigned char bytes[1 << 22];
+static int failed;
+static void compare(const char *what, const void *a, const void *b, size_t size)
+{
+    if ((a == NULL) != (b == NULL) || (a != NULL && memcmp(a, b, size) != 0)) {
+        printf("%s differ\\n", what);
+        failed = 1;
+    }
+}
+#define TABLE(table, count) \\
+    if (scene->count != image.scene.count) { printf(#count " differs\\n"); failed = 1; } \\
+    else { compare(#table, scene->table, image.scene.table, scene->count * sizeof *scene->table); }
+int main(int argc, char **argv)
+{
+    const fxl_scene *scene = &OF(_scene);
+    fxl_scene_image image;
+    fxl_lens lens;
+    FILE *file = fopen(argv[argc - 1], "rb");
+    if (file == NULL || fxl_scene_open(bytes, fread(bytes, 1, sizeof bytes, file), &image, NULL) != FXL_OK) { return 2; }
+    TABLE(vertices, vertex_count) TABLE(indices, index_count) TABLE(faces, face_count)
+    TABLE(models, model_count) TABLE(instances, instance_count) TABLE(face_bounds, face_bounds_count)
+    TABLE(bsp_nodes, bsp_node_count) TABLE(beams, beam_count)
+    compare("lit", scene->lit, image.scene.lit, 256);
+    if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
+    compare("palette", OF(_palette), image.palette, sizeof OF(_palette));
+    const fxl_config *view = &OF(_config);
+    if (fxl_lens_from_fov(view->width, view->height, view->fov, view->near_z, view->far_z, view->inset, &lens)) { return 4; }
+    compare("lens", &lens, &image.lens, sizeof lens);
+    if (view->background != image.background) { return 5; }
+#ifdef PATH
+    if (image.frame_count != PATH) { return 6; }
+    compare("start", &OF(_start), image.poses, sizeof *image.poses);
+    compare("path", OF(_path), image.poses, sizeof OF(_path));
+#else
+    compare("start", &OF(_start), &image.start.pose, sizeof image.start.pose);
+#endif
+    return failed;
+}
+"""
+
+
+def test_a_header_holds_what_the_image_holds(exported):
+    path = [f"-DPATH={exported.name.upper()}_FRAMES"] if exported.frames else []
+    program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path)
+    done = subprocess.run([program, exported.folder / "scene.fxls"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "")
+
+
+@pytest.mark.parametrize("compiler", COMPILERS, ids=lambda command: "-".join(command[:2]))
+def test_a_header_compiles_without_a_warning_where_nothing_of_it_is_used(exported, compiler):
+    for number, text in enumerate(['#include "scene.h"\n', f'#include "scene.h"\nconst fxl_scene *scene = &{exported.name}_scene;\n']):
+        source = exported.folder / f"unit{number}.{'cpp' if '++' in compiler[0] else 'c'}"
+        source.write_text(text, encoding="utf-8")
+        done = subprocess.run([*compiler, *WARNINGS, "-fsyntax-only", source, "-I", ROOT / "lib" / "include"],
+                              capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+# What the library makes of blocks of several sizes; then the path, with the block that the header asks for.
+MEMORY = """
+#include <stdio.h>
+#include <fixel/all.h>
+#include "scene.h"
+#define JOIN(a, b)  JOINED(a, b)
+#define JOINED(a, b) a##b
+#define OF(what)    JOIN(NAME, what)
+static fxl_renderer renderer;
+static uint64_t memory[MEMORY];
+static fxl_status init(size_t units)
+{
+    return fxl_renderer_init(&renderer, &OF(_scene), &OF(_config), memory, units * sizeof memory[0]);
+}
+int main(void)
+{
+    if (init(LEAST - 1) != FXL_E_CAPACITY || renderer.memory_missing != sizeof memory[0]) { return 1; }
+    for (size_t units = LEAST; units <= MEMORY; units += units < MEMORY && units + 97 > MEMORY ? MEMORY - units : 97) {
+        if (init(units) != FXL_OK) { return 2; }
+        const fxl_vertex_cache *cache = &renderer.workspace.cache;
+        const uint64_t *list = (const uint64_t *)(const void *)renderer.frame.display_list.words;
+        printf("%u %u %u\\n", (unsigned)units, cache->entries == &renderer.workspace.own_entry ? 0 : (unsigned)cache->mask + 1,
+               (unsigned)renderer.frame.display_list.capacity);
+        if (list + (renderer.frame.display_list.capacity + 1) / 2 > memory + units) { return 3; }
+    }
+#ifdef PATH
+    unsigned most = 0;
+    for (int frame = 0; frame < PATH; frame++) {
+        if (fxl_frame_begin(&renderer, &OF(_path)[frame]) != FXL_OK) { return 4; }
+        most = renderer.frame.display_list.used > most ? renderer.frame.display_list.used : most;
+        if (renderer.frame.resume.instances < renderer.frame.visible_count) { return 5; }
+    }
+    printf("most %u\\n", most);
+#endif
+    return 0;
+}
+"""
+
+
+def divided(scene, units):
+    """Cache entries and words of the display list, from the rule in words: the order of drawing first; of
+    the rest a quarter at most for the cache, a power of two of entries and no more than the largest
+    model needs; all that is left is the list."""
+    rest = (units - memory_needed.least(scene)) * 8
+    entries = 1
+    while entries < max(len(model.vertices) for model in scene.models):
+        entries *= 2
+    while entries > rest // 4 // 40:
+        entries //= 2
+    return entries, (rest - entries * 40) // 4
+
+
+def test_the_library_divides_the_block_as_the_tool_says(exported):
+    name = exported.name.upper()
+    path = [f"-DPATH={name}_FRAMES"] if exported.frames else []
+    program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY",
+                       f"-DLEAST={name}_MEMORY_LEAST", *path)
+    rows = printed(program).splitlines()
+    if exported.frames:
+        assert int(rows.pop().split()[1]) > 0
+    found = [tuple(map(int, row.split())) for row in rows]
+    assert found[0][0] == memory_needed.least(exported.scene) and found[-1][0] == memory_needed.most(exported.scene)
+    for units, entries, words in found:
+        assert (entries, words) == divided(exported.scene, units), units
+    _, entries, words = found[-1]
+    assert entries >= max(len(model.vertices) for model in exported.scene.models)
+    assert words >= memory_needed.most_words(exported.scene)
+    assert divided(exported.scene, found[-1][0] - 1) != (entries, words)
+
+
+def test_with_one_unit_less_something_is_missing():
+    """most() is the least block that holds all."""
+    for file, layers in SCENES.values():
+        scene, _ = scene_tool.compile_scene(str(file), None, None, layers, framing.PROGRAM)
+        most = memory_needed.most(scene)
+        vertices = max(len(model.vertices) for model in scene.models)
+
+        def is_enough(units):
+            entries, words = divided(scene, units)
+            return entries >= vertices and words >= memory_needed.most_words(scene)
+        assert is_enough(most) and not is_enough(most - 1)
+
+
+def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):
+    for name in ("a.h", "b.h"):
+        scene_tool.export(str(CUBE), str(tmp_path / name), "cube")
+    text = (tmp_path / "a.h").read_text(encoding="utf-8")
+    assert text == (tmp_path / "b.h").read_text(encoding="utf-8")
+    assert "tools/scene.py from cube.obj:" in text.splitlines()[0] and str(ROOT) not in text
+    assert max(map(len, text.splitlines())) <= 100
+
+
+def test_a_scene_image_gives_the_same_tables(tmp_path):
+    scene_tool.build(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "knot.fxls"), layers="all")
+    scene_tool.export(str(tmp_path / "knot.fxls"), str(tmp_path / "image.h"))
+    scene_tool.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
+    read = [(tmp_path / name).read_text(encoding="utf-8") for name in ("image.h", "toml.h")]
+    assert "knot.fxls" in read[0] and read[0].replace("knot.fxls", "knot.toml") == read[1]
+
+
+def test_an_obj_is_seen_whole_by_the_eye_of_the_first_program(tmp_path):
+    scene, _ = scene_tool.export(str(CUBE), str(tmp_path / "cube.h"))
+    assert scene.objects[0].centre == (0, 0, 0)
+    assert 131068 <= image.radius_of(scene.models[0].vertices) <= 131072
+
+
+@pytest.mark.parametrize("name, words", [
+    ("9a", ["begin with a letter", "--name scene_9a"]), ("a-b", ["English", "--name a_b"]), ("", ["--name scene"]),
+    ("_a", ["--name a"]), ("a__b", ["__", "--name a_b"]), ("fxl", ["fxl", "--name scene_fxl"]),
+    ("FXL_a", ["--name scene_FXL_a"]), ("ä", ["English"]), ("a" * 41, ["longer than 40", "--name aaa"]),
+    ("a\nb", ["--name a_b"]),
+])
+def test_names_that_are_no_c_names_are_refused(tmp_path, name, words):
+    done = run_cli("scene", "export", "--c", CUBE, "-o", tmp_path / "x.h", f"--name={name}")
+    assert done.returncode == 2 and "Traceback" not in done.stderr
+    for word in ["error: the name", *words]:
+        assert word in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_name_that_is_proposed_is_taken():
+    for name in ("9a", "a-b", "", "_a", "a__b", "fxl", "ä", "a" * 41, "-", "fxl" + "_" * 50, "a" * 39 + "_b", "Fxl9"):
+        c_scene.check_name(c_scene.suggestion(name))
+
+
+def test_a_file_whose_name_is_no_c_name_is_told_to_have_another(tmp_path):
+    (tmp_path / "my model.obj").write_bytes(CUBE.read_bytes())
+    done = run_cli("scene", "export", "--c", tmp_path / "my model.obj", "-o", tmp_path / "x.h")
+    assert_one_sentence(done, "'my model'", "--name my_model")
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["missing.obj"], ["missing.obj"]),
+    ([ROOT / "README.md"], ["README.md", ".toml"]),
+    ([ROOT / "scenes" / "tiny.toml", "--frames", "4"], ["tiny.toml", "poses", "leave out --frames"]),
+    ([CUBE, "--frames", "0"], ["--frames 0"]),
+    ([CUBE, "--screen", "5000x1"], ["5000x1"]),
+])
+def test_nothing_is_written_where_something_is_wrong(tmp_path, arguments, words):
+    done = run_cli("scene", "export", "--c", *arguments, "-o", tmp_path / "x.h")
+    assert_one_sentence(done, *words)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_scene_image_has_its_screen_already(tmp_path):
+    scene_tool.build(str(CUBE), str(tmp_path / "cube.fxls"))
+    done = run_cli("scene", "export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h", "--screen", "64x28")
+    assert_one_sentence(done, "cube.fxls", "--screen", "already")
+    (tmp_path / "cube.fxls").write_bytes(b"FXLS")
+    done = run_cli("scene", "export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h")
+    assert_one_sentence(done, "cube.fxls", "bytes")
+
+
+def test_a_place_where_nothing_can_be_written_is_told(tmp_path):
+    (tmp_path / "x.h").mkdir()
+    done = run_cli("scene", "export", "--c", CUBE, "-o", tmp_path / "x.h")
+    assert_one_sentence(done, "x.h", "cannot be written")
+
+
+def test_a_build_that_cannot_draw_the_scene_is_refused_by_the_compiler(tmp_path):
+    scene_tool.export(str(ROOT / "scenes" / "plaza.toml"), str(tmp_path / "scene.h"), "plaza")
+    (tmp_path / "main.c").write_text('#include "scene.h"\n', encoding="utf-8")
+    done = subprocess.run(["gcc", "-fsyntax-only", "main.c", "-I", ROOT / "lib" / "include", "-DFXL_POLYGON_CAPACITY=12"],
+                          cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode != 0 and "FXL_POLYGON_CAPACITY must be at least 32" in done.stderr

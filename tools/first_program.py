@@ -1,0 +1,27 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Draws the first program (examples/cube) on this machine and writes its picture."""
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
+import argparse
+import pathlib
+
+from fixel import first_program, output, picture
+from fixel.errors import run_main
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
+    options = parser.parse_args(argv)
+    pixels, palette = first_program.draw(options.library)
+    output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)
