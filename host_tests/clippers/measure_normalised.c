@@ -58,18 +58,18 @@ static bool has_corner(const fxl_normalised *frustum, const fxl_varying_polygon 
 
 static void measure(clipper_tally *tally, const clipper_case *of, bool once, fxl_q18_46 sliver)
 {
-    static fxl_clip_workspace room;
-    static fxl_clip_once_workspace once_room;
+    static fxl_clip_workspace workspace;
+    static fxl_clip_once_workspace once_workspace;
     fxl_varying_polygon polygon;
     const fxl_varying_polygon *result;
     fxl_normalised frustum;
     fxl_normalised_from_camera(&of->camera, &of->lens, &frustum);
     load(of, &frustum, &polygon);
-    room.stats = once_room.stats = (fxl_clip_stats){sliver, 0, 0};
-    fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_room, &result)
-                               : fxl_clip_normalised(&polygon, &frustum, &room, &result);
+    workspace.stats = once_workspace.stats = (fxl_clip_stats){sliver, 0, 0};
+    fxl_clip_result cut = once ? fxl_clip_once(&polygon, &frustum, &once_workspace, &result)
+                               : fxl_clip_normalised(&polygon, &frustum, &workspace, &result);
     if (cut == FXL_CLIP_CUT) {
-        uint32_t crossings = (once ? &once_room.stats : &room.stats)->intersections;
+        uint32_t crossings = (once ? &once_workspace.stats : &workspace.stats)->intersections;
         bool plain = !has_corner(&frustum, result);
         tally->crossings += crossings;
         tally->made += count_made(&polygon, result);

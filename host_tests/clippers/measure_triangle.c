@@ -71,7 +71,7 @@ static void count(clipper_tally *tally, const pieces *all, const outline *expect
 
 void measure_triangle(clipper_tally *tally, const clipper_case *of)
 {
-    static fxl_triangle_workspace room;
+    static fxl_triangle_workspace workspace;
     clipper_case one = *of;
     fxl_clip_triangle triangle;
     fxl_volume volume;
@@ -91,9 +91,9 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
     for (int i = 0; i < OUTLINE_MAX; i++) {
         all.missed[i] = INFINITY;
     }
-    room.stats = (fxl_clip_stats){0, 0, 0};
-    room.screen_sliver = 0;
-    fxl_clip_result cut = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &room);
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    workspace.screen_sliver = 0;
+    fxl_clip_result cut = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &workspace);
     tally->refused += cut == FXL_CLIP_CAPACITY;
     if (cut != FXL_CLIP_CUT && cut != FXL_CLIP_INSIDE) {
         case_compare(tally, NULL, &expected, parallel);
@@ -101,7 +101,7 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
     }
     fxl_status status;
     const fxl_screen_triangle *piece;
-    while ((piece = fxl_triangle_next(&volume, &of->lens, &room, &status)) != NULL) {
+    while ((piece = fxl_triangle_next(&volume, &of->lens, &workspace, &status)) != NULL) {
         fxl_screen_point points[3];
         for (int i = 0; i < 3; i++) {
             points[i] = piece->corners[i].at;
@@ -114,6 +114,6 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
         tally->made++;
     }
     tally->verdicts += status != FXL_OK;
-    tally->crossings += room.stats.intersections;
+    tally->crossings += workspace.stats.intersections;
     count(tally, &all, &expected, parallel);
 }

@@ -54,7 +54,7 @@ static void count_result(clipper_tally *tally, const clipper_case *of, fxl_clip_
 
 static void measure(clipper_tally *tally, const clipper_case *of, uint32_t screen)
 {
-    static fxl_clip_workspace room;
+    static fxl_clip_workspace workspace;
     static fxl_varying_polygon polygon;
     const fxl_varying_polygon *result;
     fxl_volume volume;
@@ -70,9 +70,9 @@ static void measure(clipper_tally *tally, const clipper_case *of, uint32_t scree
         }
     }
     load(of, &polygon);
-    room.stats = (fxl_clip_stats){0, 0, 0};
-    fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &room, &result);
-    tally->crossings += room.stats.intersections;
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &workspace, &result);
+    tally->crossings += workspace.stats.intersections;
     count_result(tally, of, cut, result, planes);
 }
 

@@ -10,11 +10,11 @@
 
 enum {
     PIECES_MAX = 128,
-    ROOM_BYTES = 131072
+    WORKSPACE_BYTES = 131072
 };
 
 /* The clipper's, which begins with its account. */
-static uint64_t room[ROOM_BYTES / 8];
+static uint64_t workspace[WORKSPACE_BYTES / 8];
 
 static const fxl_clipper *asked;
 static fxl_clipper spy;
@@ -117,13 +117,13 @@ static void close_face(void)
     }
 }
 
-static void open_face(const fxl_model_view *placed, const fxl_face *face)
+static void open_face(const fxl_model_view *model_view, const fxl_face *face)
 {
     current.open = true;
     current.count = 0;
-    current.face.camera = placed->view->camera;
-    current.face.lens = placed->view->lens;
-    fxl_face_to_polygon(placed, face, &current.face.polygon);
+    current.face.camera = model_view->view->camera;
+    current.face.lens = model_view->view->lens;
+    fxl_face_to_polygon(model_view, face, &current.face.polygon);
     found.faces++;
     ref_volume_polygon seen = case_seen(&current.face);
     found.crossing += is_crossing(&seen);
@@ -149,12 +149,12 @@ static void add_piece(const fxl_screen_polygon *screen)
     }
 }
 
-static fxl_clip_result ask(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result ask(const fxl_model_view *model_view, const fxl_face *face,
                            fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     close_face();
-    open_face(placed, face);
-    fxl_clip_result result = asked->clip(placed, face, work, screen);
+    open_face(model_view, face);
+    fxl_clip_result result = asked->clip(model_view, face, work, screen);
     switch (result) {
     case FXL_CLIP_INSIDE:
         found.inside++;
@@ -181,10 +181,10 @@ static fxl_clip_result ask(const fxl_model_view *placed, const fxl_face *face,
     return result;
 }
 
-static fxl_clip_result ask_next(const fxl_model_view *placed, fxl_clipper_work *work,
+static fxl_clip_result ask_next(const fxl_model_view *model_view, fxl_clipper_work *work,
                                 fxl_screen_polygon *screen)
 {
-    fxl_clip_result result = asked->next(placed, work, screen);
+    fxl_clip_result result = asked->next(model_view, work, screen);
     if (result == FXL_CLIP_INSIDE || result == FXL_CLIP_CUT) {
         add_piece(screen);
     }
@@ -199,7 +199,7 @@ bool spy_begin(fxl_renderer *renderer, spy_sides sides)
     asked = renderer->clipper;
     spy = (fxl_clipper){ask, asked->next != NULL ? ask_next : NULL, wanted, asked->begin};
     found = (spy_findings){.error = 0};
-    return fxl_renderer_set_clipper(renderer, &spy, room, sizeof room) == FXL_OK;
+    return fxl_renderer_set_clipper(renderer, &spy, workspace, sizeof workspace) == FXL_OK;
 }
 
 void spy_watch(fxl_renderer *renderer, bool watching)
@@ -209,10 +209,10 @@ void spy_watch(fxl_renderer *renderer, bool watching)
 
 const spy_findings *spy_end(void)
 {
-    fxl_clip_stats account;
-    memcpy(&account, room, sizeof account);
+    fxl_clip_stats stats;
+    memcpy(&stats, workspace, sizeof stats);
     close_face();
-    found.intersections = account.intersections;
-    found.distances = account.distances;
+    found.intersections = stats.intersections;
+    found.distances = stats.distances;
     return &found;
 }

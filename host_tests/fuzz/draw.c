@@ -12,28 +12,28 @@ enum {
 };
 
 /* The clippers as a renderer knows them, with their promises checked. */
-static fxl_clip_result checked_by_view(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    const uint16_t *corners = placed->indices + face->first_index;
+    const uint16_t *corners = model_view->indices + face->first_index;
     fxl_view_polygon seen = {.colour = face->colour, .count = face->count};
     const fxl_view_polygon *clipped;
     static fxl_clip_view_work checked;
     fxl_planes needed = 0;
     for (uint32_t i = 0; i < face->count; i++) {
-        fxl_point from_eye = fxl_model_view_vertex(placed, corners[i]), point = from_eye;
-        point.x += placed->view->camera.position.x;
-        point.y += placed->view->camera.position.y;
-        point.z += placed->view->camera.position.z;
-        fxl_transform_point(&placed->view->camera, &point, &seen.vertices[i].position);
-        DEMAND(memcmp(&fxl_fetch_vertex(placed, corners[i])->position, &seen.vertices[i].position,
-                      sizeof seen.vertices[i].position) == 0);
-        needed |= judge_outcode(&placed->view->view_frustum, &seen.vertices[i].position, 0);
+        fxl_point from_eye = fxl_model_view_vertex(model_view, corners[i]), point = from_eye;
+        point.x += model_view->view->camera.position.x;
+        point.y += model_view->view->camera.position.y;
+        point.z += model_view->view->camera.position.z;
+        fxl_transform_point(&model_view->view->camera, &point, &seen.vertices[i].position);
+        DEMAND(memcmp(&fxl_fetch_vertex(model_view, corners[i])->position,
+                      &seen.vertices[i].position, sizeof seen.vertices[i].position) == 0);
+        needed |= judge_outcode(&model_view->view->view_frustum, &seen.vertices[i].position, 0);
     }
     fxl_clip_result expected =
-        fxl_clip_view_to_planes(&seen, &placed->view->view_frustum, needed, &checked, &clipped);
-    judge_view_clip(expected, clipped, placed->view);
-    fxl_clip_result cut = fxl_clip_by_view(placed, face, work, screen);
+        fxl_clip_view_to_planes(&seen, &model_view->view->view_frustum, needed, &checked, &clipped);
+    judge_view_clip(expected, clipped, model_view->view);
+    fxl_clip_result cut = fxl_clip_by_view(model_view, face, work, screen);
     /* A face outside of one plane may have been cut away by one before it; one between the
      * centres of pixels is inside. */
     DEMAND(cut == expected || (cut == FXL_CLIP_OUTSIDE && clipped == NULL) ||
@@ -41,17 +41,17 @@ static fxl_clip_result checked_by_view(const fxl_model_view *placed, const fxl_f
     judge_screen(cut, screen);
     if (clipped != NULL) {
         fxl_screen_polygon same;
-        DEMAND(fxl_project_polygon(&placed->view->lens, clipped, &same) == FXL_OK);
+        DEMAND(fxl_project_polygon(&model_view->view->lens, clipped, &same) == FXL_OK);
         DEMAND(same.count == screen->count && same.colour == screen->colour);
         DEMAND(memcmp(same.points, screen->points, same.count * sizeof same.points[0]) == 0);
     }
     return cut;
 }
 
-static fxl_clip_result checked_by_world(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result checked_by_world(const fxl_model_view *model_view, const fxl_face *face,
                                         fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    fxl_clip_result cut = fxl_clip_by_world(placed, face, work, screen);
+    fxl_clip_result cut = fxl_clip_by_world(model_view, face, work, screen);
     judge_screen(cut, screen);
     return cut;
 }
@@ -59,10 +59,10 @@ static fxl_clip_result checked_by_world(const fxl_model_view *placed, const fxl_
 /* Any other: its outlines are such as the scan takes. */
 static const fxl_clipper *of_family;
 
-static fxl_clip_result checked_clip(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result checked_clip(const fxl_model_view *model_view, const fxl_face *face,
                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    fxl_clip_result cut = of_family->clip(placed, face, work, screen);
+    fxl_clip_result cut = of_family->clip(model_view, face, work, screen);
     /* The guard band, or all planes, rule it out; but a face that is not convex is not for
      * the one that goes by edges. */
     DEMAND(cut != FXL_CLIP_RANGE || of_family == &fxl_clipper_once);
@@ -70,10 +70,10 @@ static fxl_clip_result checked_clip(const fxl_model_view *placed, const fxl_face
     return cut;
 }
 
-static fxl_clip_result checked_next(const fxl_model_view *placed, fxl_clipper_work *work,
+static fxl_clip_result checked_next(const fxl_model_view *model_view, fxl_clipper_work *work,
                                     fxl_screen_polygon *screen)
 {
-    fxl_clip_result cut = of_family->next(placed, work, screen);
+    fxl_clip_result cut = of_family->next(model_view, work, screen);
     DEMAND(cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_OUTSIDE);
     judge_screen(cut, screen);
     return cut;
@@ -98,7 +98,7 @@ static const fxl_clipper *checked(uint32_t number)
     return &made;
 }
 
-uint64_t draw_faces_placed(const fxl_scene *scene)
+uint64_t draw_model_view(const fxl_scene *scene)
 {
     uint64_t faces = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -131,9 +131,9 @@ static void demand_gaps_intact(const fxl_band *band)
     }
 }
 
-static void demand_accounted(const fxl_counters *counters, uint64_t placed)
+static void demand_accounted(const fxl_counters *counters, uint64_t model_view)
 {
-    DEMAND(counters->in == placed);
+    DEMAND(counters->in == model_view);
     DEMAND(counters->in == (uint64_t)counters->backfacing + counters->outside +
                                counters->degenerate + counters->refused + counters->drawn);
     DEMAND(counters->clipped <= counters->drawn && counters->spilled <= counters->drawn);
@@ -233,11 +233,11 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     uint32_t size = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
-    const fxl_visibility *hidden =
+    const fxl_visibility *visibility =
         fuzz_below(in, 4) ? &fxl_visibility_spans : &fxl_visibility_spans_box;
     void *room = malloc(size += fuzz_below(in, 12u * lens->height));
     DEMAND(room != NULL);
-    DEMAND(fxl_renderer_set_visibility(renderer, hidden, room, size) == FXL_OK);
+    DEMAND(fxl_renderer_set_visibility(renderer, visibility, room, size) == FXL_OK);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
@@ -250,8 +250,8 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
 
 /* The same frame with radii so large that no object is left out, and without keys.
  * What was drawn was drawn all the same. */
-static void draw_all_objects(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
-                             uint32_t clipper)
+static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
+                               const fxl_band *whole, uint32_t clipper)
 {
     fxl_scene scene = *first->scene;
     fxl_model *models = malloc(scene.model_count * sizeof *models);
@@ -290,13 +290,13 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_OK);
     demand_gaps_intact(&whole);
-    demand_accounted(&renderer->workspace.counters, draw_faces_placed(scene));
+    demand_accounted(&renderer->workspace.counters, draw_model_view(scene));
     draw_again(renderer, pose, &whole, choice->clipper, in);
     if (scene->beam_count == 0) { /* larger spheres reach into beams, and split outlines anew */
-        draw_all_objects(renderer, pose, &whole, choice->clipper);
+        draw_all_instances(renderer, pose, &whole, choice->clipper);
     }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
-    draw_by_tree(scene, lens, pose, in);
+    draw_by_bsp(scene, lens, pose, in);
     draw_wireframe(scene, lens, pose, in);
     draw_boxes(scene, lens, pose);
     free(whole.pixels);

@@ -24,11 +24,11 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
                 const draw_choice *choice, fuzz_input *in);
 
 /* Faces that a frame looks at. */
-uint64_t draw_faces_placed(const fxl_scene *scene);
+uint64_t draw_model_view(const fxl_scene *scene);
 
 /* The first rows of a frame by the scene's tree, if it has one: whole, in bands, near to far. */
-void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
-                  fuzz_input *in);
+void draw_by_bsp(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                 fuzz_input *in);
 
 /* The first rows of a frame as a wireframe: whole and in bands. */
 void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,

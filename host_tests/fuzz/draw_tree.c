@@ -27,19 +27,20 @@ static void *block(size_t size)
 }
 
 static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *lens,
-                         const fxl_visibility *hidden, uint32_t pieces)
+                         const fxl_visibility *visibility, uint32_t pieces)
 {
     made->order = block(scene->order_needed * sizeof(fxl_order_entry));
     made->list = block(1);
     const fxl_memory memory = {made->order, scene->order_needed, made->list, 0, NULL, 0};
-    uint32_t room = (hidden->submit_workspace_size(scene) + 7u) & ~7u;
-    room += hidden->backend->workspace_size != NULL ? hidden->backend->workspace_size(lens) : 0;
+    uint32_t room = (visibility->submit_workspace_size(scene) + 7u) & ~7u;
+    room +=
+        visibility->backend->workspace_size != NULL ? visibility->backend->workspace_size(lens) : 0;
     DEMAND(fxl_renderer_init_with(&made->renderer, scene, lens, &memory) == FXL_OK);
     made->room = block(room);
     made->pieces = block(pieces);
-    DEMAND(room == 0 || fxl_renderer_set_visibility(&made->renderer, hidden, made->room,
+    DEMAND(room == 0 || fxl_renderer_set_visibility(&made->renderer, visibility, made->room,
                                                     room - 1) == FXL_E_CAPACITY);
-    DEMAND(fxl_renderer_set_visibility(&made->renderer, hidden, made->room, room) == FXL_OK);
+    DEMAND(fxl_renderer_set_visibility(&made->renderer, visibility, made->room, room) == FXL_OK);
     if (scene->bsp_nodes != NULL) {
         fxl_bsp_workspace *tree = made->room;
         tree->pieces = made->pieces;
@@ -98,14 +99,13 @@ static void demand_same(const drawing *a, const drawing *b)
            (uint64_t)one->backfacing + one->outside + one->degenerate + one->refused + one->drawn);
 }
 
-void draw_by_tree(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
-                  fuzz_input *in)
+void draw_by_bsp(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose, fuzz_input *in)
 {
     drawing whole = {0}, bands = {0}, spans = {0};
     const uint32_t pieces = fuzz_below(in, 2) ? PIECES_MAX : fuzz_below(in, PIECES_MAX);
     open_drawing(&whole, scene, lens, &fxl_visibility_bsp, pieces);
     draw(&whole, pose, whole.rows);
-    DEMAND(whole.renderer.workspace.counters.in == draw_faces_placed(scene));
+    DEMAND(whole.renderer.workspace.counters.in == draw_model_view(scene));
     open_drawing(&bands, scene, lens, &fxl_visibility_bsp, pieces);
     give_list(&bands, fuzz_below(in, 200));
     draw(&bands, pose, 1 + fuzz_below(in, bands.rows));

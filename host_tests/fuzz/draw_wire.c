@@ -44,18 +44,18 @@ void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose
 }
 
 /* Of an object's vertices, what its box says of the planes. */
-static void check_box(const fxl_scene *scene, const fxl_instance *object, fxl_view *view)
+static void check_box(const fxl_scene *scene, const fxl_instance *instance, fxl_view *view)
 {
-    const fxl_model *model = &scene->models[object->model];
+    const fxl_model *model = &scene->models[instance->model];
     uint32_t seen = 0;
     fxl_box box;
-    fxl_box_of_instance(scene, object, &box);
+    fxl_box_of_instance(scene, instance, &box);
     fxl_view_set_world_frustum(view);
     uint32_t planes = fxl_box_planes(&view->frustum, &box);
     for (uint32_t i = 0; i < model->vertex_count; i++) {
         const fxl_point *vertex = &scene->vertices[model->first_vertex + i];
-        const fxl_point at = {object->centre.x + vertex->x, object->centre.y + vertex->y,
-                              object->centre.z + vertex->z};
+        const fxl_point at = {instance->centre.x + vertex->x, instance->centre.y + vertex->y,
+                              instance->centre.z + vertex->z};
         fxl_view_point from_eye;
         fxl_transform_point(&view->camera, &at, &from_eye);
         uint32_t inside = 0;

@@ -50,7 +50,7 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
                        fuzz_input *in)
 {
     const fxl_lens *lens = &opened->lens;
-    uint64_t cost = (draw_faces_placed(&opened->scene) + 4) * lens->width;
+    uint64_t cost = (draw_model_view(&opened->scene) + 4) * lens->width;
     uint32_t rows = (uint32_t)(WORK / cost);
     if (rows == 0) {
         return;

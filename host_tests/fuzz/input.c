@@ -122,8 +122,8 @@ fxl_lens fuzz_lens(fuzz_input *in, uint32_t pixels)
         fuzz_between(in, 0, 1) ? fuzz_between(in, 0, FXL_INSET_MAX) : fuzz_between(in, 0, 8);
     fxl_q16_16 near = FXL_NEAR_MIN << fuzz_below(in, 16);
     near += fuzz_between(in, 0, near - 1);
-    int32_t room = FXL_FAR_MAX - near - 2 * inset - 1;
-    fxl_q16_16 far = FXL_FAR_MAX - (room >> fuzz_below(in, 31));
+    int32_t workspace = FXL_FAR_MAX - near - 2 * inset - 1;
+    fxl_q16_16 far = FXL_FAR_MAX - (workspace >> fuzz_below(in, 31));
     fxl_status status =
         fxl_lens_from_fov((uint16_t)width, (uint16_t)height, fov, near, far, inset, &lens);
     DEMAND(status == FXL_OK);

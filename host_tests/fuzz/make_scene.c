@@ -131,15 +131,15 @@ static void add_model(made_scene *made, uint32_t faces, fuzz_input *in)
     }
 }
 
-static void add_object(made_scene *made, fuzz_input *in)
+static void add_instance(made_scene *made, fuzz_input *in)
 {
-    fxl_instance *object = &made->objects[made->scene.instance_count++];
+    fxl_instance *instance = &made->instances[made->scene.instance_count++];
     uint32_t kind = fuzz_below(in, 16);
     if (kind > 8) {
-        object->centre = fuzz_point(in, FXL_COORDINATE_MAX);
+        instance->centre = fuzz_point(in, FXL_COORDINATE_MAX);
     }
-    object->model = (uint16_t)(kind % made->scene.model_count);
-    object->layer = (uint8_t)fuzz_below(in, 3);
+    instance->model = (uint16_t)(kind % made->scene.model_count);
+    instance->layer = (uint8_t)fuzz_below(in, 3);
 }
 
 /* A node with the plane of a face, or any plane where it has none. */
@@ -189,25 +189,25 @@ static void hang(made_scene *made, uint32_t number, fuzz_input *in)
 
 /* A tree over the faces of an object; the others have other models, and convex ones on its
  * layer. Where that cannot be there is no tree. */
-static void add_tree(made_scene *made, fuzz_input *in)
+static void add_bsp(made_scene *made, fuzz_input *in)
 {
     fxl_scene *scene = &made->scene;
     uint32_t owner = fuzz_below(in, scene->instance_count);
-    const fxl_model *model = &made->models[made->objects[owner].model];
+    const fxl_model *model = &made->models[made->instances[owner].model];
     if (model->kind != FXL_MODEL_SORTED) {
         return;
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
-        fxl_instance *object = &made->objects[i];
-        if (i != owner && object->model == made->objects[owner].model) {
-            object->model = (uint16_t)((object->model + 1u) % scene->model_count);
-            if (object->model == made->objects[owner].model) {
+        fxl_instance *instance = &made->instances[i];
+        if (i != owner && instance->model == made->instances[owner].model) {
+            instance->model = (uint16_t)((instance->model + 1u) % scene->model_count);
+            if (instance->model == made->instances[owner].model) {
                 return;
             }
         }
-        if (i != owner && made->models[object->model].kind == FXL_MODEL_SORTED &&
-            object->layer == made->objects[owner].layer) {
-            object->layer += 3;
+        if (i != owner && made->models[instance->model].kind == FXL_MODEL_SORTED &&
+            instance->layer == made->instances[owner].layer) {
+            instance->layer += 3;
         }
     }
     uint32_t face = 0;
@@ -236,7 +236,7 @@ static void spoil(made_scene *made, fuzz_input *in)
 {
     fxl_scene *scene = &made->scene;
     fxl_model *model = &made->models[fuzz_below(in, scene->model_count)];
-    fxl_instance *object = &made->objects[fuzz_below(in, scene->instance_count)];
+    fxl_instance *instance = &made->instances[fuzz_below(in, scene->instance_count)];
     fxl_face *face = &made->faces[fuzz_below(in, scene->face_count)];
     fxl_point *vertex = &made->vertices[fuzz_below(in, scene->vertex_count)];
     uint16_t *corner = &made->corners[fuzz_below(in, scene->index_count)];
@@ -247,27 +247,28 @@ static void spoil(made_scene *made, fuzz_input *in)
                                 &scene->bsp_node_count, &scene->bsp_instance};
     uint32_t *const words[] = {&face->first_index, &model->first_vertex, &model->vertex_count,
                                &model->first_face, &model->face_count,   &model->first_face_bounds};
-    int32_t *const numbers[] = {
-        &face->normal.x,   &face->normal.y, &face->normal.z, &object->centre.x, &object->centre.y,
-        &object->centre.z, &vertex->x,      &vertex->y,      &vertex->z,        &model->radius};
+    int32_t *const numbers[] = {&face->normal.x,     &face->normal.y,     &face->normal.z,
+                                &instance->centre.x, &instance->centre.y, &instance->centre.z,
+                                &vertex->x,          &vertex->y,          &vertex->z,
+                                &model->radius};
     uint8_t *const bytes[] = {&face->count,        &model->kind,        &model->reserved[0],
-                              &model->reserved[1], &model->reserved[2], &object->reserved};
-    uint16_t *const halves[] = {&face->reserved, &object->model, corner};
+                              &model->reserved[1], &model->reserved[2], &instance->reserved};
+    uint16_t *const halves[] = {&face->reserved, &instance->model, corner};
     uint16_t *const links[] = {&node->front,      &node->back,       &node->parent,
                                &node->first_face, &node->face_count, &node->reserved};
     int32_t *const planes[] = {&node->normal.x, &node->normal.y, &node->normal.z, &node->centre.x,
                                &node->centre.y, &node->centre.z, &node->radius};
     uint32_t which = fuzz_below(in, 52);
     if (which >= 32) {
-        uint32_t of_tree = which - 32;
-        if (of_tree < 2) {
-            *counts[6 + of_tree] = spoilt_count(*counts[6 + of_tree], in);
-        } else if (of_tree < 8) {
+        uint32_t of_bsp = which - 32;
+        if (of_bsp < 2) {
+            *counts[6 + of_bsp] = spoilt_count(*counts[6 + of_bsp], in);
+        } else if (of_bsp < 8) {
             /* A small number more often than not. */
-            *links[of_tree - 2] =
+            *links[of_bsp - 2] =
                 (uint16_t)(fuzz_below(in, 4) ? fuzz_below(in, MADE_NODES) : fuzz_bits(in, 2));
-        } else if (of_tree < 15) {
-            *planes[of_tree - 8] = fuzz_any(in);
+        } else if (of_bsp < 15) {
+            *planes[of_bsp - 8] = fuzz_any(in);
         } else {
             node->distance_high = (uint32_t)fuzz_any(in);
         }
@@ -303,7 +304,7 @@ static void copy_tables(made_scene *made, fxl_scene sizes)
     scene->indices = copy(made->corners, sizes.index_count * sizeof *made->corners);
     scene->faces = copy(made->faces, sizes.face_count * sizeof *made->faces);
     scene->models = copy(made->models, sizes.model_count * sizeof *made->models);
-    scene->instances = copy(made->objects, sizes.instance_count * sizeof *made->objects);
+    scene->instances = copy(made->instances, sizes.instance_count * sizeof *made->instances);
     scene->face_bounds = copy(made->keys, sizes.face_bounds_count * sizeof *made->keys);
     scene->bsp_nodes = sizes.bsp_node_count > 0
                            ? copy(made->nodes, sizes.bsp_node_count * sizeof *made->nodes)
@@ -315,16 +316,16 @@ made_scene *make_scene(fuzz_input *in)
     made_scene *made = calloc(1, sizeof *made);
     DEMAND(made != NULL);
     uint32_t models = 1 + fuzz_below(in, MADE_MODELS);
-    uint32_t objects = 1 + fuzz_below(in, MADE_OBJECTS);
+    uint32_t instances = 1 + fuzz_below(in, MADE_INSTANCES);
     uint32_t spoiling = fuzz_below(in, 8);
     for (uint32_t i = 0; i < models; i++) {
         add_model(made, 1 + fuzz_below(in, MADE_FACES / MADE_MODELS), in);
     }
-    for (uint32_t i = 0; i < objects; i++) {
-        add_object(made, in);
+    for (uint32_t i = 0; i < instances; i++) {
+        add_instance(made, in);
     }
     if (fuzz_below(in, 2)) {
-        add_tree(made, in);
+        add_bsp(made, in);
     }
     fxl_scene sizes = made->scene;
     if (spoiling == 7) {

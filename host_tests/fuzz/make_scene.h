@@ -9,7 +9,7 @@ enum {
     MADE_MODELS = 3,
     MADE_FACES = 24,
     MADE_VERTICES = MADE_FACES * FXL_FACE_VERTICES_MAX,
-    MADE_OBJECTS = 6,
+    MADE_INSTANCES = 6,
     MADE_NODES = MADE_FACES + 8
 };
 
@@ -18,7 +18,7 @@ typedef struct {
     uint16_t corners[MADE_VERTICES];
     fxl_face faces[MADE_FACES];
     fxl_model models[MADE_MODELS];
-    fxl_instance objects[MADE_OBJECTS];
+    fxl_instance instances[MADE_INSTANCES];
     fxl_face_bounds keys[MADE_FACES];
     fxl_bsp_node nodes[MADE_NODES];
     fxl_scene scene; /* its tables are copies of just the size that it states */

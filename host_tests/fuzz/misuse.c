@@ -86,12 +86,12 @@ static void misuse_scene(void)
     static const uint16_t corners[3];
     static const fxl_face face;
     static const fxl_model model;
-    static const fxl_instance object;
+    static const fxl_instance instance;
     const fxl_scene whole = {.vertices = vertices,
                              .indices = corners,
                              .faces = &face,
                              .models = &model,
-                             .instances = &object,
+                             .instances = &instance,
                              .vertex_count = 3,
                              .index_count = 3,
                              .face_count = 1,
@@ -104,7 +104,7 @@ static void misuse_scene(void)
         scene.indices = missing == 1 ? NULL : corners;
         scene.faces = missing == 2 ? NULL : &face;
         scene.models = missing == 3 ? NULL : &model;
-        scene.instances = missing == 4 ? NULL : &object;
+        scene.instances = missing == 4 ? NULL : &instance;
         DEMAND(fxl_scene_check(&scene, &fault) == FXL_E_ARGUMENT && fault.what != NULL);
     }
     DEMAND(fxl_scene_check(NULL, &fault) == FXL_E_ARGUMENT);
@@ -119,7 +119,7 @@ void fuzz_misuse(fuzz_input *in)
     fxl_scene empty = {0};
     fxl_camera camera;
     fxl_player viewer = {0};
-    fxl_motion_limits gait = {0};
+    fxl_motion_limits motion_limits = {0};
     fxl_pose pose = {0};
     fxl_lens lens = fuzz_lens(in, PIXELS);
     fxl_band band = any_band(&lens, pixels, in);
@@ -130,7 +130,7 @@ void fuzz_misuse(fuzz_input *in)
     misuse_scene();
     DEMAND(fxl_camera_from_pose(NULL, &camera) == FXL_E_ARGUMENT);
     DEMAND(fxl_camera_from_pose(&pose, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_player_step(NULL, 0, &gait, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_player_step(NULL, 0, &motion_limits, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_player_step(&viewer, 0, NULL, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_lens_from_fov(1, 1, FXL_FOV_MIN, 256, 257, 0, NULL) == FXL_E_ARGUMENT);
     DEMAND(pixels[0] == 0x5A);

@@ -68,8 +68,8 @@ static void mutate_table(uint8_t *data, size_t size, unsigned seed)
     }
     static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 48, 176};
     size_t at = offset + (seed / TABLES % count) * entry_sizes[seed % TABLES];
-    size_t room = at < size ? size - at : 0;
-    size_t piece = entry_sizes[seed % TABLES] < room ? entry_sizes[seed % TABLES] : room;
+    size_t workspace = at < size ? size - at : 0;
+    size_t piece = entry_sizes[seed % TABLES] < workspace ? entry_sizes[seed % TABLES] : workspace;
     if (piece > 0) {
         LLVMFuzzerMutate(data + at, piece, piece);
     }

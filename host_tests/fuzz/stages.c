@@ -223,36 +223,36 @@ void fuzz_clip_view(fuzz_input *in)
 
 /* A viewer and a gait in range; most choices leave them so, the
  * others spoil one number. Answers whether one was. */
-static bool any_viewer(fuzz_input *in, fxl_player *viewer, fxl_motion_limits *gait)
+static bool any_viewer(fuzz_input *in, fxl_player *viewer, fxl_motion_limits *motion_limits)
 {
     viewer->pose = fuzz_pose(in);
     viewer->speed = fuzz_coordinate(in, FXL_MOTION_MAX);
     viewer->clamped = 0;
-    gait->acceleration = fuzz_between(in, 0, FXL_MOTION_MAX);
-    gait->friction = fuzz_between(in, 0, FXL_MOTION_MAX);
-    gait->speed_max = fuzz_between(in, 0, FXL_MOTION_MAX);
-    gait->turn = fuzz_below(in, FXL_ANGLE_QUARTER + 1);
-    int32_t *const numbers[] = {&viewer->pose.position.x, &viewer->pose.position.y,
-                                &viewer->pose.position.z, &viewer->speed,
-                                &gait->acceleration,      &gait->friction,
-                                &gait->speed_max};
+    motion_limits->acceleration = fuzz_between(in, 0, FXL_MOTION_MAX);
+    motion_limits->friction = fuzz_between(in, 0, FXL_MOTION_MAX);
+    motion_limits->speed_max = fuzz_between(in, 0, FXL_MOTION_MAX);
+    motion_limits->turn = fuzz_below(in, FXL_ANGLE_QUARTER + 1);
+    int32_t *const numbers[] = {&viewer->pose.position.x,     &viewer->pose.position.y,
+                                &viewer->pose.position.z,     &viewer->speed,
+                                &motion_limits->acceleration, &motion_limits->friction,
+                                &motion_limits->speed_max};
     uint32_t which = fuzz_below(in, 32);
     if (which < sizeof numbers / sizeof numbers[0]) {
         *numbers[which] = fuzz_any(in);
     } else if (which == 7) {
-        gait->turn = (fxl_angle)fuzz_any(in);
+        motion_limits->turn = (fxl_angle)fuzz_any(in);
     }
     return which < 8;
 }
 
 static void demand_walked(const fxl_player *viewer, const fxl_player *before,
-                          const fxl_motion_limits *gait, const bool *held)
+                          const fxl_motion_limits *motion_limits, const bool *held)
 {
     const fxl_point *place = &viewer->pose.position;
     DEMAND(place->x >= -FXL_COORDINATE_MAX && place->x <= FXL_COORDINATE_MAX);
     DEMAND(place->z >= -FXL_COORDINATE_MAX && place->z <= FXL_COORDINATE_MAX);
     DEMAND(place->y == before->pose.position.y);
-    DEMAND(viewer->speed >= -gait->speed_max && viewer->speed <= gait->speed_max);
+    DEMAND(viewer->speed >= -motion_limits->speed_max && viewer->speed <= motion_limits->speed_max);
     DEMAND(viewer->clamped - before->clamped <= 1);
     DEMAND(held == NULL || *held == (viewer->clamped != before->clamped));
 }
@@ -260,20 +260,20 @@ static void demand_walked(const fxl_player *viewer, const fxl_player *before,
 void fuzz_viewer(fuzz_input *in)
 {
     fxl_player viewer;
-    fxl_motion_limits gait;
-    bool spoilt = any_viewer(in, &viewer, &gait);
+    fxl_motion_limits motion_limits;
+    bool spoilt = any_viewer(in, &viewer, &motion_limits);
     for (uint32_t i = 0; i < 4 * ROUNDS && (i == 0 || in->left > 0); i++) {
         bool held = false;
         bool *report = fuzz_below(in, 2) == 1 ? &held : NULL;
         uint32_t keys = (uint32_t)fuzz_bits(in, fuzz_below(in, 16) == 0 ? 2 : 1);
         fxl_player before = viewer;
-        fxl_status status = fxl_player_step(&viewer, keys, &gait, report);
+        fxl_status status = fxl_player_step(&viewer, keys, &motion_limits, report);
         if (status != FXL_OK) {
             DEMAND(status == FXL_E_RANGE && (spoilt || keys > FXL_KEY_ALL));
             DEMAND(memcmp(&before, &viewer, sizeof viewer) == 0);
             return;
         }
-        demand_walked(&viewer, &before, &gait, report);
+        demand_walked(&viewer, &before, &motion_limits, report);
     }
 }
 

@@ -101,15 +101,15 @@ static void put_u32(uint8_t *bytes, uint32_t value)
     }
 }
 
-bool judge_dump_like(const judge_dump *board, judge_dump *twin)
+bool judge_dump_like(const judge_dump *board, judge_dump *reference)
 {
-    *twin = *board;
-    twin->bytes = malloc(board->size);
-    if (!twin->bytes) {
-        memset(twin, 0, sizeof *twin);
+    *reference = *board;
+    reference->bytes = malloc(board->size);
+    if (!reference->bytes) {
+        memset(reference, 0, sizeof *reference);
         return false;
     }
-    memcpy(twin->bytes, board->bytes, board->size);
+    memcpy(reference->bytes, board->bytes, board->size);
     return true;
 }
 

@@ -59,7 +59,7 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
     view->clipper_workspace = &room;
     view->frame += 1;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = chosen->clip(&face.placed, &face.face, &work, &screens[0]);
+    fxl_clip_result result = chosen->clip(&face.model_view, &face.face, &work, &screens[0]);
     fxl_clip_result now = result;
     *count = 0;
     while (now == FXL_CLIP_INSIDE || now == FXL_CLIP_CUT || now == FXL_CLIP_BETWEEN) {
@@ -70,7 +70,7 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
         if (*count == room_for) {
             abort(); /* the caller's array is too small */
         }
-        now = chosen->next(&face.placed, &work, &screens[*count]);
+        now = chosen->next(&face.model_view, &work, &screens[*count]);
     }
     return result;
 }

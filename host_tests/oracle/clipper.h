@@ -19,7 +19,7 @@ oracle_space oracle_clipper_space(const fxl_view *view);
 /* A polygon of the world onto the screen: what the clipper answers, and how many
  * polygons it gives, into screens with room for so many. */
 fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
-                                    fxl_screen_polygon *screens, int room_for, int *count);
+                                    fxl_screen_polygon *screens, int workspace_for, int *count);
 
 /* Returns how far the outlines of the chosen clipper may be off, in 1/65536 pixel
  * (docs/extras/clippers.md). */

@@ -11,7 +11,7 @@
 #include "reference/scan.h"
 
 enum {
-    TWIN_OFF,
+    REFERENCE_OFF,
     TWICE,
     OUTSIDE_BAND,
     ORACLE_OFF
@@ -106,7 +106,8 @@ static void judge_others(const oracle_spot *points, int count, const uint8_t *ex
             (ref_screen_point){(double)points[i].x / 65536, (double)points[i].y / 65536};
     }
     for (int x = 0; x < width; x++) {
-        verdict->extras[TWIN_OFF] += ref_scan_covers(&polygon, x + 0.5, y + 0.5) != (exact[x] != 0);
+        verdict->extras[REFERENCE_OFF] +=
+            ref_scan_covers(&polygon, x + 0.5, y + 0.5) != (exact[x] != 0);
         verdict->extras[ORACLE_OFF] +=
             (oracle_winding(points, count, 0, x, y) != 0) != (exact[x] != 0);
     }

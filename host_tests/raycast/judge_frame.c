@@ -80,18 +80,18 @@ void judge_frame(const scene *s, const dump_frame *frame, verdict *v, uint8_t *p
     for (uint32_t j = 0; j < s->height; j++)
         for (uint32_t i = 0; i < s->width; i++) {
             double x = i + 0.5, y = j + 0.5;
-            uint8_t twin = frame->pixels[(size_t)j * s->width + i];
+            uint8_t reference = frame->pixels[(size_t)j * s->width + i];
             world_ray ray = ray_through(&view, x, y);
             uint8_t seen = colour_of(s, world_nearest(&s->world, &ray));
             if (pixels)
                 pixels[(size_t)j * s->width + i] = seen;
-            if (seen == twin || world_shows(&s->world, &ray, twin))
+            if (seen == reference || world_shows(&s->world, &ray, reference))
                 continue;
             v->differing++;
-            if (explained(&view, x, y, twin))
+            if (explained(&view, x, y, reference))
                 continue;
             if (v->unexplained < EXAMPLES)
-                v->examples[v->unexplained] = (example){i, j, twin, seen};
+                v->examples[v->unexplained] = (example){i, j, reference, seen};
             v->unexplained++;
         }
 }

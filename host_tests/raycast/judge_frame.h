@@ -10,7 +10,7 @@
 
 typedef struct {
     uint32_t x, y;
-    uint8_t twin, ray;
+    uint8_t reference, ray;
 } example;
 
 typedef struct {

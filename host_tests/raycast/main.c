@@ -138,7 +138,7 @@ static void print_frame(FILE *out, const work *w, uint32_t i)
     for (uint32_t e = 0; e < v->unexplained && e < EXAMPLES; e++)
         fprintf(out, "%s{\"x\": %u, \"y\": %u, \"twin\": %u, \"ray\": %u}",
                 e ? ", " : ", \"examples\": [", v->examples[e].x, v->examples[e].y,
-                v->examples[e].twin, v->examples[e].ray);
+                v->examples[e].reference, v->examples[e].ray);
     fprintf(out, "%s}%s\n", v->unexplained ? "]" : "", i + 1 < w->judged ? "," : "");
 }
 

@@ -12,7 +12,7 @@ enum {
     CORNER = 2,
     FACE = 20,
     MODEL = 28,
-    OBJECT = 16
+    INSTANCE = 16
 };
 
 typedef struct {
@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
     const char *path;
     file_block image;
-    table vertices, corners, faces, models, objects;
+    table vertices, corners, faces, models, instances;
 } reader;
 
 static double q16(const uint8_t *at)
@@ -72,15 +72,15 @@ static void open_image(reader *r, const char *path)
     r->corners = table_at(r, 96, CORNER, "indices");
     r->faces = table_at(r, 104, FACE, "faces");
     r->models = table_at(r, 112, MODEL, "models");
-    r->objects = table_at(r, 120, OBJECT, "instances");
+    r->instances = table_at(r, 120, INSTANCE, "instances");
 }
 
-static const uint8_t *model_of(const reader *r, const uint8_t *object)
+static const uint8_t *model_of(const reader *r, const uint8_t *instance)
 {
-    return entry_of(r, r->models, get_u16(object + 12), MODEL, "model");
+    return entry_of(r, r->models, get_u16(instance + 12), MODEL, "model");
 }
 
-static void add_face(const reader *r, const uint8_t *object, const uint8_t *model,
+static void add_face(const reader *r, const uint8_t *instance, const uint8_t *model,
                      const uint8_t *face, world *w)
 {
     world_polygon *polygon = &w->polygons[w->polygon_count++];
@@ -92,7 +92,7 @@ static void add_face(const reader *r, const uint8_t *object, const uint8_t *mode
         uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
         vertex += get_u32(model);
         const uint8_t *at = entry_of(r, r->vertices, vertex, VERTEX, "vertex");
-        w->corners[w->corner_count++] = vector_plus(point_at(object), point_at(at));
+        w->corners[w->corner_count++] = vector_plus(point_at(instance), point_at(at));
     }
 }
 
@@ -102,14 +102,14 @@ static world world_of(const reader *r)
     world w = {0};
     uint64_t faces = 0, corners = 0;
     for (int pass = 0; pass < 2; pass++) {
-        for (uint32_t o = 0; o < r->objects.count; o++) {
-            const uint8_t *object = entry_of(r, r->objects, o, OBJECT, "instance");
-            const uint8_t *model = model_of(r, object);
+        for (uint32_t o = 0; o < r->instances.count; o++) {
+            const uint8_t *instance = entry_of(r, r->instances, o, INSTANCE, "instance");
+            const uint8_t *model = model_of(r, instance);
             for (uint32_t f = 0; f < get_u32(model + 12); f++) {
                 uint64_t number = (uint64_t)get_u32(model + 8) + f;
                 const uint8_t *face = entry_of(r, r->faces, number, FACE, "face");
                 if (pass == 1)
-                    add_face(r, object, model, face, &w);
+                    add_face(r, instance, model, face, &w);
                 faces++;
                 corners += face[16];
             }

@@ -26,7 +26,7 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
 
 /* Tests an instance's box on both sides; the results must be equal. Returns the result. */
 uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
-                            const fxl_instance *object);
+                            const fxl_instance *instance);
 
 /* Checks a face of an instance against the `planes` that the library's sphere or box test
  * returned, by the reference renderer's distances of its vertices. A contradiction is a

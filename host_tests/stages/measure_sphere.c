@@ -35,8 +35,8 @@ static double off_by(const ref_sphere_distances *distances, double reach, uint32
             off = fmax(off, fabs(inside - reach));
         }
     }
-    bool outside = fixed == FXL_SPHERE_OUTSIDE, twin_outside = exact == REF_SPHERE_OUTSIDE;
-    return outside != twin_outside ? fabs(outermost - reach) : off;
+    bool outside = fixed == FXL_SPHERE_OUTSIDE, reference_outside = exact == REF_SPHERE_OUTSIDE;
+    return outside != reference_outside ? fabs(outermost - reach) : off;
 }
 
 uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
@@ -58,11 +58,11 @@ uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
 }
 
 uint32_t stages_measure_box(stages_tally *tally, const fxl_frustum *frustum, const fxl_scene *scene,
-                            const fxl_instance *object)
+                            const fxl_instance *instance)
 {
     ref_frustum exact;
     fxl_box box;
-    fxl_box_of_instance(scene, object, &box);
+    fxl_box_of_instance(scene, instance, &box);
     for (int plane = 0; plane < REF_PLANE_COUNT; plane++) {
         exact.planes[plane] = bridge_plane(&frustum->planes[plane]);
     }

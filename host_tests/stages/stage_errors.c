@@ -152,23 +152,23 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
         return;
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
-        const fxl_instance *object = &scene->instances[i];
-        const fxl_model *model = &scene->models[object->model];
+        const fxl_instance *instance = &scene->instances[i];
+        const fxl_model *model = &scene->models[instance->model];
         fxl_cached_vertex none;
         fxl_vertex_cache cache;
-        fxl_model_view placed;
+        fxl_model_view model_view;
         fxl_vertex_cache_init(&cache, &none, 1);
-        fxl_model_view_of_instance(&placed, scene, object, FXL_PLANES_ALL, &view, &cache);
+        fxl_model_view_of_instance(&model_view, scene, instance, FXL_PLANES_ALL, &view, &cache);
         uint32_t planes = stages_measure_sphere(&to->sphere, &view.camera, &view.view_frustum,
-                                                &object->centre, model->radius);
-        uint32_t by_box = stages_measure_box(&to->sphere, &view.frustum, scene, object);
+                                                &instance->centre, model->radius);
+        uint32_t by_box = stages_measure_box(&to->sphere, &view.frustum, scene, instance);
         for (uint32_t k = 0; k < model->face_count; k++) {
             const fxl_face *face = &scene->faces[model->first_face + k];
             fxl_polygon polygon;
-            fxl_face_to_polygon(&placed, face, &polygon);
+            fxl_face_to_polygon(&model_view, face, &polygon);
             stages_check_left_out(&to->sphere, &view.camera, &view.view_frustum, planes, &polygon);
             stages_check_left_out(&to->sphere, &view.camera, &view.view_frustum, by_box, &polygon);
-            if (fxl_face_is_front(scene, object, face, &pose->position)) {
+            if (fxl_face_is_front(scene, instance, face, &pose->position)) {
                 take_polygon(to, &view, &polygon);
             }
         }

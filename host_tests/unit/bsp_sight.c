@@ -20,7 +20,7 @@ static fxl_direction times_sign(const fxl_direction *of, int32_t sign)
     return (fxl_direction){of->x * sign, of->y * sign, of->z * sign};
 }
 
-void tree_tilt(bsp_scene *made, fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
+void bsp_tilt(bsp_scene *made, fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
 {
     const fxl_pose straight = {{0, 0, 0}, 0, 0, 0};
     const fxl_pose pose = {{0, 0, 0}, yaw, pitch, roll};
@@ -39,12 +39,12 @@ void tree_tilt(bsp_scene *made, fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
     }
 }
 
-fxl_pose tree_shuffle(bsp_scene *made)
+fxl_pose bsp_shuffle(bsp_scene *made)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
-    tree_tilt(made, unit_random(), unit_random(), unit_random());
-    for (uint32_t i = 0; i < TINY_OBJECTS; i += 2) {
-        fxl_point *centre = &made->tiny->objects[i].centre;
+    bsp_tilt(made, unit_random(), unit_random(), unit_random());
+    for (uint32_t i = 0; i < TINY_INSTANCES; i += 2) {
+        fxl_point *centre = &made->tiny->instances[i].centre;
         centre->x = unit_between(-Q16(2), Q16(2));
         centre->y = unit_between(-Q16(2), Q16(2));
         centre->z = unit_between(Q16(8.5), Q16(12));
@@ -75,14 +75,14 @@ static double size(double a)
 }
 
 /* A cube's faces; the eye is outside. */
-static void look_at_cube(const fxl_point *eye, const double way[3], const fxl_instance *object,
+static void look_at_cube(const fxl_point *eye, const double way[3], const fxl_instance *instance,
                          uint8_t colour, bsp_sight *seen)
 {
     const fxl_camera *cube = colour == 1 ? &tilted : &upright;
     const fxl_direction *const axes[3] = {&cube->right, &cube->up, &cube->forward};
-    const double from[3] = {(eye->x - object->centre.x) / 65536.0,
-                            (eye->y - object->centre.y) / 65536.0,
-                            (eye->z - object->centre.z) / 65536.0};
+    const double from[3] = {(eye->x - instance->centre.x) / 65536.0,
+                            (eye->y - instance->centre.y) / 65536.0,
+                            (eye->z - instance->centre.z) / 65536.0};
     for (int face = 0; face < 6; face++) {
         const fxl_direction *along = axes[face / 2];
         const double out = face % 2 ? 1 : -1;
@@ -108,20 +108,20 @@ static void look_at_cube(const fxl_point *eye, const double way[3], const fxl_in
 }
 
 /* 90 degrees, so that the focal length is half the width. */
-bsp_sight tree_look(const bsp_scene *made, const fxl_pose *pose, uint32_t x, uint32_t y)
+bsp_sight bsp_look(const bsp_scene *made, const fxl_pose *pose, uint32_t x, uint32_t y)
 {
     fxl_camera camera;
-    bsp_sight seen = {1e9, 1e9, TREE_BACKGROUND};
-    const double right = ((double)x + 0.5 - TREE_WIDTH / 2) / (TREE_WIDTH / 2);
-    const double up = (TREE_HEIGHT / 2 - (double)y - 0.5) / (TREE_WIDTH / 2);
+    bsp_sight seen = {1e9, 1e9, BSP_BACKGROUND};
+    const double right = ((double)x + 0.5 - BSP_WIDTH / 2) / (BSP_WIDTH / 2);
+    const double up = (BSP_HEIGHT / 2 - (double)y - 0.5) / (BSP_WIDTH / 2);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
     const double way[3] = {
         (camera.right.x * right + camera.up.x * up + camera.forward.x) / FXL_Q2_30_ONE,
         (camera.right.y * right + camera.up.y * up + camera.forward.y) / FXL_Q2_30_ONE,
         (camera.right.z * right + camera.up.z * up + camera.forward.z) / FXL_Q2_30_ONE};
-    for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
-        const fxl_instance *object = &made->tiny->objects[i];
-        look_at_cube(&pose->position, way, object, i == 1 ? 11 : 1, &seen);
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        const fxl_instance *instance = &made->tiny->instances[i];
+        look_at_cube(&pose->position, way, instance, i == 1 ? 11 : 1, &seen);
     }
     return seen;
 }

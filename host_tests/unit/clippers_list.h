@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The family's clippers, one after the other; the first two have integers of their own. */
-#ifndef FAMILY_CLIPPERS_H
-#define FAMILY_CLIPPERS_H
+#ifndef CLIPPERS_LIST_H
+#define CLIPPERS_LIST_H
 
 #include "fixel/extra/clippers/workspace.h"
 #include "fixel/stage/clipper.h"

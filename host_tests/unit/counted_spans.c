@@ -38,7 +38,7 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
 }
 
 static fxl_raster_backend painter;
-static fxl_visibility hidden;
+static fxl_visibility visibility;
 const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
 {
     counted_writes = writes;
@@ -46,7 +46,7 @@ const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint
     memset(writes, 0, count);
     painter = fxl_raster_spans;
     painter.draw_polygon = paint;
-    hidden = fxl_visibility_spans;
-    hidden.backend = &painter;
-    return &hidden;
+    visibility = fxl_visibility_spans;
+    visibility.backend = &painter;
+    return &visibility;
 }

@@ -13,7 +13,7 @@ enum {
     FACE = 20,
     MODEL = 28,
     KEY = 20,
-    OBJECT = 16,
+    INSTANCE = 16,
     POSE = 24,
     STRIDE = 4
 };

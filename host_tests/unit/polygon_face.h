@@ -7,7 +7,7 @@
 #include "fixel/stage/clipper.h"
 
 typedef struct {
-    fxl_model_view placed;
+    fxl_model_view model_view;
     fxl_face face;
     fxl_vertex_cache cache;
     fxl_cached_vertex seen[FXL_POLYGON_CAPACITY];
@@ -20,7 +20,7 @@ static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon
                                     uint32_t entries)
 {
     const fxl_model model = {.vertex_count = polygon->count, .face_count = 1};
-    const fxl_instance object = {{0, 0, 0}, 0, 0, 0};
+    const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
     const fxl_scene scene = {.vertices = as->vertices, .indices = as->corners, .models = &model};
     as->face = (fxl_face){.count = polygon->count, .colour = polygon->colour};
     for (uint16_t i = 0; i < polygon->count; i++) {
@@ -28,7 +28,8 @@ static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon
         as->corners[i] = i;
     }
     fxl_vertex_cache_init(&as->cache, as->seen, entries);
-    fxl_model_view_of_instance(&as->placed, &scene, &object, FXL_PLANES_ALL, view, &as->cache);
+    fxl_model_view_of_instance(&as->model_view, &scene, &instance, FXL_PLANES_ALL, view,
+                               &as->cache);
 }
 
 #endif

@@ -13,7 +13,7 @@ enum {
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 static uint32_t list[WORDS];
-static fxl_order_entry order[TINY_OBJECTS + 6];
+static fxl_order_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static tiny_scene *tiny;
 
@@ -21,7 +21,7 @@ static void start(uint32_t words, const fxl_clipper *clipper)
 {
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words, NULL, 0};
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, words > 0 ? list : NULL, words, NULL, 0};
     tiny = tiny_make();
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
@@ -123,11 +123,11 @@ void test_what_does_not_fit_is_counted(void)
 
 static uint32_t asked;
 
-static fxl_clip_result counting_clipper(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result counting_clipper(const fxl_model_view *model_view, const fxl_face *face,
                                         fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     asked++;
-    return fxl_clip_by_view(placed, face, work, screen);
+    return fxl_clip_by_view(model_view, face, work, screen);
 }
 
 static const fxl_clipper counting = {.clip = counting_clipper};
@@ -143,7 +143,7 @@ void test_a_band_does_not_walk_the_scene_again(void)
     TEST_ASSERT_EQUAL_UINT32(counters.in - counters.backfacing, asked);
     memset(tiny->vertices, 0, sizeof tiny->vertices);
     memset(tiny->faces, 0, sizeof tiny->faces);
-    memset(tiny->objects, 0, sizeof tiny->objects);
+    memset(tiny->instances, 0, sizeof tiny->instances);
     for (uint32_t row = 0; row < HEIGHT; row++) {
         draw_rows(other, row, 1);
     }
@@ -179,7 +179,7 @@ void test_a_polygon_on_no_row_takes_no_record(void)
     for (int v = 0; v < 8; v++) {
         tiny->vertices[v].y = v & 2 ? Q16(0.2) : Q16(-0.2);
     }
-    tiny->objects[2].centre = (fxl_point){0, 0, Q16(-400)};
+    tiny->instances[2].centre = (fxl_point){0, 0, Q16(-400)};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);
     TEST_ASSERT_EQUAL_UINT32(FXL_DISPLAY_LIST_WORDS(4), renderer.frame.display_list.used);

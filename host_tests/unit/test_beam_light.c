@@ -7,14 +7,14 @@ enum {
     WIDTH = 48,
     HEIGHT = 32,
     WORDS = 700,
-    ROOM = 4608
+    WORKSPACE = 4608
 };
 
 static tiny_scene *tiny;
 static fxl_renderer renderer;
 static fxl_order_entry order[32];
 static uint32_t list[WORDS];
-static uint64_t room[ROOM / 8];
+static uint64_t room[WORKSPACE / 8];
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], drawn[WIDTH * HEIGHT];
 static uint8_t lit[256], same[256];
 
@@ -171,7 +171,7 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
         const fxl_pose pose = any_pose();
         make(0);
-        tiny->objects[1].centre.y = tiny->objects[2].centre.y = Q16(-7000);
+        tiny->instances[1].centre.y = tiny->instances[2].centre.y = Q16(-7000);
         fxl_visibility method = fxl_visibility_sorted;
         method.backend = &counting;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
@@ -205,7 +205,7 @@ void test_what_makes_no_light_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_beams(&renderer, beams, 1, lit, NULL, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_beams(&renderer, beams, 1, lit,
-                                                             (uint8_t *)room + 4, ROOM - 4));
+                                                             (uint8_t *)room + 4, WORKSPACE - 4));
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_renderer_set_beams(&renderer, beams, FXL_BEAMS_MAX + 1, lit,
                                                           room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,

@@ -136,13 +136,13 @@ void test_the_box_of_an_object(void)
         {9, 9, 9}, {Q16(1), Q16(-2), 0}, {Q16(-3), 0, Q16(5)}, {0, Q16(4), Q16(-6)}};
     static const fxl_model models[] = {{0, 1, 0, 1, FXL_MODEL_CONVEX, {0, 0, 0}, Q16(9), 0},
                                        {1, 3, 0, 1, FXL_MODEL_CONVEX, {0, 0, 0}, Q16(9), 0}};
-    static const fxl_instance objects[] = {{{Q16(10), Q16(20), Q16(30)}, 1, 0, 0}};
+    static const fxl_instance instances[] = {{{Q16(10), Q16(20), Q16(30)}, 1, 0, 0}};
     static fxl_scene scene;
     scene.vertices = vertices;
     scene.models = models;
-    scene.instances = objects;
+    scene.instances = instances;
     fxl_box box;
-    fxl_box_of_instance(&scene, &objects[0], &box);
+    fxl_box_of_instance(&scene, &instances[0], &box);
     const fxl_box wanted = {{Q16(7), Q16(18), Q16(24)}, {Q16(11), Q16(24), Q16(35)}};
     TEST_ASSERT_EQUAL_MEMORY(&wanted, &box, sizeof box);
 }

@@ -4,38 +4,39 @@
 #include "bsp_sight.h"
 
 enum {
-    WIDTH = TREE_WIDTH,
-    HEIGHT = TREE_HEIGHT,
-    BACKGROUND = TREE_BACKGROUND,
+    WIDTH = BSP_WIDTH,
+    HEIGHT = BSP_HEIGHT,
+    BACKGROUND = BSP_BACKGROUND,
     WORDS = 40 * FXL_DISPLAY_LIST_WORDS(5),
-    ROOM = 512,
+    WORKSPACE = 512,
     PIECES = 6144
 };
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], times[WIDTH * HEIGHT];
 static uint32_t list[WORDS];
-static uint64_t room[ROOM / 8], pieces[PIECES / 8];
-static fxl_order_entry order[TINY_OBJECTS + 6];
+static uint64_t room[WORKSPACE / 8], pieces[PIECES / 8];
+static fxl_order_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static bsp_scene *made;
 
-static fxl_bsp_workspace *tree_room(void)
+static fxl_bsp_workspace *bsp_workspace(void)
 {
     return renderer.submit_workspace;
 }
 
-static void start_with(uint32_t words, const fxl_visibility *hidden, uint32_t pieces_size)
+static void start_with(uint32_t words, const fxl_visibility *visibility, uint32_t pieces_size)
 {
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_scene *scene = &made->tiny->scene;
-    const fxl_memory memory = {order, TINY_OBJECTS + 6, words > 0 ? list : NULL, words, NULL, 0};
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, words > 0 ? list : NULL, words, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, hidden, room, sizeof room));
-    if (hidden->submit_workspace_size != NULL && scene->bsp_nodes != NULL) {
-        tree_room()->pieces = pieces_size > 0 ? pieces : NULL;
-        tree_room()->pieces_size = pieces_size;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, visibility, room, sizeof room));
+    if (visibility->submit_workspace_size != NULL && scene->bsp_nodes != NULL) {
+        bsp_workspace()->pieces = pieces_size > 0 ? pieces : NULL;
+        bsp_workspace()->pieces_size = pieces_size;
     }
 }
 
@@ -54,8 +55,8 @@ static void draw(uint8_t *frame, const fxl_pose *pose)
 
 static fxl_pose shuffle(void)
 {
-    made = tree_make();
-    return tree_shuffle(made);
+    made = bsp_make();
+    return bsp_shuffle(made);
 }
 
 /* Cubes that pass through each other are cut where a third cube's planes are, but two that move
@@ -66,13 +67,13 @@ void test_what_a_ray_sees_first_is_seen(void)
     uint32_t judged = 0, moved = 0, through = 0;
     for (uint32_t round = 0; round < rounds; round++) {
         fxl_pose pose = shuffle();
-        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
         start_with(0, &fxl_visibility_bsp, sizeof pieces);
         draw(whole, &pose);
-        TEST_ASSERT_EQUAL_UINT32(0, tree_room()->unsplit);
-        TEST_ASSERT_EQUAL_UINT32(0, tree_room()->refused);
+        TEST_ASSERT_EQUAL_UINT32(0, bsp_workspace()->unsplit);
+        TEST_ASSERT_EQUAL_UINT32(0, bsp_workspace()->refused);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            bsp_sight seen = tree_look(made, &pose, i % WIDTH, i / WIDTH);
+            bsp_sight seen = bsp_look(made, &pose, i % WIDTH, i / WIDTH);
             if (seen.margin > 1e-3) {
                 TEST_ASSERT_EQUAL_UINT8(seen.colour, whole[i]);
                 judged++;
@@ -92,17 +93,17 @@ void test_cubes_that_touch_the_planes(void)
     uint32_t judged = 0;
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = shuffle();
-        made = tree_make();
-        tree_tilt(made, 0, 0, round % 4 ? DEGREES(45) : 0);
+        made = bsp_make();
+        bsp_tilt(made, 0, 0, round % 4 ? DEGREES(45) : 0);
         TEST_ASSERT_TRUE(round % 4 == 0 || made->tiny->vertices[0].x == 0);
-        made->tiny->objects[0].centre =
+        made->tiny->instances[0].centre =
             (fxl_point){Q16(0.5) * unit_between(-4, 4), Q16(0.5) * unit_between(-4, 4),
                         Q16(10) + Q16(0.5) * unit_between(-4, 4)};
-        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
         start_with(0, &fxl_visibility_bsp, sizeof pieces);
         draw(whole, &pose);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            bsp_sight seen = tree_look(made, &pose, i % WIDTH, i / WIDTH);
+            bsp_sight seen = bsp_look(made, &pose, i % WIDTH, i / WIDTH);
             if (seen.margin > 1e-3) {
                 TEST_ASSERT_EQUAL_UINT8(seen.colour, whole[i]);
                 judged++;
@@ -119,12 +120,12 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
     const uint32_t rounds = UNIT_REPEAT / 100;
     uint32_t spilled = 0, held = 0;
     for (uint32_t round = 0; round < rounds; round++) {
-        const uint32_t room_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
+        const uint32_t workspace_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
         fxl_pose pose = shuffle();
-        start_with(0, &fxl_visibility_bsp, room_size);
+        start_with(0, &fxl_visibility_bsp, workspace_size);
         draw(whole, &pose);
         fxl_counters counters = renderer.workspace.counters;
-        start_with((uint32_t)unit_between(0, WORDS), &fxl_visibility_bsp, room_size);
+        start_with((uint32_t)unit_between(0, WORDS), &fxl_visibility_bsp, workspace_size);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         for (uint32_t row = 0, rows; row < HEIGHT; row += rows) {
             rows = 1 + unit_random() % (HEIGHT - row);
@@ -165,14 +166,14 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
     reverse.front_to_back = true;
     reverse.backend = &under;
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
-        const uint32_t room_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
+        const uint32_t workspace_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
         fxl_pose pose = shuffle();
-        start_with(0, &fxl_visibility_bsp, room_size);
+        start_with(0, &fxl_visibility_bsp, workspace_size);
         draw(whole, &pose);
-        const uint32_t unsplit = tree_room()->unsplit;
-        start_with(round % 2 ? WORDS : 0, &reverse, room_size);
+        const uint32_t unsplit = bsp_workspace()->unsplit;
+        start_with(round % 2 ? WORDS : 0, &reverse, workspace_size);
         draw(other, &pose);
-        TEST_ASSERT_EQUAL_UINT32(unsplit, tree_room()->unsplit);
+        TEST_ASSERT_EQUAL_UINT32(unsplit, bsp_workspace()->unsplit);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     }
 }
@@ -202,7 +203,7 @@ void test_pieces_leave_no_gap_and_do_not_overlap(void)
     count_all.backend = &counting;
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = shuffle();
-        made->tiny->objects[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+        made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
         start_with(0, &count_all, 0);
         memset(times, 0, sizeof times);
         draw(other, &pose);
@@ -210,14 +211,14 @@ void test_pieces_leave_no_gap_and_do_not_overlap(void)
         start_with(0, &count_all, sizeof pieces);
         memset(times, 0, sizeof times);
         draw(other, &pose);
-        most = tree_room()->used > most ? tree_room()->used : most;
+        most = bsp_workspace()->used > most ? bsp_workspace()->used : most;
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
             TEST_ASSERT_TRUE(times[i] <= 1 && whole[i] <= 1);
             /* At its outline a vertex that was rounded may take or give a pixel. */
             if (times[i] != whole[i]) {
-                made->tiny->objects[1].centre = (fxl_point){Q16(100), 0, Q16(-100)};
-                TEST_ASSERT_TRUE(tree_look(made, &pose, i % WIDTH, i / WIDTH).margin < 1e-4);
-                made->tiny->objects[1].centre = (fxl_point){0, 0, Q16(10)};
+                made->tiny->instances[1].centre = (fxl_point){Q16(100), 0, Q16(-100)};
+                TEST_ASSERT_TRUE(bsp_look(made, &pose, i % WIDTH, i / WIDTH).margin < 1e-4);
+                made->tiny->instances[1].centre = (fxl_point){0, 0, Q16(10)};
             }
             covered += times[i];
         }
@@ -233,21 +234,21 @@ void test_any_room_for_pieces(void)
 {
     uint32_t last = 2;
     fxl_pose pose = {{Q16(-3), Q16(2), Q16(5)}, DEGREES(30), DEGREES(-18), 0};
-    made = tree_make();
-    tree_tilt(made, unit_random(), unit_random(), unit_random());
-    made->tiny->objects[0].centre = (fxl_point){Q16(0.75), Q16(0.5), Q16(9.5)};
-    made->tiny->objects[2].centre = (fxl_point){Q16(-0.5), Q16(-0.75), Q16(10.25)};
+    made = bsp_make();
+    bsp_tilt(made, unit_random(), unit_random(), unit_random());
+    made->tiny->instances[0].centre = (fxl_point){Q16(0.75), Q16(0.5), Q16(9.5)};
+    made->tiny->instances[2].centre = (fxl_point){Q16(-0.5), Q16(-0.75), Q16(10.25)};
     start_with(0, &fxl_visibility_bsp, sizeof pieces);
     draw(whole, &pose);
-    const uint32_t used = tree_room()->used;
+    const uint32_t used = bsp_workspace()->used;
     TEST_ASSERT_TRUE(used > 0 && used <= sizeof pieces);
     for (uint32_t bytes = 0; bytes <= used + 8; bytes += 1 + bytes % 7) {
         memset(pieces, 0xA5, sizeof pieces);
         start_with(0, &fxl_visibility_bsp, bytes);
         draw(other, &pose);
-        TEST_ASSERT_TRUE(tree_room()->unsplit <= last);
-        last = tree_room()->unsplit;
-        TEST_ASSERT_TRUE(tree_room()->used <= bytes);
+        TEST_ASSERT_TRUE(bsp_workspace()->unsplit <= last);
+        last = bsp_workspace()->unsplit;
+        TEST_ASSERT_TRUE(bsp_workspace()->used <= bytes);
         TEST_ASSERT_TRUE(last > 0 || memcmp(whole, other, sizeof whole) == 0);
         for (uint32_t i = (bytes + 3) / 4 * 4; i < sizeof pieces; i++) {
             TEST_ASSERT_EQUAL_UINT8(0xA5, ((uint8_t *)pieces)[i]);
@@ -256,15 +257,15 @@ void test_any_room_for_pieces(void)
     TEST_ASSERT_EQUAL_UINT32(0, last);
     start_with(0, &fxl_visibility_bsp, 0);
     draw(other, &pose);
-    TEST_ASSERT_EQUAL_UINT32(2, tree_room()->unsplit);
+    TEST_ASSERT_EQUAL_UINT32(2, bsp_workspace()->unsplit);
 }
 
 void test_room_for_the_walk(void)
 {
-    made = tree_make();
+    made = bsp_make();
     start_with(0, &fxl_visibility_bsp, 0);
     uint32_t needed = fxl_visibility_bsp.submit_workspace_size(&made->tiny->scene);
-    TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 8 + 4 * TREE_NODES + 2 * 12, needed);
+    TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 8 + 4 * BSP_NODES + 2 * 12, needed);
     needed = (needed + 7) / 8 * 8;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
                                                                   room, needed - 1));
@@ -272,7 +273,7 @@ void test_room_for_the_walk(void)
                       fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, NULL, needed));
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, needed));
-    made->tiny->objects[0].layer = made->tiny->objects[2].layer = 1; /* nothing moves */
+    made->tiny->instances[0].layer = made->tiny->instances[2].layer = 1; /* nothing moves */
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 4,
                              fxl_visibility_bsp.submit_workspace_size(&made->tiny->scene));
     made->tiny->scene.bsp_nodes = NULL;
@@ -318,19 +319,19 @@ void test_without_a_tree_it_is_drawn_by_distance(void)
 void test_other_layers_and_a_tree_out_of_sight(void)
 {
     const fxl_pose pose = {{0, 0, Q16(14)}, 0, 0, 0};
-    made = tree_make();
-    made->tiny->objects[0].centre = (fxl_point){0, 0, Q16(18)};
-    made->tiny->objects[2].centre = (fxl_point){0, 0, Q16(24)};
-    made->tiny->objects[2].layer = 1; /* over the nearer one */
+    made = bsp_make();
+    made->tiny->instances[0].centre = (fxl_point){0, 0, Q16(18)};
+    made->tiny->instances[2].centre = (fxl_point){0, 0, Q16(24)};
+    made->tiny->instances[2].layer = 1; /* over the nearer one */
     start_with(0, &fxl_visibility_bsp, sizeof pieces);
     draw(whole, &pose);
     TEST_ASSERT_EQUAL_UINT8(5, whole[WIDTH * HEIGHT / 2 + WIDTH / 2]);
     TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);
-    made->tiny->objects[2].centre.z = Q16(17); /* now nearer, and under */
-    made->tiny->objects[2].layer = 0;
-    made->tiny->objects[0].layer = 2;
-    made->tiny->objects[0].centre.x = Q16(0.5);
+    made->tiny->instances[2].centre.z = Q16(17); /* now nearer, and under */
+    made->tiny->instances[2].layer = 0;
+    made->tiny->instances[0].layer = 2;
+    made->tiny->instances[0].centre.x = Q16(0.5);
     start_with(0, &fxl_visibility_bsp, sizeof pieces);
     draw(whole, &pose);
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);

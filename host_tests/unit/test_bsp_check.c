@@ -7,7 +7,7 @@ static fxl_scene_fault fault;
 
 void setUp(void)
 {
-    made = tree_make();
+    made = bsp_make();
 }
 
 static void expect(fxl_status status, const char *what, uint32_t index)
@@ -18,7 +18,7 @@ static void expect(fxl_status status, const char *what, uint32_t index)
         TEST_ASSERT_EQUAL_STRING(what, fault.what);
         TEST_ASSERT_EQUAL_UINT32(index, fault.index);
     }
-    made = tree_make();
+    made = bsp_make();
 }
 
 void test_a_sound_tree(void)
@@ -31,19 +31,19 @@ void test_a_sound_tree(void)
 
 void test_whose_it_is(void)
 {
-    made->tiny->scene.bsp_instance = TINY_OBJECTS;
+    made->tiny->scene.bsp_instance = TINY_INSTANCES;
     expect(FXL_E_INDEX, "BSP tree", 0);
     made->tiny->scene.bsp_instance = 0; /* its model is convex */
     expect(FXL_E_RESERVED, "BSP tree", 0);
-    made->tiny->objects[2].model = 1;
+    made->tiny->instances[2].model = 1;
     expect(FXL_E_BSP, "instance", 2);
     made->tiny->models[0].kind = FXL_MODEL_SORTED;
     made->tiny->scene.face_bounds = NULL;
     expect(FXL_E_BSP, "instance", 0);
     made->tiny->models[0].kind = FXL_MODEL_SORTED; /* on another layer it may be */
     made->tiny->scene.face_bounds = NULL;
-    made->tiny->objects[0].layer = 1;
-    made->tiny->objects[2].layer = 2;
+    made->tiny->instances[0].layer = 1;
+    made->tiny->instances[2].layer = 2;
     expect(FXL_OK, NULL, 0);
 }
 
@@ -172,13 +172,13 @@ void test_depth(void)
     static fxl_bsp_node chain[FXL_BSP_DEPTH_MAX + 2];
     for (uint32_t count = FXL_BSP_DEPTH_MAX + 1; count <= FXL_BSP_DEPTH_MAX + 2; count++) {
         for (uint32_t i = 0; i < count; i++) {
-            uint32_t own = i < TREE_NODES ? i : TREE_NODES - 1;
+            uint32_t own = i < BSP_NODES ? i : BSP_NODES - 1;
             chain[i] = made->nodes[own];
             chain[i].parent = (uint16_t)(i == 0 ? FXL_BSP_NONE : i - 1);
             chain[i].front = FXL_BSP_NONE;
             chain[i].back = (uint16_t)(i + 1 < count ? i + 1 : FXL_BSP_NONE);
-            if (i >= TREE_NODES) {
-                chain[i].first_face = TREE_NODES;
+            if (i >= BSP_NODES) {
+                chain[i].first_face = BSP_NODES;
                 chain[i].face_count = 0;
             }
         }

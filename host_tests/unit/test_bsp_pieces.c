@@ -17,8 +17,8 @@ typedef struct {
 
 static edge edges[EDGES];
 static uint32_t edge_count, piece_count;
-static uint64_t room[64], pieces[PIECES / 8];
-static fxl_order_entry order[TINY_OBJECTS + 6];
+static uint64_t workspace[64], pieces[PIECES / 8];
+static fxl_order_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static uint32_t list[LIST]; /* holds all: each piece comes once */
 
@@ -44,17 +44,17 @@ static void add_edge(const fxl_point *from, const fxl_point *to)
 }
 
 /* A clipper that looks at pieces: they have vertices of their own, not the scene's. */
-static fxl_clip_result take_edges(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result take_edges(const fxl_model_view *model_view, const fxl_face *face,
                                   fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     const fxl_point *scene = renderer.scene->vertices;
-    if (placed->vertices != scene && placed->vertices != scene + 8) {
+    if (model_view->vertices != scene && model_view->vertices != scene + 8) {
         for (uint32_t i = 0; i < face->count; i++) {
-            add_edge(&placed->vertices[i], &placed->vertices[(i + 1u) % face->count]);
+            add_edge(&model_view->vertices[i], &model_view->vertices[(i + 1u) % face->count]);
         }
         piece_count++;
     }
-    return fxl_clipper_view.clip(placed, face, work, screen);
+    return fxl_clipper_view.clip(model_view, face, work, screen);
 }
 
 /* How many edges there are on the way round from the first. */
@@ -84,7 +84,7 @@ static fxl_q16_16 along(fxl_q2_30 right, fxl_q2_30 up, fxl_q2_30 forward, const 
 /* A cube turned any way, through the tree's. */
 static bsp_scene *make_scene(void)
 {
-    bsp_scene *made = tree_make();
+    bsp_scene *made = bsp_make();
     const fxl_pose pose = {{0, 0, 0}, unit_random(), unit_random(), unit_random()};
     fxl_camera tilted;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
@@ -101,10 +101,10 @@ static bsp_scene *make_scene(void)
         made->tiny->faces[i].normal =
             (fxl_direction){axes[i / 2]->x * sign, axes[i / 2]->y * sign, axes[i / 2]->z * sign};
     }
-    made->tiny->objects[0].centre =
+    made->tiny->instances[0].centre =
         (fxl_point){unit_between(-Q16(1.5), Q16(1.5)), unit_between(-Q16(1.5), Q16(1.5)),
                     unit_between(Q16(8.5), Q16(11.5))};
-    made->tiny->objects[2].centre = (fxl_point){0, 0, -Q16(100)};
+    made->tiny->instances[2].centre = (fxl_point){0, 0, -Q16(100)};
     return made;
 }
 
@@ -112,7 +112,7 @@ void test_pieces_share_every_vertex(void)
 {
     static const fxl_clipper watching = {.clip = take_edges};
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order, TINY_OBJECTS + 6, list, LIST, NULL, 0};
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, list, LIST, NULL, 0};
     uint32_t cut = 0;
     for (uint32_t round = 0; round < UNIT_REPEAT / 50; round++) {
         const fxl_pose pose = {
@@ -123,8 +123,8 @@ void test_pieces_share_every_vertex(void)
         fxl_scene *scene = &make_scene()->tiny->scene;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, sizeof room));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
+                                                              workspace, sizeof workspace));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &watching, NULL, 0));
         fxl_bsp_workspace *tree = renderer.submit_workspace;
         tree->pieces = pieces;

@@ -4,11 +4,11 @@
 #include "clip_shapes.h"
 
 static struct {
-    fxl_clip_once_workspace room;
+    fxl_clip_once_workspace workspace;
     uint8_t guard[64];
 } guarded;
-static fxl_clip_once_workspace *const room = &guarded.room;
-static fxl_clip_workspace other_room;
+static fxl_clip_once_workspace *const workspace = &guarded.workspace;
+static fxl_clip_workspace other_workspace;
 
 /* Of intersections: not looked at. */
 #define ANY UINT32_MAX
@@ -29,8 +29,8 @@ static fxl_normalised square(void)
 static fxl_clip_result clip(const fxl_varying_polygon *polygon, const fxl_varying_polygon **result)
 {
     fxl_normalised frustum = square();
-    room->stats = (fxl_clip_stats){0, 0, 0};
-    return fxl_clip_once(polygon, &frustum, room, result);
+    workspace->stats = (fxl_clip_stats){0, 0, 0};
+    return fxl_clip_once(polygon, &frustum, workspace, result);
 }
 
 /* The vertices in their order, from whichever on, to within rounding. */
@@ -54,7 +54,7 @@ static void expect_shape(const fxl_varying_polygon *polygon, const fxl_varying_p
         found = found || same;
     }
     TEST_ASSERT_TRUE_MESSAGE(found, "other vertices");
-    TEST_ASSERT_TRUE(intersections == ANY || intersections == room->stats.intersections);
+    TEST_ASSERT_TRUE(intersections == ANY || intersections == workspace->stats.intersections);
 }
 
 /* Not inlined, so that its two polygons leave the stack again. */
@@ -165,16 +165,16 @@ void test_a_sliver_is_refused_where_asked(void)
     const fxl_varying_polygon *result;
     fxl_normalised frustum = square();
     fxl_varying_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room->stats = (fxl_clip_stats){0, 0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
-    room->stats.sliver = V(2);
-    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, room, &result));
+    workspace->stats = (fxl_clip_stats){0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, workspace, &result));
+    workspace->stats.sliver = V(2);
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_once(&polygon, &frustum, workspace, &result));
     /* A vertex barely inside stands for the crossing before it. */
     polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
-    room->stats = (fxl_clip_stats){V(2), 0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, room, &result));
+    workspace->stats = (fxl_clip_stats){V(2), 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_once(&polygon, &frustum, workspace, &result));
     TEST_ASSERT_EQUAL(4, result->count);
-    TEST_ASSERT_EQUAL(1, room->stats.intersections);
+    TEST_ASSERT_EQUAL(1, workspace->stats.intersections);
 }
 
 /* Outlines of every kind, also such as no face has: nothing beyond the capacity. */
@@ -190,8 +190,8 @@ void test_the_capacity_is_never_overrun(void)
             polygon.vertices[k].position =
                 (fxl_view_point){unit_wide(61), unit_wide(61), unit_wide(61)};
         }
-        guarded.room.stats = (fxl_clip_stats){i % 3 == 0 ? V(1) : 0, 0, 0};
-        fxl_clip_result cut = fxl_clip_once(&polygon, &frustum, &guarded.room, &result);
+        guarded.workspace.stats = (fxl_clip_stats){i % 3 == 0 ? V(1) : 0, 0, 0};
+        fxl_clip_result cut = fxl_clip_once(&polygon, &frustum, &guarded.workspace, &result);
         refused += cut == FXL_CLIP_CAPACITY;
         TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT || cut == FXL_CLIP_INSIDE, result != NULL);
     }
@@ -224,15 +224,16 @@ void test_it_agrees_with_plane_by_plane(void)
     for (int i = 0; i < UNIT_REPEAT / 5; i++) {
         const fxl_varying_polygon *once, *each;
         fxl_varying_polygon polygon = clip_random_shape((unsigned)unit_between(50, 61));
-        room->stats = other_room.stats = (fxl_clip_stats){0, 0, 0};
-        fxl_clip_result a = fxl_clip_once(&polygon, &frustum, room, &once);
-        fxl_clip_result b = fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
+        workspace->stats = other_workspace.stats = (fxl_clip_stats){0, 0, 0};
+        fxl_clip_result a = fxl_clip_once(&polygon, &frustum, workspace, &once);
+        fxl_clip_result b = fxl_clip_normalised(&polygon, &frustum, &other_workspace, &each);
         double one = once ? twice_area(&frustum, once) : 0;
         double two = each ? twice_area(&frustum, each) : 0;
         TEST_ASSERT_TRUE(a == b || (one == 0 && two == 0));
         unlike += !unit_near(one, two, 4 * 65536.0 * 256);
         cuts += a == FXL_CLIP_CUT;
-        more += a == FXL_CLIP_CUT && room->stats.intersections > other_room.stats.intersections;
+        more += a == FXL_CLIP_CUT &&
+                workspace->stats.intersections > other_workspace.stats.intersections;
     }
     TEST_ASSERT_TRUE(cuts > UNIT_REPEAT / 50);
     TEST_ASSERT_TRUE(unlike * 1000 < cuts);
@@ -258,9 +259,9 @@ void test_edges_that_pass_corners_closely(void)
             at->z = z + unit_between(-2, 2);
         }
         const fxl_varying_polygon *once, *each;
-        room->stats = other_room.stats = (fxl_clip_stats){0, 0, 0};
-        fxl_clip_once(&polygon, &frustum, room, &once);
-        fxl_clip_normalised(&polygon, &frustum, &other_room, &each);
+        workspace->stats = other_workspace.stats = (fxl_clip_stats){0, 0, 0};
+        fxl_clip_once(&polygon, &frustum, workspace, &once);
+        fxl_clip_normalised(&polygon, &frustum, &other_workspace, &each);
         double one = once ? twice_area(&frustum, once) : 0;
         double two = each ? twice_area(&frustum, each) : 0;
         TEST_ASSERT_TRUE(unit_near(one, two, 4 * 65536.0 * 256));

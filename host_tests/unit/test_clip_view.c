@@ -13,7 +13,7 @@ static fxl_clip_view_work work;
 static struct {
     fxl_view_polygon out;
     uint8_t guard[64];
-} room;
+} workspace;
 
 /* Six planes through the eye: inside is x >= 0, x <= 0, y >= 0, y <= 0, z >= 0,
  * z <= 0. */
@@ -59,10 +59,10 @@ static void expect_untouched(fxl_clip_result result, const int *numbers, size_t 
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count);
-        memset(&room.out, 0x5A, sizeof room.out);
-        TEST_ASSERT_EQUAL(result,
-                          fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
-        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &room.out, sizeof room.out);
+        memset(&workspace.out, 0x5A, sizeof workspace.out);
+        TEST_ASSERT_EQUAL(
+            result, fxl_clip_view_to_plane(&polygon, &walls, plane, &workspace.out, distances));
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &workspace.out, sizeof workspace.out);
     }
 }
 
@@ -93,10 +93,10 @@ static void expect_cut(const int *wanted, size_t wanted_count, const int *number
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count);
-        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
-                          fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_view_to_plane(&polygon, &walls, plane,
+                                                               &workspace.out, distances));
         polygon = flat(plane, wanted, (uint8_t)wanted_count);
-        expect_same(&polygon, &room.out);
+        expect_same(&polygon, &workspace.out);
     }
 }
 
@@ -104,8 +104,8 @@ static void expect_degenerate(const int *numbers, size_t count)
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count);
-        TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE,
-                          fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
+        TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, fxl_clip_view_to_plane(&polygon, &walls, plane,
+                                                                      &workspace.out, distances));
     }
 }
 
@@ -155,13 +155,13 @@ void test_a_crossing_is_at_its_fraction_of_the_edge(void)
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         fxl_view_polygon polygon = flat(plane, NUMBERS(-3, 0, 1, 8, 1, 16, -3, 16));
-        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
-                          fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_view_to_plane(&polygon, &walls, plane,
+                                                               &workspace.out, distances));
         fxl_view_vertex expected = {at_wall(plane, 0, V(6))};
-        TEST_ASSERT_EQUAL(4, room.out.count);
-        TEST_ASSERT_TRUE(same_vertex(&expected, &room.out.vertices[0]));
+        TEST_ASSERT_EQUAL(4, workspace.out.count);
+        TEST_ASSERT_TRUE(same_vertex(&expected, &workspace.out.vertices[0]));
         expected = (fxl_view_vertex){at_wall(plane, 0, V(16))};
-        TEST_ASSERT_TRUE(same_vertex(&expected, &room.out.vertices[3]));
+        TEST_ASSERT_TRUE(same_vertex(&expected, &workspace.out.vertices[3]));
     }
 }
 
@@ -175,20 +175,21 @@ void test_one_unit_outside_is_cut_off(void)
         polygon.vertices[0].position = at_wall(plane, -1, 100);
         polygon.vertices[1].position = at_wall(plane, end, 100);
         polygon.vertices[2].position = at_wall(plane, end, 90);
-        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
-                          fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
-        TEST_ASSERT_EQUAL(4, room.out.count);
-        TEST_ASSERT_TRUE(fxl_view_distance(&walls, plane, &room.out.vertices[0].position) <= 1);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_view_to_plane(&polygon, &walls, plane,
+                                                               &workspace.out, distances));
+        TEST_ASSERT_EQUAL(4, workspace.out.count);
+        TEST_ASSERT_TRUE(fxl_view_distance(&walls, plane, &workspace.out.vertices[0].position) <=
+                         1);
         polygon.vertices[0].position = at_wall(plane, 0, 100);
-        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
-                          fxl_clip_view_to_plane(&polygon, &walls, plane, &room.out, distances));
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_view_to_plane(&polygon, &walls, plane,
+                                                                  &workspace.out, distances));
     }
 }
 
 /* Teeth that stand out of the wall: each adds two vertices and takes one. */
 void test_more_than_the_capacity_is_refused(void)
 {
-    memset(room.guard, 0x5A, sizeof room.guard);
+    memset(workspace.guard, 0x5A, sizeof workspace.guard);
     for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count = (uint8_t)(count + 2)) {
         fxl_view_polygon polygon = {.colour = 1, .count = count};
         for (int i = 0; i < count; i++) {
@@ -196,15 +197,15 @@ void test_more_than_the_capacity_is_refused(void)
         }
         int left = count / 2 + count;
         fxl_clip_result result =
-            fxl_clip_view_to_plane(&polygon, &walls, FXL_PLANE_LEFT, &room.out, distances);
+            fxl_clip_view_to_plane(&polygon, &walls, FXL_PLANE_LEFT, &workspace.out, distances);
         if (left > FXL_POLYGON_CAPACITY) {
             TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, result);
         } else {
             TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
-            TEST_ASSERT_EQUAL(left, room.out.count);
+            TEST_ASSERT_EQUAL(left, workspace.out.count);
         }
     }
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room.guard, sizeof room.guard);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, workspace.guard, sizeof workspace.guard);
 }
 
 /* 90 degrees both ways, near 1/16, far 1000. */

@@ -262,8 +262,8 @@ static void expect_on_screen(const fxl_lens *lens, const fxl_view_frustum *frust
 static fxl_q16_16 opposite_in_range(fxl_q16_16 eye)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;
-    fxl_q16_16 room = end - (eye < 0 ? -eye : eye);
-    return room > 9 ? eye + unit_between(9 - room, room - 9) : eye;
+    fxl_q16_16 workspace = end - (eye < 0 ? -eye : eye);
+    return workspace > 9 ? eye + unit_between(9 - workspace, workspace - 9) : eye;
 }
 
 static fxl_q16_16 within_range(fxl_q16_16 value)

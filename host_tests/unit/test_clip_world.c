@@ -138,20 +138,21 @@ void test_more_than_the_capacity_is_refused(void)
     static struct {
         fxl_polygon out;
         uint8_t guard[64];
-    } room;
-    memset(room.guard, 0x5A, sizeof room.guard);
+    } workspace;
+    memset(workspace.guard, 0x5A, sizeof workspace.guard);
     for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count = (uint8_t)(count + 2)) {
         fxl_polygon polygon = zigzag(count);
         int left = count / 2 + count;
-        fxl_clip_result result = fxl_clip_world_to_plane(&polygon, &wall, &room.out, distances);
+        fxl_clip_result result =
+            fxl_clip_world_to_plane(&polygon, &wall, &workspace.out, distances);
         if (left > FXL_POLYGON_CAPACITY) {
             TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, result);
         } else {
             TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
-            TEST_ASSERT_EQUAL(left, room.out.count);
+            TEST_ASSERT_EQUAL(left, workspace.out.count);
         }
     }
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room.guard, sizeof room.guard);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, workspace.guard, sizeof workspace.guard);
 }
 
 static fxl_plane random_plane(fxl_q16_16 limit)

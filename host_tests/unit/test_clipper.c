@@ -47,10 +47,10 @@ static fxl_polygon random_triangle(const fxl_view *view)
 }
 
 /* A face between the centres of pixels is inside. */
-static fxl_clip_result clip_by_view(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    fxl_clip_result result = fxl_clip_by_view(placed, face, work, screen);
+    fxl_clip_result result = fxl_clip_by_view(model_view, face, work, screen);
     return result == FXL_CLIP_BETWEEN ? FXL_CLIP_INSIDE : result;
 }
 
@@ -83,7 +83,7 @@ void test_a_polygon_inside_is_projected_by_both(void)
             fxl_screen_polygon screen;
             polygon_face_set(&face, &polygon, &view, (uint32_t)unit_between(1, 8));
             fxl_clip_result outcome =
-                clippers[which]->clip(&face.placed, &face.face, &work, &screen);
+                clippers[which]->clip(&face.model_view, &face.face, &work, &screen);
             if (outcome == FXL_CLIP_INSIDE) {
                 expect_projected(&view, &polygon, &screen);
                 inside++;
@@ -128,7 +128,7 @@ void test_planes_that_are_not_needed_change_nothing(void)
         fxl_polygon polygon = random_triangle(&view);
         fxl_screen_polygon needed, all;
         polygon_face_set(&face, &polygon, &view, 1);
-        fxl_clip_result outcome = clip_by_view(&face.placed, &face.face, &work, &needed);
+        fxl_clip_result outcome = clip_by_view(&face.model_view, &face.face, &work, &needed);
         fxl_clip_result expected = clip_to_all(&view, &polygon, &all);
         TEST_ASSERT_EQUAL(is_kept(expected), is_kept(outcome));
         if (is_kept(outcome)) {
@@ -160,10 +160,10 @@ void test_planes_left_out_do_not_cut(void)
     }
     fxl_screen_polygon screen;
     polygon_face_set(&face, &polygon, &view, 4);
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip_by_view(&face.placed, &face.face, &work, &screen));
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip_by_view(&face.model_view, &face.face, &work, &screen));
     polygon_face_set(&face, &polygon, &view, 4);
-    face.placed.planes = FXL_PLANES_ALL & (fxl_planes) ~(1u << FXL_PLANE_RIGHT);
-    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_by_view(&face.placed, &face.face, &work, &screen));
+    face.model_view.planes = FXL_PLANES_ALL & (fxl_planes) ~(1u << FXL_PLANE_RIGHT);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_by_view(&face.model_view, &face.face, &work, &screen));
     expect_projected(&view, &polygon, &screen);
 }
 
@@ -214,7 +214,7 @@ void test_a_face_between_centres_has_no_pixels(void)
         }
         fxl_screen_polygon screen;
         polygon_face_set(&face, &polygon, &view, 8);
-        fxl_clip_result result = fxl_clip_by_view(&face.placed, &face.face, &work, &screen);
+        fxl_clip_result result = fxl_clip_by_view(&face.model_view, &face.face, &work, &screen);
         if (result == FXL_CLIP_BETWEEN || result == FXL_CLIP_INSIDE) {
             expect_projected(&view, &polygon, &screen);
             /* What reaches no row, any clipper may leave to the list. */
@@ -272,13 +272,13 @@ static fxl_pose random_pose(void)
 static uint32_t asked;
 static const fxl_clip_result *answer; /* null: what fxl_clip_by_view says */
 
-static fxl_clip_result recording_clipper(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result recording_clipper(const fxl_model_view *model_view, const fxl_face *face,
                                          fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     asked++;
-    TEST_ASSERT_EQUAL(WIDTH, placed->view->lens.width);
+    TEST_ASSERT_EQUAL(WIDTH, model_view->view->lens.width);
     TEST_ASSERT_TRUE(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
-    return answer ? *answer : clip_by_view(placed, face, work, screen);
+    return answer ? *answer : clip_by_view(model_view, face, work, screen);
 }
 
 static const fxl_clipper recording = {.clip = recording_clipper};

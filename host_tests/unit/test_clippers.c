@@ -16,7 +16,7 @@ enum {
 
 /* Room and what must not be touched behind it. */
 static struct {
-    fxl_clipper_workspace room;
+    fxl_clipper_workspace workspace;
     uint8_t guard[GUARD];
 } guarded;
 
@@ -78,15 +78,16 @@ static int take(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view
     static fxl_clipper_work work;
     static polygon_face face;
     int count = 0;
-    view->clipper_workspace = &guarded.room;
+    view->clipper_workspace = &guarded.workspace;
     memset(view->clipper_workspace, 0, clipper->workspace_size);
     polygon_face_set(&face, polygon, view, (uint32_t)unit_between(1, 8));
-    *result = clipper->clip(&face.placed, &face.face, &work, &got[0]);
+    *result = clipper->clip(&face.model_view, &face.face, &work, &got[0]);
     fxl_clip_result now = *result;
     while (is_kept(now)) {
         count++;
         fxl_screen_polygon *screen = &got[count < PIECES ? count : PIECES - 1];
-        now = clipper->next != NULL ? clipper->next(&face.placed, &work, screen) : FXL_CLIP_OUTSIDE;
+        now = clipper->next != NULL ? clipper->next(&face.model_view, &work, screen)
+                                    : FXL_CLIP_OUTSIDE;
     }
     return count;
 }
@@ -114,7 +115,7 @@ void test_a_polygon_inside_is_projected(void)
         fxl_view view = random_view();
         fxl_polygon polygon = random_face(&view);
         polygon_face_set(&face, &polygon, &view, 8);
-        fxl_clip_result wanted = fxl_clip_by_view(&face.placed, &face.face, &work, &expected);
+        fxl_clip_result wanted = fxl_clip_by_view(&face.model_view, &face.face, &work, &expected);
         if (wanted != FXL_CLIP_INSIDE && wanted != FXL_CLIP_BETWEEN) {
             continue;
         }
@@ -150,7 +151,7 @@ void test_half_spaces_cut_as_the_view_does(void)
         fxl_polygon polygon = random_face(&view);
         fxl_clip_result result;
         polygon_face_set(&face, &polygon, &view, 8);
-        fxl_clip_result wanted = fxl_clip_by_view(&face.placed, &face.face, &work, &expected);
+        fxl_clip_result wanted = fxl_clip_by_view(&face.model_view, &face.face, &work, &expected);
         take(&fxl_clipper_half_spaces, &polygon, &view, &result);
         TEST_ASSERT_EQUAL(wanted == FXL_CLIP_BETWEEN ? FXL_CLIP_INSIDE : wanted, result);
         if (is_kept(result)) {
@@ -178,7 +179,7 @@ void test_triangles_add_up(void)
         fxl_polygon polygon = random_face(&view);
         fxl_clip_result result;
         polygon_face_set(&face, &polygon, &view, 8);
-        fxl_clip_result wanted = fxl_clip_by_view(&face.placed, &face.face, &work, &expected);
+        fxl_clip_result wanted = fxl_clip_by_view(&face.model_view, &face.face, &work, &expected);
         int count = take(&fxl_clipper_triangles, &polygon, &view, &result);
         int64_t area = 0;
         TEST_ASSERT_TRUE(count <= PIECES);
@@ -285,13 +286,13 @@ void test_the_sliver_rule_is_an_option(void)
     polygon.vertices[2].position = at(&view, Q16(-0.01), Q16(-0.01), near - Q16(0.5));
     for (int which = 0; which < CLIPPERS; which++) {
         for (int on = 0; on < 2; on++) {
-            fxl_clip_stats *account = &guarded.room.stats;
-            memset(&guarded.room, 0, clippers[which]->workspace_size);
+            fxl_clip_stats *account = &guarded.workspace.stats;
+            memset(&guarded.workspace, 0, clippers[which]->workspace_size);
             account->sliver = on ? (fxl_q18_46)1 << 40 : 0; /* 1/64 unit */
-            view.clipper_workspace = &guarded.room;
+            view.clipper_workspace = &guarded.workspace;
             polygon_face_set(&face, &polygon, &view, 4);
             fxl_clip_result result =
-                clippers[which]->clip(&face.placed, &face.face, &work, &screen);
+                clippers[which]->clip(&face.model_view, &face.face, &work, &screen);
             TEST_ASSERT_EQUAL(!on, is_kept(result));
             TEST_ASSERT_EQUAL_UINT32(on ? 0 : 2, account->intersections);
         }
@@ -315,7 +316,7 @@ void test_all_count_what_they_work_out(void)
     for (int which = 0; which < 2; which++) {
         polygon_face_set(&face, &polygon, &view, 4);
         fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(
-            &face.placed, &face.face, &work, &screen);
+            &face.model_view, &face.face, &work, &screen);
         TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
         TEST_ASSERT_TRUE(account.intersections >= 2 && account.distances >= 3);
         account = (fxl_clip_stats){0, 0, 0};

@@ -16,7 +16,7 @@ void test_three_faces_of_a_cube_are_seen(void)
     int seen = 0;
     for (int f = 0; f < 6; f++) {
         const fxl_face *face = &tiny->faces[f];
-        bool front = fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye);
+        bool front = fxl_face_is_front(&tiny->scene, &tiny->instances[0], face, &eye);
         TEST_ASSERT_EQUAL(face->normal.x + face->normal.y + face->normal.z > 0, front);
         seen += front;
     }
@@ -34,9 +34,10 @@ void test_edge_on_is_not_seen(void)
         }
         eye.x = Q16(1);
         TEST_ASSERT_FALSE(
-            fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
+            fxl_face_is_front(&tiny->scene, &tiny->instances[0], &tiny->faces[f], &eye));
         eye.x = Q16(1) + 1;
-        TEST_ASSERT_TRUE(fxl_face_is_front(&tiny->scene, &tiny->objects[0], &tiny->faces[f], &eye));
+        TEST_ASSERT_TRUE(
+            fxl_face_is_front(&tiny->scene, &tiny->instances[0], &tiny->faces[f], &eye));
     }
 }
 
@@ -49,7 +50,8 @@ void test_the_least_bit_decides(void)
     face->normal.y = 1;
     for (int32_t side = -1; side <= 1; side++) {
         fxl_point eye = {first->x, first->y + side, first->z};
-        TEST_ASSERT_EQUAL(side > 0, fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
+        TEST_ASSERT_EQUAL(side > 0,
+                          fxl_face_is_front(&tiny->scene, &tiny->instances[0], face, &eye));
     }
 }
 
@@ -60,24 +62,24 @@ void test_facing_is_exact_everywhere(void)
         fxl_face *face = &tiny->faces[0];
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
         face->normal = unit_direction();
-        tiny->objects[0].centre = unit_point(FXL_COORDINATE_MAX - Q16(1));
+        tiny->instances[0].centre = unit_point(FXL_COORDINATE_MAX - Q16(1));
         fxl_point first = tiny->vertices[tiny->corners[face->first_index]];
-        first.x += tiny->objects[0].centre.x;
-        first.y += tiny->objects[0].centre.y;
-        first.z += tiny->objects[0].centre.z;
+        first.x += tiny->instances[0].centre.x;
+        first.y += tiny->instances[0].centre.y;
+        first.z += tiny->instances[0].centre.z;
         if (i % 4 == 0) {
             eye = (fxl_point){first.x, first.y, first.z};
             eye.y += unit_between(-1, 1);
         }
         TEST_ASSERT_EQUAL(side_of(face, &first, &eye) > 0,
-                          fxl_face_is_front(&tiny->scene, &tiny->objects[0], face, &eye));
+                          fxl_face_is_front(&tiny->scene, &tiny->instances[0], face, &eye));
         fxl_view view = {.camera.position = eye};
         fxl_vertex_cache cache = {0};
-        fxl_model_view placed;
-        fxl_model_view_of_instance(&placed, &tiny->scene, &tiny->objects[0], FXL_PLANES_ALL, &view,
-                                   &cache);
+        fxl_model_view model_view;
+        fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], FXL_PLANES_ALL,
+                                   &view, &cache);
         TEST_ASSERT_EQUAL(side_of(face, &first, &eye) > 0,
-                          fxl_model_view_face_is_front(&placed, face));
+                          fxl_model_view_face_is_front(&model_view, face));
     }
 }
 
@@ -86,14 +88,14 @@ void test_a_face_becomes_a_polygon_of_the_world(void)
     tiny_scene *tiny = tiny_make();
     fxl_polygon polygon;
     memset(&polygon, 0x5A, sizeof polygon);
-    tiny->objects[0].centre = (fxl_point){Q16(100), Q16(-200), Q16(300)};
+    tiny->instances[0].centre = (fxl_point){Q16(100), Q16(-200), Q16(300)};
     const fxl_face *face = &tiny->faces[4];
     fxl_view view = {.camera.position = {Q16(7), Q16(-8), Q16(9)}};
     fxl_vertex_cache cache = {0};
-    fxl_model_view placed;
-    fxl_model_view_of_instance(&placed, &tiny->scene, &tiny->objects[0], FXL_PLANES_ALL, &view,
-                               &cache);
-    fxl_face_to_polygon(&placed, face, &polygon);
+    fxl_model_view model_view;
+    fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], FXL_PLANES_ALL,
+                               &view, &cache);
+    fxl_face_to_polygon(&model_view, face, &polygon);
     TEST_ASSERT_EQUAL(face->colour, polygon.colour);
     TEST_ASSERT_EQUAL(4, polygon.count);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &polygon.vertices[4], sizeof polygon.vertices[4]);

@@ -4,7 +4,7 @@
 #include "clip_shapes.h"
 #include "wide.h"
 
-static fxl_clip_workspace room;
+static fxl_clip_workspace workspace;
 
 /* The window from -2 to -1 and from 1 to 3 at depth 1: all of it up and to the
  * left; far at 100. */
@@ -131,26 +131,26 @@ void test_polygons(void)
     fxl_volume volume = aside();
     const fxl_varying_polygon *result;
     fxl_varying_polygon inside = SHAPE(-12, 12, 10, -12, 28, 10, -18, 28, 10);
-    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_to_volume(&inside, &volume, &room, &result));
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_to_volume(&inside, &volume, &workspace, &result));
     TEST_ASSERT_EQUAL_PTR(&inside, result);
     fxl_varying_polygon outside = SHAPE(0, 12, 10, 0, 28, 10, -9, 28, 10);
-    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_to_volume(&outside, &volume, &room, &result));
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_to_volume(&outside, &volume, &workspace, &result));
     TEST_ASSERT_NULL(result);
     /* The left half hangs out. */
     fxl_varying_polygon half = SHAPE(-16, 12, 10, -24, 12, 10, -24, 28, 10, -16, 28, 10);
     fxl_varying_polygon expected = SHAPE(-16, 12, 10, -20, 12, 10, -20, 28, 10, -16, 28, 10);
     expected.vertices[1].carried[1] = Q16(0.5);
     expected.vertices[2].carried[1] = Q16(2.5);
-    room.stats = (fxl_clip_stats){0, 0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &room, &result));
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &workspace, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
-    TEST_ASSERT_EQUAL(2, room.stats.intersections);
+    TEST_ASSERT_EQUAL(2, workspace.stats.intersections);
 }
 
 /* One half-space: early outs that write nothing, and the input may be any. */
 void test_one_half_space(void)
 {
-    fxl_varying_polygon *const out = &room.polygons[0], *const before = &room.polygons[1];
+    fxl_varying_polygon *const out = &workspace.polygons[0], *const before = &workspace.polygons[1];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
     fxl_clip_stats account = {0, 0, 0};
     fxl_half_space slanted = {{FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 4}, V(-1)};
@@ -185,10 +185,10 @@ void test_the_guard_band_keeps_the_screen_in_range(void)
                              &volume);
         fxl_varying_polygon polygon = clip_random_shape(61);
         polygon.vertices[0].position.z = volume.planes[FXL_PLANE_NEAR].offset * -1;
-        room.stats = (fxl_clip_stats){0, 0, 0};
+        workspace.stats = (fxl_clip_stats){0, 0, 0};
         fxl_screen_point screen;
         beyond += fxl_project_point(&lens, &polygon.vertices[0].position, &screen) != FXL_OK;
-        if (fxl_clip_to_volume(&polygon, &volume, &room, &result) == FXL_CLIP_CUT) {
+        if (fxl_clip_to_volume(&polygon, &volume, &workspace, &result) == FXL_CLIP_CUT) {
             cut_count++;
             for (int k = 0; k < result->count; k++) {
                 TEST_ASSERT_EQUAL(FXL_OK,
@@ -211,7 +211,7 @@ void test_planes_of_the_world(void)
     int cuts = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         static fxl_polygon polygon, other;
-        fxl_varying_polygon *const in = &room.polygons[0], *const out = &room.polygons[1];
+        fxl_varying_polygon *const in = &workspace.polygons[0], *const out = &workspace.polygons[1];
         fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
         fxl_clip_stats account = {0, 0, 0};
         fxl_direction normal = unit_direction();

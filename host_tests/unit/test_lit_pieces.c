@@ -13,7 +13,7 @@ enum {
 static fxl_point corners[CORNERS];
 static uint16_t nexts[CORNERS];
 static fxl_lit_piece table[PIECES];
-static fxl_lit_pieces room = {corners, nexts, table, CORNERS, PIECES, 0, 0};
+static fxl_lit_pieces workspace = {corners, nexts, table, CORNERS, PIECES, 0, 0};
 
 /* Directed edges of which no other goes the other way. */
 static struct {
@@ -48,11 +48,11 @@ static uint32_t add_face(const fxl_beam *beams, uint32_t beam_count, const fxl_p
 {
     const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
     uint32_t solid = 0;
-    TEST_ASSERT_TRUE(fxl_lit_split(&room, beams, beam_count, &normal, points, count));
-    for (uint32_t i = 0; i < room.piece_count; i++) {
+    TEST_ASSERT_TRUE(fxl_lit_split(&workspace, beams, beam_count, &normal, points, count));
+    for (uint32_t i = 0; i < workspace.piece_count; i++) {
         fxl_point outline[FXL_POLYGON_CAPACITY];
-        TEST_ASSERT_TRUE(fxl_lit_outline(&room, &room.pieces[i], outline));
-        for (uint32_t k = 0, n = room.pieces[i].count; k < n; k++) {
+        TEST_ASSERT_TRUE(fxl_lit_outline(&workspace, &workspace.pieces[i], outline));
+        for (uint32_t k = 0, n = workspace.pieces[i].count; k < n; k++) {
             add_edge(&outline[k], &outline[(k + 1) % n]);
         }
         solid++;
@@ -104,8 +104,8 @@ static fxl_point at(int x, int y)
 static uint32_t lit_count(void)
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < room.piece_count; i++) {
-        count += room.pieces[i].is_lit;
+    for (uint32_t i = 0; i < workspace.piece_count; i++) {
+        count += workspace.pieces[i].is_lit;
     }
     return count;
 }

@@ -16,8 +16,8 @@ static fxl_vertex_cache cache;
 static const fxl_model models[] = {
     {.first_vertex = 0, .vertex_count = VERTICES, .face_count = 1},
     {.first_vertex = VERTICES, .vertex_count = VERTICES, .face_count = 1}};
-static fxl_instance objects[] = {{{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 0, 0}};
-static const fxl_scene scene = {.vertices = vertices, .models = models, .instances = objects};
+static fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 0, 0}};
+static const fxl_scene scene = {.vertices = vertices, .models = models, .instances = instances};
 
 static void start(uint32_t count)
 {
@@ -27,30 +27,30 @@ static void start(uint32_t count)
     for (int i = 0; i < 2 * VERTICES; i++) {
         vertices[i] = unit_point(Q16(4000));
     }
-    objects[0].centre = unit_point(Q16(4000));
-    objects[1].centre = unit_point(Q16(4000));
+    instances[0].centre = unit_point(Q16(4000));
+    instances[1].centre = unit_point(Q16(4000));
     fxl_view_set_lens(&view, &lens);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
     fxl_vertex_cache_init(&cache, entries, count);
 }
 
-static fxl_model_view place(int object, fxl_planes planes)
+static fxl_model_view place(int instance, fxl_planes planes)
 {
-    fxl_model_view placed;
-    fxl_model_view_of_instance(&placed, &scene, &objects[object], planes, &view, &cache);
-    return placed;
+    fxl_model_view model_view;
+    fxl_model_view_of_instance(&model_view, &scene, &instances[instance], planes, &view, &cache);
+    return model_view;
 }
 
-static void expect_seen(const fxl_model_view *placed, int object, uint32_t number)
+static void expect_seen(const fxl_model_view *model_view, int instance, uint32_t number)
 {
-    const fxl_point *vertex = &vertices[models[object].first_vertex + number];
-    const fxl_point *centre = &objects[object].centre;
+    const fxl_point *vertex = &vertices[models[instance].first_vertex + number];
+    const fxl_point *centre = &instances[instance].centre;
     fxl_point point = {vertex->x + centre->x, vertex->y + centre->y, vertex->z + centre->z};
     fxl_view_point expected;
     fxl_transform_point(&view.camera, &point, &expected);
-    fxl_cached_vertex *seen = fxl_fetch_vertex(placed, number);
+    fxl_cached_vertex *seen = fxl_fetch_vertex(model_view, number);
     TEST_ASSERT_EQUAL_MEMORY(&expected, &seen->position, sizeof expected);
-    TEST_ASSERT_EQUAL_HEX8(fxl_outcode(&view.view_frustum, placed->planes, &expected),
+    TEST_ASSERT_EQUAL_HEX8(fxl_outcode(&view.view_frustum, model_view->planes, &expected),
                            seen->clip_flags & ~FXL_VERTEX_UNPROJECTED);
     TEST_ASSERT_EQUAL_PTR(&entries[number & cache.mask], seen);
 }
@@ -60,10 +60,11 @@ void test_vertices_that_displace_each_other(void)
     for (uint32_t count = 1; count <= ENTRIES; count++) {
         start(count);
         for (int i = 0; i < UNIT_REPEAT / 100; i++) {
-            int object = i % 2;
-            fxl_model_view placed = place(object, (fxl_planes)(unit_random() & FXL_PLANES_ALL));
+            int instance = i % 2;
+            fxl_model_view model_view =
+                place(instance, (fxl_planes)(unit_random() & FXL_PLANES_ALL));
             for (int k = 0; k < 20; k++) {
-                expect_seen(&placed, object, unit_random() % VERTICES);
+                expect_seen(&model_view, instance, unit_random() % VERTICES);
             }
         }
         for (uint32_t i = count; i <= ENTRIES; i++) {
@@ -87,13 +88,13 @@ void test_the_largest_power_of_two_that_fits(void)
 void test_a_vertex_is_worked_out_when_it_is_asked_for(void)
 {
     start(ENTRIES);
-    fxl_model_view placed = place(0, FXL_PLANES_ALL);
+    fxl_model_view model_view = place(0, FXL_PLANES_ALL);
     fxl_cached_vertex before = entries[4];
-    fxl_fetch_vertex(&placed, 3)->position.x = 12345;
-    TEST_ASSERT_EQUAL_INT64(12345, fxl_fetch_vertex(&placed, 3)->position.x);
+    fxl_fetch_vertex(&model_view, 3)->position.x = 12345;
+    TEST_ASSERT_EQUAL_INT64(12345, fxl_fetch_vertex(&model_view, 3)->position.x);
     TEST_ASSERT_EQUAL_MEMORY(&before, &entries[4], sizeof before);
-    (void)fxl_fetch_vertex(&placed, 3 + ENTRIES);
-    expect_seen(&placed, 0, 3);
+    (void)fxl_fetch_vertex(&model_view, 3 + ENTRIES);
+    expect_seen(&model_view, 0, 3);
 }
 
 void test_what_was_seen_of_another_object_is_stale(void)
@@ -115,15 +116,15 @@ void test_what_was_seen_of_another_object_is_stale(void)
 void test_the_count_of_objects_begins_anew(void)
 {
     start(ENTRIES);
-    fxl_model_view placed = place(0, FXL_PLANES_ALL);
-    const uint32_t first_tag = placed.tag;
-    expect_seen(&placed, 0, 7);
+    fxl_model_view model_view = place(0, FXL_PLANES_ALL);
+    const uint32_t first_tag = model_view.tag;
+    expect_seen(&model_view, 0, 7);
     for (uint32_t i = 1; i < 65535; i++) {
-        placed = place(1, FXL_PLANES_ALL);
+        model_view = place(1, FXL_PLANES_ALL);
     }
-    placed = place(1, FXL_PLANES_ALL);
-    TEST_ASSERT_EQUAL_HEX32(first_tag, placed.tag);
-    expect_seen(&placed, 1, 7);
+    model_view = place(1, FXL_PLANES_ALL);
+    TEST_ASSERT_EQUAL_HEX32(first_tag, model_view.tag);
+    expect_seen(&model_view, 1, 7);
 }
 
 void test_a_cache_knows_nothing_of_another(void)
@@ -133,7 +134,7 @@ void test_a_cache_knows_nothing_of_another(void)
     start(ENTRIES);
     fxl_vertex_cache_init(&other, others, ENTRIES);
     fxl_model_view a = place(0, FXL_PLANES_ALL), b;
-    fxl_model_view_of_instance(&b, &scene, &objects[1], FXL_PLANES_ALL, &view, &other);
+    fxl_model_view_of_instance(&b, &scene, &instances[1], FXL_PLANES_ALL, &view, &other);
     TEST_ASSERT_EQUAL_HEX32(a.tag, b.tag);
     for (uint32_t i = 0; i < VERTICES; i++) {
         expect_seen(&a, 0, i);

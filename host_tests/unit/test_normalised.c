@@ -4,10 +4,10 @@
 
 /* One room for all tests: some boards have 16 KB. */
 static struct {
-    fxl_clip_workspace room;
+    fxl_clip_workspace workspace;
     uint8_t guard[64];
 } guarded;
-static fxl_clip_workspace *const room = &guarded.room;
+static fxl_clip_workspace *const workspace = &guarded.workspace;
 
 static fxl_camera straight(void)
 {
@@ -31,8 +31,8 @@ static fxl_normalised square(void)
 static fxl_clip_result clip(const fxl_varying_polygon *polygon, const fxl_varying_polygon **result)
 {
     fxl_normalised frustum = square();
-    room->stats = (fxl_clip_stats){0, 0, 0};
-    return fxl_clip_normalised(polygon, &frustum, room, result);
+    workspace->stats = (fxl_clip_stats){0, 0, 0};
+    return fxl_clip_normalised(polygon, &frustum, workspace, result);
 }
 
 void test_ninety_degrees_change_nothing(void)
@@ -137,7 +137,7 @@ void test_inside_is_the_input_itself(void)
     TEST_ASSERT_EQUAL_PTR(&polygon, result);
     polygon = SHAPE(-10, -10, 10, -10, 10, 10, 10, 10, 10, 10, -10, 10);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result)); /* on the planes */
-    TEST_ASSERT_EQUAL(0, room->stats.intersections);
+    TEST_ASSERT_EQUAL(0, workspace->stats.intersections);
 }
 
 void test_outside_one_plane_is_rejected_by_codes(void)
@@ -151,7 +151,7 @@ void test_outside_one_plane_is_rejected_by_codes(void)
         fxl_varying_polygon polygon = clip_shape(numbers[i], 3);
         TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&polygon, &result));
         TEST_ASSERT_NULL(result);
-        TEST_ASSERT_EQUAL(0, room->stats.intersections);
+        TEST_ASSERT_EQUAL(0, workspace->stats.intersections);
     }
 }
 
@@ -165,7 +165,7 @@ void test_a_square_is_halved(void)
     expected.vertices[3].carried[1] = Q16(1.5);
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
-    TEST_ASSERT_EQUAL(2, room->stats.intersections);
+    TEST_ASSERT_EQUAL(2, workspace->stats.intersections);
 }
 
 /* A wall about all of the screen becomes the screen. */
@@ -204,8 +204,8 @@ void test_the_capacity_is_never_overrun(void)
     int refused = 0;
     for (uint8_t count = 4; count <= FXL_POLYGON_CAPACITY; count++) {
         fxl_varying_polygon polygon = clip_saw(count, 50);
-        guarded.room.stats = (fxl_clip_stats){0, 0, 0};
-        fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, &guarded.room, &result);
+        guarded.workspace.stats = (fxl_clip_stats){0, 0, 0};
+        fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, &guarded.workspace, &result);
         TEST_ASSERT_EQUAL(cut == FXL_CLIP_CUT, result != NULL);
         refused += cut == FXL_CLIP_CAPACITY;
     }
@@ -220,12 +220,13 @@ void test_a_sliver_is_refused_where_asked(void)
     fxl_normalised frustum = square();
     /* Second vertex one unit inside of the right plane, between two outside. */
     fxl_varying_polygon polygon = SHAPE(20, 5, 10, 9, 0, 10, 20, -5, 10);
-    room->stats = (fxl_clip_stats){0, 0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
-    room->stats = (fxl_clip_stats){V(2), 0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_normalised(&polygon, &frustum, room, &result));
-    room->stats.sliver = V(1); /* not less than it minds */
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
+    workspace->stats = (fxl_clip_stats){0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, workspace, &result));
+    workspace->stats = (fxl_clip_stats){V(2), 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE,
+                      fxl_clip_normalised(&polygon, &frustum, workspace, &result));
+    workspace->stats.sliver = V(1); /* not less than it minds */
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, workspace, &result));
 }
 
 /* Barely in after being out counts as out, and stands for the crossing; barely in
@@ -236,10 +237,10 @@ void test_a_barely_inside_vertex_stands_for_the_crossing(void)
     fxl_normalised frustum = square();
     fxl_varying_polygon polygon = SHAPE(20, 5, 10, 9, 5, 10, 0, 0, 10, 9, -5, 10);
     fxl_varying_polygon expected = SHAPE(9, 5, 10, 0, 0, 10, 9, -5, 10, 10, -4, 10);
-    room->stats = (fxl_clip_stats){V(2), 0, 0};
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, room, &result));
+    workspace->stats = (fxl_clip_stats){V(2), 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, workspace, &result));
     TEST_ASSERT_EQUAL(4, result->count);
-    TEST_ASSERT_EQUAL(1, room->stats.intersections);
+    TEST_ASSERT_EQUAL(1, workspace->stats.intersections);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_EQUAL_MEMORY(&expected.vertices[i].position, &result->vertices[i].position,
                                  sizeof(fxl_view_point));
@@ -279,8 +280,8 @@ void test_results_lie_within_the_frustum(void)
         const fxl_varying_polygon *result;
         fxl_normalised_from_camera(&camera, &lens, &frustum);
         fxl_varying_polygon polygon = clip_random_shape((unsigned)unit_between(40, 61));
-        room->stats = (fxl_clip_stats){0, 0, 0};
-        fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, room, &result);
+        workspace->stats = (fxl_clip_stats){0, 0, 0};
+        fxl_clip_result cut = fxl_clip_normalised(&polygon, &frustum, workspace, &result);
         TEST_ASSERT_TRUE(cut != FXL_CLIP_CAPACITY);
         if (cut == FXL_CLIP_CUT) {
             expect_held(&frustum, &polygon, result);

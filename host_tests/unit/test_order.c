@@ -204,17 +204,17 @@ void test_distance_is_the_sum_of_squares(void)
     }
 }
 
-static uint64_t face_distance(const tiny_scene *tiny, const fxl_instance *object,
+static uint64_t face_distance(const tiny_scene *tiny, const fxl_instance *instance,
                               const fxl_face *face, const fxl_point *eye)
 {
     int64_t low[3], high[3], at_eye[3] = {eye->x, eye->y, eye->z};
     uint64_t sum = 0;
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_model *model = &tiny->models[object->model];
+        const fxl_model *model = &tiny->models[instance->model];
         const fxl_point *v =
             &tiny->vertices[model->first_vertex + tiny->corners[face->first_index + i]];
-        int64_t at[3] = {(int64_t)v->x + object->centre.x, (int64_t)v->y + object->centre.y,
-                         (int64_t)v->z + object->centre.z};
+        int64_t at[3] = {(int64_t)v->x + instance->centre.x, (int64_t)v->y + instance->centre.y,
+                         (int64_t)v->z + instance->centre.z};
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = i == 0 || at[axis] < low[axis] ? at[axis] : low[axis];
             high[axis] = i == 0 || at[axis] > high[axis] ? at[axis] : high[axis];
@@ -230,15 +230,15 @@ void test_face_distance_is_that_of_its_box(void)
 {
     tiny_scene *tiny = tiny_make();
     for (int i = 0; i < UNIT_REPEAT / 2; i++) {
-        fxl_instance *object = &tiny->objects[i % 2];
+        fxl_instance *instance = &tiny->instances[i % 2];
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
-        object->centre = unit_point(FXL_COORDINATE_MAX - Q16(20));
+        instance->centre = unit_point(FXL_COORDINATE_MAX - Q16(20));
         for (int v = 0; v < 16; v++) {
             tiny->vertices[v] = unit_point(Q16(20));
         }
         const fxl_face *face = &tiny->faces[6 * (i % 2) + (int)(unit_random() % 6)];
-        TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, object, face, &eye),
-                                 fxl_face_distance_squared(&eye, &tiny->scene, object, face));
+        TEST_ASSERT_EQUAL_UINT64(face_distance(tiny, instance, face, &eye),
+                                 fxl_face_distance_squared(&eye, &tiny->scene, instance, face));
     }
 }
 
@@ -247,14 +247,14 @@ void test_face_distance_at_the_ends(void)
     tiny_scene *tiny = tiny_make();
     const fxl_q16_16 end = FXL_COORDINATE_MAX;
     fxl_point eye = {-end, -end, -end};
-    tiny->objects[0].centre = (fxl_point){end, end, end};
+    tiny->instances[0].centre = (fxl_point){end, end, end};
     for (int v = 0; v < 8; v++) {
         tiny->vertices[v] = (fxl_point){0, 0, 0};
     }
     const uint64_t side = 4 * (uint64_t)FXL_COORDINATE_MAX;
     TEST_ASSERT_EQUAL_UINT64(
         3 * side * side,
-        fxl_face_distance_squared(&eye, &tiny->scene, &tiny->objects[0], &tiny->faces[0]));
+        fxl_face_distance_squared(&eye, &tiny->scene, &tiny->instances[0], &tiny->faces[0]));
 }
 
 /* An eye at (0, 0, -5) that looks ahead, with a wide lens: it sees all of tiny's
@@ -275,23 +275,23 @@ void test_objects_by_layer_then_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
     uint32_t left_out;
-    entries[TINY_OBJECTS].index = 4321;
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
+    entries[TINY_INSTANCES].index = 4321;
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, order_from(tiny, &before_all, &left_out));
     TEST_ASSERT_EQUAL_UINT32(0, left_out);
     const uint32_t far_to_near[] = {2, 1, 0};
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE(4321, entries[TINY_OBJECTS].index, "one entry too many");
-    for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(4321, entries[TINY_INSTANCES].index, "one entry too many");
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
         const fxl_order_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
         TEST_ASSERT_EQUAL_UINT64(
-            fxl_distance_squared(&before_all.position, &tiny->objects[entry->index].centre),
+            fxl_distance_squared(&before_all.position, &tiny->instances[entry->index].centre),
             fxl_order_distance(entry));
         TEST_ASSERT_EQUAL_UINT32(0, entry->instance.planes);
     }
-    tiny->objects[0].layer = 1;
-    tiny->objects[1].layer = 255;
-    tiny->objects[2].layer = 255;
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
+    tiny->instances[0].layer = 1;
+    tiny->instances[1].layer = 255;
+    tiny->instances[2].layer = 255;
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, order_from(tiny, &before_all, &left_out));
     TEST_ASSERT_EQUAL_UINT32(0, entries[0].index);
     TEST_ASSERT_EQUAL_UINT32(2, entries[1].index);
     TEST_ASSERT_EQUAL_UINT32(1, entries[2].index);
@@ -302,11 +302,11 @@ void test_equally_far_objects_by_number(void)
 {
     tiny_scene *tiny = tiny_make();
     uint32_t left_out;
-    for (int i = 0; i < TINY_OBJECTS; i++) {
-        tiny->objects[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, Q16(3)};
+    for (int i = 0; i < TINY_INSTANCES; i++) {
+        tiny->instances[i].centre = (fxl_point){i % 2 ? Q16(3) : Q16(-3), 0, Q16(3)};
     }
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, order_from(tiny, &before_all, &left_out));
-    for (uint32_t i = 0; i < TINY_OBJECTS; i++) {
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, order_from(tiny, &before_all, &left_out));
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
         TEST_ASSERT_EQUAL_UINT32(i, entries[i].index);
     }
 }
@@ -318,7 +318,7 @@ void test_objects_out_of_sight_are_left_out(void)
     tiny_scene *tiny = tiny_make();
     const fxl_pose between = {{0, 0, Q16(4)}, 0, 0, 0};
     uint32_t left_out;
-    tiny->objects[2].centre = (fxl_point){Q16(-8), 0, Q16(12)};
+    tiny->instances[2].centre = (fxl_point){Q16(-8), 0, Q16(12)};
     TEST_ASSERT_EQUAL_UINT32(2, order_from(tiny, &between, &left_out));
     TEST_ASSERT_EQUAL_UINT32(6, left_out);
     TEST_ASSERT_EQUAL_UINT32(2, entries[0].index);
@@ -336,13 +336,13 @@ void test_faces_that_face_the_eye_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
     fxl_point eye = {Q16(4), Q16(6), Q16(18)};
-    const fxl_instance *object = &tiny->objects[1];
-    uint32_t count = fxl_order_faces(&tiny->scene, object, &eye, entries);
+    const fxl_instance *instance = &tiny->instances[1];
+    uint32_t count = fxl_order_faces(&tiny->scene, instance, &eye, entries);
     uint64_t last = 0;
     TEST_ASSERT_EQUAL_UINT32(3, count);
     for (uint32_t i = 0; i < count; i++) {
         const fxl_face *face = &tiny->faces[6 + entries[i].face];
-        uint64_t distance = face_distance(tiny, object, face, &eye);
+        uint64_t distance = face_distance(tiny, instance, face, &eye);
         TEST_ASSERT_TRUE(entries[i].face % 2 == 1);
         TEST_ASSERT_TRUE(i == 0 || distance < last);
         last = distance;
@@ -355,29 +355,29 @@ void test_keys_change_nothing(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         tiny_scene *tiny = tiny_make();
-        fxl_instance *object = &tiny->objects[1];
-        object->centre = unit_point(FXL_COORDINATE_MAX - Q16(2));
+        fxl_instance *instance = &tiny->instances[1];
+        instance->centre = unit_point(FXL_COORDINATE_MAX - Q16(2));
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
         if (i % 2) {
-            eye = object->centre; /* on a plane, a unit before or behind it, or about */
+            eye = instance->centre; /* on a plane, a unit before or behind it, or about */
             eye.x += unit_between(-1, 1) * Q16(1) + unit_between(-1, 1);
             eye.y += unit_between(-2, 2) * Q16(1) + unit_between(-1, 1);
             eye.z += unit_between(-2, 2) * Q16(1) + unit_between(-1, 1);
         }
-        uint32_t count = fxl_order_faces(&tiny->scene, object, &eye, entries);
+        uint32_t count = fxl_order_faces(&tiny->scene, instance, &eye, entries);
         fxl_scene bare = tiny->scene;
         bare.face_bounds = NULL;
-        TEST_ASSERT_EQUAL_UINT32(count, fxl_order_faces(&bare, object, &eye, entries + 6));
+        TEST_ASSERT_EQUAL_UINT32(count, fxl_order_faces(&bare, instance, &eye, entries + 6));
         uint64_t last = 0;
         uint32_t front = 0;
         for (uint32_t f = 0; f < 6; f++) {
-            front += fxl_face_is_front(&bare, object, &tiny->faces[6 + f], &eye);
+            front += fxl_face_is_front(&bare, instance, &tiny->faces[6 + f], &eye);
         }
         TEST_ASSERT_EQUAL_UINT32(front, count);
         for (uint32_t k = 0; k < count; k++) {
             const fxl_face *face = &tiny->faces[6 + entries[k].face];
-            uint64_t distance = face_distance(tiny, object, face, &eye);
-            TEST_ASSERT_TRUE(fxl_face_is_front(&bare, object, face, &eye));
+            uint64_t distance = face_distance(tiny, instance, face, &eye);
+            TEST_ASSERT_TRUE(fxl_face_is_front(&bare, instance, face, &eye));
             TEST_ASSERT_EQUAL_UINT32(entries[k].face, entries[6 + k].face);
             TEST_ASSERT_TRUE(k == 0 || distance <= last);
             last = distance;
@@ -392,7 +392,7 @@ void test_every_face_is_seen_from_somewhere(void)
         fxl_q16_16 out = f % 2 ? Q16(9) : Q16(-9);
         fxl_point eye = {f / 2 == 0 ? out : 0, f / 2 == 1 ? out : 0, f / 2 == 2 ? out : 0};
         eye.z += Q16(10);
-        uint32_t count = fxl_order_faces(&tiny->scene, &tiny->objects[1], &eye, entries);
+        uint32_t count = fxl_order_faces(&tiny->scene, &tiny->instances[1], &eye, entries);
         TEST_ASSERT_EQUAL_UINT32(1, count);
         TEST_ASSERT_EQUAL_UINT32(f, entries[0].face);
     }
@@ -402,5 +402,5 @@ void test_no_face_faces_an_eye_inside(void)
 {
     tiny_scene *tiny = tiny_make();
     fxl_point eye = {0, 0, Q16(10)};
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_order_faces(&tiny->scene, &tiny->objects[1], &eye, entries));
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_order_faces(&tiny->scene, &tiny->instances[1], &eye, entries));
 }

@@ -9,7 +9,7 @@ enum {
     HEIGHT = 16,
     BACKGROUND = 200,
     LIT = 100, /* is added to a colour */
-    ORDER = TINY_OBJECTS + 6,
+    ORDER = TINY_INSTANCES + 6,
     LIST_WORDS = 240
 };
 
@@ -91,10 +91,10 @@ static uint8_t fan_next;
 static fxl_clip_result fan_result;
 static const fxl_clip_result *spoilt; /* what it says after a face's first triangle, or null */
 
-static fxl_clip_result next_of_fan(const fxl_model_view *placed, fxl_clipper_work *work,
+static fxl_clip_result next_of_fan(const fxl_model_view *model_view, fxl_clipper_work *work,
                                    fxl_screen_polygon *screen)
 {
-    (void)placed;
+    (void)model_view;
     memset(work, 0x5A, sizeof *work);
     if (fan_next + 1 >= fan.count) {
         return FXL_CLIP_OUTSIDE;
@@ -111,16 +111,16 @@ static fxl_clip_result next_of_fan(const fxl_model_view *placed, fxl_clipper_wor
     return fan_result;
 }
 
-static fxl_clip_result clip_into_fan(const fxl_model_view *placed, const fxl_face *face,
+static fxl_clip_result clip_into_fan(const fxl_model_view *model_view, const fxl_face *face,
                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     note_begin();
-    fan_result = fxl_clip_by_view(placed, face, work, &fan);
+    fan_result = fxl_clip_by_view(model_view, face, work, &fan);
     if (fan_result != FXL_CLIP_INSIDE && fan_result != FXL_CLIP_CUT) {
         return fan_result;
     }
     fan_next = 1;
-    return next_of_fan(placed, work, screen);
+    return next_of_fan(model_view, work, screen);
 }
 
 static const fxl_clipper fan_clipper = {.clip = clip_into_fan, .next = next_of_fan};
@@ -176,18 +176,18 @@ void test_the_worst_of_a_faces_polygons_counts(void)
 }
 
 /* A walk that gives each face that faces the eye as two loose triangles and a rest. */
-static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *object,
+static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *instance,
                            const fxl_face *face)
 {
     const fxl_scene *scene = on->renderer->scene;
-    const fxl_model *model = &scene->models[object->model];
+    const fxl_model *model = &scene->models[instance->model];
     fxl_point corners[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;
     for (uint32_t i = 0; i < face->count; i++) {
         corners[i] = scene->vertices[model->first_vertex + scene->indices[face->first_index + i]];
-        corners[i].x += object->centre.x;
-        corners[i].y += object->centre.y;
-        corners[i].z += object->centre.z;
+        corners[i].x += instance->centre.x;
+        corners[i].y += instance->centre.y;
+        corners[i].z += instance->centre.z;
     }
     fxl_pieces_begin(&pieces, on);
     for (uint32_t i = 1; i + 1 < face->count; i++) {
@@ -203,17 +203,17 @@ static bool walk_in_pieces(const fxl_traversal *on)
 {
     const fxl_scene *scene = on->renderer->scene;
     for (; on->resume->instances < on->renderer->frame.visible_count; on->resume->instances++) {
-        const fxl_instance *object =
+        const fxl_instance *instance =
             &scene->instances[on->renderer->frame.order[on->resume->instances].index];
-        const fxl_model *model = &scene->models[object->model];
+        const fxl_model *model = &scene->models[instance->model];
         for (; on->resume->faces < model->face_count; on->resume->faces++) {
             const fxl_face *face = &scene->faces[model->first_face + on->resume->faces];
             bool front =
-                fxl_face_is_front(scene, object, face, &on->renderer->frame.view.camera.position);
+                fxl_face_is_front(scene, instance, face, &on->renderer->frame.view.camera.position);
             if (on->band == NULL) {
                 note_begin();
             }
-            if (front && !give_in_pieces(on, object, face)) {
+            if (front && !give_in_pieces(on, instance, face)) {
                 return false;
             }
             on->counters->in += 1;
@@ -294,21 +294,21 @@ void test_light_splits_the_faces_that_it_reaches(void)
 }
 
 /* A clipper with room: zeroed when it is set, reached by the view, in the frame's number. */
-static fxl_clip_result clip_with_room(const fxl_model_view *placed, const fxl_face *face,
-                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
+static fxl_clip_result clip_with_workspace(const fxl_model_view *model_view, const fxl_face *face,
+                                           fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    uint32_t *room = placed->view->clipper_workspace;
-    TEST_ASSERT_TRUE(placed->view->frame != 0);
-    if (room[0] != placed->view->frame) {
-        room[0] = placed->view->frame;
+    uint32_t *room = model_view->view->clipper_workspace;
+    TEST_ASSERT_TRUE(model_view->view->frame != 0);
+    if (room[0] != model_view->view->frame) {
+        room[0] = model_view->view->frame;
         room[1]++;
     }
-    return fxl_clip_by_view(placed, face, work, screen);
+    return fxl_clip_by_view(model_view, face, work, screen);
 }
 
 void test_a_clippers_room(void)
 {
-    static const fxl_clipper roomy = {.clip = clip_with_room, .workspace_size = 16};
+    static const fxl_clipper roomy = {.clip = clip_with_workspace, .workspace_size = 16};
     static uint64_t room[2];
     uint32_t *const words = (uint32_t *)(void *)room;
     fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-4)}, 0, 0, 0};

@@ -3,12 +3,12 @@
 
 #include "unit.h"
 
-static const fxl_motion_limits gait = {Q16(0.5), Q16(0.25), Q16(2), FXL_ANGLE_QUARTER};
+static const fxl_motion_limits motion_limits = {Q16(0.5), Q16(0.25), Q16(2), FXL_ANGLE_QUARTER};
 
 static bool step(fxl_player *viewer, uint32_t keys)
 {
     bool clamped = false;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(viewer, keys, &gait, &clamped));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(viewer, keys, &motion_limits, &clamped));
     return clamped;
 }
 
@@ -129,7 +129,7 @@ void test_a_corner_counts_once(void)
 void test_clamped_may_be_null(void)
 {
     fxl_player viewer = {.pose.position.z = FXL_COORDINATE_MAX, .speed = Q16(1)};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&viewer, 0, &gait, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&viewer, 0, &motion_limits, NULL));
     TEST_ASSERT_EQUAL_UINT32(1, viewer.clamped);
 }
 
@@ -170,7 +170,7 @@ void test_what_is_out_of_range_is_refused(void)
     fxl_player viewer = {.speed = Q16(1)};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&(fxl_player){0}, 0, &top, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&(fxl_player){0}, 0, &(fxl_motion_limits){0}, NULL));
-    expect_refused(FXL_E_RANGE, viewer, 0x100, gait);
+    expect_refused(FXL_E_RANGE, viewer, 0x100, motion_limits);
     for (int member = 0; member < 4; member++) {
         fxl_motion_limits low = top, high = top;
         fxl_q16_16 *const lows[] = {&low.acceleration, &low.friction, &low.speed_max};
@@ -194,6 +194,6 @@ void test_what_is_out_of_range_is_refused(void)
 void test_null_is_refused(void)
 {
     fxl_player viewer = {0};
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_player_step(NULL, 0, &gait, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_player_step(NULL, 0, &motion_limits, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_player_step(&viewer, 0, NULL, NULL));
 }

@@ -79,9 +79,9 @@ void test_right_appears_right_and_up_appears_up(void)
 {
     tiny_scene *tiny = start(0);
     fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
-    tiny->objects[0].centre = (fxl_point){Q16(4), Q16(3), 0};
-    tiny->objects[1].centre = (fxl_point){Q16(-4), Q16(-3), 0};
-    tiny->objects[2].centre = (fxl_point){0, 0, Q16(-400)};
+    tiny->instances[0].centre = (fxl_point){Q16(4), Q16(3), 0};
+    tiny->instances[1].centre = (fxl_point){Q16(-4), Q16(-3), 0};
+    tiny->instances[2].centre = (fxl_point){0, 0, Q16(-400)};
     draw_whole(&renderers[0], &pose, whole);
     TEST_ASSERT_EQUAL(5, whole[4 * WIDTH + 40]);
     TEST_ASSERT_EQUAL(15, whole[27 * WIDTH + 8]);
@@ -95,7 +95,7 @@ void test_nearer_hides_farther_and_layers_come_first(void)
     fxl_pose pose = {{0, 0, Q16(-7)}, 0, 0, 0};
     draw_whole(&renderers[0], &pose, whole);
     TEST_ASSERT_EQUAL(5, whole[16 * WIDTH + 24]);
-    tiny->objects[1].layer = 1;
+    tiny->instances[1].layer = 1;
     draw_whole(&renderers[0], &pose, whole);
     TEST_ASSERT_EQUAL(15, whole[16 * WIDTH + 24]);
 }
@@ -304,7 +304,7 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     const fxl_memory no_cache = {order[0], needed, NULL, 0, NULL, 1};
     memset(&renderer, 0x5A, sizeof renderer);
     memcpy(&before, &renderer, sizeof before);
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, needed);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, needed);
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &too_little));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init_with(&renderer, NULL, &lens, &memory));
@@ -341,26 +341,26 @@ void test_a_scene_that_was_not_checked_is_refused(void)
 void test_more_objects_than_the_order_has_room_for_are_refused(void)
 {
     static fxl_renderer renderer, before;
-    static fxl_instance objects[TINY_OBJECTS + 2];
+    static fxl_instance instances[TINY_INSTANCES + 2];
     tiny_scene *tiny = tiny_make();
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_pose pose = pose_number(0);
-    for (uint32_t i = 0; i < TINY_OBJECTS + 2; i++) {
-        objects[i] = tiny->scene.instances[i % TINY_OBJECTS];
+    for (uint32_t i = 0; i < TINY_INSTANCES + 2; i++) {
+        instances[i] = tiny->scene.instances[i % TINY_INSTANCES];
     }
-    tiny->scene.instances = objects;
+    tiny->scene.instances = instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     const fxl_memory memory = {order[0], tiny->scene.order_needed + 1, list[0], LIST_WORDS, NULL,
                                0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
-    tiny->scene.instance_count = TINY_OBJECTS + 1;
+    tiny->scene.instance_count = TINY_INSTANCES + 1;
     draw_whole(&renderer, &pose, whole);
     memcpy(&before, &renderer, sizeof before);
-    tiny->scene.instance_count = TINY_OBJECTS + 2;
+    tiny->scene.instance_count = TINY_INSTANCES + 2;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
     before.workspace.counters.refused_calls += 1;
     TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
-    tiny->scene.instance_count = TINY_OBJECTS;
+    tiny->scene.instance_count = TINY_INSTANCES;
     draw_whole(&renderer, &pose, whole);
 }
 

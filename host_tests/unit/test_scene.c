@@ -14,9 +14,9 @@ void test_a_good_image_opens(void)
     TEST_ASSERT_EQUAL_UINT32(48, opened.scene.index_count);
     TEST_ASSERT_EQUAL_UINT32(12, opened.scene.face_count);
     TEST_ASSERT_EQUAL_UINT32(2, opened.scene.model_count);
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS, opened.scene.instance_count);
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, opened.scene.order_needed);
-    TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_OBJECTS, 0, OBJECT), opened.scene.instances);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, opened.scene.instance_count);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, opened.scene.order_needed);
+    TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_INSTANCES, 0, INSTANCE), opened.scene.instances);
     TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_PALETTE, 0, 3), opened.palette);
     TEST_ASSERT_EQUAL(48, opened.lens.width);
     TEST_ASSERT_EQUAL(32, opened.lens.height);
@@ -62,11 +62,11 @@ void test_null_is_refused(void)
 
 void test_misaligned_memory_is_refused(void)
 {
-    static uint32_t room[TINY_WORDS + 1];
+    static uint32_t workspace[TINY_WORDS + 1];
     tiny_image *image = tiny_image_make(false);
     for (uint32_t shift = 1; shift < 4; shift++) {
-        memcpy((uint8_t *)room + shift, image->words, image->size);
-        expect_status(FXL_E_ALIGNMENT, (uint8_t *)room + shift, image->size);
+        memcpy((uint8_t *)workspace + shift, image->words, image->size);
+        expect_status(FXL_E_ALIGNMENT, (uint8_t *)workspace + shift, image->size);
     }
 }
 
@@ -161,7 +161,7 @@ void test_reserved_fields_and_kinds(void)
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 16, 2);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 17, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 19, 1);
-    expect_entry_byte(FXL_E_RESERVED, AT_OBJECTS, 2, OBJECT, 15, 1);
+    expect_entry_byte(FXL_E_RESERVED, AT_INSTANCES, 2, INSTANCE, 15, 1);
 }
 
 void test_lens(void)
@@ -181,10 +181,10 @@ void test_start_and_gait(void)
     for (uint32_t axis = 0; axis < 12; axis += 4) {
         expect_word(FXL_E_RANGE, AT_START + axis, (uint32_t)FXL_COORDINATE_MAX + 1);
         expect_word(FXL_E_RANGE, AT_START + axis, 0x80000000u);
-        expect_word(FXL_E_RANGE, AT_GAIT + axis, (uint32_t)FXL_MOTION_MAX + 1);
-        expect_word(FXL_E_RANGE, AT_GAIT + axis, 0xFFFFFFFFu);
+        expect_word(FXL_E_RANGE, AT_MOTION_LIMITS + axis, (uint32_t)FXL_MOTION_MAX + 1);
+        expect_word(FXL_E_RANGE, AT_MOTION_LIMITS + axis, 0xFFFFFFFFu);
     }
-    expect_word(FXL_E_RANGE, AT_GAIT + 12, FXL_ANGLE_QUARTER + 1);
+    expect_word(FXL_E_RANGE, AT_MOTION_LIMITS + 12, FXL_ANGLE_QUARTER + 1);
     expect_word(FXL_OK, AT_START + 12, 0xFFFFFFFFu);
 }
 
@@ -208,7 +208,7 @@ void test_counts_of_every_table(void)
     static const struct {
         uint32_t table, least, most;
     } tables[] = {{AT_PALETTE, 256, 256}, {AT_VERTICES, 3, 1000000}, {AT_CORNERS, 3, 4000000},
-                  {AT_FACES, 1, 1000000}, {AT_MODELS, 1, 65535},     {AT_OBJECTS, 1, 65535},
+                  {AT_FACES, 1, 1000000}, {AT_MODELS, 1, 65535},     {AT_INSTANCES, 1, 65535},
                   {AT_PATH, 1, 1000000},  {AT_KEYS, 0, 1000000}};
     for (uint32_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         expect_word(FXL_E_COUNT, tables[i].table + 4, tables[i].least - 1);

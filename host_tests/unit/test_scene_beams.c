@@ -20,8 +20,8 @@ static const fxl_point lamp = {0, Q16(9), 0};
 /* Tiny's image with a beam: every table moves, and two more follow. */
 static tiny_image *make(void)
 {
-    static const uint32_t tables[] = {AT_PALETTE, AT_VERTICES, AT_CORNERS, AT_FACES,
-                                      AT_MODELS,  AT_OBJECTS,  AT_PATH,    AT_KEYS};
+    static const uint32_t tables[] = {AT_PALETTE, AT_VERTICES,  AT_CORNERS, AT_FACES,
+                                      AT_MODELS,  AT_INSTANCES, AT_PATH,    AT_KEYS};
     tiny_image *image = tiny_image_make(false);
     fxl_beam beam;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));

@@ -42,17 +42,17 @@ void test_model_contents(void)
 void test_object_contents(void)
 {
     tiny_image *image = tiny_image_make(false);
-    tiny_put16(tiny_entry(image, AT_OBJECTS, 2, OBJECT) + 12, 2);
+    tiny_put16(tiny_entry(image, AT_INSTANCES, 2, INSTANCE) + 12, 2);
     expect_opening(FXL_E_INDEX, image);
     for (uint32_t axis = 0; axis < 12; axis += 4) {
         uint32_t end = (uint32_t)FXL_COORDINATE_MAX, inner = end - (uint32_t)Q16(1);
-        expect_entry_word(FXL_E_RANGE, AT_OBJECTS, 1, OBJECT, axis, end + 1);
-        expect_entry_word(FXL_E_RANGE, AT_OBJECTS, 1, OBJECT, axis, 0x80000000u);
+        expect_entry_word(FXL_E_RANGE, AT_INSTANCES, 1, INSTANCE, axis, end + 1);
+        expect_entry_word(FXL_E_RANGE, AT_INSTANCES, 1, INSTANCE, axis, 0x80000000u);
         /* The centre in range, a vertex a unit outside, and just inside. */
-        expect_entry_word(FXL_E_RANGE, AT_OBJECTS, 1, OBJECT, axis, inner + 1);
-        expect_entry_word(FXL_OK, AT_OBJECTS, 1, OBJECT, axis, inner);
-        expect_entry_word(FXL_E_RANGE, AT_OBJECTS, 1, OBJECT, axis, 0u - inner - 1);
-        expect_entry_word(FXL_OK, AT_OBJECTS, 1, OBJECT, axis, 0u - inner);
+        expect_entry_word(FXL_E_RANGE, AT_INSTANCES, 1, INSTANCE, axis, inner + 1);
+        expect_entry_word(FXL_OK, AT_INSTANCES, 1, INSTANCE, axis, inner);
+        expect_entry_word(FXL_E_RANGE, AT_INSTANCES, 1, INSTANCE, axis, 0u - inner - 1);
+        expect_entry_word(FXL_OK, AT_INSTANCES, 1, INSTANCE, axis, 0u - inner);
     }
 }
 
@@ -83,7 +83,7 @@ void test_vertices_on_the_sphere(void)
     const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
     tiny_scene *tiny = tiny_make();
     tiny->scene.face_bounds = NULL;
-    tiny->objects[1].model = 0;
+    tiny->instances[1].model = 0;
     for (int v = 8; v < 16; v++) {
         tiny->vertices[v] = (fxl_point){0, 3, 4};
     }
@@ -192,7 +192,7 @@ void test_a_scene_as_tables(void)
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"untouched", 9};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(TINY_OBJECTS + 6, tiny->scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, tiny->scene.order_needed);
     TEST_ASSERT_EQUAL_STRING("untouched", fault.what);
     tiny->scene.order_needed = 77;
     tiny->corners[30] = 8;
@@ -215,7 +215,7 @@ void test_the_fault_names_the_element(void)
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
     TEST_ASSERT_EQUAL_UINT32(7, fault.index);
     tiny = tiny_make();
-    tiny->objects[2].model = 9;
+    tiny->instances[2].model = 9;
     TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
     TEST_ASSERT_EQUAL_UINT32(2, fault.index);
 }
@@ -234,10 +234,10 @@ static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, u
 
 void test_order_needs_the_objects_and_the_largest_sorted_model(void)
 {
-    expect_order_needed(FXL_MODEL_CONVEX, FXL_MODEL_CONVEX, 6, TINY_OBJECTS);
-    expect_order_needed(FXL_MODEL_CONVEX, FXL_MODEL_SORTED, 4, TINY_OBJECTS + 4);
-    expect_order_needed(FXL_MODEL_SORTED, FXL_MODEL_CONVEX, 4, TINY_OBJECTS + 6);
-    expect_order_needed(FXL_MODEL_SORTED, FXL_MODEL_SORTED, 4, TINY_OBJECTS + 6);
+    expect_order_needed(FXL_MODEL_CONVEX, FXL_MODEL_CONVEX, 6, TINY_INSTANCES);
+    expect_order_needed(FXL_MODEL_CONVEX, FXL_MODEL_SORTED, 4, TINY_INSTANCES + 4);
+    expect_order_needed(FXL_MODEL_SORTED, FXL_MODEL_CONVEX, 4, TINY_INSTANCES + 6);
+    expect_order_needed(FXL_MODEL_SORTED, FXL_MODEL_SORTED, 4, TINY_INSTANCES + 6);
 }
 
 /* Models take the vertices and the faces in turn, none twice, none left out. */

@@ -10,15 +10,15 @@ enum {
     NOTHING = '.'
 };
 
-static uint64_t room[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
+static uint64_t workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
 static uint8_t pixels[HEIGHT][WIDTH], writes[HEIGHT][WIDTH];
 static const fxl_band whole = {&pixels[0][0], WIDTH, WIDTH, 0, HEIGHT};
 static fxl_span_buffer *buffer;
 
 static void start(uint32_t intervals)
 {
-    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_BYTES(HEIGHT, intervals), HEIGHT);
-    TEST_ASSERT_EQUAL_PTR(room, buffer);
+    buffer = counted_span_buffer_make(workspace, FXL_SPAN_BUFFER_BYTES(HEIGHT, intervals), HEIGHT);
+    TEST_ASSERT_EQUAL_PTR(workspace, buffer);
     TEST_ASSERT_EQUAL(intervals, buffer->capacity);
     counted_span_buffer_begin(buffer, &whole);
     (void)counted_begin(&writes[0][0], &pixels[0][0], sizeof writes);
@@ -150,7 +150,7 @@ void test_an_odd_width(void)
         ODD = 7
     };
     const fxl_band band = {&pixels[0][0], ODD, WIDTH, 0, 1};
-    buffer = counted_span_buffer_make(room, FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
+    buffer = counted_span_buffer_make(workspace, FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
     counted_span_buffer_begin(buffer, &band);
     for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
         TEST_ASSERT_TRUE(draw_span(0, x, x + 1, 'a', &band));
@@ -196,7 +196,7 @@ void test_a_trapezoid(void)
 void test_any_spans(void)
 {
     static uint8_t expected[HEIGHT][WIDTH];
-    uint32_t refused = 0, taken = 0, hidden = 0;
+    uint32_t refused = 0, taken = 0, visibility = 0;
     for (int round = 0; round < UNIT_REPEAT / 50; round++) {
         start((uint32_t)unit_between(1, INTERVALS));
         memset(expected, NOTHING, sizeof expected);
@@ -215,7 +215,7 @@ void test_any_spans(void)
                 seen += expected[y][x] == NOTHING;
                 expected[y][x] = expected[y][x] == NOTHING ? (uint8_t)('a' + i) : expected[y][x];
             }
-            hidden += seen == 0;
+            visibility += seen == 0;
             taken++;
         }
         TEST_ASSERT_EQUAL_MEMORY(expected, pixels, sizeof pixels);
@@ -228,5 +228,5 @@ void test_any_spans(void)
         }
         TEST_ASSERT_EQUAL(open, buffer->open_rows);
     }
-    TEST_ASSERT_TRUE(refused > UNIT_REPEAT / 500 && hidden > taken / 20);
+    TEST_ASSERT_TRUE(refused > UNIT_REPEAT / 500 && visibility > taken / 20);
 }

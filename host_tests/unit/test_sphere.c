@@ -216,7 +216,7 @@ void test_vertices_of_what_is_left_out(void)
         fxl_q16_16 radius = any_radius(&centre);
         uint32_t planes = fxl_sphere_planes(&camera, &frustum, &centre, radius);
         bool seen[FXL_PLANE_COUNT] = {false};
-        uint32_t placed = 0;
+        uint32_t model_view = 0;
         for (int k = 0; k < 4 * FXL_PLANE_COUNT; k++) {
             /* Towards each plane, away from it, and anywhere. */
             fxl_direction towards = world.planes[k / 4].normal;
@@ -227,18 +227,18 @@ void test_vertices_of_what_is_left_out(void)
             }
             if (place_vertex(&towards, &centre, radius, &vertex)) {
                 expect_vertex(planes, &vertex, seen);
-                placed++;
+                model_view++;
             }
         }
-        if (planes == FXL_SPHERE_OUTSIDE && placed > 0) {
+        if (planes == FXL_SPHERE_OUTSIDE && model_view > 0) {
             bool all = true;
             for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
                 all = all && seen[plane];
             }
             TEST_ASSERT_FALSE(all);
         }
-        outside += planes == FXL_SPHERE_OUTSIDE && placed > 4;
-        inside += planes < FXL_SPHERE_OUTSIDE - 1 && placed > 4;
+        outside += planes == FXL_SPHERE_OUTSIDE && model_view > 4;
+        inside += planes < FXL_SPHERE_OUTSIDE - 1 && model_view > 4;
     }
     TEST_ASSERT_TRUE(outside > UNIT_REPEAT / 64 && inside > UNIT_REPEAT / 64);
 }

@@ -2,8 +2,8 @@
 /* Triangles by planes and by the screen's borders: the four cases, and the pieces. */
 #include "clip_shapes.h"
 
-static fxl_triangle_workspace room;
-static fxl_clip_stats account;
+static fxl_triangle_workspace workspace;
+static fxl_clip_stats stats;
 
 /* Inside is x >= 0. */
 static const fxl_half_space wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
@@ -31,22 +31,22 @@ static void expect_corners(const fxl_clip_triangle *triangle, const int *numbers
 void test_none_and_all(void)
 {
     fxl_clip_triangle out[2], in = solid(-1, 0, -5, 0, -3, 4);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     in = solid(1, 0, 5, 0, 3, 4);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     EXPECT(&out[0], 1, 0, 5, 0, 3, 4);
 }
 
 void test_one_corner_inside_leaves_one(void)
 {
     fxl_clip_triangle out[2], in = solid(4, 0, -4, 8, -4, -8);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     EXPECT(&out[0], 4, 0, 0, 4, 0, -4);
     in = solid(-4, -8, 4, 0, -4, 8); /* whichever it is */
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     EXPECT(&out[0], 4, 0, 0, 4, 0, -4);
     in = solid(-4, 8, -4, -8, 4, 0);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     EXPECT(&out[0], 4, 0, 0, 4, 0, -4);
 }
 
@@ -56,7 +56,7 @@ void test_two_corners_inside_leave_two(void)
     const fxl_clip_triangle in[3] = {solid(-4, 0, 4, 8, 4, -8), solid(4, -8, -4, 0, 4, 8),
                                      solid(4, 8, 4, -8, -4, 0)};
     for (int i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in[i], &wall, 2, &account, out));
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in[i], &wall, 2, &stats, out));
         EXPECT(&out[0], 4, 8, 4, -8, 0, -4);
         EXPECT(&out[1], 4, 8, 0, -4, 0, 4);
     }
@@ -66,27 +66,27 @@ void test_two_corners_inside_leave_two(void)
 void test_corners_on_the_plane(void)
 {
     fxl_clip_triangle out[2], in = solid(0, 0, -4, 8, -4, -8);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     in = solid(0, -4, 0, 4, -4, 0);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     in = solid(0, -4, 0, 4, 4, 0);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
-    account.intersections = 0;
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    stats.intersections = 0;
     in = solid(0, 0, 4, 4, -4, 4);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
-    TEST_ASSERT_EQUAL(1, account.intersections);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    TEST_ASSERT_EQUAL(1, stats.intersections);
     in = solid(4, 4, 0, 0, -4, 4);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
 }
 
 void test_a_sliver_is_refused_where_asked(void)
 {
     fxl_clip_triangle out[2], in = solid(-4, 8, 1, 0, -4, -8);
-    account.sliver = V(2);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &account, out));
-    account.sliver = V(1);
-    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &account, out));
-    account.sliver = 0;
+    stats.sliver = V(2);
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    stats.sliver = V(1);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    stats.sliver = 0;
 }
 
 static fxl_screen_triangle flat(int x0, int y0, int x1, int y1, int x2, int y2)
@@ -119,7 +119,7 @@ void test_borders(void)
     for (int border = 0; border < FXL_BORDER_COUNT; border++) {
         const int *n = inner[border];
         fxl_screen_triangle out[2], in = flat(n[0], n[1], n[2], n[3], n[4], n[5]);
-        TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, border, 64, 1, &account, out));
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, border, 64, 1, &stats, out));
         TEST_ASSERT_TRUE(4 * (area_of(&out[0]) + area_of(&out[1])) == 3 * area_of(&in));
         TEST_ASSERT_TRUE((area_of(&out[0]) > 0) == (area_of(&in) > 0));
         /* The same with the other side inside. */
@@ -130,7 +130,7 @@ void test_borders(void)
             at->x = sideways ? middle * 65536 - at->x : at->x;
             at->y = sideways ? at->y : middle * 65536 - at->y;
         }
-        TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, border, 64, 1, &account, out));
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, border, 64, 1, &stats, out));
         TEST_ASSERT_TRUE(4 * area_of(&out[0]) == area_of(&in));
     }
 }
@@ -138,11 +138,11 @@ void test_borders(void)
 void test_screen_touches_and_lines_are_left_out(void)
 {
     fxl_screen_triangle out[2], in = flat(0, 8, -4, 0, -4, 16);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
     in = flat(0, 0, 0, 8, -4, 4);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
     in = flat(1, 1, 2, 2, 3, 3);
-    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    TEST_ASSERT_EQUAL(0, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
 }
 
 /* Half way on the screen is not half way in space: with depths 10 and 30 it is a
@@ -152,7 +152,7 @@ void test_what_rides_along_is_cut_as_in_space(void)
     fxl_screen_triangle out[2], in = flat(4, 0, -4, 0, 4, 8);
     in.corners[1].depth = V(30);
     in.corners[1].carried[0] = Q16(100);
-    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &account, out));
+    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
     bool found = false;
     for (int i = 0; i < 6; i++) {
         const fxl_screen_corner *at = &out[i / 3].corners[i % 3];
@@ -178,7 +178,7 @@ void test_the_range_s_ends(void)
         in.corners[0].depth = depths[i & 1];
         in.corners[1].depth = depths[i >> 1 & 1];
         in.corners[1].carried[0] = Q16(16383);
-        uint32_t made = fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 1024, 1, &account, out);
+        uint32_t made = fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 1024, 1, &stats, out);
         TEST_ASSERT_EQUAL(2, made);
         for (int k = 0; k < 6; k++) {
             const fxl_screen_corner *at = &out[k / 3].corners[k % 3];
@@ -200,14 +200,14 @@ void test_pieces_lie_on_the_screen(void)
         fxl_clip_triangle triangle = {
             {shape.vertices[0], shape.vertices[1], shape.vertices[shape.count - 1]}};
         fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
-        fxl_clip_result begun = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &room);
+        fxl_clip_result begun = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &workspace);
         if (begun != FXL_CLIP_INSIDE && begun != FXL_CLIP_CUT) {
             continue;
         }
         const fxl_screen_triangle *piece;
         fxl_status status;
         int made = 0, clockwise = 0;
-        while ((piece = fxl_triangle_next(&volume, &lens, &room, &status)) != NULL) {
+        while ((piece = fxl_triangle_next(&volume, &lens, &workspace, &status)) != NULL) {
             made++;
             /* Slivers may be turned over by their rounding. */
             int64_t area = area_of(piece);
@@ -234,11 +234,11 @@ void test_a_wall_covers_the_screen(void)
     fxl_varying_polygon shape = SHAPE(-100, -100, 10, 0, 200, 10, 100, -100, 10);
     fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
     fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
-    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &room));
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
     const fxl_screen_triangle *piece;
     fxl_status status;
     int64_t area = 0;
-    while ((piece = fxl_triangle_next(&volume, &lens, &room, &status)) != NULL) {
+    while ((piece = fxl_triangle_next(&volume, &lens, &workspace, &status)) != NULL) {
         area += area_of(piece);
     }
     area = area < 0 ? -area : area;

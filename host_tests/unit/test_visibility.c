@@ -7,7 +7,7 @@ enum {
     WIDTH = 16,
     HEIGHT = 24,
     BACKGROUND = 200,
-    ORDER = TINY_OBJECTS + 6,
+    ORDER = TINY_INSTANCES + 6,
     LIST_WORDS = 9 * FXL_DISPLAY_LIST_WORDS(6),
     INTERVALS = 80 /* more than a frame of the tests ever wants */
 };

@@ -6,10 +6,10 @@
 
 static void expect_through(const fxl_clipper *clipper, int few)
 {
-    static fxl_clipper_workspace room;
+    static fxl_clipper_workspace workspace;
     static fxl_screen_polygon screens[WATERTIGHT_PIECES];
-    memset(&room, 0, sizeof room);
-    watertight_expect_through(clipper, &room, few, screens, WATERTIGHT_PIECES);
+    memset(&workspace, 0, sizeof workspace);
+    watertight_expect_through(clipper, &workspace, few, screens, WATERTIGHT_PIECES);
 }
 
 void test_through_the_normalised_frustum(void)

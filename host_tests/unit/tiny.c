@@ -44,19 +44,19 @@ tiny_scene *tiny_make(void)
     make_cube(0, FXL_MODEL_CONVEX, 1);
     make_cube(1, FXL_MODEL_SORTED, 11);
     make_keys();
-    tiny.objects[0] = (fxl_instance){{0, 0, 0}, 0, 0, 0};
-    tiny.objects[1] = (fxl_instance){{0, 0, Q16(10)}, 1, 0, 0};
-    tiny.objects[2] = (fxl_instance){{Q16(5), Q16(1), Q16(12)}, 0, 0, 0};
+    tiny.instances[0] = (fxl_instance){{0, 0, 0}, 0, 0, 0};
+    tiny.instances[1] = (fxl_instance){{0, 0, Q16(10)}, 1, 0, 0};
+    tiny.instances[2] = (fxl_instance){{Q16(5), Q16(1), Q16(12)}, 0, 0, 0};
     tiny.scene = (fxl_scene){tiny.vertices,
                              tiny.corners,
                              tiny.faces,
                              tiny.models,
-                             tiny.objects,
+                             tiny.instances,
                              16,
                              48,
                              12,
                              2,
-                             TINY_OBJECTS,
+                             TINY_INSTANCES,
                              0,
                              tiny.keys,
                              6,
@@ -130,10 +130,10 @@ static void put_header(bool strides)
     *tiny_at(&image, AT_BACKGROUND) = 200;
     *tiny_at(&image, AT_PATH_KIND) = strides;
     tiny_put32(tiny_at(&image, AT_START + 8), (uint32_t)Q16(-5));
-    tiny_put32(tiny_at(&image, AT_GAIT), (uint32_t)Q16(0.5));
-    tiny_put32(tiny_at(&image, AT_GAIT + 4), (uint32_t)Q16(0.25));
-    tiny_put32(tiny_at(&image, AT_GAIT + 8), (uint32_t)Q16(2));
-    tiny_put32(tiny_at(&image, AT_GAIT + 12), DEGREES(3));
+    tiny_put32(tiny_at(&image, AT_MOTION_LIMITS), (uint32_t)Q16(0.5));
+    tiny_put32(tiny_at(&image, AT_MOTION_LIMITS + 4), (uint32_t)Q16(0.25));
+    tiny_put32(tiny_at(&image, AT_MOTION_LIMITS + 8), (uint32_t)Q16(2));
+    tiny_put32(tiny_at(&image, AT_MOTION_LIMITS + 12), DEGREES(3));
     tiny_put32(tiny_at(&image, AT_FRAMES), strides ? 7 : TINY_POSES);
 }
 
@@ -156,7 +156,7 @@ tiny_image *tiny_image_make(bool strides)
     add_table(AT_CORNERS, from->corners, sizeof from->corners, 48);
     add_table(AT_FACES, from->faces, sizeof from->faces, 12);
     add_table(AT_MODELS, from->models, sizeof from->models, 2);
-    add_table(AT_OBJECTS, from->objects, sizeof from->objects, TINY_OBJECTS);
+    add_table(AT_INSTANCES, from->instances, sizeof from->instances, TINY_INSTANCES);
     if (strides) {
         add_table(AT_PATH, walk, sizeof walk, TINY_STRIDES);
     } else {

@@ -7,7 +7,7 @@
 #include "unit.h"
 
 enum {
-    TINY_OBJECTS = 3,
+    TINY_INSTANCES = 3,
     TINY_POSES = 2,
     TINY_STRIDES = 2
 };
@@ -22,7 +22,7 @@ typedef struct {
     uint16_t corners[48];
     fxl_face faces[12];
     fxl_model models[2];
-    fxl_instance objects[TINY_OBJECTS];
+    fxl_instance instances[TINY_INSTANCES];
     fxl_face_bounds keys[6]; /* of the second model */
     fxl_scene scene;
 } tiny_scene;
@@ -48,13 +48,13 @@ enum {
     AT_PATH_KIND = 37,
     AT_RESERVED_HALF = 38,
     AT_START = 40,
-    AT_GAIT = 64,
+    AT_MOTION_LIMITS = 64,
     AT_PALETTE = 80,
     AT_VERTICES = 88,
     AT_CORNERS = 96,
     AT_FACES = 104,
     AT_MODELS = 112,
-    AT_OBJECTS = 120,
+    AT_INSTANCES = 120,
     AT_PATH = 128,
     AT_FRAMES = 136,
     AT_KEYS = 140,

@@ -97,21 +97,21 @@ int64_t watertight_area(const fxl_screen_polygon *polygon)
 
 /* From world to screen, as the frame loop does it. */
 static int to_screen(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view *view,
-                     fxl_screen_polygon *screens, int room_for, bool *cut)
+                     fxl_screen_polygon *screens, int workspace_for, bool *cut)
 {
     static fxl_clipper_work work;
     static polygon_face face;
     int count = 0;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
-    fxl_clip_result result = clipper->clip(&face.placed, &face.face, &work, &screens[0]);
+    fxl_clip_result result = clipper->clip(&face.model_view, &face.face, &work, &screens[0]);
     *cut = result == FXL_CLIP_CUT;
     while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN) {
         count++;
         if (clipper->next == NULL) {
             break;
         }
-        TEST_ASSERT_TRUE(count < room_for);
-        result = clipper->next(&face.placed, &work, &screens[count]);
+        TEST_ASSERT_TRUE(count < workspace_for);
+        result = clipper->next(&face.model_view, &work, &screens[count]);
     }
     return count;
 }
@@ -197,8 +197,8 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
     return leave - enter > 0.01;
 }
 
-void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *room, int few,
-                               fxl_screen_polygon *screens, int room_for)
+void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *workspace,
+                               int few, fxl_screen_polygon *screens, int workspace_for)
 {
     int judged = 0, edges_cut = 0, both_cut = 0;
     static fxl_view view;
@@ -208,7 +208,7 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
             uint32_t frame = view.frame;
             random_view(&view);
             view.frame += frame;
-            view.clipper_workspace = room;
+            view.clipper_workspace = workspace;
         }
         random_quad(&view.camera, corners);
         fxl_polygon first = world_triangle(corners[0], corners[1], corners[2]);
@@ -217,9 +217,9 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
         if (!edge_is_seen(&view, &corners[0], &corners[2], &edge_cut)) {
             continue;
         }
-        int ones = to_screen(clipper, &first, &view, screens, room_for, &cuts[0]);
+        int ones = to_screen(clipper, &first, &view, screens, workspace_for, &cuts[0]);
         fxl_screen_polygon *others = screens + ones;
-        int count = to_screen(clipper, &second, &view, others, room_for - ones, &cuts[1]);
+        int count = to_screen(clipper, &second, &view, others, workspace_for - ones, &cuts[1]);
         if (!has_area(screens, ones) || !has_area(others, count) ||
             (watertight_area(screens) > 0) != (watertight_area(others) > 0)) {
             continue; /* the last: the quad was folded about its chord */

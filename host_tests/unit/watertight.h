@@ -18,8 +18,8 @@ void watertight_expect(const fxl_screen_polygon *polygons, int first, int count)
 
 /* The same for random pairs of triangles of the world, by a clipper whose room is
  * cleared. few: how many of the pairs must be cut, both. screens has room for so many. */
-void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *room, int few,
-                               fxl_screen_polygon *screens, int room_for);
+void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *workspace,
+                               int few, fxl_screen_polygon *screens, int workspace_for);
 
 /* Twice the area in units of 2^-32, positive clockwise. */
 int64_t watertight_area(const fxl_screen_polygon *polygon);

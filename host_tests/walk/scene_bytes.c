@@ -116,7 +116,7 @@ static void put_path(scene_bytes *scene, const fxl_pose *poses, const fxl_path_s
     put32(scene, 136, frames);
 }
 
-void scene_bytes_make(scene_bytes *scene, uint32_t objects, const fxl_pose *poses,
+void scene_bytes_make(scene_bytes *scene, uint32_t instances, const fxl_pose *poses,
                       const fxl_path_segment *strides, uint32_t count)
 {
     uint32_t at, i;
@@ -135,8 +135,8 @@ void scene_bytes_make(scene_bytes *scene, uint32_t objects, const fxl_pose *pose
     put_point(scene, 64, UNIT / 4, UNIT / 16, UNIT);
     put32(scene, 76, FXL_ANGLE_QUARTER / 16);
     put_model(scene);
-    at = add_table(scene, 120, objects, 16);
-    for (i = 0; i < objects; i++) {
+    at = add_table(scene, 120, instances, 16);
+    for (i = 0; i < instances; i++) {
         put_point(scene, at + 16 * i, 0, 0, (4 + (int32_t)i) * UNIT);
     }
     put_path(scene, poses, strides, count);

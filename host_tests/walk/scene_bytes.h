@@ -20,7 +20,7 @@ typedef struct {
 
 /* objects squares that face the eye, one behind the other, and a path: poses
  * or strides, the other null; count entries, 1 to 8. */
-void scene_bytes_make(scene_bytes *scene, uint32_t objects, const fxl_pose *poses,
+void scene_bytes_make(scene_bytes *scene, uint32_t instances, const fxl_pose *poses,
                       const fxl_path_segment *strides, uint32_t count);
 
 #endif

@@ -136,8 +136,8 @@ void test_keys_that_change_every_frame_give_the_steps_of_the_twin(void)
                                               FXL_KEY_FORWARD | FXL_KEY_RIGHT};
     const fxl_pose *start = &poses[0];
     const ref_pose from = {{start->position.x, start->position.y, UNIT / 2}, 0, 0, 0};
-    const ref_motion_limits gait = {1.0 / 4, 1.0 / 16, 1.0, FXL_ANGLE_QUARTER / 16};
-    ref_player twin = ref_player_at(&from);
+    const ref_motion_limits motion_limits = {1.0 / 4, 1.0 / 16, 1.0, FXL_ANGLE_QUARTER / 16};
+    ref_player reference = ref_player_at(&from);
     uint32_t frame;
 
     board.live = true;
@@ -148,13 +148,13 @@ void test_keys_that_change_every_frame_give_the_steps_of_the_twin(void)
     for (frame = 0; frame < FRAMES_MAX; frame++) {
         const fxl_pose *pose = &board.poses[frame];
 
-        ref_player_step(&twin, keys[frame], &gait);
-        TEST_ASSERT_EQUAL_HEX32(twin.yaw, pose->yaw);
-        TEST_ASSERT_EQUAL_HEX32(twin.pitch, pose->pitch);
-        TEST_ASSERT_EQUAL_HEX32(twin.roll, pose->roll);
+        ref_player_step(&reference, keys[frame], &motion_limits);
+        TEST_ASSERT_EQUAL_HEX32(reference.yaw, pose->yaw);
+        TEST_ASSERT_EQUAL_HEX32(reference.pitch, pose->pitch);
+        TEST_ASSERT_EQUAL_HEX32(reference.roll, pose->roll);
         /* A step rounds once. */
-        TEST_ASSERT_TRUE(fabs(twin.position.x * UNIT - pose->position.x) <= frame + 1);
-        TEST_ASSERT_TRUE(fabs(twin.position.z * UNIT - pose->position.z) <= frame + 1);
+        TEST_ASSERT_TRUE(fabs(reference.position.x * UNIT - pose->position.x) <= frame + 1);
+        TEST_ASSERT_TRUE(fabs(reference.position.z * UNIT - pose->position.z) <= frame + 1);
     }
     TEST_ASSERT_NOT_EQUAL(0, board.poses[FRAMES_MAX - 1].position.x);
 }

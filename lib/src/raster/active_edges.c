@@ -47,11 +47,11 @@ void fxl_active_edges_begin(fxl_active_edges *crossings, const fxl_screen_point 
 /* Finds the crossings of the next row. Returns false if there is no next row. */
 static bool next_row(fxl_active_edges *crossings)
 {
+    if (crossings->row + 1 >= crossings->end_row) {
+        return false; /* an empty scan has no points */
+    }
     const fxl_screen_point *points = crossings->points;
     const fxl_screen_point *previous = &points[crossings->count - 1];
-    if (crossings->row + 1 >= crossings->end_row) {
-        return false;
-    }
     crossings->row = (int16_t)(crossings->row + 1);
     crossings->found_count = 0;
     crossings->next = 0;
