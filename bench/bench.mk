@@ -95,7 +95,7 @@ endef
 
 # $(1): the core, $(2): what its flags are called here, $(3): a folder.
 define BENCH_LIB_RULES
-$(2)_FAMILY.$(1) := $(call LIB_TUNE,$(BENCH_FLAGS.$(1)))
+$(2)_FAMILY.$(1) = $$(call LIB_TUNE,$(BENCH_FLAGS.$(1)))
 $(call LIB_RULES,$(BENCH_OUT)/$(1)/$(3)lib,$$(call FIRMWARE_COMPILE,$$($(2).$(1)) $$($(2)_FAMILY.$(1)) -ffreestanding),bench/bench.mk)
 endef
 

@@ -77,7 +77,7 @@ endef
 
 # $(1): the first board with this core.
 define CORE_RULES
-CORE_TUNE.$(call CORE_NAME,$(1)) := $(call LIB_TUNE,$(BOARD_CORE.$(1)))
+CORE_TUNE.$(call CORE_NAME,$(1)) = $$(call LIB_TUNE,$(BOARD_CORE.$(1)))
 CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(call CORE_CHOICE,$(1))
 endef
 

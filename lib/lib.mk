@@ -17,7 +17,10 @@ LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 LIB_TUNED := cortex-m4 cortex-m7 cortex-m33 cortex-m35p cortex-m55 cortex-m85
 # $(1): the compiler's flags that choose the core.
 LIB_TUNE = -fno-tree-loop-distribute-patterns \
-    $(if $(filter $(LIB_TUNED:%=-mcpu=%) $(LIB_TUNED:%=-mcpu=%+%),$(1)),-mtune=cortex-m3 -mgeneral-regs-only)
+    $(if $(filter $(LIB_TUNED:%=-mcpu=%) $(LIB_TUNED:%=-mcpu=%+%),$(1)),-mtune=cortex-m3 $(LIB_GENERAL_REGS))
+# With this flag the compiler no longer says that a core has vectors, which kernels in assembly ask.
+LIB_GENERAL_REGS := -mgeneral-regs-only
+%_armv6m.o %_armv7m.o %_mve.o: LIB_GENERAL_REGS :=
 
 LIB_CFLAGS := $(WARNINGS) -ffreestanding -Ilib/include -MMD -MP
 
