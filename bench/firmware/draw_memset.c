@@ -11,7 +11,7 @@ static uint8_t colour;
 
 int draw_open(const fxl_scene_image *image)
 {
-    colour = image->scene.faces[0].colour;
+    colour = image->scene.faces[0].material;
     return SYSTEM_EXIT_DONE;
 }
 

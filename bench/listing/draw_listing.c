@@ -43,7 +43,7 @@ static void copy_faces(const fxl_scene *scene)
             }
             faces[f].vertices = &vertices[face->first_index];
             faces[f].count = face->count;
-            faces[f].colour = face->colour;
+            faces[f].colour = face->material;
         }
     }
 }

@@ -202,7 +202,7 @@ void test_clip_by_view(uint32_t rounds)
             for (uint32_t k = 0; k < 2; k++) {
                 fxl_face face = {.first_index = any_32() >> 9 & 3u,
                                  .count = (uint8_t)(3u + (any_32() >> 9) % 6u),
-                                 .colour = (uint8_t)any_32()};
+                                 .material = (uint8_t)any_32()};
                 for (uint32_t c = 0; c < FXL_FACE_VERTICES_MAX; c++) {
                     corners[c] = (uint16_t)(any_32() >> 11 & (VERTICES - 1u));
                 }

@@ -16,7 +16,7 @@ static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const f
                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     const uint16_t *corners = model_view->indices + face->first_index;
-    fxl_view_polygon seen = {.colour = face->colour, .count = face->count};
+    fxl_view_polygon seen = {.colour = face->material, .count = face->count};
     const fxl_view_polygon *clipped;
     static fxl_clip_view_work checked;
     fxl_planes needed = 0;

@@ -52,7 +52,7 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     face->normal.z = plane.axes.forward.z * turned;
     face->first_index = scene->index_count;
     face->count = (uint8_t)(3 + fuzz_below(in, FXL_FACE_VERTICES_MAX - 2));
-    face->colour = (uint8_t)fuzz_bits(in, 1);
+    face->material = (uint8_t)fuzz_bits(in, 1);
     for (uint32_t i = 0; i < face->count; i++) {
         int64_t a = (int64_t)(int16_t)fuzz_bits(in, 2) * (1 << scale);
         int64_t b = (int64_t)(int16_t)fuzz_bits(in, 2) * (1 << scale);

@@ -22,7 +22,7 @@ static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon
     const fxl_model model = {.vertex_count = polygon->count, .face_count = 1};
     const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
     const fxl_scene scene = {.vertices = as->vertices, .indices = as->corners, .models = &model};
-    as->face = (fxl_face){.count = polygon->count, .colour = polygon->colour};
+    as->face = (fxl_face){.count = polygon->count, .material = polygon->colour};
     for (uint16_t i = 0; i < polygon->count; i++) {
         as->vertices[i] = polygon->vertices[i].position;
         as->corners[i] = i;

@@ -96,7 +96,7 @@ void test_a_face_becomes_a_polygon_of_the_world(void)
     fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], FXL_PLANES_ALL,
                                &view, &cache);
     fxl_face_to_polygon(&model_view, face, &polygon);
-    TEST_ASSERT_EQUAL(face->colour, polygon.colour);
+    TEST_ASSERT_EQUAL(face->material, polygon.colour);
     TEST_ASSERT_EQUAL(4, polygon.count);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &polygon.vertices[4], sizeof polygon.vertices[4]);
     for (uint32_t i = 0; i < 4; i++) {

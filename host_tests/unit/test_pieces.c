@@ -192,7 +192,7 @@ static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *instance
     fxl_pieces_begin(&pieces, on);
     for (uint32_t i = 1; i + 1 < face->count; i++) {
         const fxl_point triangle[] = {corners[0], corners[i], corners[i + 1]};
-        if (!fxl_submit_piece(&pieces, triangle, 3, face->colour)) {
+        if (!fxl_submit_piece(&pieces, triangle, 3, face->material)) {
             break;
         }
     }
@@ -266,8 +266,8 @@ static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_fac
     const fxl_point first[] = {points[0], points[1], points[2]};
     const fxl_point second[] = {points[0], points[2], points[3]};
     TEST_ASSERT_TRUE(count == 4 && light == renderer.beam_light);
-    return fxl_submit_piece(pieces, first, 3, (uint8_t)(face->colour + LIT)) &&
-           fxl_submit_piece(pieces, second, 3, face->colour);
+    return fxl_submit_piece(pieces, first, 3, (uint8_t)(face->material + LIT)) &&
+           fxl_submit_piece(pieces, second, 3, face->material);
 }
 
 void test_light_splits_the_faces_that_it_reaches(void)

@@ -21,7 +21,7 @@ static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
             (fxl_face){.normal = {f / 2 == 0 ? out : 0, f / 2 == 1 ? out : 0, f / 2 == 2 ? out : 0},
                        .first_index = 24 * model + 4 * f,
                        .count = 4,
-                       .colour = (uint8_t)(colour + f)};
+                       .material = (uint8_t)(colour + f)};
     }
     tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, {0, 0, 0}, TINY_RADIUS, 0};
 }

@@ -54,7 +54,7 @@
 #define FACE_NORMAL      0
 #define FACE_FIRST_INDEX 12
 #define FACE_COUNT       16
-#define FACE_COLOUR      17
+#define FACE_MATERIAL    17
 #define FACE_SIZE        20
 
 /* fxl_face_bounds */

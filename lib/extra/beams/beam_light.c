@@ -55,7 +55,7 @@ static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_fac
     fxl_lit_pieces *made = of->pieces;
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= 1u << FXL_CLIP_CAPACITY;
-        return fxl_submit_piece(pieces, points, count, face->colour);
+        return fxl_submit_piece(pieces, points, count, face->material);
     }
     const bool reverse = pieces->on->renderer->visibility->front_to_back;
     for (uint32_t i = 0; i < made->piece_count; i++) {
@@ -64,7 +64,7 @@ static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_fac
             pieces->outcome |= 1u << FXL_CLIP_CAPACITY;
             continue;
         }
-        uint8_t colour = piece->is_lit ? of->lit[face->colour] : face->colour;
+        uint8_t colour = piece->is_lit ? of->lit[face->material] : face->material;
         if (!fxl_submit_piece(pieces, of->outline, piece->count, colour)) {
             return false;
         }

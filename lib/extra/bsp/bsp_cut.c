@@ -102,7 +102,7 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
         item->entry = (uint16_t)entry;
         item->first = (uint16_t)outline.first;
         item->count = face->count;
-        item->colour = face->colour;
+        item->colour = face->material;
     }
     return true;
 }

@@ -184,7 +184,7 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     fxl_pieces_begin(&pieces, on);
     pieces.planes = entry->instance.planes;
     if (light != NULL && light->reaches(light, scene, instance)) {
-        const fxl_face face = {.count = item->count, .colour = item->colour};
+        const fxl_face face = {.count = item->count, .material = item->colour};
         (void)light->split(light, &pieces, &face, points, item->count);
     } else {
         (void)fxl_submit_piece(&pieces, points, item->count, item->colour);

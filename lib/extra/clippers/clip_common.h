@@ -72,7 +72,7 @@ static inline fxl_clip_result fxl_clip_common_whole(const fxl_model_view *model_
         }
         screen->points[i] = vertex->screen;
     }
-    screen->colour = face->colour;
+    screen->colour = face->material;
     screen->count = face->count;
     return FXL_CLIP_INSIDE;
 }
@@ -120,7 +120,7 @@ static inline fxl_clip_result fxl_clip_common_face(const fxl_model_view *model_v
     if ((any & cut_by) == 0) {
         return fxl_clip_common_whole(model_view, face, screen, steps, 0);
     }
-    in->colour = face->colour;
+    in->colour = face->material;
     in->count = face->count;
     in->carried = 0;
     fxl_clip_result result = steps->cut(model_view, in, any, &clipped);

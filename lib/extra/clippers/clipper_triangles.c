@@ -98,7 +98,7 @@ static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *
 static bool next_of_fan(const fxl_model_view *model_view, fxl_screen_polygon *screen)
 {
     fxl_fan_workspace *workspace = workspace_of(model_view);
-    screen->colour = workspace->face->colour;
+    screen->colour = workspace->face->material;
     for (;;) {
         if (next_piece(model_view, workspace, screen)) {
             return true;

@@ -79,8 +79,8 @@ static void draw_instance(fxl_wire *wire, const fxl_instance *instance, const fx
         }
         for (uint32_t k = 0; k < face->count; k++) {
             const uint32_t next = k + 1 == face->count ? 0 : k + 1;
-            draw_edge(wire, instance, &vertices[indices[k]], &vertices[indices[next]], face->colour,
-                      band);
+            draw_edge(wire, instance, &vertices[indices[k]], &vertices[indices[next]],
+                      face->material, band);
         }
     }
 }

@@ -40,8 +40,8 @@ extern "C" {
 typedef struct {
     fxl_direction normal;
     uint32_t first_index;
-    uint8_t count; /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
-    uint8_t colour;
+    uint8_t count;     /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
+    uint8_t material;  /* of a flat face: its palette index */
     uint16_t reserved; /* 0 */
 } fxl_face;
 

@@ -33,7 +33,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_fac
         of_all &= state; /* bug: between-two */
         *point = vertex->screen;
     }
-    screen->colour = face->colour;
+    screen->colour = face->material;
     screen->count = face->count;
     uint32_t differing = of_any ^ of_all;
     return (differing & FXL_VERTEX_COLUMN) == 0 || (differing & FXL_VERTEX_ROW) == 0

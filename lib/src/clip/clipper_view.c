@@ -27,7 +27,7 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     if (of_all != 0) {
         return FXL_CLIP_OUTSIDE;
     }
-    assembled->colour = face->colour;
+    assembled->colour = face->material;
     assembled->count = face->count;
     fxl_clip_result result = fxl_clip_view_by_planes(
         assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work,

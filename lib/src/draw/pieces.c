@@ -13,7 +13,7 @@ void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on)
 bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour)
 {
     const fxl_traversal *on = pieces->on;
-    const fxl_face face = {.count = (uint8_t)count, .colour = colour};
+    const fxl_face face = {.count = (uint8_t)count, .material = colour};
     fxl_model_view model_view;
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
     fxl_model_view_of_polygon(&model_view, points, pieces->planes, &on->renderer->frame.view,

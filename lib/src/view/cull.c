@@ -21,7 +21,7 @@ void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,
     const uint16_t *indices = model_view->indices + face->first_index;
     const fxl_point *eye = &model_view->view->camera.position;
     FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
-    polygon->colour = face->colour;
+    polygon->colour = face->material;
     polygon->count = face->count;
     polygon->textured = false;
     for (uint32_t i = 0; i < face->count; i++) {
