@@ -18,7 +18,7 @@ bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, con
 void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                          ref_polygon *polygon)
 {
-    polygon->colour = face->colour;
+    polygon->colour = face->material;
     polygon->count = face->count;
     for (int i = 0; i < face->count; i++) {
         ref_lattice_point corner = ref_face_vertex(scene, instance, face, i);

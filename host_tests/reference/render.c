@@ -162,7 +162,7 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
     }
     for (int i = 0; i < pieces.count; i++) {
         const ref_lit_piece *piece = &pieces.pieces[i];
-        ref_polygon polygon = {.colour = piece->lit ? scene->lit[face->colour] : face->colour,
+        ref_polygon polygon = {.colour = piece->lit ? scene->lit[face->material] : face->material,
                                .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);

@@ -10,7 +10,7 @@
 typedef struct {
     int32_t normal[3]; /* 2.30 */
     uint32_t first_index;
-    uint8_t count, colour;
+    uint8_t count, material;
 } ref_face;
 
 enum {

@@ -43,7 +43,7 @@ static bool submit_leaf(const bsp_traversal *traversal, uint32_t node, bool behi
         const ref_model *model =
             &traversal->scene->models[traversal->scene->instances[piece->instance].model];
         ref_polygon polygon = {.colour =
-                                   traversal->scene->faces[model->first_face + piece->face].colour,
+                                   traversal->scene->faces[model->first_face + piece->face].material,
                                .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);

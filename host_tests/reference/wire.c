@@ -70,7 +70,7 @@ bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens
                     continue;
                 }
                 const ref_screen_line line = {end_of(lens, &from, &to, enter),
-                                              end_of(lens, &from, &to, leave), face->colour};
+                                              end_of(lens, &from, &to, leave), face->material};
                 if (!append(wire, &line)) {
                     return false;
                 }
