@@ -58,6 +58,9 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
     memset(&room, 0, sizeof room);
     view->clipper_workspace = &room;
     view->frame += 1;
+    if (chosen->begin != NULL) {
+        chosen->begin(view);
+    }
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     fxl_clip_result result = chosen->clip(&face.model_view, &face.face, &work, &screens[0]);
     fxl_clip_result now = result;

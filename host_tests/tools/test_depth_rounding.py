@@ -43,15 +43,14 @@ def wall(folder, plane, inward=0):
 
 def drawn(build, scene, clipper):
     dump = scene.with_suffix(f".{clipper}.fxld")
-    subprocess.run([build / "host" / "frames", scene, dump, "--clipper", clipper], check=True, capture_output=True,
-                   timeout=60)
+    subprocess.run([build / "host" / "frames", scene, dump, "--clipper", clipper], check=True, capture_output=True)
     return dump
 
 
 def judged(build, scene, dump, clipper):
     verdict = dump.with_suffix(".json")
     subprocess.run([build / "host" / "judge", scene, dump, "--clipper", clipper, "--json", verdict], check=True,
-                   capture_output=True, timeout=60)
+                   capture_output=True)
     return json.loads(verdict.read_text(encoding="utf-8"))
 
 

@@ -195,7 +195,7 @@ def test_stages(names, stage):
 def test_every_file_of_the_library_has_a_stage():
     stages = places.Stages()
     sources = [*(CHECKOUT / "lib").rglob("*.[cS]")]
-    assert sorted({path.stem for path in sources} - set(stages.of_file) - stages.shared) == []
+    assert sorted({places.stem_of(path) for path in sources} - set(stages.of_file) - stages.shared) == []
 
 
 def test_debug_information_knows_lines_and_inlined_functions():

@@ -36,7 +36,7 @@ def library():
 def scene(tmp_path_factory):
     """A folder outside the tree with the header of the scene, written as the README says."""
     folder = tmp_path_factory.mktemp("first")
-    done = subprocess.run(commands()[0], shell=True, cwd=linked(folder), text=True, capture_output=True, check=False)
+    done = subprocess.run(commands()[1], shell=True, cwd=linked(folder), text=True, capture_output=True, check=False)
     assert done.returncode == 0 and (folder / "cube_scene.h").exists(), done.stderr
     return folder
 
@@ -64,8 +64,8 @@ def test_program_is_short():
 
 
 def test_the_commands_run_as_written(library, scene):
-    export, make, compile_and_run = commands()
-    assert export.startswith("tools/scene.py export --c ") and make == "make lib CORE=host"
+    setup, export, make, compile_and_run = commands()
+    assert setup == "tools/setup.sh tools" and export.startswith("tools/scene.py export --c ") and make == "make lib CORE=host"
     library("host")
     done = subprocess.run(compile_and_run, shell=True, cwd=scene, text=True, capture_output=True, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

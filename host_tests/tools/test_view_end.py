@@ -15,7 +15,7 @@ from conftest import CHECKOUT, assert_one_sentence, environment, run_cli
 
 from fixel import browser
 from viewers import BOARDS, HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, \
-    own_build, plaza, ready
+    own_build, own_port, plaza, ready
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +44,8 @@ def test_ctrl_c_ends_everything(board, build, chromium):
     """make view in a terminal of its own, with a page that looks on and a key down; impatiently."""
     ours, theirs = pty.openpty()
     sane = termios.tcgetattr(theirs)
-    process = subprocess.Popen(["make", "--no-print-directory", "view", f"BOARD={board}"], cwd=CHECKOUT,
+    process = subprocess.Popen(["make", "--no-print-directory", "view", f"BOARD={board}",
+                                f"PORT={own_port()[1]}"], cwd=CHECKOUT,
                                stdin=theirs, stdout=theirs, stderr=theirs, env=environment(),
                                preexec_fn=lambda: os.login_tty(os.dup(theirs)))
     try:
@@ -75,7 +76,7 @@ def test_ctrl_c_ends_everything(board, build, chromium):
 @pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_other_endings(scene, build, programs, ending):
     ready("mps2-an385", build)
-    with browser.viewing("mps2-an385", scene, programs) as (process, address):
+    with browser.viewing("mps2-an385", scene, programs, own_port()) as (process, address):
         found = children(process.pid)
         assert_started(found)
         process.send_signal(ending)
@@ -109,7 +110,7 @@ def test_ended_while_it_starts(scene, build, programs, ending, sign):
 
 
 def test_killed_it_leaves_nothing_running(board, scene, programs):
-    with browser.viewing(board, scene, programs) as (process, address):
+    with browser.viewing(board, scene, programs, own_port()) as (process, address):
         found = children(process.pid)
         assert_started(found)
         process.kill()
@@ -118,7 +119,7 @@ def test_killed_it_leaves_nothing_running(board, scene, programs):
 
 
 def test_a_board_that_ends_is_an_error_on_the_page_and_in_the_terminal(board, scene, programs, chromium):
-    with browser.viewing(board, scene, programs) as (process, address), \
+    with browser.viewing(board, scene, programs, own_port()) as (process, address), \
             browser.page(chromium, address, WIDTH, HEIGHT) as page:
         (qemu,) = [number for number, command in children(process.pid).items() if "qemu-system-arm" in command]
         os.kill(qemu, signal.SIGKILL)

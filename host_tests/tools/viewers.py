@@ -80,6 +80,13 @@ def assert_started(found):
         assert any(name in command for command in found.values()), found
 
 
+def own_port():
+    """The words that give a viewer a port which no other test's viewer takes after it."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return "--port", str(free.getsockname()[1])
+
+
 def assert_refuses(address):
     with pytest.raises(ConnectionRefusedError):
         socket.create_connection(("127.0.0.1", port_of(address)))

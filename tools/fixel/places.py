@@ -4,6 +4,7 @@
 import collections
 import dataclasses
 import pathlib
+import re
 import tomllib
 
 from fixel import thumb
@@ -18,10 +19,17 @@ GROUPS = {"multiply": ("multiply", "multiply add"),
           "float": ("float", "float multiply add", "float divide", "float root"), "vector": ("vector",)}
 GROUP_OF = {kind: group for group, kinds in GROUPS.items() for kind in kinds}
 INLINED = "(inlined)"
+# A kernel in assembly has its core in its name, and the stage of the portable one.
+CORES = re.compile(r"_(?:armv6m|armv7m|mve)$")
 LIBRARY = tuple(map(pathlib.PurePath, ("lib/src", "lib/extra", "lib/kernels")))
 OTHERS = "beside the library"
 STAGES = pathlib.Path(__file__).resolve().parents[2] / "bench" / "stages.toml"
 BEFORE_RETURN = 2   # bytes: an address within the call
+
+
+def stem_of(file):
+    """The name of a source file of the library, without a core."""
+    return CORES.sub("", pathlib.PurePath(file).stem)
 
 
 @dataclasses.dataclass
@@ -55,12 +63,13 @@ class Stages:
         innermost = None
         for name in reversed(names):
             file = pathlib.PurePath(files.get(name, ""))
-            if file.suffix == ".h" or file.stem in self.shared or \
+            stem = stem_of(file)
+            if file.suffix == ".h" or stem in self.shared or \
                     not any(folder in file.parents for folder in LIBRARY):
                 continue
-            if innermost not in (None, file.stem):
+            if innermost not in (None, stem):
                 break
-            innermost = file.stem
+            innermost = stem
             if name in self.of_function:
                 return self.of_function[name]
         return OTHERS if innermost is None else self.of_file.get(innermost, innermost)

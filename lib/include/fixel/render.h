@@ -120,7 +120,8 @@ fxl_config fxl_config_default(uint16_t width, uint16_t height);
  * pixel.
  * FXL_E_ARGUMENT; FXL_E_ALIGNMENT (memory); FXL_E_RANGE (config); FXL_E_ORDER (the scene was
  * not checked): renderer untouched. FXL_E_CAPACITY: the block is too small by
- * renderer->memory_missing bytes; nothing else is written. */
+ * renderer->memory_missing bytes; nothing else is written, and the renderer cannot draw until
+ * it is initialised. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
                              const fxl_config *config, void *memory, size_t memory_size);
 

@@ -4,7 +4,7 @@
 #include "arith.h"
 #include "../../kernels/divide.h"
 
-#ifdef FXL_SMALL
+#if FXL_IS_SMALL
 
 /* Long division, a bit at a time: 268 bytes less on a Cortex-M3. The bits of the quotient enter the
  * lower word as those of the numerator leave it. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Scan conversion: from a polygon of the screen to the pixels that it covers.
- * The fill rule is here and nowhere else.
+ * This states the fill rule; CONTRIBUTING.md lists the code that obeys it.
  *
  * A polygon covers a pixel if the winding number of its outline about the pixel's
  * centre (i + 1/2, j + 1/2) is not zero. Ties follow the top-left rule: a centre
