@@ -81,6 +81,22 @@ def library(core):
     return ROOT / "build" / "lib" / core
 
 
+@pytest.mark.parametrize("core", ["foo", "cortex-a53", ""])
+def test_an_unknown_core_is_refused_with_a_list(core):
+    done = run_make("lib", f"CORE={core}")
+    assert done.returncode == 2 and f"error: CORE={core} is unknown; the cores are: cortex-m0 " in done.stderr
+    assert not (ROOT / "build" / "lib" / "unknown").exists()
+
+
+@pytest.mark.parametrize("core", ["m55", "cortex-m55"])
+def test_the_readers_core_reaches_the_compiler(core):
+    """No flag of the library's takes the core's place: -mcmse would not compile then."""
+    done = run_make("lib", "--always-make", "--dry-run", f"CORE={core}", "LIB_FLAGS=-mcmse")
+    lines = [line for line in done.stdout.splitlines() if re.search(r"\bgcc .* -c ", line)]
+    assert done.returncode == 0 and len(lines) > 50
+    assert all("-mcpu=cortex-m55 -mthumb -mcmse" in line and line.count("-mcpu=") == 1 for line in lines)
+
+
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """A folder with the page's files, the exported scene among them."""
