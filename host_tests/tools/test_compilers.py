@@ -9,7 +9,7 @@ import subprocess
 
 import pytest
 
-from conftest import CHECKOUT
+from conftest import CHECKOUT, environment
 
 INCLUDE = CHECKOUT / "lib" / "include"
 SOURCES = sorted(path for path in (CHECKOUT / "lib").rglob("*") if path.suffix in (".c", ".S"))
@@ -38,7 +38,8 @@ def freestanding(compiler):
 
 
 def run(command):
-    done = subprocess.run([str(word) for word in command], cwd=CHECKOUT, text=True, capture_output=True, check=False)
+    done = subprocess.run([str(word) for word in command], cwd=CHECKOUT, env=environment(), text=True,
+                          capture_output=True, check=False)
     return done.returncode, done.stdout + done.stderr
 
 
