@@ -137,8 +137,8 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
         first += node->face_count;
     }
     /* bug: tree-faces */
-    return first == model->face_count ? FXL_OK
-                                      : fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
+    bool complete = first == model->face_count;
+    return complete ? FXL_OK : fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
 }
 
 /* Traverses the tree in pre-order, without a stack. Each step down must be to the next number, so
