@@ -24,9 +24,9 @@ typedef struct {
  * caller may read them. */
 typedef struct {
     uint16_t *rows;    /* the first interval of each row, or FXL_COVERED_END */
-    fxl_covered *pool; /* the first `used` of `capacity` are in use, or are free again */
+    fxl_covered *pool; /* the first `used` of `capacity` hold intervals, or did once */
     uint16_t capacity, used;
-    uint16_t unused; /* the first free interval of those used: a list by next */
+    uint16_t unused; /* the first of these that holds none now: a list by next */
     uint16_t first_row, row_count, width;
     uint16_t open_rows; /* rows that are not wholly covered */
 } fxl_span_buffer;
