@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "transform_vertex.h"
 
+#include "../../lib/src/view/rotate.h"
 #include "equality.h"
 #include "sides.h"
 
@@ -51,7 +52,15 @@ static void any_view(void)
     if (any_32() & 0x300u) {
         placed.planes = FXL_PLANES_ALL;
     }
-    placed.offset = (fxl_point){0, 0, 0};
+    placed.rows[0] = view.camera.right;
+    placed.rows[1] = view.camera.up;
+    placed.rows[2] = view.camera.forward;
+}
+
+/* Puts the origin of the vertices somewhere else than the eye. */
+static void move_origin(const fxl_point *origin)
+{
+    fxl_rotate(&view.camera, origin, &placed.translation);
 }
 
 /* A vertex relative to the eye: anywhere, or within a few units of a side plane,
@@ -96,6 +105,7 @@ static void boundaries(void)
 {
     static const int32_t ends[] = {0,         1,          -1,         65536,      -65536,
                                    536805376, -536805376, 1073610752, -1073610752};
+    move_origin(&(fxl_point){0, 0, 0});
     for (uint32_t x = 0; x < 9; x++) {
         for (uint32_t y = 0; y < 9; y++) {
             for (uint32_t z = 0; z < 9; z++) {
@@ -113,8 +123,13 @@ void test_look_at(uint32_t rounds)
         if (i < 8) {
             boundaries();
         }
+        const fxl_point origin = {within(FXL_COORDINATE_MAX), within(FXL_COORDINATE_MAX),
+                                  within(FXL_COORDINATE_MAX)};
+        move_origin(&origin);
         for (uint32_t j = 0; j < 32; j++) {
-            vertices[j & 7u] = any_vertex();
+            const fxl_point from_eye = any_vertex();
+            vertices[j & 7u] =
+                (fxl_point){from_eye.x - origin.x, from_eye.y - origin.y, from_eye.z - origin.z};
             compare(j & 7u);
         }
     }

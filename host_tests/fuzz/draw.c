@@ -196,11 +196,9 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
 
 static void free_renderer(fxl_renderer *renderer)
 {
-    free(renderer->frame.view.clipper_workspace);
+    free(renderer->workspace.clipper_workspace);
     free(renderer->frame.display_list.words);
-    if (renderer->workspace.cache.entries != &renderer->workspace.own_entry) {
-        free(renderer->workspace.cache.entries);
-    }
+    free(renderer->workspace.cache.entries);
     free(renderer->frame.order);
     free((void *)(uintptr_t)renderer->beam_light); /* it lies at the beginning of its room */
     free(renderer);

@@ -56,12 +56,12 @@ fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
     static fxl_clipper_workspace room;
     static polygon_face face;
     memset(&room, 0, sizeof room);
-    view->clipper_workspace = &room;
     view->frame += 1;
     if (chosen->begin != NULL) {
         chosen->begin(view);
     }
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
+    face.model_view.clipper_workspace = &room;
     fxl_clip_result result = chosen->clip(&face.model_view, &face.face, &work, &screens[0]);
     fxl_clip_result now = result;
     *count = 0;

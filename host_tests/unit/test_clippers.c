@@ -78,9 +78,9 @@ static int take(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view
     static fxl_clipper_work work;
     static polygon_face face;
     int count = 0;
-    view->clipper_workspace = &guarded.workspace;
-    memset(view->clipper_workspace, 0, clipper->workspace_size);
+    memset(&guarded.workspace, 0, clipper->workspace_size);
     polygon_face_set(&face, polygon, view, (uint32_t)unit_between(1, 8));
+    face.model_view.clipper_workspace = &guarded.workspace;
     *result = clipper->clip(&face.model_view, &face.face, &work, &got[0]);
     fxl_clip_result now = *result;
     while (is_kept(now)) {
@@ -289,8 +289,8 @@ void test_the_sliver_rule_is_an_option(void)
             fxl_clip_stats *account = &guarded.workspace.stats;
             memset(&guarded.workspace, 0, clippers[which]->workspace_size);
             account->sliver = on ? (fxl_q18_46)1 << 40 : 0; /* 1/64 unit */
-            view.clipper_workspace = &guarded.workspace;
             polygon_face_set(&face, &polygon, &view, 4);
+            face.model_view.clipper_workspace = &guarded.workspace;
             fxl_clip_result result =
                 clippers[which]->clip(&face.model_view, &face.face, &work, &screen);
             TEST_ASSERT_EQUAL(!on, is_kept(result));
@@ -311,10 +311,10 @@ void test_all_count_what_they_work_out(void)
     polygon.vertices[0].position = at(&view, 0, Q16(0.25), Q16(2));
     polygon.vertices[1].position = at(&view, Q16(0.25), Q16(-0.25), Q16(-2));
     polygon.vertices[2].position = at(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
-    view.clipper_workspace = &account;
     fxl_view_set_world_frustum(&view);
     for (int which = 0; which < 2; which++) {
         polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &account;
         fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(
             &face.model_view, &face.face, &work, &screen);
         TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);

@@ -297,7 +297,7 @@ void test_light_splits_the_faces_that_it_reaches(void)
 static fxl_clip_result clip_with_workspace(const fxl_model_view *model_view, const fxl_face *face,
                                            fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    uint32_t *room = model_view->view->clipper_workspace;
+    uint32_t *room = model_view->clipper_workspace;
     TEST_ASSERT_TRUE(model_view->view->frame != 0);
     if (room[0] != model_view->view->frame) {
         room[0] = model_view->view->frame;

@@ -96,13 +96,15 @@ int64_t watertight_area(const fxl_screen_polygon *polygon)
 }
 
 /* From world to screen, as the frame loop does it. */
-static int to_screen(const fxl_clipper *clipper, const fxl_polygon *polygon, fxl_view *view,
-                     fxl_screen_polygon *screens, int workspace_for, bool *cut)
+static int to_screen(const fxl_clipper *clipper, fxl_clipper_workspace *workspace,
+                     const fxl_polygon *polygon, fxl_view *view, fxl_screen_polygon *screens,
+                     int workspace_for, bool *cut)
 {
     static fxl_clipper_work work;
     static polygon_face face;
     int count = 0;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
+    face.model_view.clipper_workspace = workspace;
     fxl_clip_result result = clipper->clip(&face.model_view, &face.face, &work, &screens[0]);
     *cut = result == FXL_CLIP_CUT;
     while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN) {
@@ -208,7 +210,6 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
             uint32_t frame = view.frame;
             random_view(&view);
             view.frame += frame;
-            view.clipper_workspace = workspace;
         }
         random_quad(&view.camera, corners);
         fxl_polygon first = world_triangle(corners[0], corners[1], corners[2]);
@@ -217,9 +218,10 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
         if (!edge_is_seen(&view, &corners[0], &corners[2], &edge_cut)) {
             continue;
         }
-        int ones = to_screen(clipper, &first, &view, screens, workspace_for, &cuts[0]);
+        int ones = to_screen(clipper, workspace, &first, &view, screens, workspace_for, &cuts[0]);
         fxl_screen_polygon *others = screens + ones;
-        int count = to_screen(clipper, &second, &view, others, workspace_for - ones, &cuts[1]);
+        int count =
+            to_screen(clipper, workspace, &second, &view, others, workspace_for - ones, &cuts[1]);
         if (!has_area(screens, ones) || !has_area(others, count) ||
             (watertight_area(screens) > 0) != (watertight_area(others) > 0)) {
             continue; /* the last: the quad was folded about its chord */

@@ -79,13 +79,9 @@ AT(fxl_model_view, mask, MODEL_VIEW_MASK);
 AT(fxl_model_view, tag, MODEL_VIEW_TAG);
 AT(fxl_model_view, vertices, MODEL_VIEW_VERTICES);
 AT(fxl_model_view, indices, MODEL_VIEW_INDICES);
-AT(fxl_model_view, offset, MODEL_VIEW_OFFSET);
 AT(fxl_model_view, planes, MODEL_VIEW_PLANES);
-
-AT(fxl_view, camera, VIEW_ROTATION - offsetof(fxl_camera, right));
-AT(fxl_camera, up, offsetof(fxl_camera, right) + sizeof(fxl_direction));
-AT(fxl_camera, forward, offsetof(fxl_camera, right) + 2 * sizeof(fxl_direction));
-VALUE(3 * sizeof(fxl_direction), ROTATION_SIZE);
+AT(fxl_model_view, rows, MODEL_VIEW_ROWS);
+AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
 AT(fxl_view, projection, VIEW_PROJECTION);
 AT(fxl_view, view_frustum, VIEW_FRUSTUM);
 

@@ -79,20 +79,19 @@
 #define CACHED_VERTEX_SIZE       40
 
 /* fxl_model_view */
-#define MODEL_VIEW_VIEW     0
-#define MODEL_VIEW_ENTRIES  4
-#define MODEL_VIEW_MASK     8
-#define MODEL_VIEW_TAG      12
-#define MODEL_VIEW_VERTICES 16
-#define MODEL_VIEW_INDICES  20
-#define MODEL_VIEW_OFFSET   24
-#define MODEL_VIEW_PLANES   36
+#define MODEL_VIEW_VIEW        0
+#define MODEL_VIEW_ENTRIES     4
+#define MODEL_VIEW_MASK        8
+#define MODEL_VIEW_TAG         12
+#define MODEL_VIEW_VERTICES    16
+#define MODEL_VIEW_INDICES     20
+#define MODEL_VIEW_PLANES      24
+#define MODEL_VIEW_ROWS        28
+#define MODEL_VIEW_TRANSLATION 64
 
-/* fxl_view; its rotation is right, up and forward of the camera. */
-#define VIEW_ROTATION   12
+/* fxl_view */
 #define VIEW_PROJECTION 68
 #define VIEW_FRUSTUM    96
-#define ROTATION_SIZE   36
 
 /* fxl_view_frustum */
 #define FRUSTUM_X_SIDE      0

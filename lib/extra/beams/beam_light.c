@@ -127,6 +127,9 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
+    if (renderer->scene == NULL) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
     if (beam_count > 0) {
         fxl_status status = FXL_E_ARGUMENT;
         if (beams != NULL && lit != NULL && workspace != NULL && ((uintptr_t)workspace & 7u) == 0) {
@@ -136,7 +139,7 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
             status = FXL_E_CAPACITY;
         }
         if (status != FXL_OK) {
-            return fxl_renderer_refuse(renderer, status);
+            return fxl_refuse(&renderer->workspace, status);
         }
     }
     renderer->beam_light =

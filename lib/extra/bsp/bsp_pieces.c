@@ -81,6 +81,7 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     fxl_model_view model_view;
     fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
                                &on->renderer->frame.view, &on->workspace->cache);
+    model_view.clipper_workspace = on->workspace->clipper_workspace;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         on->counters->in += 1;

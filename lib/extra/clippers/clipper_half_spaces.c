@@ -7,7 +7,7 @@
 
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
-    return (fxl_volume_workspace *)model_view->view->clipper_workspace;
+    return (fxl_volume_workspace *)model_view->clipper_workspace;
 }
 
 /* Transforms as fxl_transform_vertex does, to the same integers. */
@@ -17,8 +17,7 @@ static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t numbe
     fxl_cached_vertex *entry = fxl_clip_common_entry(model_view, number, &is_new);
     if (is_new) {
         fxl_volume_workspace *workspace = workspace_of(model_view);
-        fxl_point from_eye = fxl_model_view_vertex(model_view, number);
-        fxl_rotate(&model_view->view->camera, &from_eye, &entry->position);
+        fxl_model_view_position(model_view, number, &entry->position);
         entry->clip_flags = FXL_VERTEX_UNPROJECTED;
         if (model_view->planes != 0) {
             workspace->clip.stats.distances += FXL_PLANE_COUNT;

@@ -9,7 +9,7 @@
 
 static fxl_fan_workspace *workspace_of(const fxl_model_view *model_view)
 {
-    return (fxl_fan_workspace *)model_view->view->clipper_workspace;
+    return (fxl_fan_workspace *)model_view->clipper_workspace;
 }
 
 /* Fetches a vertex as the default clipper does. A vertex that is inside comes with its position

@@ -14,8 +14,7 @@ static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t numbe
     bool is_new;
     fxl_cached_vertex *entry = fxl_clip_common_entry(model_view, number, &is_new);
     if (is_new) {
-        fxl_point from_eye = fxl_model_view_vertex(model_view, number);
-        fxl_rotate(&model_view->view->camera, &from_eye, &entry->position);
+        fxl_model_view_position(model_view, number, &entry->position);
         entry->clip_flags = FXL_VERTEX_UNPROJECTED;
     }
     return entry;
@@ -41,7 +40,7 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
         fxl_face_to_polygon(model_view, face, polygon);
         result =
             fxl_clip_world_by_planes(polygon, &view->frustum, model_view->planes, &work->by_world,
-                                     (fxl_clip_stats *)view->clipper_workspace, &clipped);
+                                     (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
     }
     if (result == FXL_CLIP_INSIDE) { /* bug: world-in-place */
         return fxl_clip_common_whole(model_view, face, screen, &steps, 0);

@@ -1,14 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Fetches vertices, transformed into the normalised frustum, through the vertex cache. Internal. */
+/* The steps that the clippers in the normalised frustum share: its vertices come through the vertex
+ * cache. Internal. A clipper defines FXL_NORMALISED_WORKSPACE, the type of its workspace, which has
+ * the members frame and frustum, before it includes this file. */
 #ifndef FXL_FETCH_NORMALISED_H
 #define FXL_FETCH_NORMALISED_H
 
 #include "clip_common.h"
 
-static inline fxl_cached_vertex *fxl_fetch_normalised(const fxl_model_view *model_view,
-                                                      uint32_t number,
-                                                      const fxl_normalised *frustum)
+static inline FXL_NORMALISED_WORKSPACE *workspace_of(const fxl_model_view *model_view)
 {
+    return (FXL_NORMALISED_WORKSPACE *)model_view->clipper_workspace;
+}
+
+static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
+{
+    const fxl_normalised *frustum = &workspace_of(model_view)->frustum;
     bool is_new;
     fxl_cached_vertex *entry = fxl_clip_common_entry(model_view, number, &is_new);
     if (is_new) {
@@ -21,14 +27,25 @@ static inline fxl_cached_vertex *fxl_fetch_normalised(const fxl_model_view *mode
     return entry;
 }
 
-/* Makes the planes of a frame, when the first face of the frame needs them. */
-static inline void fxl_normalised_set_up(const fxl_view *view, uint32_t *frame,
-                                         fxl_normalised *frustum)
+static fxl_status project(const fxl_model_view *model_view, const fxl_view_point *point,
+                          fxl_screen_point *screen)
 {
-    if (*frame != view->frame) { /* bug: normalised-stale */
-        fxl_normalised_from_camera(&view->camera, &view->lens, frustum);
-        *frame = view->frame;
+    /* bug: once-project */
+    return fxl_normalised_project(&workspace_of(model_view)->frustum, point, screen);
+}
+
+/* Makes the frustum of a frame, when the first face of the frame needs it; then clips the face. */
+static inline fxl_clip_result clip_in_frustum(const fxl_model_view *model_view,
+                                              const fxl_face *face, fxl_screen_polygon *screen,
+                                              const fxl_clip_steps *steps)
+{
+    FXL_NORMALISED_WORKSPACE *workspace = workspace_of(model_view);
+    const fxl_view *view = model_view->view;
+    if (workspace->frame != view->frame) { /* bug: normalised-stale */
+        fxl_normalised_from_camera(&view->camera, &view->lens, &workspace->frustum);
+        workspace->frame = view->frame;
     }
+    return fxl_clip_common_face(model_view, face, screen, steps, FXL_PLANES_ALL);
 }
 
 #endif

@@ -6,7 +6,7 @@
 
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
-    return (fxl_volume_workspace *)model_view->view->clipper_workspace;
+    return (fxl_volume_workspace *)model_view->clipper_workspace;
 }
 
 /* Fetches a vertex as the default clipper does. A vertex that is outside of a side which the

@@ -61,16 +61,19 @@ typedef struct {
     bool ready;              /* the frame has begun */
 } fxl_frame;
 
-/* What drawing works in, and may change: each core that draws has its own. */
+/* What drawing works in, and may change: each core that draws has its own. The renderer's own is
+ * within it; fxl_workspace_init sets up others. */
 typedef struct fxl_workspace {
     fxl_counters counters;
+    uint32_t frame;              /* that this workspace last drew, as fxl_view counts them */
     fxl_order_entry *face_order; /* front faces of one sorted model, in the order of drawing */
     uint16_t sorted_instance;    /* whose they are, as fxl_resume_point counts instances */
     uint16_t front_count;        /* how many */
-    bool counted;                /* faces that are not in the display list have been counted */
+    uint32_t counted : 1;        /* faces that are not in the display list have been counted */
+    uint32_t settings : 31;      /* of the renderer when this was set up: counts changes */
     fxl_vertex_cache cache;
-    fxl_cached_vertex own_entry; /* all of the cache where the caller gave none */
-    void *raster_workspace;      /* the raster backend's, of the caller's memory; or null */
+    void *clipper_workspace; /* the clipper's, of the caller's memory; or null */
+    void *raster_workspace;  /* the raster backend's, of the caller's memory; or null */
     uint32_t raster_workspace_size;
     fxl_screen_polygon screen;
     union { /* a polygon's clipping is over when it is scanned */
@@ -81,10 +84,11 @@ typedef struct fxl_workspace {
 
 typedef struct fxl_beam_light fxl_beam_light;
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 472 bytes and
- * 64 for each vertex of FXL_POLYGON_CAPACITY: 2520 where that is 32, 1240 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 480 bytes and
+ * 64 for each vertex of FXL_POLYGON_CAPACITY: 2528 where that is 32, 1248 where
  * it is 12. Several may live at once; none knows of another. Members are for
- * reading only; a renderer must not be copied or moved. */
+ * reading only. A renderer may be moved: no pointer in it leads into it. Two copies share the
+ * caller's memory, so that only one of them may be used. */
 struct fxl_renderer {
     const fxl_scene *scene;
     const fxl_clipper *clipper;       /* fxl_clipper_view, or another */
@@ -138,7 +142,8 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
  * A display list that holds every polygon of a frame lets bands be drawn without a look
  * at the scene. One that is full leaves the rest to every band; without one every band
  * traverses the scene. The pixels are the same.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked: its order_needed is 0),
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (order and display list to 4 bytes, cache to 8), FXL_E_RANGE
+ * (a lens that is not valid), FXL_E_ORDER (the scene was not checked: its order_needed is 0),
  * FXL_E_CAPACITY (order; or an instance_count that was raised after the check): renderer
  * untouched. */
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
@@ -149,17 +154,20 @@ fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
-/* Sets the clipper and its workspace: clipper->workspace_size bytes of the caller's, aligned to
- * 8, of which it keeps hold; may be null where that is 0. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_CAPACITY (workspace_size): renderer untouched but for
+/* Sets the clipper and its workspace: at least clipper->workspace_size bytes of the caller's,
+ * aligned to 8, of which it keeps hold. Where that is 0, a workspace is not needed; one of
+ * workspace_size > 0 must hold an fxl_clip_stats. Then a frame must begin anew.
+ * FXL_E_ARGUMENT (also a workspace that is not aligned), FXL_E_ORDER (the renderer was never
+ * initialised: it is all zeros), FXL_E_CAPACITY (workspace_size): renderer untouched but for
  * refused_calls. */
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
                                     void *workspace, uint32_t workspace_size);
 
 /* Sets the visibility method and its workspace, of the caller's memory, aligned to 8, of which
  * it keeps hold; may be null where the method wants none. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_CAPACITY (workspace_size is less than the method wants for this scene
- * and this lens): renderer untouched but for refused_calls. */
+ * FXL_E_ARGUMENT (also a workspace that is not aligned), FXL_E_ORDER (the renderer was never
+ * initialised), FXL_E_CAPACITY (workspace_size is less than the method wants for this scene and
+ * this lens): renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
                                        void *workspace, uint32_t workspace_size);
 
@@ -181,6 +189,31 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
  * not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+
+/* --- several cores ------------------------------------------------------------------------ */
+
+/* Bytes of memory that another workspace needs at least, for the renderer's scene, clipper and
+ * visibility method; 0 where the renderer is not set up. */
+size_t fxl_workspace_size(const fxl_renderer *renderer);
+
+/* Sets up a workspace beside the renderer's own, in one block of the caller's memory, aligned to 8
+ * bytes, of which it keeps hold. What the block has over fxl_workspace_size keeps vertices that
+ * faces share, and is room for the raster backend. The workspace must be set up anew after the
+ * renderer's clipper or visibility method was changed, or the renderer initialised.
+ * FXL_E_ARGUMENT (also the renderer's own workspace), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer
+ * lacks a clipper or a visibility method), FXL_E_CAPACITY: workspace untouched. */
+fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
+                              size_t memory_size);
+
+/* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
+ * may draw a band of its own at the same time, each in its own workspace, with any clipper and
+ * the method fxl_visibility_sorted, _box, _spans or _spans_box. The faces of a frame are counted
+ * in the renderer's own workspace; another's counters have split_bands and refused_calls.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun, or the workspace was set up for another clipper or
+ * method), FXL_E_RANGE (a band that is not of this screen): band untouched; counted in
+ * refused_calls of the workspace. */
+fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band);
 
 #ifdef __cplusplus
 }

@@ -16,9 +16,10 @@
 #define POSITION_X (CACHED_VERTEX_POSITION + VIEW_POINT_X)
 #define POSITION_Y (CACHED_VERTEX_POSITION + VIEW_POINT_Y)
 #define POSITION_Z (CACHED_VERTEX_POSITION + VIEW_POINT_Z)
-/* Offsets on the stack. FROM_EYE is the vertex relative to the eye, x, y, z; later the inset
- * takes the place of x. */
-#define FROM_EYE    0
+/* From a row of the rotation to its part of the translation: 12 bytes a row, 8 a part. */
+#define FROM_ROW(number) (MODEL_VIEW_TRANSLATION - MODEL_VIEW_ROWS - 4 * (number))
+/* Offsets on the stack. VERTEX is its x, y, z; later the inset takes the place of x. */
+#define VERTEX      0
 #define INSET       0
 #define MODEL_VIEW      12
 #define ENTRY       16
@@ -38,25 +39,24 @@
     adds    r4, r4, r5
     .endm
 
-/* Adds the next entry of the rotation times a coordinate to r7:r6; coordinate 0 sets r7:r6. */
+/* Adds the next entry of the rotation times a coordinate to r7:r6. */
     .macro  add_product coordinate
     ldm     r1!, {r2}
-    ldr     r3, [sp, #FROM_EYE + 4 * \coordinate]
+    ldr     r3, [sp, #VERTEX + 4 * \coordinate]
     products
     lsls    r5, r4, #16
     asrs    r4, r4, #16
     adds    r0, r0, r5
     adcs    r3, r3, r4
-    .ifeq \coordinate
-    movs    r6, r0
-    movs    r7, r3
-    .else
     adds    r6, r6, r0
     adcs    r7, r7, r3
-    .endif
     .endm
 
-    .macro  row position
+/* A row times the vertex plus its part of the translation goes into the entry. r1 is the address
+ * of the row, then of the next. */
+    .macro  row number position
+    ldr     r6, [r1, #FROM_ROW(\number)]
+    ldr     r7, [r1, #FROM_ROW(\number) + 4]
     add_product 0
     add_product 1
     add_product 2
@@ -117,24 +117,17 @@ fxl_transform_vertex:
     ldr     r3, [r0, #MODEL_VIEW_VERTICES]
     adds    r1, r1, r3
     ldm     r1!, {r3-r5}
-    ldr     r6, [r0]                        /* view */
-    adds    r0, r0, #MODEL_VIEW_OFFSET
-    ldm     r0!, {r1, r2, r7}
-    adds    r3, r3, r1
-    adds    r4, r4, r2
-    adds    r5, r5, r7
-    movs    r1, r6
-    adds    r1, r1, #VIEW_ROTATION
+    movs    r1, r0
+    adds    r1, r1, #MODEL_VIEW_ROWS
     mov     r6, sp
     stm     r6!, {r3-r5}
-    row     POSITION_X
-    row     POSITION_Y
-    row     POSITION_Z
+    row     0, POSITION_X
+    row     1, POSITION_Y
+    row     2, POSITION_Z
 
     movs    r6, #0
-    ldr     r0, [sp, #MODEL_VIEW]
-    adds    r0, r0, #MODEL_VIEW_PLANES
-    ldrb    r0, [r0]
+    ldr     r1, [sp, #MODEL_VIEW]
+    ldrb    r0, [r1, #MODEL_VIEW_PLANES]
     cmp     r0, #0
     bne     some_planes
 decided:
@@ -147,8 +140,7 @@ decided:
 undecided:
     movs    r0, r1
     ldr     r1, [sp, #MODEL_VIEW]
-    adds    r1, r1, #MODEL_VIEW_PLANES
-    ldrb    r1, [r1]
+    ldrb    r1, [r1, #MODEL_VIEW_PLANES]
     ldr     r2, [sp, #ENTRY]
     adds    r2, r2, #POSITION_X
     bl      fxl_outcode
@@ -157,7 +149,8 @@ undecided:
     b       decided
 
 some_planes:
-    adds    r1, r1, #VIEW_FRUSTUM - VIEW_ROTATION - ROTATION_SIZE
+    ldr     r1, [r1]                        /* view */
+    adds    r1, r1, #VIEW_FRUSTUM
     ldr     r0, [r1, #FRUSTUM_INSET_UPPER]
     asrs    r0, r0, #2
     subs    r0, r0, #4
@@ -186,8 +179,7 @@ some_planes:
     lsls    r6, r6, #1
     orrs    r6, r6, r4
     ldr     r0, [sp, #MODEL_VIEW]
-    adds    r0, r0, #MODEL_VIEW_PLANES
-    ldrb    r0, [r0]
+    ldrb    r0, [r0, #MODEL_VIEW_PLANES]
     ands    r6, r6, r0
     b       decided
 

@@ -13,8 +13,22 @@
     .thumb
 
 entry       .req r2
-view        .req r3         /* then the address after the part of the view read so far */
+view        .req r3
 planes      .req lr         /* in the lowest byte */
+
+/* From the end of a row of the rotation to its part of the translation: 12 bytes a row, 8 a part. */
+#define FROM_ROW_END(number) (MODEL_VIEW_TRANSLATION - MODEL_VIEW_ROWS - 12 - 4 * (number))
+
+/* upper:r10 is a row times the vertex plus its part of the translation; it goes into the entry.
+ * r0 is the address of the row, then of the next. */
+    .macro  row number upper
+    ldm     r0!, {r4-r6}
+    ldrd    r10, \upper, [r0, #FROM_ROW_END(\number)]
+    smlal   r10, \upper, r4, r7
+    smlal   r10, \upper, r5, r8
+    smlal   r10, \upper, r6, r9
+    strd    r10, \upper, [entry, #CACHED_VERTEX_POSITION + 8 * \number]
+    .endm
 
     .section .text.fxl_transform_vertex, "ax", %progbits
     .global fxl_transform_vertex
@@ -30,31 +44,14 @@ fxl_transform_vertex:
     add     r1, r1, r1, lsl #1
     add     r7, r7, r1, lsl #2
     ldm     r7, {r7-r9}
-    ldm     r0, {r1, r4-r6, lr}             /* -, offset, planes */
-    add     r7, r7, r4
-    add     r8, r8, r5
-    add     r9, r9, r6
-
-    adds    view, view, #VIEW_ROTATION
-    ldm     view!, {r4-r6}
-    smull   r10, r11, r4, r7
-    smlal   r10, r11, r5, r8
-    smlal   r10, r11, r6, r9
-    strd    r10, r11, [entry, #CACHED_VERTEX_POSITION]
-    ldm     view!, {r4-r6}
-    smull   r10, r12, r4, r7
-    smlal   r10, r12, r5, r8
-    smlal   r10, r12, r6, r9
-    strd    r10, r12, [entry, #CACHED_VERTEX_POSITION + VIEW_POINT_Y]
-    ldm     view!, {r4-r6}
-    smull   r10, r0, r4, r7
-    smlal   r10, r0, r5, r8
-    smlal   r10, r0, r6, r9
-    strd    r10, r0, [entry, #CACHED_VERTEX_POSITION + VIEW_POINT_Z]
+    ldm     r0!, {r1, lr}                   /* -, planes */
+    row     0, r11
+    row     1, r12
+    row     2, r0                           /* the last use of the address */
 
     lsls    r1, planes, #24
     beq     decided                         /* inside all planes */
-    adds    view, view, #VIEW_FRUSTUM - VIEW_ROTATION - ROTATION_SIZE
+    adds    view, view, #VIEW_FRUSTUM
     ldm     view, {r4-r7}
     ldr     r9, [view, #FRUSTUM_INSET_UPPER]
     asr     r9, r9, #2

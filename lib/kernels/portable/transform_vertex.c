@@ -11,10 +11,9 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry)
 {
     const fxl_view *view = model_view->view;
-    fxl_point from_eye = fxl_model_view_vertex(model_view, number);
-    fxl_view_point rotated;
-    fxl_rotate(&view->camera, &from_eye, &rotated);
-    entry->position = rotated;
+    fxl_view_point position;
+    fxl_model_view_position(model_view, number, &position);
+    entry->position = position;
     entry->tag = model_view->tag + number;
     unsigned outside = 0;
     if (model_view->planes != 0) {

@@ -31,7 +31,7 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     assembled->count = face->count;
     fxl_clip_result result = fxl_clip_view_by_planes(
         assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work,
-        (fxl_clip_stats *)view->clipper_workspace, &clipped);
+        (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
     if (clipped == NULL) {
         return result;
     }

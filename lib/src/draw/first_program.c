@@ -29,34 +29,11 @@ fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene
     return status;
 }
 
-/* Bytes, rounded up to what any table may begin at. */
-static size_t aligned(size_t bytes)
-{
-    return (bytes + 7u) & ~(size_t)7u;
-}
-
-/* The largest power of two of entries, for the vertices of the largest model, in so many bytes. */
-static uint32_t cache_entries(const fxl_scene *scene, size_t bytes)
-{
-    uint32_t largest = 0, entries = 1;
-    for (uint32_t i = 0; i < scene->model_count; i++) {
-        uint32_t count = scene->models[i].vertex_count;
-        largest = count > largest ? count : largest;
-    }
-    while (entries < largest) {
-        entries *= 2;
-    }
-    while (entries > 0 && entries > bytes / sizeof(fxl_cached_vertex)) {
-        entries /= 2;
-    }
-    return entries;
-}
-
 static fxl_memory divide(const fxl_scene *scene, uint8_t *block, size_t size)
 {
-    const size_t order = aligned(scene->order_needed * sizeof(fxl_order_entry));
+    const size_t order = fxl_aligned(scene->order_needed * sizeof(fxl_order_entry));
     size_t rest = size - order;
-    const uint32_t entries = cache_entries(scene, rest / 4);
+    const uint32_t entries = fxl_cache_entries(scene, rest / 4);
     const size_t cache = entries * sizeof(fxl_cached_vertex);
     size_t words = (rest - cache) / sizeof(uint32_t);
     fxl_memory memory;
@@ -87,7 +64,7 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
     if (status != FXL_OK) {
         return status;
     }
-    const size_t least = aligned(scene->order_needed * sizeof(fxl_order_entry));
+    const size_t least = fxl_aligned(scene->order_needed * sizeof(fxl_order_entry));
     if (memory_size < least) {
         renderer->memory_missing = (uint32_t)(least - memory_size);
         return FXL_E_CAPACITY;
@@ -106,12 +83,12 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
         return FXL_E_ARGUMENT;
     }
     if (eye == NULL || pixels == NULL) {
-        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
+        return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
     const fxl_band whole = {pixels, lens->width, stride, 0, lens->height};
     if (stride < lens->width) {
-        return fxl_renderer_refuse(renderer, FXL_E_RANGE);
+        return fxl_refuse(&renderer->workspace, FXL_E_RANGE);
     }
     fxl_status status = fxl_frame_begin(renderer, eye);
     if (status != FXL_OK) {

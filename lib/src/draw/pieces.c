@@ -18,6 +18,7 @@ bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t coun
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
     fxl_model_view_of_polygon(&model_view, points, pieces->planes, &on->renderer->frame.view,
                               &on->workspace->cache);
+    model_view.clipper_workspace = on->workspace->clipper_workspace;
     pieces->outcome |= fxl_submit_polygons(&model_view, &face, on);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }

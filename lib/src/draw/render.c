@@ -10,6 +10,7 @@
  * The clipper transforms, clips and projects (fxl_clipper.clip); the visibility method gives
  * the faces in their order (fxl_visibility.submit) and owns the raster backend, which scans
  * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
+#include "../math/arith.h"
 #include "../math/memory.h"
 #include "renderer.h"
 #include "submit.h"
@@ -24,6 +25,15 @@ static void begin_counters(fxl_counters *counters, uint32_t culled)
     counters->refused_calls = refused_calls;
     counters->in = culled; /* bug: left-out-count */
     counters->outside = culled;
+}
+
+/* A workspace knows nothing of the frame yet. */
+static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool counted)
+{
+    workspace->frame = view->frame;
+    workspace->counted = counted;
+    /* bug: sorted-stale */
+    workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
 }
 
 static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
@@ -42,17 +52,17 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
         return FXL_E_ARGUMENT;
     }
     if (renderer->clipper == NULL || renderer->visibility == NULL) {
-        return fxl_renderer_refuse(renderer, FXL_E_ORDER);
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
     if (renderer->scene->instance_count > renderer->instance_capacity) {
-        return fxl_renderer_refuse(renderer, FXL_E_CAPACITY);
+        return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;
     /* camera */
     fxl_status status = fxl_view_set_pose(&frame->view, pose);
     if (status != FXL_OK) {
-        return fxl_renderer_refuse(renderer, status);
+        return fxl_refuse(&renderer->workspace, status);
     }
     if (renderer->clipper->begin != NULL) {
         renderer->clipper->begin(&frame->view);
@@ -62,9 +72,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     frame->visible_count = (uint16_t)fxl_order_instances(
         renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->order, &culled);
     begin_counters(&workspace->counters, culled);
-    workspace->counted = false;
-    /* bug: sorted-stale */
-    workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
+    begin_workspace(workspace, &frame->view, false);
     /* for each face: transform, clip, project, append */
     frame->display_list.used = 0;
     frame->resume.instances = 0;
@@ -217,16 +225,25 @@ static bool draw_over(fxl_workspace *workspace, const fxl_screen_point *points, 
 
 const fxl_raster_backend fxl_raster_over = {.draw_polygon = draw_over, .draws_over = true};
 
+/* What draws the polygons of a kind: so far there is one kind, and the method has its backend. */
+static const fxl_raster_backend *backend_of(const fxl_visibility *visibility, uint8_t kind)
+{
+    FXL_ASSERT(kind == FXL_POLYGON_FLAT);
+    (void)kind;
+    return visibility->backend;
+}
+
 /* The polygons of the display list that reach the band. False where the backend's workspace is
  * full. */
 static bool draw_display_list(const fxl_traversal *on)
 {
-    const fxl_raster_backend *backend = on->renderer->visibility->backend;
+    const fxl_visibility *visibility = on->renderer->visibility;
     const fxl_band *band = on->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     fxl_display_list_record record;
     uint32_t place = 0;
     while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
+        const fxl_raster_backend *backend = backend_of(visibility, record.kind);
         if (!backend->draw_polygon(on->workspace, record.points, record.count, record.colour,
                                    band)) {
             return false;
@@ -259,27 +276,42 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     return true;
 }
 
-fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
+static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 {
-    if (renderer == NULL) {
+    return band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&
+           band->first_row + band->rows <= lens->height;
+}
+
+fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band)
+{
+    if (renderer == NULL || workspace == NULL) {
         return FXL_E_ARGUMENT;
     }
     if (band == NULL || band->pixels == NULL) {
-        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
+        return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
-    if (!renderer->frame.ready) {
-        return fxl_renderer_refuse(renderer, FXL_E_ORDER);
+    const fxl_frame *frame = &renderer->frame;
+    if (!frame->ready || workspace->settings != renderer->workspace.settings) {
+        return fxl_refuse(workspace, FXL_E_ORDER);
     }
-    const fxl_lens *lens = &renderer->frame.view.lens;
-    if (band->width != lens->width || band->stride < band->width || band->rows < 1 ||
-        band->first_row + band->rows > lens->height) {
-        return fxl_renderer_refuse(renderer, FXL_E_RANGE);
+    if (!is_band_of(&frame->view.lens, band)) {
+        return fxl_refuse(workspace, FXL_E_RANGE);
+    }
+    if (workspace->frame != frame->view.frame) {
+        begin_workspace(workspace, &frame->view, true);
     }
     const fxl_raster_backend *backend = renderer->visibility->backend;
     if (backend->draw_band != NULL) {
-        backend->draw_band(renderer, &renderer->workspace, band);
+        backend->draw_band(renderer, workspace, band);
     } else {
-        (void)fxl_draw_band(renderer, &renderer->workspace, band);
+        (void)fxl_draw_band(renderer, workspace, band);
     }
     return FXL_OK;
+}
+
+fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
+{
+    return renderer == NULL ? FXL_E_ARGUMENT
+                            : fxl_frame_draw_with(renderer, &renderer->workspace, band);
 }

@@ -4,23 +4,41 @@
 #include "renderer.h"
 
 #ifdef __arm__
-FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 472 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
+FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 480 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
-fxl_status fxl_renderer_refuse(fxl_renderer *renderer, fxl_status status)
+fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)
 {
-    renderer->workspace.counters.refused_calls += 1;
+    workspace->counters.refused_calls += 1;
     return status;
+}
+
+/* Whether a table may lie there: words at least. */
+static bool is_table(const void *table, uint32_t capacity)
+{
+    return capacity == 0 || table != NULL;
+}
+
+/* Whether all tables begin where their records may. */
+static bool is_aligned(const fxl_memory *memory)
+{
+    const uintptr_t words = (uintptr_t)memory->order | (uintptr_t)memory->display_list;
+    return (words & (sizeof(uint32_t) - 1)) == 0 && ((uintptr_t)memory->cache & 7u) == 0;
 }
 
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory)
 {
     if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
-        memory->order == NULL ||
-        (memory->display_list == NULL && memory->display_list_capacity > 0) ||
-        (memory->cache == NULL && memory->cache_capacity > 0)) {
+        memory->order == NULL || !is_table(memory->display_list, memory->display_list_capacity) ||
+        !is_table(memory->cache, memory->cache_capacity)) {
         return FXL_E_ARGUMENT;
+    }
+    if (!is_aligned(memory)) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (!fxl_lens_is_valid(lens)) {
+        return FXL_E_RANGE;
     }
     if (scene->order_needed == 0) {
         return FXL_E_ORDER;
@@ -41,18 +59,29 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     frame->display_list.words = memory->display_list;
     frame->display_list.capacity = memory->display_list_capacity;
     workspace->face_order = memory->order + renderer->instance_capacity;
-    if (memory->cache_capacity > 0) {
-        fxl_vertex_cache_init(&workspace->cache, memory->cache, memory->cache_capacity);
-    } else {
-        fxl_vertex_cache_init(&workspace->cache, &workspace->own_entry, 1);
-    }
+    fxl_vertex_cache_init(&workspace->cache, memory->cache, memory->cache_capacity);
     return FXL_OK;
 }
 
-/* Whether memory of the caller's may be a workspace of so many bytes. */
-static bool is_workspace(const void *workspace, uint32_t wanted)
+/* Whether a renderer was initialised, and the caller's memory, of so many bytes, may be a workspace
+ * of which so many are wanted. */
+static fxl_status check_workspace(const fxl_renderer *renderer, const void *workspace,
+                                  uint32_t size, uint32_t wanted)
 {
-    return wanted == 0 || (workspace != NULL && ((uintptr_t)workspace & 7u) == 0);
+    if (renderer->scene == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (size > 0 && (workspace == NULL || ((uintptr_t)workspace & 7u) != 0)) {
+        return FXL_E_ARGUMENT;
+    }
+    return size < wanted ? FXL_E_CAPACITY : FXL_OK;
+}
+
+/* What drawing keeps of the settings is of no use any more. */
+static void settings_changed(fxl_renderer *renderer)
+{
+    renderer->frame.ready = false;
+    renderer->workspace.settings += 1;
 }
 
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
@@ -61,19 +90,32 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (clipper == NULL || !is_workspace(workspace, clipper->workspace_size)) {
-        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
+    if (clipper == NULL) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
-    if (workspace_size < clipper->workspace_size) {
-        return fxl_renderer_refuse(renderer, FXL_E_CAPACITY);
+    uint32_t wanted = clipper->workspace_size;
+    if (wanted == 0 && workspace_size > 0) {
+        wanted = sizeof(fxl_clip_stats); /* a clipper that needs nothing counts in what it gets */
+    }
+    fxl_status status = check_workspace(renderer, workspace, workspace_size, wanted);
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
     }
     if (clipper->workspace_size > 0) {
         memset(workspace, 0, clipper->workspace_size);
     }
     renderer->clipper = clipper;
-    renderer->frame.view.clipper_workspace = workspace;
-    renderer->frame.ready = false;
+    renderer->workspace.clipper_workspace = workspace_size > 0 ? workspace : NULL;
+    settings_changed(renderer);
     return FXL_OK;
+}
+
+/* Bytes of the workspace that the submit function needs, rounded up. */
+static uint32_t submit_size(const fxl_visibility *visibility, const fxl_scene *scene)
+{
+    return visibility->submit_workspace_size == NULL
+               ? 0
+               : (uint32_t)fxl_aligned(visibility->submit_workspace_size(scene));
 }
 
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
@@ -83,20 +125,18 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
         return FXL_E_ARGUMENT;
     }
     if (visibility == NULL) {
-        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
+        return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
+    }
+    fxl_status status = check_workspace(renderer, workspace, workspace_size, 0);
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
     }
     const fxl_raster_backend *backend = visibility->backend;
-    uint32_t submit = visibility->submit_workspace_size != NULL
-                          ? visibility->submit_workspace_size(renderer->scene)
-                          : 0;
-    uint32_t raster =
+    const uint32_t submit = submit_size(visibility, renderer->scene);
+    const uint32_t raster =
         backend->workspace_size != NULL ? backend->workspace_size(&renderer->frame.view.lens) : 0;
-    submit = (submit + 7u) & ~7u;
-    if (!is_workspace(workspace, submit + raster)) {
-        return fxl_renderer_refuse(renderer, FXL_E_ARGUMENT);
-    }
     if (workspace_size < submit || workspace_size - submit < raster) {
-        return fxl_renderer_refuse(renderer, FXL_E_CAPACITY);
+        return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     if (submit > 0) {
         memset(workspace, 0, submit);
@@ -105,6 +145,6 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     renderer->submit_workspace = workspace;
     renderer->workspace.raster_workspace = raster > 0 ? (uint8_t *)workspace + submit : NULL;
     renderer->workspace.raster_workspace_size = raster > 0 ? workspace_size - submit : 0;
-    renderer->frame.ready = false;
+    settings_changed(renderer);
     return FXL_OK;
 }

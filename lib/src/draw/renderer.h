@@ -6,6 +6,16 @@
 #include "fixel/render.h"
 
 /* Counts a call that is refused; answers its status. */
-fxl_status fxl_renderer_refuse(fxl_renderer *renderer, fxl_status status);
+fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
+
+/* Bytes, rounded up to what any table may begin at. */
+static inline size_t fxl_aligned(size_t bytes)
+{
+    return (bytes + 7u) & ~(size_t)7u;
+}
+
+/* Entries of a vertex cache for the largest model of a scene, a power of two, or as many as fit so
+ * many bytes. */
+uint32_t fxl_cache_entries(const fxl_scene *scene, size_t bytes);
 
 #endif

@@ -10,6 +10,7 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_e
     const fxl_beam_light *light = renderer->beam_light;
     fxl_model_view_of_instance(model_view, renderer->scene, instance, entry->instance.planes,
                                &renderer->frame.view, &on->workspace->cache);
+    model_view->clipper_workspace = on->workspace->clipper_workspace;
     if (light != NULL && light->reaches(light, renderer->scene, instance)) {
         model_view->beam_light = light;
     }

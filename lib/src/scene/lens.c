@@ -38,3 +38,16 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
     lens->inset = inset;
     return FXL_OK;
 }
+
+/* 1 / (2 tan(fov / 2)) of FXL_FOV_MAX and FXL_FOV_MIN, 0.13397 and 5.71503, in units of 2^-16,
+ * rounded outward. A width is below 2^11, so the products are below 2^30. */
+#define FOCAL_LEAST 8779
+#define FOCAL_MOST  374542
+
+bool fxl_lens_is_valid(const fxl_lens *lens)
+{
+    return screen_in_range(lens->width, lens->height) &&
+           depth_in_range(lens->near_z, lens->far_z, lens->inset) &&
+           lens->focal >= (int32_t)lens->width * FOCAL_LEAST &&
+           lens->focal <= (int32_t)lens->width * FOCAL_MOST;
+}

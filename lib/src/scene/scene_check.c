@@ -254,7 +254,7 @@ static fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fau
         }
         first += model->face_count;
     }
-    if (scene->face_bounds != NULL && first != scene->face_bounds_count) {
+    if (first != scene->face_bounds_count) {
         return fxl_fault_at(fault, "face bounds table", 0, FXL_E_COUNT);
     }
     return FXL_OK;

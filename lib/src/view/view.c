@@ -5,7 +5,6 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens)
 {
     view->lens = *lens;
     view->frame = 0;
-    view->clipper_workspace = NULL;
     fxl_view_frustum_from_lens(lens, &view->view_frustum);
     fxl_projection_from_lens(lens, &view->projection);
 }

@@ -29,7 +29,7 @@ typedef union {
 /* A clipper. Its functions require a model view of an instance of a checked scene, or of a
  * polygon. model_view->planes may omit a plane that all vertices are inside of.
  * work keeps nothing from one call to the next. A clipper keeps what must last in
- * model_view->view->clipper_workspace, which is zeroed when the clipper is set.
+ * model_view->clipper_workspace, which is zeroed when the clipper is set.
  * model_view->view->frame differs from one frame to the next, and is never 0. */
 typedef struct {
     /* Clips a face of the instance and projects it. *screen is the result for
@@ -48,8 +48,8 @@ typedef struct {
     void (*begin)(fxl_view *view);
 } fxl_clipper;
 
-/* These two need no workspace. If the caller gives them an fxl_clip_stats as their workspace, they
- * count in it. */
+/* These two need no workspace. If the caller gives them an fxl_clip_stats, and its
+ * size, as their workspace, they count in it. */
 extern const fxl_clipper fxl_clipper_view;  /* fxl_clip_by_view: the default */
 extern const fxl_clipper fxl_clipper_world; /* fxl_clip_by_world */
 

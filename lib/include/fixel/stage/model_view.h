@@ -31,9 +31,10 @@ typedef struct {
 /* A direct-mapped cache of vertices: vertex n is in entry n & mask. Two vertices of one entry
  * displace each other, which costs only time. */
 typedef struct {
-    fxl_cached_vertex *entries;
-    uint32_t mask;  /* number of entries - 1; the number is a power of two */
-    uint32_t count; /* model views made, from 1, in units of 2^16 */
+    fxl_cached_vertex *entries; /* of the caller's memory; null: only the entry below */
+    uint32_t mask;              /* number of entries - 1; the number is a power of two */
+    uint32_t count;             /* model views made, from 1, in units of 2^16 */
+    fxl_cached_vertex own;      /* all of the cache where the caller gave no memory */
 } fxl_vertex_cache;
 
 struct fxl_beam_light;
@@ -46,13 +47,17 @@ typedef struct {
     uint32_t tag;               /* of vertex 0 */
     const fxl_point *vertices;  /* of the model */
     const uint16_t *indices;    /* of the scene */
-    fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
     fxl_planes planes;          /* no vertex lies outside any plane that is not in this set */
+    fxl_direction rows[3];      /* from the model's axes to the view's: x, y and z of the view */
+    fxl_view_point translation; /* where the model's origin is in the view */
+    fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
     const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
+    void *clipper_workspace;                 /* the clipper's, of the caller's memory; or null */
 } fxl_model_view;
 
 /* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that
- * is at most entry_count and at most 65536. Requires entry_count >= 1. */
+ * is at most entry_count and at most 65536; where entry_count is 0, one within the cache, and
+ * entries is not looked at. The record holds no pointer to itself. */
 void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
                            uint32_t entry_count);
 

@@ -16,12 +16,11 @@ typedef struct {
     fxl_lens lens;
     fxl_projection projection;
     fxl_view_frustum view_frustum;
-    fxl_frustum frustum;     /* in the world; valid after fxl_view_set_world_frustum */
-    uint32_t frame;          /* counts poses, skipping 0; 0: no pose yet */
-    void *clipper_workspace; /* the clipper's workspace, of the caller's memory; or null */
+    fxl_frustum frustum; /* in the world; valid after fxl_view_set_world_frustum */
+    uint32_t frame;      /* counts poses, skipping 0; 0: no pose yet */
 } fxl_view;
 
-/* Sets the lens, and what depends on it; frame becomes 0 and clipper_workspace null.
+/* Sets the lens, and what depends on it; frame becomes 0.
  * Requires a lens made by fxl_lens_from_fov. */
 void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
 

@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: MIT */
+/* Bands of one frame drawn in several workspaces, in turn; and what setting up a renderer or a
+ * workspace refuses. */
+#include "fixel/all.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    BACKGROUND = 200,
+    WORDS = 4 * FXL_DISPLAY_LIST_WORDS(6), /* not nearly enough: bands traverse the scene */
+    ROOM = 1600
+};
+
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
+static uint32_t list[WORDS];
+static fxl_order_entry order[TINY_INSTANCES + 6];
+static FXL_ALIGN_8 uint8_t rooms[2][ROOM];
+static fxl_renderer renderer;
+static fxl_workspace second;
+
+static fxl_memory memory(void)
+{
+    return (fxl_memory){order, TINY_INSTANCES + 6, list, WORDS, NULL, 0};
+}
+
+static tiny_scene *checked_scene(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_scene_fault fault = {"", 0};
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    return tiny;
+}
+
+static void start(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory tables = memory();
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&renderer, &checked_scene()->scene, &lens, &tables));
+}
+
+static fxl_pose pose_number(int number)
+{
+    fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-6)}, 0, 0, 0};
+    pose.position.z += number * Q16(0.7);
+    pose.yaw = (uint32_t)number * DEGREES(5);
+    pose.roll = (uint32_t)number * DEGREES(11);
+    return pose;
+}
+
+static fxl_band band_of(uint8_t *frame, uint16_t first, uint16_t rows)
+{
+    return (fxl_band){frame + first * WIDTH, WIDTH, WIDTH, first, rows};
+}
+
+/* Every second band in the second workspace: as the whole frame in the renderer's own. */
+static void expect_the_same(int frames)
+{
+    for (int number = 0; number < frames; number++) {
+        const fxl_pose pose = pose_number(number);
+        const fxl_band all = band_of(whole, 0, HEIGHT);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        fxl_fill_band(&all, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &all));
+        const fxl_counters counters = renderer.workspace.counters;
+        memset(other, 0, sizeof other);
+        for (uint16_t first = 0; first < HEIGHT; first = (uint16_t)(first + 2)) {
+            const fxl_band band = band_of(other, first, 2);
+            fxl_workspace *in = first % 4 == 0 ? &second : &renderer.workspace;
+            fxl_fill_band(&band, BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, in, &band));
+        }
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+        TEST_ASSERT_EQUAL_UINT32(0, second.counters.in + second.counters.drawn);
+    }
+}
+
+void test_bands_in_two_workspaces_are_the_frame(void)
+{
+    start();
+    const size_t least = fxl_workspace_size(&renderer);
+    TEST_ASSERT_TRUE(least > 0 && least <= ROOM / 2);
+    for (size_t size = least; size <= ROOM; size += ROOM / 4) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
+        expect_the_same(12);
+    }
+}
+
+/* A clipper and a raster backend with workspaces of their own. */
+void test_a_second_workspace_has_memory_of_its_own(void)
+{
+    static FXL_ALIGN_8 uint8_t spans[1024];
+    static fxl_clipper_workspace workspace;
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_near, &workspace,
+                                                       sizeof workspace));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, spans, sizeof spans));
+    static FXL_ALIGN_8 uint8_t room[sizeof(fxl_clipper_workspace) + 1024];
+    const size_t least = fxl_workspace_size(&renderer);
+    TEST_ASSERT_TRUE(least >= fxl_clipper_near.workspace_size && least <= sizeof room);
+    memset(room, 0x5A, sizeof room);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, room, least));
+    expect_the_same(6);
+    for (size_t i = least; i < sizeof room; i++) {
+        TEST_ASSERT_EQUAL_HEX8(0x5A, room[i]);
+    }
+}
+
+void test_a_workspace_of_other_settings_is_refused(void)
+{
+    const fxl_band band = band_of(other, 0, HEIGHT);
+    const fxl_pose pose = pose_number(1);
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_with(&renderer, &second, &band));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_with(&renderer, &second, &band));
+    TEST_ASSERT_EQUAL_UINT32(2, second.counters.refused_calls);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, &second, &band));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(&renderer, NULL, &band));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(NULL, &second, &band));
+}
+
+void test_a_workspace_that_cannot_be_is_refused_and_untouched(void)
+{
+    start();
+    const size_t least = fxl_workspace_size(&renderer);
+    memset(&second, 0x5A, sizeof second);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_workspace_init(&second, NULL, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_workspace_init(NULL, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_workspace_init(&second, &renderer, NULL, ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_workspace_init(&renderer.workspace, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_workspace_init(&second, &renderer, rooms[1] + 4, ROOM - 4));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_workspace_init(&second, &renderer, rooms[1], least - 1));
+    memset(&renderer, 0, sizeof renderer);
+    TEST_ASSERT_EQUAL(0, fxl_workspace_size(&renderer));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &second, sizeof second);
+}
+
+/* The record that it was moved from is overwritten: no pointer leads there. */
+void test_a_renderer_may_be_moved(void)
+{
+    static fxl_renderer moved;
+    const fxl_pose pose = pose_number(2);
+    fxl_band band = band_of(whole, 0, HEIGHT);
+    start();
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    moved = renderer;
+    memset(&renderer, 0x5A, sizeof renderer);
+    band = band_of(other, 0, HEIGHT);
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&moved, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&moved, &band));
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
+}
+
+/* A clipper that needs no workspace writes only into one that holds its counts. */
+void test_counts_want_a_workspace_that_holds_them(void)
+{
+    static struct {
+        FXL_ALIGN_8 fxl_clip_stats stats;
+        uint8_t guard[8];
+    } room;
+    static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
+    const fxl_pose pose = pose_number(6);
+    const fxl_band band = band_of(other, 0, HEIGHT);
+    for (int i = 0; i < 2; i++) {
+        start();
+        memset(&room, 0x5A, sizeof room);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], &room, 0));
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                          fxl_renderer_set_clipper(&renderer, clippers[i], &room,
+                                                   (uint32_t)sizeof(fxl_clip_stats) - 1));
+        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, clippers[i],
+                                                                   (uint8_t *)&room + 4, 64));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &room, sizeof room);
+        room.stats = (fxl_clip_stats){0, 0, 0};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], &room,
+                                                           sizeof(fxl_clip_stats)));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_TRUE(room.stats.distances > 0);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room.guard, sizeof room.guard);
+    }
+}
+
+static fxl_status init_with(const fxl_lens *lens, const fxl_memory *tables)
+{
+    return fxl_renderer_init_with(&renderer, &checked_scene()->scene, lens, tables);
+}
+
+void test_a_lens_that_no_function_made_is_refused(void)
+{
+    const fxl_lens good = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory tables = memory();
+    const fxl_lens zero = {0};
+    memset(&renderer, 0x5A, sizeof renderer);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, init_with(&zero, &tables));
+    for (int member = 0; member < 6; member++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            fxl_lens lens = good;
+            lens.width = member == 0 ? (uint16_t)(sign < 0 ? 0 : FXL_SCREEN_MAX + 1) : lens.width;
+            lens.height = member == 1 ? (uint16_t)(sign < 0 ? 0 : FXL_SCREEN_MAX + 1) : lens.height;
+            lens.focal = member == 2 ? lens.focal * (sign < 0 ? -1 : 50) : lens.focal;
+            lens.near_z = member == 3 ? (sign < 0 ? 0 : lens.far_z) : lens.near_z;
+            lens.far_z = member == 4 ? (sign < 0 ? -1 : FXL_FAR_MAX + 1) : lens.far_z;
+            lens.inset = member == 5 ? (sign < 0 ? -1 : FXL_INSET_MAX + 1) : lens.inset;
+            TEST_ASSERT_EQUAL(FXL_E_RANGE, init_with(&lens, &tables));
+        }
+    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
+    for (fxl_angle fov = FXL_FOV_MIN; fov < FXL_FOV_MAX; fov += (FXL_FOV_MAX - FXL_FOV_MIN) / 7) {
+        fxl_lens lens;
+        for (uint32_t width = 1; width <= FXL_SCREEN_MAX; width = 2 * width + 1) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov((uint16_t)width, 1, fov, FXL_NEAR_MIN,
+                                                        FXL_FAR_MAX, 0, &lens));
+            TEST_ASSERT_TRUE(fxl_lens_is_valid(&lens));
+        }
+    }
+}
+
+void test_tables_that_are_not_aligned_are_refused(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_memory tables = memory();
+    memset(&renderer, 0x5A, sizeof renderer);
+    tables.order = (fxl_order_entry *)(void *)((uint8_t *)order + 2);
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+    tables = memory();
+    tables.display_list = (uint32_t *)(void *)((uint8_t *)list + 1);
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+    tables = memory();
+    tables.cache = (fxl_cached_vertex *)(void *)(rooms[0] + 4);
+    tables.cache_capacity = 4;
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
+}
+
+void test_settings_of_a_renderer_that_is_not_initialised(void)
+{
+    static const fxl_beam beam;
+    static const uint8_t lit[256];
+    memset(&renderer, 0, sizeof renderer);
+    TEST_ASSERT_EQUAL(
+        FXL_E_ORDER, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER,
+                      fxl_renderer_set_beams(&renderer, &beam, 1, lit, rooms[0], ROOM));
+    TEST_ASSERT_EQUAL_UINT32(3, renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_NULL(renderer.visibility);
+    TEST_ASSERT_NULL(renderer.clipper);
+}
+
+void test_face_bounds_without_a_table_are_refused(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_scene_fault fault = {"", 0};
+    tiny->scene.face_bounds = NULL;
+    for (int i = 0; i < 2; i++) {
+        tiny->models[i].first_face_bounds = 0;
+    }
+    tiny->scene.face_bounds_count = 6;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
+    tiny->scene.face_bounds_count = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
+}
