@@ -107,21 +107,40 @@ void test_an_edge_is_exact_while_it_is_good(void)
     }
 }
 
-/* All at once as one by one, also where a carry leaves nothing over. */
-void test_rows_are_skipped_as_they_are_walked(void)
+static int64_t floor_of(int64_t numerator, int64_t denominator)
 {
-    for (uint32_t height = 1; height <= 9; height++) {
-        for (uint32_t errors = 0; errors < height * height; errors++) {
-            fxl_slope walked = {100, errors % height, -3, errors / height, height};
-            for (int32_t rows = 1; rows <= 20; rows++) {
-                fxl_slope skipped = {100, errors % height, -3, errors / height, height};
-                walked.error += walked.error_step;
-                walked.x += walked.step + (walked.error >= height);
-                walked.error -= walked.error >= height ? height : 0;
-                fxl_slope_skip(&skipped, rows);
-                TEST_ASSERT_EQUAL_INT32(walked.x, skipped.x);
-                TEST_ASSERT_EQUAL_UINT32(walked.error, skipped.error);
+    return numerator / denominator - (numerator % denominator < 0);
+}
+
+/* On every row that an edge crosses, set there or stepped from its first row: the first pixel by its
+ * definition, ceil(x - 1/2). Heights and widths are often whole pixels, so that a carry leaves
+ * nothing over. */
+void test_an_edge_is_set_and_steps_to_where_it_is(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const int32_t unit = unit_random() % 2 ? 1 : 32768;
+        const int32_t most = unit_random() % 4 ? Q16(8) : FXL_SCREEN_COORDINATE_MAX;
+        fxl_screen_point top = {unit_between(-most / unit, most / unit) * unit,
+                                unit_between(-most / unit, most / unit) * unit};
+        fxl_screen_point bottom = {unit_between(-most / unit, most / unit) * unit,
+                                   unit_between(top.y / unit, most / unit) * unit};
+        const int64_t dx = bottom.x - top.x, height = bottom.y - top.y;
+        int32_t end = fxl_first_centre_from(bottom.y), row = fxl_first_centre_from(top.y);
+        fxl_slope slope, stepped = {0};
+        for (int32_t first = row; row < end && row < first + 40; row++) {
+            const int32_t y = fxl_centre_of(row);
+            const int64_t sum = (top.x - 32768) * height + dx * (y - top.y);
+            fxl_slope_set(&top, &bottom, y, &slope);
+            TEST_ASSERT_EQUAL_INT64(floor_of(sum - 1, 65536 * height) + 1, slope.x);
+            if (row == first) {
+                stepped = slope;
+            } else {
+                stepped.error += stepped.error_step;
+                stepped.x += stepped.step + (stepped.error >= stepped.height);
+                stepped.error -= stepped.error >= stepped.height ? stepped.height : 0;
             }
+            TEST_ASSERT_EQUAL_INT32(slope.x, stepped.x);
+            TEST_ASSERT_EQUAL_UINT32(slope.error, stepped.error);
         }
     }
 }
@@ -284,6 +303,44 @@ void test_tall_polygons(void)
         fxl_band band = any_band(width);
         two_chains(&polygon, width, top, bottom);
         check_polygon(&polygon, &band, !highest);
+    }
+}
+
+/* Corners on centres: many edges pass through centres, and many begin and end on one row. */
+void test_polygons_through_centres(void)
+{
+    fxl_screen_polygon polygon;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_band band = any_band(12);
+        band.first_row = (uint16_t)unit_between(0, 4);
+        band.rows = (uint16_t)unit_between(1, 12);
+        two_chains(&polygon, band.width, 0, Q16(12));
+        for (int j = 0; j < polygon.count; j++) {
+            polygon.points[j].x = (polygon.points[j].x & ~65535) + 32768;
+            polygon.points[j].y = (polygon.points[j].y & ~65535) + 32768;
+        }
+        check_polygon(&polygon, &band, false);
+    }
+}
+
+/* An edge that misses a centre of its second row by the least: there a step's carry leaves nothing
+ * over. */
+void test_an_edge_that_just_misses_a_centre(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const int32_t rows = unit_between(2, 12);
+        const fxl_screen_point top = {unit_between(Q16(16), Q16(32)), Q16(2.5)};
+        const int32_t part = (top.x - 32768) & 65535;
+        const int32_t dx = 1 - part * rows + unit_between(0, 1) * 65536 * rows;
+        const fxl_screen_polygon polygon = {
+            .count = 3,
+            .points = {top,
+                       {Q16(46), top.y + Q16(rows) / 2},
+                       {top.x + dx, top.y + Q16(rows)}}};
+        fxl_band band = any_band(48);
+        band.first_row = 0;
+        band.rows = 16;
+        check_polygon(&polygon, &band, true);
     }
 }
 

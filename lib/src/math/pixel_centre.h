@@ -14,4 +14,11 @@ static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
     return (coordinate + FXL_HALF_PIXEL - 1) >> 16; /* bug: tie-top */
 }
 
+/* The coordinate of a row's (or column's) centre. fxl_first_centre_from(c) <= row if
+ * c <= fxl_centre_of(row), and only then. Requires |row| < 2^14. */
+static inline fxl_q16_16 fxl_centre_of(int32_t row)
+{
+    return row * 65536 + FXL_HALF_PIXEL;
+}
+
 #endif

@@ -1,99 +1,137 @@
 /* SPDX-License-Identifier: MIT */
-/* On each row every edge is tested, and one that crosses the row is divided anew. Outlines that are
- * scanned so have few edges, and nothing needs to be set up or kept from row to row. */
+/* On a row where an edge begins or ends, the edges that cross the row are found and divided. On the
+ * rows from there to the next such row they are the same edges, and each takes a step. FXL_SMALL has
+ * no steps: there the edges are found and divided on every row. */
 #include "active_edges.h"
 
 #include "edge.h"
 
-/* If the edge crosses the row, inserts its crossing in the order of x. The edge is always computed
- * from its top, so both polygons of an edge get the same bits. */
-static void insert_crossing(fxl_active_edges *crossings, const fxl_screen_point *from,
-                            const fxl_screen_point *to)
+/* Finds the edges that cross the row, and the first crossing. An edge is always divided from its
+ * top, so both polygons of an edge get the same bits. */
+static void find_edges(fxl_active_edges *edges)
 {
-    const bool down = from->y < to->y;
-    const fxl_screen_point *top = down ? from : to, *bottom = down ? to : from;
-    int32_t rows = crossings->row - fxl_first_centre_from(top->y);
-    if (rows < 0 || fxl_first_centre_from(bottom->y) <= crossings->row) {
-        return;
+    const fxl_screen_point *from = &edges->points[edges->count - 1], *to = edges->points;
+    const fxl_q16_16 centre = fxl_centre_of(edges->row);
+    fxl_active_edge *found = edges->found;
+    edges->found_count = 0;
+    for (uint32_t left = edges->count; left != 0; left--) {
+        const bool down = from->y <= centre;
+        /* The signs differ if one end is below the row's centre. */
+        if (((centre - from->y) ^ (centre - to->y)) < 0) {
+            const fxl_screen_point *top = down ? from : to, *bottom = down ? to : from;
+            if (FXL_IS_SMALL) {
+                uint32_t unused;
+                found->slope.x = fxl_edge_first_pixel(top, bottom, centre, &unused);
+            } else {
+                fxl_slope_set(top, bottom, centre, &found->slope);
+            }
+            found->winding = down ? 1 : -1;
+            edges->x = found->slope.x < edges->x ? found->slope.x : edges->x;
+            edges->found_count++;
+            found++;
+        }
+        from = to++;
     }
-    int32_t dx = bottom->x - top->x, height = bottom->y - top->y, start = top->x - FXL_HALF_PIXEL;
-    /* The dividend of fxl_slope_set is below 2^30. It grows by dx a row, for fewer than 2^13 rows,
-     * so it is below 2^43. */
-    int64_t dividend =
-        fxl_edge_first_dividend(start, dx, height, top->y) + fxl_multiply_s32(dx, rows);
-    int32_t x = (start >> 16) + 1 + fxl_divide_down(dividend, (uint32_t)height);
-    fxl_crossing *place = &crossings->found[crossings->found_count++];
-    for (; place > crossings->found && place[-1].x > x; place--) {
-        *place = place[-1];
-    }
-    place->x = x;
-    place->winding = down ? 1 : -1;
 }
 
-void fxl_active_edges_begin(fxl_active_edges *crossings, const fxl_screen_point *points,
+/* The next row on which an edge begins or ends. */
+static int32_t next_vertex_row(const fxl_active_edges *edges)
+{
+    int32_t next = edges->end_row;
+    for (uint32_t i = 0; i < edges->count; i++) {
+        int32_t row = fxl_first_centre_from(edges->points[i].y);
+        if (row > edges->row && row < next) { /* bug: next-vertex-row */
+            next = row;
+        }
+    }
+    return next;
+}
+
+/* Moves the active edges down by a row, and finds the first crossing. */
+static void step_edges(fxl_active_edges *edges)
+{
+    for (uint32_t i = 0; i < edges->found_count; i++) {
+        fxl_slope *slope = &edges->found[i].slope;
+        slope->x += slope->step;
+        slope->error += slope->error_step;
+        if (slope->error >= slope->height) { /* bug: step-carry */
+            slope->error -= slope->height;
+            slope->x += 1;
+        }
+        edges->x = slope->x < edges->x ? slope->x : edges->x;
+    }
+}
+
+void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points,
                             uint32_t count, int32_t first_row, int32_t end_row,
                             const fxl_band *band)
 {
     int32_t band_end = band->first_row + band->rows;
-    crossings->points = points;
-    crossings->count = (uint8_t)count;
-    crossings->found_count = 0;
-    crossings->next = 0;
-    crossings->width = (int16_t)band->width;
-    crossings->row = (int16_t)((first_row < band->first_row ? band->first_row : first_row) - 1);
-    crossings->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
+    edges->points = points;
+    edges->count = (uint8_t)count;
+    edges->x = FXL_NO_CROSSING;
+    edges->width = (int16_t)band->width;
+    edges->steady_end = INT16_MIN;
+    edges->row = (int16_t)((first_row < band->first_row ? band->first_row : first_row) - 1);
+    edges->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
 }
 
-/* Finds the crossings of the next row. Returns false if there is no next row. */
-static bool next_row(fxl_active_edges *crossings)
+/* Goes to the next row. Returns false if there is none. */
+static bool next_row(fxl_active_edges *edges)
 {
-    if (crossings->row + 1 >= crossings->end_row) {
+    if (edges->row + 1 >= edges->end_row) {
         return false; /* an empty scan has no points */
     }
-    const fxl_screen_point *points = crossings->points;
-    const fxl_screen_point *previous = &points[crossings->count - 1];
-    crossings->row = (int16_t)(crossings->row + 1);
-    crossings->found_count = 0;
-    crossings->next = 0;
-    for (uint32_t left = crossings->count; left != 0; left--) {
-        insert_crossing(crossings, previous, points);
-        previous = points++;
+    edges->row = (int16_t)(edges->row + 1);
+    if (!FXL_IS_SMALL && edges->row < edges->steady_end) {
+        step_edges(edges);
+    } else {
+        find_edges(edges);
+        if (!FXL_IS_SMALL) {
+            edges->steady_end = (int16_t)next_vertex_row(edges);
+        }
     }
     return true;
 }
 
-/* Finds the row's next stretch of pixels with a winding number other than 0. Crossings at the same
- * x count together. The windings of a closed outline add up to 0 on every row. */
-static void next_stretch(fxl_active_edges *crossings, int32_t *x0, int32_t *x1)
+/* The winding number to the right of x, on a row that edges cross. *next becomes the place of the
+ * next crossing. There are nearly always two crossings, so they are not sorted. */
+static int32_t winding_after(const fxl_active_edges *edges, int32_t x, int32_t *next)
 {
-    const fxl_crossing *crossing = &crossings->found[crossings->next];
     int32_t winding = 0;
-    *x0 = crossing->x;
+    *next = FXL_NO_CROSSING;
+    const fxl_active_edge *edge = edges->found;
+    uint32_t left = edges->found_count;
     do {
-        *x1 = crossing->x;
-        winding += crossing->winding;
-        crossing++;
-        crossings->next += 1;
-        /* bug: even-odd */
-    } while (crossings->next < crossings->found_count && (winding != 0 || crossing->x == *x1));
-    FXL_ASSERT(winding == 0);
+        if (edge->slope.x <= x) {
+            winding += edge->winding;
+        } else if (edge->slope.x < *next) {
+            *next = edge->slope.x;
+        }
+        edge++;
+    } while (--left != 0);
+    return winding;
 }
 
-bool fxl_active_edges_next(fxl_active_edges *crossings, fxl_span *span)
+/* Until a row's end, edges->x is where the next stretch may begin. A stretch of pixels with a winding number other than 0 begins and ends at a crossing. The
+ * windings of a closed outline add up to 0 on every row. */
+bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span)
 {
-    do {
-        while (crossings->next < crossings->found_count) {
-            int32_t x0, x1;
-            next_stretch(crossings, &x0, &x1);
-            x0 = x0 < 0 ? 0 : x0;
-            x1 = x1 > crossings->width ? crossings->width : x1;
-            if (x0 < x1) {
-                span->y = crossings->row;
-                span->x0 = (int16_t)x0;
-                span->x1 = (int16_t)x1;
-                return true;
-            }
+    while (edges->x != FXL_NO_CROSSING || next_row(edges)) {
+        int32_t x0 = edges->x, x1 = x0, next;
+        while (winding_after(edges, x1, &next) != 0) { /* bug: even-odd */
+            FXL_ASSERT(next != FXL_NO_CROSSING);
+            x1 = next;
         }
-    } while (next_row(crossings));
+        edges->x = next;
+        x0 = x0 < 0 ? 0 : x0;
+        x1 = x1 > edges->width ? edges->width : x1;
+        if (x0 < x1) {
+            span->y = edges->row;
+            span->x0 = (int16_t)x0;
+            span->x1 = (int16_t)x1;
+            return true;
+        }
+    }
     return false;
 }

@@ -6,12 +6,8 @@
 int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
                          int32_t rows, fxl_edge *edge)
 {
-    int32_t first_row = fxl_first_centre_from(top->y);
     fxl_slope slope;
-    fxl_slope_set(top, bottom, &slope);
-    if (first_row < row) {
-        fxl_slope_skip(&slope, row - first_row);
-    }
+    fxl_slope_set(top, bottom, fxl_centre_of(row), &slope);
     fxl_edge_divider divider = fxl_edge_divider_of(slope.height);
     int32_t unused;
     fxl_edge_divide(&divider, (int32_t)slope.error, &unused, &edge->fraction);

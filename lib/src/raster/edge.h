@@ -3,6 +3,8 @@
 #ifndef FXL_EDGE_H
 #define FXL_EDGE_H
 
+#include "fixel/stage/scan.h"
+
 #include "../math/arith.h"
 #include "../math/pixel_centre.h"
 #include "../../kernels/edge_divide.h"
@@ -12,70 +14,55 @@
 extern "C" {
 #endif
 
-/* An edge on a row and its step to the next row, as integers with remainders. */
-typedef struct {
-    int32_t x;           /* first pixel whose centre is not left of the edge */
-    uint32_t error;      /* remainder, < height */
-    int32_t step;        /* whole pixels a row */
-    uint32_t error_step; /* remainder, < height */
-    uint32_t height;     /* in 1/65536 pixel */
-} fxl_slope;
-
-/* The dividend for the first pixel of an edge's first row; the divisor is the height. The
- * first row is the first whose centre is at or below the top; the top is t < 65536 above
- * that centre.
+/* The dividend for the first pixel of an edge on a row whose centre is t below the edge's top; the
+ * divisor is the height.
  *
  * The edge's x there is top.x + dx t / height, and the first pixel is ceil(x - 1/2). With
  * start = top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
  *   whole + ceil((part height + dx t) / (65536 height)).
  * Now ceil(n / m) = floor((n - 1) / m) + 1, and the floor of a floor divided by an integer
- * is the floor of the whole quotient. height, |dx| < 2^29 and part, t < 2^16, so the sum is
- * below 2^46 and, without its low 16 bits, below 2^30. Exact. */
+ * is the floor of the whole quotient. height, |dx|, t < 2^29 and part < 2^16, so the sum is
+ * below 2^59 and, without its low 16 bits, below 2^43. On the edge's first row t < 2^16, so
+ * there it is below 2^30. Exact. */
+static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t height, int32_t t)
+{
+    uint32_t part = (uint32_t)start & 65535;
+    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
+    return (sum - 1) >> 16;
+}
+
+/* The dividend on the first row, whose centre is at or below the top. */
 static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
                                               int32_t top_y)
 {
-    int32_t t = (FXL_HALF_PIXEL - top_y) & 65535;
-    uint32_t part = (uint32_t)start & 65535;
-    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
-    return (int32_t)((sum - 1) >> 16);
+    return (int32_t)fxl_edge_dividend(start, dx, height, (FXL_HALF_PIXEL - top_y) & 65535);
 }
 
-/* Sets the edge from top to bottom on its first row. The next row adds 65536 dx to the sum
- * of fxl_edge_first_dividend, so it adds dx to the dividend. Exact. */
-static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
-                                 fxl_slope *slope)
+/* The first pixel whose centre is not left of the edge, on a row that the edge crosses; the row's
+ * centre is at y. *error becomes the remainder. Exact. */
+static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
+                                           const fxl_screen_point *bottom, int32_t y,
+                                           uint32_t *error)
 {
-    int32_t dx = bottom->x - top->x;
     int32_t height = bottom->y - top->y;
     int32_t start = top->x - FXL_HALF_PIXEL;
-    FXL_ASSERT(height > 0);
-    int32_t error, error_step;
-    int32_t quotient =
-        fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &error);
-    slope->x = (start >> 16) + quotient + 1;
-    slope->error = (uint32_t)error;
-    slope->step = fxl_divide_floor(dx, height, &error_step);
-    slope->error_step = (uint32_t)error_step;
-    slope->height = (uint32_t)height;
+    FXL_ASSERT(height > 0 && y >= top->y && y < bottom->y);
+    int64_t dividend = fxl_edge_dividend(start, bottom->x - top->x, height, y - top->y);
+    int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);
+    *error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;
+    return (start >> 16) + quotient + 1;
 }
 
-/* Moves the edge down by 0 < rows < 2^13 rows at once. The carries of the single steps add
- * up to floor((error + rows error_step) / height). They are fewer than 2^13, so a long
- * division finds them. The sum is below 2^43. Exact. */
-static inline void fxl_slope_skip(fxl_slope *slope, int32_t rows)
+/* Sets the edge on the same row. The next row adds 65536 dx to the sum of fxl_edge_dividend, so
+ * it adds dx to the dividend. Exact. */
+static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
+                                 int32_t y, fxl_slope *slope)
 {
-    FXL_ASSERT(rows > 0 && rows < 8192);
-    uint64_t error = slope->error + fxl_multiply_u32((uint32_t)rows, slope->error_step);
-    int32_t carries = 0;
-    for (int32_t bit = 4096; bit != 0; bit >>= 1) {
-        uint64_t part = fxl_multiply_u32(slope->height, (uint32_t)bit);
-        if (error >= part) { /* bug: band-carry */
-            error -= part;
-            carries += bit;
-        }
-    }
-    slope->x += rows * slope->step + carries;
-    slope->error = (uint32_t)error;
+    int32_t height = bottom->y - top->y, error_step;
+    slope->x = fxl_edge_first_pixel(top, bottom, y, &slope->error);
+    slope->step = fxl_divide_floor(bottom->x - top->x, height, &error_step);
+    slope->error_step = (uint32_t)error_step;
+    slope->height = (uint32_t)height;
 }
 
 /* Sets the edge from top to bottom on `row`, which it crosses, for this row and the
@@ -112,9 +99,7 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
     if (above + rows == 1) {
         int32_t unused;
-        edge->x =
-            (start >> 16) + 1 +
-            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &unused);
+        edge->x = (start >> 16) + 1 + fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &unused);
         edge->fraction = 0;
         edge->step = 0;
         edge->step_fraction = 0;
@@ -125,8 +110,7 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
         return fxl_edge_set_far(top, bottom, row, rows, edge);
     }
     int32_t x;
-    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x,
-                    &edge->fraction);
+    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x, &edge->fraction);
     edge->x = (start >> 16) + x + 1;
     fxl_edge_divide(&divider, dx, &edge->step, &edge->step_fraction);
     if (above > 0) {

@@ -100,9 +100,8 @@ static void clear(fxl_scan *scan)
     scan->by_chains = false;
     scan->trapezoid.end_row = 0;
     scan->end_row = INT16_MIN;
-    scan->crossings.end_row = INT16_MIN;
-    scan->crossings.found_count = 0;
-    scan->crossings.next = 0;
+    scan->active_edges.end_row = INT16_MIN;
+    scan->active_edges.x = FXL_NO_CROSSING;
 }
 
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
@@ -120,7 +119,7 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
         begin_chains(scan, &found, band);
     } else {
         scan->end_row = INT16_MIN;
-        fxl_active_edges_begin(&scan->crossings, points, count, found.top_row, found.end_row, band);
+        fxl_active_edges_begin(&scan->active_edges, points, count, found.top_row, found.end_row, band);
     }
 }
 
@@ -159,7 +158,7 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
 const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)
 {
     fxl_span span;
-    if (!fxl_active_edges_next(&scan->crossings, &span)) {
+    if (!fxl_active_edges_next(&scan->active_edges, &span)) {
         return NULL;
     }
     scan->trapezoid.first_row = span.y;
@@ -197,5 +196,5 @@ static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span)
 {
     return !FXL_IS_SMALL && scan->by_chains ? next_row_of_chains(scan, span)
-                                            : fxl_active_edges_next(&scan->crossings, span);
+                                            : fxl_active_edges_next(&scan->active_edges, span);
 }

@@ -25,21 +25,32 @@ typedef struct {
     int16_t end_row; /* one past the last row for which the trapezoid's edge holds */
 } fxl_chain;
 
-/* The crossing of an edge and a row's line of pixel centres. */
+/* An edge on a row and its step to the next row, as integers with remainders. */
 typedef struct {
-    int32_t x;       /* first pixel of the row whose centre is not left of the edge */
-    int16_t winding; /* +1 downward, -1 upward */
-} fxl_crossing;
+    int32_t x;           /* first pixel whose centre is not left of the edge */
+    uint32_t error;      /* remainder, < height */
+    int32_t step;        /* whole pixels a row */
+    uint32_t error_step; /* remainder, < height */
+    uint32_t height;     /* in 1/65536 pixel */
+} fxl_slope;
+
+/* An edge that crosses the current row. */
+typedef struct {
+    fxl_slope slope;
+    int32_t winding; /* +1 downward, -1 upward */
+} fxl_active_edge;
 
 /* The scan of an outline that goes up and down more than once, or leaves the band at a
  * side. With FXL_SMALL (config.h) every outline is scanned so. */
 typedef struct {
     const fxl_screen_point *points;
-    int16_t row, end_row;                     /* the row of the crossings; one past the last row */
-    int16_t width;                            /* of the band */
-    uint8_t count;                            /* points */
-    uint8_t found_count, next;                /* crossings of the row; the first not yet used */
-    fxl_crossing found[FXL_POLYGON_CAPACITY]; /* in the order of x */
+    int16_t row, end_row; /* the current row; one past the last row */
+    int16_t steady_end;   /* no edge begins or ends above this row */
+    int16_t width;        /* of the band */
+    uint8_t count;        /* points */
+    uint8_t found_count;  /* edges that cross the row */
+    int32_t x;            /* on the row, where the next stretch of pixels may begin */
+    fxl_active_edge found[FXL_POLYGON_CAPACITY];
 } fxl_active_edges;
 
 /* A polygon that is being scanned. The caller owns it; all members belong to scan. */
@@ -52,7 +63,7 @@ typedef struct {
     int16_t row; /* of the next span */
     fxl_trapezoid trapezoid;
     int16_t outline_first, outline_end; /* rows of the whole outline, as fxl_scan_rows says */
-    fxl_active_edges crossings;
+    fxl_active_edges active_edges;
 } fxl_scan;
 
 /* Begins to scan a polygon into a band. The polygon must outlive the scan.
