@@ -112,8 +112,8 @@ static int64_t floor_of(int64_t numerator, int64_t denominator)
     return numerator / denominator - (numerator % denominator < 0);
 }
 
-/* On every row that an edge crosses, set there or stepped from its first row: the first pixel by its
- * definition, ceil(x - 1/2). Heights and widths are often whole pixels, so that a carry leaves
+/* On every row that an edge crosses, set there or stepped from its first row: the first pixel by
+ * its definition, ceil(x - 1/2). Heights and widths are often whole pixels, so that a carry leaves
  * nothing over. */
 void test_an_edge_is_set_and_steps_to_where_it_is(void)
 {
@@ -334,9 +334,7 @@ void test_an_edge_that_just_misses_a_centre(void)
         const int32_t dx = 1 - part * rows + unit_between(0, 1) * 65536 * rows;
         const fxl_screen_polygon polygon = {
             .count = 3,
-            .points = {top,
-                       {Q16(46), top.y + Q16(rows) / 2},
-                       {top.x + dx, top.y + Q16(rows)}}};
+            .points = {top, {Q16(46), top.y + Q16(rows) / 2}, {top.x + dx, top.y + Q16(rows)}}};
         fxl_band band = any_band(48);
         band.first_row = 0;
         band.rows = 16;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* On a row where an edge begins or ends, the edges that cross the row are found and divided. On the
- * rows from there to the next such row they are the same edges, and each takes a step. FXL_SMALL has
- * no steps: there the edges are found and divided on every row. */
+ * rows from there to the next such row they are the same edges, and each takes a step. FXL_SMALL
+ * has no steps: there the edges are found and divided on every row. */
 #include "active_edges.h"
 
 #include "edge.h"
@@ -62,9 +62,8 @@ static void step_edges(fxl_active_edges *edges)
     }
 }
 
-void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points,
-                            uint32_t count, int32_t first_row, int32_t end_row,
-                            const fxl_band *band)
+void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points, uint32_t count,
+                            int32_t first_row, int32_t end_row, const fxl_band *band)
 {
     int32_t band_end = band->first_row + band->rows;
     edges->points = points;
@@ -113,8 +112,9 @@ static int32_t winding_after(const fxl_active_edges *edges, int32_t x, int32_t *
     return winding;
 }
 
-/* Until a row's end, edges->x is where the next stretch may begin. A stretch of pixels with a winding number other than 0 begins and ends at a crossing. The
- * windings of a closed outline add up to 0 on every row. */
+/* Until a row's end, edges->x is where the next stretch may begin. A stretch of pixels with a
+ * winding number other than 0 begins and ends at a crossing. The windings of a closed outline add
+ * up to 0 on every row. */
 bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span)
 {
     while (edges->x != FXL_NO_CROSSING || next_row(edges)) {

@@ -12,9 +12,8 @@
 /* Begins a scan. Requires an outline and a band as fxl_scan_begin does. first_row and end_row are
  * fxl_first_centre_from of the highest and of the lowest vertex. The points must outlive the
  * scan. */
-void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points,
-                            uint32_t count, int32_t first_row, int32_t end_row,
-                            const fxl_band *band);
+void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points, uint32_t count,
+                            int32_t first_row, int32_t end_row, const fxl_band *band);
 
 /* Finds the next span. Returns false if there are no more: span untouched. */
 bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span);

@@ -99,7 +99,9 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
     FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
     if (above + rows == 1) {
         int32_t unused;
-        edge->x = (start >> 16) + 1 + fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &unused);
+        edge->x =
+            (start >> 16) + 1 +
+            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &unused);
         edge->fraction = 0;
         edge->step = 0;
         edge->step_fraction = 0;
@@ -110,7 +112,8 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
         return fxl_edge_set_far(top, bottom, row, rows, edge);
     }
     int32_t x;
-    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x, &edge->fraction);
+    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x,
+                    &edge->fraction);
     edge->x = (start >> 16) + x + 1;
     fxl_edge_divide(&divider, dx, &edge->step, &edge->step_fraction);
     if (above > 0) {

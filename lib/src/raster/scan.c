@@ -119,7 +119,8 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
         begin_chains(scan, &found, band);
     } else {
         scan->end_row = INT16_MIN;
-        fxl_active_edges_begin(&scan->active_edges, points, count, found.top_row, found.end_row, band);
+        fxl_active_edges_begin(&scan->active_edges, points, count, found.top_row, found.end_row,
+                               band);
     }
 }
 
