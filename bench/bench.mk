@@ -101,12 +101,17 @@ endef
 
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/)))
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/))\
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_LTO,lto/)))
 
 # --- sizes -----------------------------------------------------------------------
 
 # A renderer linked with what it calls and nothing else, once as measured and
-# once for size; what counts is the linker's map.
+# once for size; what counts is the linker's map. The library is linked for size by
+# -flto too: then the map has no files of the library, but one of the compiler's for
+# all of them. There is no firmware in these programs, so all of that file is the
+# library's. The memory functions are compiled without -flto and stand in the map
+# by themselves.
 BENCH_SIZED := fixel listing-double listing-float memset
 BENCH_ROOTS.fixel := fxl_renderer_init_with_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
 BENCH_ROOTS.listing-double := listing_draw
@@ -121,16 +126,23 @@ BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,$(firstword $(BENCH_ROOTS.$(2))) \
     $(BENCH_ROOTS.$(2):%=-Wl,-u,%)
 
-# $(1): the core, $(2): the renderer, $(3): O2 or Os.
+# The objects of a program. By -flto the linker calls the compiler, which wants its flags again.
+BENCH_SIZE_OBJECTS.O2 = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(BENCH_SIZED_OF.$(2)))
+BENCH_SIZE_OBJECTS.Os = $(patsubst %,$(BENCH_OUT)/$(1)/os/%.o,$(BENCH_SIZED_OF.$(2)))
+BENCH_SIZE_OBJECTS.Os-flto = $(patsubst %,$(BENCH_OUT)/$(1)/lto/%.o,$(BENCH_LIB)) $(BENCH_OUT)/$(1)/os/memory_functions.o
+BENCH_SIZE_FLAGS.Os-flto := $(BENCH_SMALL) -flto -ffunction-sections -fdata-sections
+
+# $(1): the core, $(2): the renderer, $(3): O2, Os or Os-flto.
 define BENCH_SIZE_RULES
-$(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: \
-        $(patsubst %,$(BENCH_OUT)/$(1)/$(if $(filter Os,$(3)),os/)%.o,$(BENCH_SIZED_OF.$(2))) bench/bench.mk
-	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
+$(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: $(call BENCH_SIZE_OBJECTS.$(3),$(1),$(2)) bench/bench.mk
+	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $(BENCH_SIZE_FLAGS.$(3)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
 endef
 
 define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
-BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf))
+BENCH_CC_LTO.$(1) := $$(BENCH_CC_OS.$(1)) -flto
+BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
+    $(BENCH_OUT)/$(1)/size/Os-flto/fixel.elf
 
 $(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
@@ -139,6 +151,7 @@ $(BENCH_OUT)/$(1)/os/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -DLISTING_$(real)=1)
 )
 $(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
+$(call BENCH_SIZE_RULES,$(1),fixel,Os-flto)
 endef
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core))))
 

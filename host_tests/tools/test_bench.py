@@ -146,8 +146,9 @@ def test_a_renderer_that_draws_something_else_is_refused():
     assert refused.value.exit_code == 1
 
 
-def test_bytes_of_the_map_are_those_of_the_program():
-    folder = CHECKOUT / "build/bench/m3/size/Os"
+@pytest.mark.parametrize("flags", ["Os", "Os-flto"])
+def test_bytes_of_the_map_are_those_of_the_program(flags):
+    folder = CHECKOUT / "build/bench/m3/size" / flags
     found = link_map.measure(folder / "fixel.map")
     with (folder / "fixel.elf").open("rb") as file:
         elf = ELFFile(file)
@@ -158,6 +159,14 @@ def test_bytes_of_the_map_are_those_of_the_program():
     assert parts <= whole <= parts + 64         # the linker fills up to words' ends
     assert {"fxl_frame_begin", "fxl_frame_draw"} <= names
     assert bool(found["helpers"]) == bool({name for name in names if re.match(r"__(aeabi_u?l?(div|idiv|mul)|clz|u?div|mul)", name)})
+
+
+def test_by_flto_the_library_is_one_file_and_the_memory_functions_stay_outside():
+    apart, together = (link_map.measure(CHECKOUT / "build/bench/m3/size" / flags / "fixel.map")
+                       for flags in ("Os", "Os-flto"))
+    assert len(together["files"]) == 1 and ".ltrans" in next(iter(together["files"]))
+    assert together["run_time"] == apart["run_time"] > 0
+    assert together["code"] + together["constants"] < apart["code"] + apart["constants"]
 
 
 def test_the_map_tells_helpers_from_memory_functions(tmp_path):
@@ -203,6 +212,8 @@ def test_goals_by_hand(baseline):
     for size in result["sizes"]:
         if (size["core"], size["renderer"], size["flags"]) == ("m3", "fixel", "-Os"):
             size.update(code=6800, constants=201, helpers=[])
+        if (size["core"], size["renderer"], size["flags"]) == ("m3", "fixel", "-Os -flto"):
+            size.update(code=6400, constants=200)
     found = figures(result)
     assert found["W1, a frame, M3"] == (170_000, True)
     assert found["W1, worst frame by the mean, M3"] == (1.45, True)
@@ -211,6 +222,7 @@ def test_goals_by_hand(baseline):
     assert found["M55 by M3, the slowest of all workloads and kernels"] == (1.01, False)
     assert found["growth with cubes in sight"] == (1.0, True)
     assert found["code and constants, bytes, -Os, M3"] == (7001, False)
+    assert found["code and constants, bytes, -Os -flto, M3"] == (6600, True)
     assert found["functions of the compiler's arithmetic that are linked, M3"] == (0, True)
 
 

@@ -162,9 +162,11 @@ def sizes_markdown(plan, result):
     header = ["renderer", "bytes", "flags", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for renderer in plan.renderers:
-        for flags in ("-O2", "-Os"):
+        for flags in ("-O2", "-Os", "-Os -flto"):
             sizes = [size for size in result["sizes"]
                      if size["renderer"] == renderer and size["flags"] == flags]
+            if not sizes:
+                continue
             rows.append([renderer, "flash", flags, *[f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in sizes]])
     for renderer in plan.renderers:
         drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)

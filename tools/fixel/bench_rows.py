@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """From what was counted to bench.json: rows, limits, sizes, growth, and how pictures compare."""
 
-from fixel import bench_plan, link_map, places
+from fixel import bench_goals, bench_plan, link_map, places
 
 FLAGS = ("O2", "Os")
+LTO = "Os-flto"         # the library alone
 LIMIT = "limit-"
 
 
@@ -54,9 +55,10 @@ def add_sizes(rows, sizes):
 
 def sizes(plan, cores):
     """[{core, renderer, flags, code, constants, run_time, ram, helpers}] of each renderer linked by itself."""
-    return [{"core": core, "renderer": renderer, "flags": f"-{flags}",
+    programs = [(renderer, flags) for renderer in plan.renderers for flags in FLAGS] + [(bench_goals.OURS, LTO)]
+    return [{"core": core, "renderer": renderer, "flags": f"-{flags.replace('-', ' -')}",
              **link_map.measure(plan.build / "bench" / core / "size" / flags / f"{renderer}.map")}
-            for core in cores for renderer in plan.renderers for flags in FLAGS]
+            for core in cores for renderer, flags in programs]
 
 
 def pictures(drawn):
