@@ -147,5 +147,3 @@ BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))
 
 .PHONY: bench-programs
 bench-programs: $(BENCH_BUILT)
-
--include $(shell find $(BENCH_OUT) -name '*.d' 2>/dev/null)

@@ -98,5 +98,3 @@ CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
 CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(COMPARISON_OUT)/world-sorted $(if $(filter m3,$(CLIPPERS_CORES)),\
     $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/%.elf) $(CLIPPERS_SAMPLE:%=$(BENCH_OUT)/m3/clippers/size/%.elf) \
     $(addprefix $(BENCH_OUT)/m3/clippers/operations/,view.elf triangles.elf))
-
--include $(wildcard $(COMPARISON_OUT)/*.d)

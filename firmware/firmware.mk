@@ -144,5 +144,3 @@ include firmware/unittest/unittest.mk
 
 .PHONY: all-boards
 all-boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board)))
-
--include $(shell find $(FIRMWARE_OUT) $(CORE_OUT) -name '*.d' 2>/dev/null)

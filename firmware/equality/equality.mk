@@ -44,5 +44,3 @@ endef
 $(foreach kind,$(EQUALITY_KINDS),$(eval $(call EQUALITY_RULES,$(kind))))
 
 EQUALITY_PROGRAMS := $(EQUALITY_KINDS:%=$(EQUALITY_OUT)/%.elf)
-
--include $(shell find $(EQUALITY_OUT) -name '*.d' 2>/dev/null)

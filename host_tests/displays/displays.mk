@@ -43,4 +43,3 @@ $(DISPLAY_TEST)/test_%: $(DISPLAY_TEST)/test_%.o $(DISPLAY_TEST)/test_%_runner.o
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) $^ -o $@
 
 .PRECIOUS: $(DISPLAY_TEST)/%_runner.c
--include $(wildcard $(DISPLAY_TEST)/*.d)

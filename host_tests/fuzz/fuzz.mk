@@ -73,5 +73,3 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 
 FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
 HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-
--include $(wildcard $(FUZZ_OUT)/*/*.d $(FUZZ_OUT)/*/lib/*/*/*.d)

@@ -45,5 +45,3 @@ $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
         $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
-
--include $(ORACLE_OBJECTS:.o=.d) $(wildcard $(ORACLE_UNIT)/*.d)

@@ -57,5 +57,3 @@ $(UNIT_PROGRAMS): $(UNIT_OUT)/test_%: $(UNIT_OUT)/test_%.o $(UNIT_OUT)/test_%_ru
 	$(HOSTCC) -fsanitize=address,undefined $^ -o $@ -lm
 
 UNITY_TESTS += $(UNIT_PROGRAMS)
-
--include $(wildcard $(UNIT_OUT)/*.d $(UNIT_OUT)/lib/*/*/*.d $(UNIT_OUT)/parts/*.d)
