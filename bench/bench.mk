@@ -51,8 +51,14 @@ BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
 BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list limit_list $(BENCH_LIB)
 BENCH_C_LIBRARY := listing-double listing-float memset
 
+# Where the library of a core is: that of the boards with the same flags, if there are any, is the
+# same library. $(1): the core.
+BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS,$(BENCH_FLAGS.$(1))),$(CORES_SHARED))),\
+    $(BENCH_OUT)/$(1))/lib
+# $(1): the core, $(2): names of objects.
+BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(BENCH_LIB_OUT)/%,$(2:%=$(BENCH_OUT)/$(1)/%.o))
 # $(1): the core, $(2): the program.
-BENCH_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text $(BENCH_OBJECTS.$(2)) \
+BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
 # The board's parts, which only start and end the program, are compiled for the
 # board; for hard float anew, since the linker mixes no calling conventions.
@@ -124,7 +130,7 @@ BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
 # $(1): the core, $(2): the renderer, $(3): O2 or Os.
 define BENCH_SIZE_RULES
 $(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: \
-        $(patsubst %,$(BENCH_OUT)/$(1)/$(if $(filter Os,$(3)),os/)%.o,$(BENCH_SIZED_OF.$(2))) bench/bench.mk
+        $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2):%=$(if $(filter Os,$(3)),os/)%)) bench/bench.mk
 	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
 endef
 

@@ -50,7 +50,7 @@ $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unitte
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_FOREIGN_CC,$(1)))
 endef
 # The library with its assertions on.
-$(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core)))\
+$(foreach core,$(CORES_SHARED),$(eval $(call CORE_TEST_RULES,$(core)))\
     $(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/unit/lib,\
         $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Ilib/include $$(CORE_TUNE.$(core)) -DFXL_ASSERT_HOOK),firmware/firmware.mk)))
 
