@@ -45,3 +45,5 @@ $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
         $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
+
+.PRECIOUS: $(ORACLE_UNIT)/test_%.o
