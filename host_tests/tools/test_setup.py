@@ -276,7 +276,7 @@ def commands():
     return sorted(set(re.findall(r"^([a-z-]+):.* ## ", text, re.MULTILINE)) - ALONE)
 
 
-@pytest.mark.parametrize("command", [name for name in commands() if name != "compare"])
+@pytest.mark.parametrize("command", commands())
 def test_each_command_begins_with_set_up(command, tmp_path):
     """Nothing is built or run before it, and reading the Makefile installs nothing."""
     done = run_make("-n", command, f"BUILD={tmp_path}")
