@@ -199,7 +199,7 @@ test-programs: $(TEST_PROGRAMS)
 test: ## run the tests, on the host and on a board of each core [BOARD= of one board, ONLY=]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
-	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
 
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests
