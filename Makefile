@@ -55,6 +55,13 @@ include bench/bench.mk
 include bench/clippers.mk
 include firmware/equality/equality.mk
 
+# On which headers the objects depend, as the compilers wrote it: thousands of files, a second to
+# read. A command has its files built by a sub-make, so a make of commands alone reads none of
+# them. seeded_bugs holds whole copies of the project.
+ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
+-include $(shell find $(BUILD) -name seeded_bugs -prune -o -name '*.d' -print 2>/dev/null)
+endif
+
 HOST_WALK := $(BOARD_WALK.host)
 WALK      := $(BOARD_WALK.$(BOARD))
 IMAGE     := $(BUILD)/flash/$(BOARD).bin
@@ -192,7 +199,7 @@ test-programs: $(TEST_PROGRAMS)
 test: ## run the tests, on the host and on a board of each core [BOARD= of one board, ONLY=]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
-	@$(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
 
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests

@@ -51,8 +51,14 @@ BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
 BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list limit_list $(BENCH_LIB)
 BENCH_C_LIBRARY := listing-double listing-float memset
 
+# Where the library of a core is: that of the boards with the same flags, if there are any, is the
+# same library. $(1): the core.
+BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS,$(BENCH_FLAGS.$(1))),$(CORES_SHARED))),\
+    $(BENCH_OUT)/$(1))/lib
+# $(1): the core, $(2): names of objects.
+BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(BENCH_LIB_OUT)/%,$(2:%=$(BENCH_OUT)/$(1)/%.o))
 # $(1): the core, $(2): the program.
-BENCH_OBJECTS_OF = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,region start text $(BENCH_OBJECTS.$(2)) \
+BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
 # The board's parts, which only start and end the program, are compiled for the
 # board; for hard float anew, since the linker mixes no calling conventions.
@@ -127,8 +133,8 @@ BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     $(BENCH_ROOTS.$(2):%=-Wl,-u,%)
 
 # The objects of a program. By -flto the linker calls the compiler, which wants its flags again.
-BENCH_SIZE_OBJECTS.O2 = $(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(BENCH_SIZED_OF.$(2)))
-BENCH_SIZE_OBJECTS.Os = $(patsubst %,$(BENCH_OUT)/$(1)/os/%.o,$(BENCH_SIZED_OF.$(2)))
+BENCH_SIZE_OBJECTS.O2 = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2)))
+BENCH_SIZE_OBJECTS.Os = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2):%=os/%))
 BENCH_SIZE_OBJECTS.Os-flto = $(patsubst %,$(BENCH_OUT)/$(1)/lto/%.o,$(BENCH_LIB)) $(BENCH_OUT)/$(1)/os/memory_functions.o
 BENCH_SIZE_FLAGS.Os-flto := $(BENCH_SMALL) -flto -ffunction-sections -fdata-sections
 
@@ -160,5 +166,3 @@ BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))
 
 .PHONY: bench-programs
 bench-programs: $(BENCH_BUILT)
-
--include $(shell find $(BENCH_OUT) -name '*.d' 2>/dev/null)

@@ -60,13 +60,19 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
 # Flags that every object of a core and capacity is compiled with, and a name of them.
 CORE_CHOICE = $(if $(BOARD_HOSTED.$(1)),,$(BOARD_CORE.$(1)) -ffreestanding) \
     $(BOARD_POLYGON_CAPACITY.$(1):%=-DFXL_POLYGON_CAPACITY=%)
-CORE_NAME = $(or $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
-    $(filter-out -ffreestanding -mthumb,$(CORE_CHOICE))))))),host)
+CORE_NAME = $(or $(call CORE_NAME_OF_FLAGS,$(CORE_CHOICE)),host)
+CORE_NAME_OF_FLAGS = $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
+    $(filter-out -ffreestanding -mthumb,$(1)))))))
+# A Cortex-M7 has the instructions of a Cortex-M4, and LIB_TUNE has both scheduled as one core, so
+# the library's objects are equal byte for byte (host_tests/tools/test_cores.py). They are compiled
+# once, for the M4. $(1): flags or a name of them.
+CORE_SHARED = $(subst cortex-m7,cortex-m4,$(1))
 # Where a board's objects of its core are.
-BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_NAME,$(1))
+BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_SHARED,$(call CORE_NAME,$(1)))
 
 FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
-LIB_OBJECTS_OF = $(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o)
+# The host's own library is compiled for its tools anyway (lib/lib.mk).
+LIB_OBJECTS_OF = $(if $(filter host,$(call CORE_NAME,$(1))),$(LIB_HOST_OBJECTS),$(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o))
 
 # $(1): how to call the compiler, without the files.
 define FIRMWARE_COMPILE
@@ -75,17 +81,22 @@ $(FIRMWARE_SAY) CC $@
 $(FIRMWARE_QUIET)$(1) -c $< -o $@
 endef
 
-# $(1): the first board with this core.
+# $(1): the first board with this core, $(2): the name of the core, $(3): its flags.
 define CORE_RULES
-CORE_TUNE.$(call CORE_NAME,$(1)) = $$(call LIB_TUNE,$(BOARD_CORE.$(1)))
-CORE_CC.$(call CORE_NAME,$(1)) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(call CORE_CHOICE,$(1))
+CORE_TUNE.$(2) = $$(call LIB_TUNE,$(3))
+CORE_CC.$(2) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(3)
 endef
 
 CORES_READ :=
 $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)),,\
-    $(eval CORES_READ += $(call CORE_NAME,$(board)))$(eval $(call CORE_RULES,$(board)))))
-$(foreach core,$(CORES_READ),$(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/lib,\
-    $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Ilib/include $$(CORE_TUNE.$(core))),firmware/firmware.mk)))
+    $(eval CORES_READ += $(call CORE_NAME,$(board)))\
+    $(eval $(call CORE_RULES,$(board),$(call CORE_NAME,$(board)),$(call CORE_CHOICE,$(board))))\
+    $(eval $(call CORE_RULES,$(board),$(call CORE_SHARED,$(call CORE_NAME,$(board))),$(call CORE_SHARED,$(call CORE_CHOICE,$(board)))))))
+# The cores for which something is compiled. The bench measures the same objects (bench/bench.mk),
+# and its cores have an FPU: no float may become a double there.
+CORES_SHARED := $(filter-out host,$(sort $(call CORE_SHARED,$(CORES_READ))))
+$(foreach core,$(CORES_SHARED),$(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/lib,\
+    $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Wdouble-promotion -Ilib/include $$(CORE_TUNE.$(core))),firmware/firmware.mk)))
 
 # --- boards --------------------------------------------------------------------
 
@@ -144,5 +155,3 @@ include firmware/unittest/unittest.mk
 
 .PHONY: all-boards
 all-boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board)))
-
--include $(shell find $(FIRMWARE_OUT) $(CORE_OUT) -name '*.d' 2>/dev/null)

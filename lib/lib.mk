@@ -87,5 +87,3 @@ $(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
 $(LIB_OUT)/include/%.h: lib/include/%.h
 	@mkdir -p $(@D)
 	@cp $< $@
-
--include $(LIB_HOST_OBJECTS:.o=.d) $(LIB_OBJECTS:.o=.d)

@@ -4,9 +4,23 @@
 # comparison runs while make brings its makefiles up to date, and leaves one
 # behind; make starts over (same process), finds it, and where the frames
 # differ becomes "make -q", which answers 1 for a goal that is not up to date.
+# Set-up is a target of its own, before that. Make brings makefiles up to date
+# even with -n: then there is none to bring up to date, and the goal shows the steps.
 
 VERDICT := $(BUILD)/compare/verdict.mk
 COMPARE_OUT := $(if $(filter file,$(origin OUT)),$(BUILD)/compare,$(OUT))
+COMPARE := $(PY) tools/compare.py --a '$(A)' --b '$(B)' --tolerance '$(if $(filter undefined,$(origin TOLERANCE)),0,$(TOLERANCE))' \
+    --out '$(COMPARE_OUT)' $(if $(JSON),--json)
+
+.PHONY: set-up-tools
+set-up-tools:
+	@tools/setup.sh tools
+
+ifneq ($(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),)
+compare: set-up-tools
+	@$(COMPARE)
+else
+
 ifdef MAKE_RESTARTS
 -include $(VERDICT)
 endif
@@ -19,12 +33,12 @@ compare:
 	@:
 else
 include $(VERDICT)
-$(VERDICT): FORCE
+$(VERDICT): FORCE | set-up-tools
 	@mkdir -p $(@D)
-	@tools/setup.sh tools
-	@code=0; $(PY) tools/compare.py --a '$(A)' --b '$(B)' --tolerance '$(if $(filter undefined,$(origin TOLERANCE)),0,$(TOLERANCE))' \
-	    --out '$(COMPARE_OUT)' $(if $(JSON),--json) || code=$$?; \
+	@code=0; $(COMPARE) || code=$$?; \
 	case $$code in 0) equal=yes ;; 1) equal=no ;; *) exit $$code ;; esac; \
 	printf 'COMPARED_BY := %s\nCOMPARED_EQUAL := %s\n' "$$PPID" "$$equal" >$@
 compare: ;
+endif
+
 endif

@@ -37,7 +37,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 # What make needs to build the library's tests.
 COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests")
 # What make has built of them in the checkout, which it need not build again.
-COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3")
+COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3", "core/*/lib", "core/runners", "boards/mps2-an385/boards")
 TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught too
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
 EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small")
@@ -74,10 +74,10 @@ def make_copy(root, folder):
             shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("corpus"))
         else:
             shutil.copy2(source, folder / name)
-    for name in COPIED_BUILT:   # with their times, by which make sees what is new enough
-        source = pathlib.Path(root) / "build" / name
-        if source.is_dir():
-            shutil.copytree(source, folder / "build" / name)
+    built = pathlib.Path(root) / "build"
+    for source in (source for pattern in COPIED_BUILT for source in built.glob(pattern)):
+        # with their times, by which make sees what is new enough
+        shutil.copytree(source, folder / "build" / source.relative_to(built))
 
 
 def build_tests(folder, tests, jobs):

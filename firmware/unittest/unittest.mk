@@ -24,8 +24,10 @@ BOARD_TEST_SOURCES := $(wildcard host_tests/unit/*.c firmware/unittest/*.c)
 BOARD_TEST_SHARED = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,$(filter-out host_tests/unit/test_%,$(BOARD_TEST_SOURCES))) \
     $(BOARD_CORE_OUT)/unit/unity.o $(LIB_NAMES:%=$(BOARD_CORE_OUT)/unit/lib/%.o)
 
-# Unity asks for setjmp, and tests may print: these programs have a C library.
-BOARD_TEST_CC = $(filter-out -ffreestanding,$(CORE_CC.$(1))) -Ilib/include -Ilib -Iboards \
+# Unity asks for setjmp, and tests may print: these programs have a C library. The library in them
+# is optimised as a program's; of the tests themselves more is compiled than ever runs, and to
+# compile them so, or for a debugger, would take twice the time.
+BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) -O1 -Ilib/include -Ilib -Iboards \
     -I$(UNITY_DIR)/src -Ihost_tests/unit -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # All RAM that is left is their stack (linker/sections.ld).
 BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1
@@ -50,9 +52,9 @@ $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unitte
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_FOREIGN_CC,$(1)))
 endef
 # The library with its assertions on.
-$(foreach core,$(filter-out host,$(CORES_READ)),$(eval $(call CORE_TEST_RULES,$(core)))\
+$(foreach core,$(CORES_SHARED),$(eval $(call CORE_TEST_RULES,$(core)))\
     $(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/unit/lib,\
-        $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Ilib/include $$(CORE_TUNE.$(core)) -DFXL_ASSERT_HOOK),firmware/firmware.mk)))
+        $$(call FIRMWARE_COMPILE,$$(filter-out -g,$$(CORE_CC.$(core))) -Ilib/include $$(CORE_TUNE.$(core)) -DFXL_ASSERT_HOOK),firmware/firmware.mk)))
 
 # Of those, what the board is not made of anyway.
 BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_SOURCES.$(1)),$(UNIT_PARTS)))

@@ -15,5 +15,3 @@ $(BUILD)/host/clipper_errors: $(CLIPPERS_OBJECTS) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
-
--include $(CLIPPERS_OBJECTS:.o=.d)

@@ -13,5 +13,3 @@ $(BUILD)/host/objects/designs/%.o: host_tests/designs/%.c
 $(BUILD)/host/designs: $(DESIGNS_OBJECTS) $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
-
--include $(DESIGNS_OBJECTS:.o=.d)

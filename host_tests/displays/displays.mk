@@ -42,5 +42,4 @@ $(DISPLAY_TEST)/test_%: $(DISPLAY_TEST)/test_%.o $(DISPLAY_TEST)/test_%_runner.o
 	$(HOST_SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) $^ -o $@
 
-.PRECIOUS: $(DISPLAY_TEST)/%_runner.c
--include $(wildcard $(DISPLAY_TEST)/*.d)
+.PRECIOUS: $(DISPLAY_TEST)/%_runner.c $(DISPLAY_TEST)/%.o

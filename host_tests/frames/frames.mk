@@ -20,5 +20,3 @@ $(BUILD)/host/objects/frames/path.o: firmware/walk/path.c
 $(BUILD)/host/frames: $(FRAMES_OBJECTS) $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -o $@
-
--include $(FRAMES_OBJECTS:.o=.d)

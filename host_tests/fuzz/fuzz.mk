@@ -44,11 +44,9 @@ $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 
 # --- replay --------------------------------------------------------------------
 
+# With the library of the unit tests, which has the same sanitizers and its assertions on.
 FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
     -Ilib/include -Ilib -MMD -MP
-
-$(eval $(call LIB_RULES,$(FUZZ_OUT)/replay/lib,\
-    $$(HOSTCC) $$(FUZZ_REPLAY_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	@mkdir -p $(@D)
@@ -65,13 +63,11 @@ $(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=
 	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
 
 $(FUZZ_OUT)/replay_$(1): $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
-        $(FUZZ_LIB:%=$(FUZZ_OUT)/replay/lib/%.o)
-	$(HOST_SAY)
-	$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
+        $(BUILD)/host/unit/libfixel.a
+	$$(HOST_SAY)
+	$$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
 endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 
 FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
 HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-
--include $(wildcard $(FUZZ_OUT)/*/*.d $(FUZZ_OUT)/*/lib/*/*/*.d)

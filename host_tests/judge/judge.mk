@@ -14,5 +14,3 @@ $(BUILD)/host/objects/judge/%.o: host_tests/judge/%.c
 $(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o $(BUILD)/host/libreference.a $(BUILD)/host/liboracle.a
 	$(HOST_SAY)
 	$(HOSTCC) -pthread $^ -lm -o $@
-
--include $(JUDGE_OBJECTS:.o=.d)

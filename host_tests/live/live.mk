@@ -13,5 +13,3 @@ $(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o \
     $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
-
--include $(LIVE_OBJECTS:.o=.d)

@@ -46,4 +46,4 @@ $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
 	$(HOST_SAY)
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
 
--include $(ORACLE_OBJECTS:.o=.d) $(wildcard $(ORACLE_UNIT)/*.d)
+.PRECIOUS: $(ORACLE_UNIT)/test_%.o

@@ -17,5 +17,3 @@ $(REFERENCE_LIBRARY): $(REFERENCE_OBJECTS)
 	rm -f $@
 	$(HOST_SAY)
 	$(HOSTAR) rcs $@ $^
-
--include $(REFERENCE_OBJECTS:.o=.d)

@@ -13,5 +13,3 @@ $(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
 $(BUILD)/host/stage_errors: $(STAGES_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
-
--include $(STAGES_OBJECTS:.o=.d)

@@ -64,6 +64,11 @@ def run_make(*arguments, **changes):
                           env=environment(**changes))
 
 
+def dry_run(command, *settings):
+    """make -n of a command: its steps. What its sub-makes would build is left out, which takes seconds to list."""
+    return run_make("-n", command, *settings, "MAKE=:")
+
+
 def assert_one_sentence(done, *words, code=2):
     """A command failed with the exit code, one line that begins with error:, and these words in it."""
     lines = [line for line in done.stderr.splitlines() if line.startswith("error: ")]

@@ -9,7 +9,7 @@ import stat
 
 import pytest
 from board_programs import EVERY_BOARD, ROOT
-from conftest import run_cli, run_make
+from conftest import dry_run, run_cli, run_make
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -91,7 +91,7 @@ def test_one_board_alone(tmp_path):
 
 def command_of(board):
     """What make test of one board would call, as words."""
-    done = run_make("-n", "test", f"BOARD={board}")
+    done = dry_run("test", f"BOARD={board}")
     assert done.returncode == 0, done.stderr
     whole = done.stdout.replace("\\\n", " ")
     return shlex.split(next(line for line in whole.splitlines() if "--board-unit" in line))
@@ -125,7 +125,7 @@ def test_unit_tests_run_on_a_board_of_each_core():
         return re.search(r"^BOARD_CORE := (.*)$", setting, re.MULTILINE)[1]
 
     def boards(command):
-        words = shlex.split(run_make("-n", command).stdout.replace("\\\n", " "))
+        words = shlex.split(dry_run(command).stdout.replace("\\\n", " "))
         return [words[at + 1] for at, word in enumerate(words) if word == "--board-unit"]
     tested = boards("test")
     assert sorted(map(core, tested)) == sorted({core(board) for board in EVERY_BOARD})
@@ -149,6 +149,6 @@ def test_a_board_that_is_none_is_refused():
 
 def test_a_test_that_is_none_cannot_be_left_out():
     board = EVERY_BOARD[0]
-    done = run_make("-n", "test", f"BOARD={board}", f"BOARD_UNIT_OMIT.{board}=test_gone")
+    done = dry_run("test", f"BOARD={board}", f"BOARD_UNIT_OMIT.{board}=test_gone")
     assert done.returncode == 2
     assert f"boards/{board}/board.mk leaves out test_gone, which is no test of host_tests/unit" in done.stderr

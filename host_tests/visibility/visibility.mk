@@ -27,5 +27,3 @@ $(BUILD)/host/objects/visibility/%.o: firmware/walk/%.c
 $(BUILD)/host/hidden: $(HIDDEN_OBJECTS) $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -o $@
-
--include $(HIDDEN_OBJECTS:.o=.d)

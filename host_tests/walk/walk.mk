@@ -90,4 +90,3 @@ $(WALK_TEST)/test_window: $(addprefix $(WALK_TEST)/,test_window.o test_window_ru
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -no-pie -Wl,--defsym=fxl_window_size=65536 $^ -o $@
 
 .PRECIOUS: $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h $(WALK_TEST)/%_runner.c
--include $(wildcard $(WALK_TEST)/*.d)

@@ -13,5 +13,3 @@ $(BUILD)/host/objects/wire/%.o: host_tests/wire/%.c
 $(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@
-
--include $(WIRE_OBJECTS:.o=.d)

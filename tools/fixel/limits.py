@@ -18,7 +18,7 @@ from fixel.errors import ToolError
 
 ASLEEP = 300.0      # seconds of sleep without output that are a hang
 BUSY = 0.05         # of a processor; a process that uses less, such as one that polls, sleeps
-LOOK = 0.25         # seconds between two looks at the processes
+LOOK = 1.0          # seconds between two looks: each reads what is known of every process
 LOOK_MAX = 1.0      # seconds of sleep that one look counts: this process may have been stopped itself
 POLL = 0.05
 TICKS = os.sysconf("SC_CLK_TCK")
