@@ -61,10 +61,11 @@ void kernel_inputs_make(kernel_inputs *inputs)
     fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, 64 * 65536, 4, &lens);
     fxl_view_set_lens(&inputs->view, &lens);
     fxl_view_set_pose(&inputs->view, &pose);
-    inputs->placed.view = &inputs->view;
-    inputs->placed.vertices = inputs->points;
-    inputs->placed.planes = FXL_PLANES_ALL;
-    inputs->placed.offset = (fxl_point){-pose.position.x, -pose.position.y, -pose.position.z};
+    const fxl_model model = {.vertex_count = KERNEL_COUNT};
+    const fxl_instance instance = {.centre = {0, 0, 0}};
+    const fxl_scene scene = {.vertices = inputs->points, .models = &model};
+    fxl_vertex_cache_init(&inputs->cache, NULL, 0);
+    fxl_model_view_of_instance(&inputs->placed, &scene, &instance, &inputs->view, &inputs->cache);
     for (uint32_t i = 0; i < KERNEL_COUNT; i++) {
         inputs->angles[i] = (fxl_angle)any();
         inputs->wide[i] = any();

@@ -9,8 +9,9 @@
 #define KERNEL_COUNT 64u /* of each kind of input, a power of two */
 
 typedef struct {
-    fxl_view view;         /* 320x240, 90 degrees */
-    fxl_model_view placed; /* an instance about the origin, of the points below; no cache */
+    fxl_view view; /* 320x240, 90 degrees */
+    fxl_vertex_cache cache;
+    fxl_model_view placed; /* an instance about the origin, of the points below */
     fxl_angle angles[KERNEL_COUNT];
     uint64_t wide[KERNEL_COUNT];            /* all 64 bits */
     int64_t numerators[KERNEL_COUNT];       /* as project divides: below 2^59 */

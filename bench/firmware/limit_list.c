@@ -53,8 +53,8 @@ static void multiply(const kernel_inputs *in)
 /* Nine products in 64 bits and their sums. */
 static void transform(const kernel_inputs *in)
 {
-    const fxl_direction *right = &in->view.camera.right, *up = &in->view.camera.up;
-    const fxl_direction *forward = &in->view.camera.forward;
+    const fxl_direction *right = &in->view.camera.axes.right, *up = &in->view.camera.axes.up;
+    const fxl_direction *forward = &in->view.camera.axes.forward;
     for (uint32_t i = 0; i < KERNEL_COUNT; i++) {
         const int64_t x = in->points[i].x, y = in->points[i].y, z = in->points[i].z;
         sums[i].x = right->x * x + right->y * y + right->z * z;

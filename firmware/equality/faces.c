@@ -138,12 +138,12 @@ static void any_vertices(void)
     for (uint32_t i = 0; i < VERTICES; i++) {
         int32_t right = x + within(spread), up = y + within(spread),
                 forward = depth + within(spread);
-        vertices[i].x = along(camera->right.x, right) + along(camera->up.x, up) +
-                        along(camera->forward.x, forward);
-        vertices[i].y = along(camera->right.y, right) + along(camera->up.y, up) +
-                        along(camera->forward.y, forward);
-        vertices[i].z = along(camera->right.z, right) + along(camera->up.z, up) +
-                        along(camera->forward.z, forward);
+        vertices[i].x = along(camera->axes.right.x, right) + along(camera->axes.up.x, up) +
+                        along(camera->axes.forward.x, forward);
+        vertices[i].y = along(camera->axes.right.y, right) + along(camera->axes.up.y, up) +
+                        along(camera->axes.forward.y, forward);
+        vertices[i].z = along(camera->axes.right.z, right) + along(camera->axes.up.z, up) +
+                        along(camera->axes.forward.z, forward);
     }
 }
 
@@ -152,6 +152,7 @@ static void place(side *to, uint32_t mask, uint32_t tag, fxl_planes planes)
     memset(to, 0x5A, sizeof *to);
     memset(to->entries, 0, sizeof to->entries);
     to->placed = (fxl_model_view){.view = &view,
+                                  .axes = &view.camera.axes,
                                   .entries = to->entries,
                                   .mask = mask,
                                   .tag = tag,

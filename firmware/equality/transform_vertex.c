@@ -52,15 +52,14 @@ static void any_view(void)
     if (any_32() & 0x300u) {
         placed.planes = FXL_PLANES_ALL;
     }
-    placed.rows[0] = view.camera.right;
-    placed.rows[1] = view.camera.up;
-    placed.rows[2] = view.camera.forward;
+    placed.axes = &view.camera.axes;
 }
 
 /* Puts the origin of the vertices somewhere else than the eye. */
 static void move_origin(const fxl_point *origin)
 {
-    fxl_rotate(&view.camera, origin, &placed.translation);
+    placed.translation = (fxl_view_point){0, 0, 0};
+    fxl_rotate(placed.axes, origin, &placed.translation, &placed.translation);
 }
 
 /* A vertex relative to the eye: anywhere, or within a few units of a side plane,
@@ -82,19 +81,19 @@ static fxl_point any_vertex(void)
     int32_t across = (int32_t)((int64_t)along * depth >> 30);
     int32_t forward = (int32_t)((int64_t)along * side >> 30);
     forward = any_32() & 256u ? -forward : forward;
-    const fxl_direction *axis = upright ? &camera->up : &camera->right;
-    const fxl_direction *rest = upright ? &camera->right : &camera->up;
+    const fxl_direction *axis = upright ? &camera->axes.up : &camera->axes.right;
+    const fxl_direction *rest = upright ? &camera->axes.right : &camera->axes.up;
     fxl_point point;
     point.x = (int32_t)(((int64_t)axis->x * across + (int64_t)rest->x * other +
-                         (int64_t)camera->forward.x * forward) >>
+                         (int64_t)camera->axes.forward.x * forward) >>
                         30) +
               within(2);
     point.y = (int32_t)(((int64_t)axis->y * across + (int64_t)rest->y * other +
-                         (int64_t)camera->forward.y * forward) >>
+                         (int64_t)camera->axes.forward.y * forward) >>
                         30) +
               within(2);
     point.z = (int32_t)(((int64_t)axis->z * across + (int64_t)rest->z * other +
-                         (int64_t)camera->forward.z * forward) >>
+                         (int64_t)camera->axes.forward.z * forward) >>
                         30) +
               within(2);
     return point;

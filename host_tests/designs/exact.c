@@ -68,8 +68,8 @@ fxl_view_point exact_view_point(const designs_input *input, int number)
     int64_t dx = (int64_t)point->x - camera->position.x;
     int64_t dy = (int64_t)point->y - camera->position.y;
     int64_t dz = (int64_t)point->z - camera->position.z;
-    return (fxl_view_point){dot(&camera->right, dx, dy, dz), dot(&camera->up, dx, dy, dz),
-                            dot(&camera->forward, dx, dy, dz)};
+    return (fxl_view_point){dot(&camera->axes.right, dx, dy, dz), dot(&camera->axes.up, dx, dy, dz),
+                            dot(&camera->axes.forward, dx, dy, dz)};
 }
 
 /* |found - focal side / depth|: the quotient's whole part is subtracted as an

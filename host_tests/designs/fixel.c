@@ -9,7 +9,7 @@ static void fixel_matrix(const fxl_pose *pose, double entries[9])
 {
     fxl_camera camera = {.position = {0, 0, 0}};
     (void)fxl_camera_from_pose(pose, &camera);
-    const fxl_direction *rows[3] = {&camera.right, &camera.up, &camera.forward};
+    const fxl_direction *rows[3] = {&camera.axes.right, &camera.axes.up, &camera.axes.forward};
     for (int i = 0; i < 3; i++) {
         entries[3 * i] = rows[i]->x;
         entries[3 * i + 1] = rows[i]->y;

@@ -69,8 +69,8 @@ static designs_screen show(const designs_input *input, const vector *point)
     const fxl_camera *camera = &input->camera;
     vector eye = vector_of(&camera->position);
     vector from_eye = {point->x - eye.x, point->y - eye.y, point->z - eye.z};
-    vector right = row_of(&camera->right), up = row_of(&camera->up);
-    vector forward = row_of(&camera->forward);
+    vector right = row_of(&camera->axes.right), up = row_of(&camera->axes.up);
+    vector forward = row_of(&camera->axes.forward);
     float reciprocal = 1.0f / dot(&forward, &from_eye), focal = q16(input->lens.focal);
     float centre_x = (float)input->lens.width * 0.5f, centre_y = (float)input->lens.height * 0.5f;
     return (designs_screen){held(dot(&right, &from_eye) * reciprocal * focal + centre_x),
@@ -103,8 +103,8 @@ static vector plane_of(const designs_input *input, float *distance)
     default:
         depth = input->plane == FXL_PLANE_NEAR ? 1.0f : -1.0f;
     }
-    vector right = row_of(&camera->right), up = row_of(&camera->up);
-    vector forward = row_of(&camera->forward), eye = vector_of(&camera->position);
+    vector right = row_of(&camera->axes.right), up = row_of(&camera->axes.up);
+    vector forward = row_of(&camera->axes.forward), eye = vector_of(&camera->position);
     vector normal = {side_x * right.x + side_y * up.x + depth * forward.x,
                      side_x * right.y + side_y * up.y + depth * forward.y,
                      side_x * right.z + side_y * up.z + depth * forward.z};

@@ -44,9 +44,9 @@ static void put_view(numbers *list, const designs_input *input)
     put(list, lens->far_z);
     put(list, lens->inset);
     put_point(list, &input->camera.position);
-    put_direction(list, &input->camera.right);
-    put_direction(list, &input->camera.up);
-    put_direction(list, &input->camera.forward);
+    put_direction(list, &input->camera.axes.right);
+    put_direction(list, &input->camera.axes.up);
+    put_direction(list, &input->camera.axes.forward);
 }
 
 static numbers list_input(enum designs_stage stage, const designs_input *input)
@@ -146,9 +146,9 @@ static void take_view(numbers *list, designs_input *input, bool *sound)
     input->lens.far_z = (fxl_q16_16)take(list, FXL_NEAR_MIN, FXL_FAR_MAX, sound);
     input->lens.inset = (fxl_q16_16)take(list, 0, FXL_INSET_MAX, sound);
     input->camera.position = take_point(list, sound);
-    input->camera.right = take_direction(list, sound);
-    input->camera.up = take_direction(list, sound);
-    input->camera.forward = take_direction(list, sound);
+    input->camera.axes.right = take_direction(list, sound);
+    input->camera.axes.up = take_direction(list, sound);
+    input->camera.axes.forward = take_direction(list, sound);
 }
 
 static void take_outline(numbers *list, designs_input *input, bool *sound)

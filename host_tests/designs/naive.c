@@ -73,8 +73,8 @@ static designs_screen show(const designs_input *input, const vector *point)
     vector eye = vector_of(&camera->position);
     vector from_eye = {held((int64_t)point->x - eye.x), held((int64_t)point->y - eye.y),
                        held((int64_t)point->z - eye.z)};
-    vector right = row_of(&camera->right), up = row_of(&camera->up);
-    vector forward = row_of(&camera->forward);
+    vector right = row_of(&camera->axes.right), up = row_of(&camera->axes.up);
+    vector forward = row_of(&camera->axes.forward);
     fixed reciprocal = divide(65536, dot(&forward, &from_eye));
     fixed x = multiply(multiply(dot(&right, &from_eye), reciprocal), input->lens.focal);
     fixed y = multiply(multiply(dot(&up, &from_eye), reciprocal), input->lens.focal);
@@ -108,8 +108,8 @@ static vector plane_of(const designs_input *input, fixed *distance)
     default:
         depth = input->plane == FXL_PLANE_NEAR ? 65536 : -65536;
     }
-    vector right = row_of(&camera->right), up = row_of(&camera->up);
-    vector forward = row_of(&camera->forward), eye = vector_of(&camera->position);
+    vector right = row_of(&camera->axes.right), up = row_of(&camera->axes.up);
+    vector forward = row_of(&camera->axes.forward), eye = vector_of(&camera->position);
     vector normal = {
         multiply(side_x, right.x) + multiply(side_y, up.x) + multiply(depth, forward.x),
         multiply(side_x, right.y) + multiply(side_y, up.y) + multiply(depth, forward.y),

@@ -63,7 +63,7 @@ static bool put_point(const designs_plan *plan, const designs_input *input, cons
                       fxl_point *point)
 {
     const fxl_camera *camera = &input->camera;
-    const fxl_direction *rows[3] = {&camera->right, &camera->up, &camera->forward};
+    const fxl_direction *rows[3] = {&camera->axes.right, &camera->axes.up, &camera->axes.forward};
     double world[3] = {camera->position.x, camera->position.y, camera->position.z};
     for (int i = 0; i < 3; i++) {
         double along = view->axes[i] * 65536 * 0x1p-30;

@@ -196,7 +196,7 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
 
 static void free_renderer(fxl_renderer *renderer)
 {
-    free(renderer->workspace.clipper_workspace);
+    free(renderer->workspace.cache.clipper_workspace);
     free(renderer->frame.display_list.words);
     free(renderer->workspace.cache.entries);
     free(renderer->frame.order);

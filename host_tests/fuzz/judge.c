@@ -131,9 +131,9 @@ void judge_transform(const fxl_camera *camera, const fxl_point *point, const fxl
     wide x = (wide)point->x - camera->position.x;
     wide y = (wide)point->y - camera->position.y;
     wide z = (wide)point->z - camera->position.z;
-    DEMAND(view->x == exact_dot(&camera->right, x, y, z));
-    DEMAND(view->y == exact_dot(&camera->up, x, y, z));
-    DEMAND(view->z == exact_dot(&camera->forward, x, y, z));
+    DEMAND(view->x == exact_dot(&camera->axes.right, x, y, z));
+    DEMAND(view->y == exact_dot(&camera->axes.up, x, y, z));
+    DEMAND(view->z == exact_dot(&camera->axes.forward, x, y, z));
 }
 
 void judge_plane_distance(const fxl_plane *plane, const fxl_point *point, fxl_q18_46 distance)

@@ -89,15 +89,15 @@ static oracle_outcome judge_matrix(const oracle_input *input, FILE *words, oracl
         int32_t got;
         long double exact;
     } entries[9] = {
-        {"right.x", camera.right.x, cr * cy - sr * sp * sy},
-        {"right.y", camera.right.y, sr * cp},
-        {"right.z", camera.right.z, -cr * sy - sr * sp * cy},
-        {"up.x", camera.up.x, -sr * cy - cr * sp * sy},
-        {"up.y", camera.up.y, cr * cp},
-        {"up.z", camera.up.z, sr * sy - cr * sp * cy},
-        {"forward.x", camera.forward.x, cp * sy},
-        {"forward.y", camera.forward.y, sp},
-        {"forward.z", camera.forward.z, cp * cy},
+        {"right.x", camera.axes.right.x, cr * cy - sr * sp * sy},
+        {"right.y", camera.axes.right.y, sr * cp},
+        {"right.z", camera.axes.right.z, -cr * sy - sr * sp * cy},
+        {"up.x", camera.axes.up.x, -sr * cy - cr * sp * sy},
+        {"up.y", camera.axes.up.y, cr * cp},
+        {"up.z", camera.axes.up.z, sr * sy - cr * sp * cy},
+        {"forward.x", camera.axes.forward.x, cp * sy},
+        {"forward.y", camera.axes.forward.y, sp},
+        {"forward.z", camera.axes.forward.z, cp * cy},
     };
     for (int i = 0; i < 9; i++) {
         long double exact = entries[i].exact * UNIT;

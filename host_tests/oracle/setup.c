@@ -134,8 +134,8 @@ oracle_view_point oracle_transform(const fxl_camera *camera, const int64_t point
 {
     int64_t d[3] = {point[0] - camera->position.x, point[1] - camera->position.y,
                     point[2] - camera->position.z};
-    return (oracle_view_point){dot(&camera->right, d), dot(&camera->up, d),
-                               dot(&camera->forward, d)};
+    return (oracle_view_point){dot(&camera->axes.right, d), dot(&camera->axes.up, d),
+                               dot(&camera->axes.forward, d)};
 }
 
 oracle_wide oracle_distance(const fxl_view_frustum *frustum, int plane,

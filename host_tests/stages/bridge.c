@@ -25,8 +25,8 @@ ref_plane bridge_plane(const fxl_plane *plane)
 
 ref_camera bridge_camera(const fxl_camera *camera)
 {
-    return (ref_camera){bridge_point(&camera->position), direction(&camera->right),
-                        direction(&camera->up), direction(&camera->forward)};
+    return (ref_camera){bridge_point(&camera->position), direction(&camera->axes.right),
+                        direction(&camera->axes.up), direction(&camera->axes.forward)};
 }
 
 ref_lens bridge_lens(const fxl_lens *lens)

@@ -95,7 +95,7 @@ fxl_lens stages_random_lens(stages_random *random)
 /* eye + right x + up y + forward z */
 static void along_camera(const fxl_camera *camera, const double view[3], double world[3])
 {
-    const fxl_direction *axes[3] = {&camera->right, &camera->up, &camera->forward};
+    const fxl_direction *axes[3] = {&camera->axes.right, &camera->axes.up, &camera->axes.forward};
     world[0] = camera->position.x / 65536.0;
     world[1] = camera->position.y / 65536.0;
     world[2] = camera->position.z / 65536.0;

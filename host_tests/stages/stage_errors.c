@@ -158,7 +158,7 @@ static void take_frame(tallies *to, const fxl_scene_image *image, const fxl_pose
         fxl_vertex_cache cache;
         fxl_model_view model_view;
         fxl_vertex_cache_init(&cache, &none, 1);
-        fxl_model_view_of_instance(&model_view, scene, instance, FXL_PLANES_ALL, &view, &cache);
+        fxl_model_view_of_instance(&model_view, scene, instance, &view, &cache);
         uint32_t planes = stages_measure_sphere(&to->sphere, &view.camera, &view.view_frustum,
                                                 &instance->centre, model->radius);
         uint32_t by_box = stages_measure_box(&to->sphere, &view.frustum, scene, instance);

@@ -116,9 +116,12 @@ bsp_sight bsp_look(const bsp_scene *made, const fxl_pose *pose, uint32_t x, uint
     const double up = (BSP_HEIGHT / 2 - (double)y - 0.5) / (BSP_WIDTH / 2);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
     const double way[3] = {
-        (camera.right.x * right + camera.up.x * up + camera.forward.x) / FXL_Q2_30_ONE,
-        (camera.right.y * right + camera.up.y * up + camera.forward.y) / FXL_Q2_30_ONE,
-        (camera.right.z * right + camera.up.z * up + camera.forward.z) / FXL_Q2_30_ONE};
+        (camera.axes.right.x * right + camera.axes.up.x * up + camera.axes.forward.x) /
+            FXL_Q2_30_ONE,
+        (camera.axes.right.y * right + camera.axes.up.y * up + camera.axes.forward.y) /
+            FXL_Q2_30_ONE,
+        (camera.axes.right.z * right + camera.axes.up.z * up + camera.axes.forward.z) /
+            FXL_Q2_30_ONE};
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
         const fxl_instance *instance = &made->tiny->instances[i];
         look_at_cube(&pose->position, way, instance, i == 1 ? 11 : 1, &seen);

@@ -28,8 +28,7 @@ static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon
         as->corners[i] = i;
     }
     fxl_vertex_cache_init(&as->cache, as->seen, entries);
-    fxl_model_view_of_instance(&as->model_view, &scene, &instance, FXL_PLANES_ALL, view,
-                               &as->cache);
+    fxl_model_view_of_instance(&as->model_view, &scene, &instance, view, &as->cache);
 }
 
 #endif

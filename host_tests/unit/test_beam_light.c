@@ -68,8 +68,9 @@ static fxl_pose any_pose(void)
     fxl_camera camera;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
     int32_t back = unit_between(2, 5);
-    pose.position = (fxl_point){-camera.forward.x / 16384 * back, -camera.forward.y / 16384 * back,
-                                -camera.forward.z / 16384 * back};
+    pose.position =
+        (fxl_point){-camera.axes.forward.x / 16384 * back, -camera.axes.forward.y / 16384 * back,
+                    -camera.axes.forward.z / 16384 * back};
     return pose;
 }
 

@@ -25,34 +25,35 @@ static void expect_row(const char *row, double x, double y, double z, fxl_direct
 void test_unturned_it_looks_along_z(void)
 {
     fxl_camera camera = camera_at(origin, 0, 0, 0);
-    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, camera.right.x);
-    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, camera.up.y);
-    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, camera.forward.z);
-    TEST_ASSERT_EQUAL_INT32(0, camera.right.y | camera.right.z | camera.up.x | camera.up.z |
-                                   camera.forward.x | camera.forward.y);
+    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, camera.axes.right.x);
+    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, camera.axes.up.y);
+    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, camera.axes.forward.z);
+    TEST_ASSERT_EQUAL_INT32(0, camera.axes.right.y | camera.axes.right.z | camera.axes.up.x |
+                                   camera.axes.up.z | camera.axes.forward.x |
+                                   camera.axes.forward.y);
 }
 
 void test_yaw_turns_from_z_towards_x(void)
 {
     fxl_camera camera = camera_at(origin, FXL_ANGLE_QUARTER, 0, 0);
-    expect_row("forward", 1, 0, 0, camera.forward);
-    expect_row("right", 0, 0, -1, camera.right);
-    expect_row("up", 0, 1, 0, camera.up);
+    expect_row("forward", 1, 0, 0, camera.axes.forward);
+    expect_row("right", 0, 0, -1, camera.axes.right);
+    expect_row("up", 0, 1, 0, camera.axes.up);
 }
 
 void test_pitch_raises_the_view(void)
 {
     fxl_camera camera = camera_at(origin, 0, FXL_ANGLE_QUARTER, 0);
-    expect_row("forward", 0, 1, 0, camera.forward);
-    expect_row("up", 0, 0, -1, camera.up);
+    expect_row("forward", 0, 1, 0, camera.axes.forward);
+    expect_row("up", 0, 0, -1, camera.axes.up);
 }
 
 void test_roll_turns_the_right_side_up(void)
 {
     fxl_camera camera = camera_at(origin, 0, 0, FXL_ANGLE_QUARTER);
-    expect_row("right", 0, 1, 0, camera.right);
-    expect_row("up", -1, 0, 0, camera.up);
-    expect_row("forward", 0, 0, 1, camera.forward);
+    expect_row("right", 0, 1, 0, camera.axes.right);
+    expect_row("up", -1, 0, 0, camera.axes.up);
+    expect_row("forward", 0, 0, 1, camera.axes.forward);
 }
 
 /* A view raised by a half right angle looks up wherever yaw has turned it;
@@ -61,7 +62,7 @@ void test_yaw_comes_before_pitch(void)
 {
     double half = sqrt(0.5);
     fxl_camera camera = camera_at(origin, FXL_ANGLE_QUARTER, FXL_ANGLE_QUARTER / 2, 0);
-    expect_row("forward", half, half, 0, camera.forward);
+    expect_row("forward", half, half, 0, camera.axes.forward);
 }
 
 /* Rolling does not change where the view looks. */
@@ -69,8 +70,8 @@ void test_pitch_comes_before_roll(void)
 {
     double half = sqrt(0.5);
     fxl_camera camera = camera_at(origin, 0, FXL_ANGLE_QUARTER / 2, FXL_ANGLE_QUARTER);
-    expect_row("forward", 0, half, half, camera.forward);
-    expect_row("right", 0, half, -half, camera.right);
+    expect_row("forward", 0, half, half, camera.axes.forward);
+    expect_row("right", 0, half, -half, camera.axes.right);
 }
 
 void test_every_entry_is_within_two_units(void)
@@ -82,9 +83,10 @@ void test_every_entry_is_within_two_units(void)
         double sp = sin(pose.pitch * turn), cp = cos(pose.pitch * turn);
         double sr = sin(pose.roll * turn), cr = cos(pose.roll * turn);
         fxl_camera camera = camera_at(pose.position, pose.yaw, pose.pitch, pose.roll);
-        expect_row("right", cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy, camera.right);
-        expect_row("up", -sr * cy - cr * sp * sy, cr * cp, sr * sy - cr * sp * cy, camera.up);
-        expect_row("forward", cp * sy, sp, cp * cy, camera.forward);
+        expect_row("right", cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy,
+                   camera.axes.right);
+        expect_row("up", -sr * cy - cr * sp * sy, cr * cp, sr * sy - cr * sp * cy, camera.axes.up);
+        expect_row("forward", cp * sy, sp, cp * cy, camera.axes.forward);
         TEST_ASSERT_EQUAL_MEMORY(&pose.position, &camera.position, sizeof pose.position);
     }
 }

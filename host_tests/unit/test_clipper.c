@@ -28,7 +28,7 @@ static fxl_view random_view(fxl_q16_16 reach)
 static fxl_polygon random_triangle(const fxl_view *view)
 {
     fxl_polygon polygon = {.colour = (uint8_t)unit_random(), .count = 3};
-    const fxl_direction *ahead = &view->camera.forward;
+    const fxl_direction *ahead = &view->camera.axes.forward;
     const fxl_point *eye = &view->camera.position;
     int depth = unit_between(1, 60);
     fxl_q16_16 size = unit_between(1, depth * 60000);
@@ -151,7 +151,7 @@ void test_planes_left_out_do_not_cut(void)
     static polygon_face face;
     fxl_view view = random_view(Q16(100));
     fxl_polygon polygon = {.colour = 9, .count = 3};
-    const fxl_direction *ahead = &view.camera.forward, *aside = &view.camera.right;
+    const fxl_direction *ahead = &view.camera.axes.forward, *aside = &view.camera.axes.right;
     for (int i = 0; i < 3; i++) { /* 10 ahead, and 0, 6 and 12 to the right */
         polygon.vertices[i].position =
             (fxl_point){view.camera.position.x + (ahead->x >> 14) * 10 + (aside->x >> 14) * 6 * i,

@@ -40,7 +40,7 @@ static fxl_view random_view(void)
 static fxl_point at(const fxl_view *view, fxl_q16_16 x, fxl_q16_16 y, fxl_q16_16 z)
 {
     const fxl_camera *camera = &view->camera;
-    const fxl_direction *r = &camera->right, *u = &camera->up, *f = &camera->forward;
+    const fxl_direction *r = &camera->axes.right, *u = &camera->axes.up, *f = &camera->axes.forward;
     return (fxl_point){
         camera->position.x +
             (fxl_q16_16)(((int64_t)r->x * x + (int64_t)u->x * y + (int64_t)f->x * z) >> 30),

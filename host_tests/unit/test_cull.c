@@ -76,8 +76,7 @@ void test_facing_is_exact_everywhere(void)
         fxl_view view = {.camera.position = eye};
         fxl_vertex_cache cache = {0};
         fxl_model_view model_view;
-        fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], FXL_PLANES_ALL,
-                                   &view, &cache);
+        fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], &view, &cache);
         TEST_ASSERT_EQUAL(side_of(face, &first, &eye) > 0,
                           fxl_model_view_face_is_front(&model_view, face));
     }
@@ -93,8 +92,7 @@ void test_a_face_becomes_a_polygon_of_the_world(void)
     fxl_view view = {.camera.position = {Q16(7), Q16(-8), Q16(9)}};
     fxl_vertex_cache cache = {0};
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], FXL_PLANES_ALL,
-                               &view, &cache);
+    fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], &view, &cache);
     fxl_face_to_polygon(&model_view, face, &polygon);
     TEST_ASSERT_EQUAL(face->material, polygon.colour);
     TEST_ASSERT_EQUAL(4, polygon.count);

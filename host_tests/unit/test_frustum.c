@@ -40,11 +40,14 @@ static void expect_normal(const fxl_camera *camera, double x, double y, double z
     y /= length;
     z /= length;
     TEST_ASSERT_NEAR(plane->normal.x,
-                     x * camera->right.x + y * camera->up.x + z * camera->forward.x, 4.0);
+                     x * camera->axes.right.x + y * camera->axes.up.x + z * camera->axes.forward.x,
+                     4.0);
     TEST_ASSERT_NEAR(plane->normal.y,
-                     x * camera->right.y + y * camera->up.y + z * camera->forward.y, 4.0);
+                     x * camera->axes.right.y + y * camera->axes.up.y + z * camera->axes.forward.y,
+                     4.0);
     TEST_ASSERT_NEAR(plane->normal.z,
-                     x * camera->right.z + y * camera->up.z + z * camera->forward.z, 4.0);
+                     x * camera->axes.right.z + y * camera->axes.up.z + z * camera->axes.forward.z,
+                     4.0);
 }
 
 void test_normals_are_within_four_units(void)

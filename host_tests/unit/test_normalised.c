@@ -39,9 +39,10 @@ void test_ninety_degrees_change_nothing(void)
 {
     fxl_camera camera = straight();
     fxl_normalised frustum = square();
-    TEST_ASSERT_EQUAL_MEMORY(&camera.right, &frustum.x.direction, sizeof camera.right);
-    TEST_ASSERT_EQUAL_MEMORY(&camera.up, &frustum.y.direction, sizeof camera.up);
-    TEST_ASSERT_EQUAL_MEMORY(&camera.forward, &frustum.z.direction, sizeof camera.forward);
+    TEST_ASSERT_EQUAL_MEMORY(&camera.axes.right, &frustum.x.direction, sizeof camera.axes.right);
+    TEST_ASSERT_EQUAL_MEMORY(&camera.axes.up, &frustum.y.direction, sizeof camera.axes.up);
+    TEST_ASSERT_EQUAL_MEMORY(&camera.axes.forward, &frustum.z.direction,
+                             sizeof camera.axes.forward);
     TEST_ASSERT_EQUAL(0, frustum.x.shift + frustum.y.shift + frustum.z.shift);
     TEST_ASSERT_TRUE(frustum.near_z == V(1) / 16 && frustum.far_z == V(1000));
     TEST_ASSERT_TRUE(frustum.x_inset == 0 && frustum.y_inset == 0);
@@ -69,9 +70,9 @@ void test_rows_are_the_definition(void)
         double x = lens.focal / (lens.width * 32768.0), y = lens.focal / (lens.height * 32768.0);
         double largest = x > y ? x : y;
         largest = largest > 1 ? exp2(ceil(log2(largest))) : 1;
-        expect_row(&camera.right, &frustum.x, x / largest);
-        expect_row(&camera.up, &frustum.y, y / largest);
-        expect_row(&camera.forward, &frustum.z, 1 / largest);
+        expect_row(&camera.axes.right, &frustum.x, x / largest);
+        expect_row(&camera.axes.up, &frustum.y, y / largest);
+        expect_row(&camera.axes.forward, &frustum.z, 1 / largest);
         double near = (lens.near_z + lens.inset) * (double)(1 << 30) / largest;
         double far = ((double)lens.far_z - lens.inset) * (double)(1 << 30) / largest;
         TEST_ASSERT_NEAR(frustum.near_z, near, 0.51 + near / (1 << 30));

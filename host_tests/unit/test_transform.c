@@ -18,9 +18,9 @@ static void expect_view(const fxl_camera *camera, const fxl_point *point)
 {
     fxl_view_point view;
     fxl_transform_point(camera, point, &view);
-    TEST_ASSERT_EQUAL_INT64(along(&camera->right, camera, point), view.x);
-    TEST_ASSERT_EQUAL_INT64(along(&camera->up, camera, point), view.y);
-    TEST_ASSERT_EQUAL_INT64(along(&camera->forward, camera, point), view.z);
+    TEST_ASSERT_EQUAL_INT64(along(&camera->axes.right, camera, point), view.x);
+    TEST_ASSERT_EQUAL_INT64(along(&camera->axes.up, camera, point), view.y);
+    TEST_ASSERT_EQUAL_INT64(along(&camera->axes.forward, camera, point), view.z);
     expect_in_range(view.x);
     expect_in_range(view.y);
     expect_in_range(view.z);
@@ -64,17 +64,17 @@ void test_a_step_along_an_axis_gives_a_column(void)
     fxl_camera camera = camera_at(&pose);
     fxl_view_point view;
     fxl_transform_point(&camera, &(fxl_point){6, -6, 7}, &view);
-    TEST_ASSERT_EQUAL_INT64(camera.right.x, view.x);
-    TEST_ASSERT_EQUAL_INT64(camera.up.x, view.y);
-    TEST_ASSERT_EQUAL_INT64(camera.forward.x, view.z);
+    TEST_ASSERT_EQUAL_INT64(camera.axes.right.x, view.x);
+    TEST_ASSERT_EQUAL_INT64(camera.axes.up.x, view.y);
+    TEST_ASSERT_EQUAL_INT64(camera.axes.forward.x, view.z);
     fxl_transform_point(&camera, &(fxl_point){5, -7, 7}, &view);
-    TEST_ASSERT_EQUAL_INT64(-camera.right.y, view.x);
-    TEST_ASSERT_EQUAL_INT64(-camera.up.y, view.y);
-    TEST_ASSERT_EQUAL_INT64(-camera.forward.y, view.z);
+    TEST_ASSERT_EQUAL_INT64(-camera.axes.right.y, view.x);
+    TEST_ASSERT_EQUAL_INT64(-camera.axes.up.y, view.y);
+    TEST_ASSERT_EQUAL_INT64(-camera.axes.forward.y, view.z);
     fxl_transform_point(&camera, &(fxl_point){5, -6, 8}, &view);
-    TEST_ASSERT_EQUAL_INT64(camera.right.z, view.x);
-    TEST_ASSERT_EQUAL_INT64(camera.up.z, view.y);
-    TEST_ASSERT_EQUAL_INT64(camera.forward.z, view.z);
+    TEST_ASSERT_EQUAL_INT64(camera.axes.right.z, view.x);
+    TEST_ASSERT_EQUAL_INT64(camera.axes.up.z, view.y);
+    TEST_ASSERT_EQUAL_INT64(camera.axes.forward.z, view.z);
 }
 
 void test_an_unturned_view_is_the_difference(void)

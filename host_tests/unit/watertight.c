@@ -137,7 +137,7 @@ static fxl_q16_16 mix(fxl_q2_30 right, fxl_q2_30 up, fxl_q2_30 forward, const do
 static fxl_vertex vertex_at(const fxl_camera *camera, double x, double y, double z)
 {
     const double at[3] = {x, y, z};
-    const fxl_direction *r = &camera->right, *u = &camera->up, *f = &camera->forward;
+    const fxl_direction *r = &camera->axes.right, *u = &camera->axes.up, *f = &camera->axes.forward;
     fxl_point p = {camera->position.x + mix(r->x, u->x, f->x, at),
                    camera->position.y + mix(r->y, u->y, f->y, at),
                    camera->position.z + mix(r->z, u->z, f->z, at)};

@@ -80,7 +80,7 @@ AT(fxl_model_view, tag, MODEL_VIEW_TAG);
 AT(fxl_model_view, vertices, MODEL_VIEW_VERTICES);
 AT(fxl_model_view, indices, MODEL_VIEW_INDICES);
 AT(fxl_model_view, planes, MODEL_VIEW_PLANES);
-AT(fxl_model_view, rows, MODEL_VIEW_ROWS);
+AT(fxl_model_view, axes, MODEL_VIEW_AXES);
 AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
 AT(fxl_view, projection, VIEW_PROJECTION);
 AT(fxl_view, view_frustum, VIEW_FRUSTUM);

@@ -85,9 +85,9 @@
 #define MODEL_VIEW_TAG         12
 #define MODEL_VIEW_VERTICES    16
 #define MODEL_VIEW_INDICES     20
-#define MODEL_VIEW_PLANES      24
-#define MODEL_VIEW_ROWS        28
-#define MODEL_VIEW_TRANSLATION 64
+#define MODEL_VIEW_AXES        24
+#define MODEL_VIEW_PLANES      28
+#define MODEL_VIEW_TRANSLATION 32
 
 /* fxl_view */
 #define VIEW_PROJECTION 68

@@ -79,9 +79,9 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
     fxl_model_view model_view;
-    fxl_model_view_of_instance(&model_view, scene, instance, entry->instance.planes,
-                               &on->renderer->frame.view, &on->workspace->cache);
-    model_view.clipper_workspace = on->workspace->clipper_workspace;
+    fxl_model_view_of_instance(&model_view, scene, instance, &on->renderer->frame.view,
+                               &on->workspace->cache);
+    model_view.planes = entry->instance.planes;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         on->counters->in += 1;

@@ -94,9 +94,9 @@ void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
     factor along_x = factor_of(x, one);
     factor along_y = factor_of(y, one);
     frustum->eye = camera->position;
-    frustum->x = row_of(&camera->right, &along_x);
-    frustum->y = row_of(&camera->up, &along_y);
-    frustum->z = row_of(&camera->forward, &along_z);
+    frustum->x = row_of(&camera->axes.right, &along_x);
+    frustum->y = row_of(&camera->axes.up, &along_y);
+    frustum->z = row_of(&camera->axes.forward, &along_z);
     frustum->x_inset = scale_inset(lens->inset, &along_z, sides.x_depth);
     frustum->y_inset = scale_inset(lens->inset, &along_z, sides.y_depth);
     frustum->near_z = scale_depth((int64_t)lens->near_z + lens->inset, &along_z);

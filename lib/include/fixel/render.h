@@ -69,11 +69,10 @@ typedef struct fxl_workspace {
     fxl_order_entry *face_order; /* front faces of one sorted model, in the order of drawing */
     uint16_t sorted_instance;    /* whose they are, as fxl_resume_point counts instances */
     uint16_t front_count;        /* how many */
-    uint32_t counted : 1;        /* faces that are not in the display list have been counted */
-    uint32_t settings : 31;      /* of the renderer when this was set up: counts changes */
+    bool counted;                /* faces that are not in the display list have been counted */
+    uint16_t settings;           /* of the renderer when this was set up: counts changes */
     fxl_vertex_cache cache;
-    void *clipper_workspace; /* the clipper's, of the caller's memory; or null */
-    void *raster_workspace;  /* the raster backend's, of the caller's memory; or null */
+    void *raster_workspace; /* the raster backend's, of the caller's memory; or null */
     uint32_t raster_workspace_size;
     fxl_screen_polygon screen;
     union { /* a polygon's clipping is over when it is scanned */

@@ -16,8 +16,6 @@
 #define POSITION_X (CACHED_VERTEX_POSITION + VIEW_POINT_X)
 #define POSITION_Y (CACHED_VERTEX_POSITION + VIEW_POINT_Y)
 #define POSITION_Z (CACHED_VERTEX_POSITION + VIEW_POINT_Z)
-/* From a row of the rotation to its part of the translation: 12 bytes a row, 8 a part. */
-#define FROM_ROW(number) (MODEL_VIEW_TRANSLATION - MODEL_VIEW_ROWS - 4 * (number))
 /* Offsets on the stack. VERTEX is its x, y, z; later the inset takes the place of x. */
 #define VERTEX      0
 #define INSET       0
@@ -39,7 +37,7 @@
     adds    r4, r4, r5
     .endm
 
-/* Adds the next entry of the rotation times a coordinate to r7:r6. */
+/* Adds the next component of an axis times a coordinate to r7:r6. */
     .macro  add_product coordinate
     ldm     r1!, {r2}
     ldr     r3, [sp, #VERTEX + 4 * \coordinate]
@@ -52,11 +50,12 @@
     adcs    r7, r7, r3
     .endm
 
-/* A row times the vertex plus its part of the translation goes into the entry. r1 is the address
- * of the row, then of the next. */
-    .macro  row number position
-    ldr     r6, [r1, #FROM_ROW(\number)]
-    ldr     r7, [r1, #FROM_ROW(\number) + 4]
+/* The vertex along an axis plus its part of the translation goes into the entry. r1 is the address
+ * of the axis, then of the next. */
+    .macro  along number position
+    ldr     r5, [sp, #MODEL_VIEW]
+    ldr     r6, [r5, #MODEL_VIEW_TRANSLATION + 8 * \number]
+    ldr     r7, [r5, #MODEL_VIEW_TRANSLATION + 8 * \number + 4]
     add_product 0
     add_product 1
     add_product 2
@@ -117,13 +116,12 @@ fxl_transform_vertex:
     ldr     r3, [r0, #MODEL_VIEW_VERTICES]
     adds    r1, r1, r3
     ldm     r1!, {r3-r5}
-    movs    r1, r0
-    adds    r1, r1, #MODEL_VIEW_ROWS
+    ldr     r1, [r0, #MODEL_VIEW_AXES]
     mov     r6, sp
     stm     r6!, {r3-r5}
-    row     0, POSITION_X
-    row     1, POSITION_Y
-    row     2, POSITION_Z
+    along   0, POSITION_X
+    along   1, POSITION_Y
+    along   2, POSITION_Z
 
     movs    r6, #0
     ldr     r1, [sp, #MODEL_VIEW]

@@ -16,14 +16,11 @@ entry       .req r2
 view        .req r3
 planes      .req lr         /* in the lowest byte */
 
-/* From the end of a row of the rotation to its part of the translation: 12 bytes a row, 8 a part. */
-#define FROM_ROW_END(number) (MODEL_VIEW_TRANSLATION - MODEL_VIEW_ROWS - 12 - 4 * (number))
-
-/* upper:r10 is a row times the vertex plus its part of the translation; it goes into the entry.
- * r0 is the address of the row, then of the next. */
-    .macro  row number upper
-    ldm     r0!, {r4-r6}
-    ldrd    r10, \upper, [r0, #FROM_ROW_END(\number)]
+/* upper:r10 is the vertex along an axis plus its part of the translation; it goes into the entry.
+ * r0 is the model view, r1 the address of the axis, then of the next. */
+    .macro  along number upper
+    ldm     r1!, {r4-r6}
+    ldrd    r10, \upper, [r0, #MODEL_VIEW_TRANSLATION + 8 * \number]
     smlal   r10, \upper, r4, r7
     smlal   r10, \upper, r5, r8
     smlal   r10, \upper, r6, r9
@@ -38,16 +35,16 @@ planes      .req lr         /* in the lowest byte */
 /* r0: model_view, r1: number, r2: entry */
 fxl_transform_vertex:
     push    {r3-r11, lr}
-    ldm     r0!, {r3-r7}                    /* view, -, -, tag, vertices */
+    ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
     add     r6, r6, r1
     str     r6, [entry]
     add     r1, r1, r1, lsl #1
     add     r7, r7, r1, lsl #2
     ldm     r7, {r7-r9}
-    ldm     r0!, {r1, lr}                   /* -, planes */
-    row     0, r11
-    row     1, r12
-    row     2, r0                           /* the last use of the address */
+    ldrd    r1, planes, [r0, #MODEL_VIEW_AXES]
+    along   0, r11
+    along   1, r12
+    along   2, r0                           /* the last use of the model view */
 
     lsls    r1, planes, #24
     beq     decided                         /* inside all planes */

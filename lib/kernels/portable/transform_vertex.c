@@ -11,9 +11,7 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry)
 {
     const fxl_view *view = model_view->view;
-    fxl_view_point position;
-    fxl_model_view_position(model_view, number, &position);
-    entry->position = position;
+    fxl_model_view_position(model_view, number, &entry->position);
     entry->tag = model_view->tag + number;
     unsigned outside = 0;
     if (model_view->planes != 0) {

@@ -16,9 +16,9 @@ bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t coun
     const fxl_face face = {.count = (uint8_t)count, .material = colour};
     fxl_model_view model_view;
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    fxl_model_view_of_polygon(&model_view, points, pieces->planes, &on->renderer->frame.view,
+    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
                               &on->workspace->cache);
-    model_view.clipper_workspace = on->workspace->clipper_workspace;
+    model_view.planes = pieces->planes;
     pieces->outcome |= fxl_submit_polygons(&model_view, &face, on);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }

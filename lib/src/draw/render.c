@@ -285,10 +285,10 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band)
 {
-    if (renderer == NULL || workspace == NULL) {
+    if (workspace == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (band == NULL || band->pixels == NULL) {
+    if (renderer == NULL || band == NULL || band->pixels == NULL) {
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
@@ -312,6 +312,5 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
 {
-    return renderer == NULL ? FXL_E_ARGUMENT
-                            : fxl_frame_draw_with(renderer, &renderer->workspace, band);
+    return fxl_frame_draw_with(renderer, renderer == NULL ? NULL : &renderer->workspace, band);
 }

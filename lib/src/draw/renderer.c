@@ -105,7 +105,7 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
         memset(workspace, 0, clipper->workspace_size);
     }
     renderer->clipper = clipper;
-    renderer->workspace.clipper_workspace = workspace_size > 0 ? workspace : NULL;
+    renderer->workspace.cache.clipper_workspace = workspace_size > 0 ? workspace : NULL;
     settings_changed(renderer);
     return FXL_OK;
 }

@@ -2,19 +2,25 @@
 #include "../view/facing.h"
 #include "submit.h"
 
-const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
-                                      fxl_model_view *model_view)
+static inline const fxl_instance *
+view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_view *model_view)
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_instance *instance = &renderer->scene->instances[entry->index];
     const fxl_beam_light *light = renderer->beam_light;
-    fxl_model_view_of_instance(model_view, renderer->scene, instance, entry->instance.planes,
-                               &renderer->frame.view, &on->workspace->cache);
-    model_view->clipper_workspace = on->workspace->clipper_workspace;
+    fxl_model_view_of_instance(model_view, renderer->scene, instance, &renderer->frame.view,
+                               &on->workspace->cache);
+    model_view->planes = entry->instance.planes;
     if (light != NULL && light->reaches(light, renderer->scene, instance)) {
         model_view->beam_light = light;
     }
     return instance;
+}
+
+const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
+                                      fxl_model_view *model_view)
+{
+    return view_instance(on, entry, model_view);
 }
 
 /* A convex instance: none of its faces hides another, so any order will do. Front to back
@@ -78,7 +84,7 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 {
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
-    const fxl_instance *instance = fxl_view_instance(on, entry, &model_view);
+    const fxl_instance *instance = view_instance(on, entry, &model_view);
     const fxl_model *model = &on->renderer->scene->models[instance->model];
     return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, instance, model)
                                            : submit_convex(on, &model_view, model);

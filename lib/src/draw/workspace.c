@@ -80,7 +80,7 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
     workspace->face_order = (fxl_order_entry *)(void *)at;
     at += of.face_order;
     if (of.clipper > 0) {
-        workspace->clipper_workspace = memset(at, 0, of.clipper);
+        workspace->cache.clipper_workspace = memset(at, 0, of.clipper);
     }
     at += of.clipper;
     fxl_vertex_cache_init(&workspace->cache, (fxl_cached_vertex *)(void *)at, entries);

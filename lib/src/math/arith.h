@@ -108,14 +108,39 @@ static inline bool fxl_point_in_range(const fxl_point *point)
            fxl_within(point->z, FXL_COORDINATE_MAX);
 }
 
+/* Before a function of a header that is in place wherever it is called. With FXL_SMALL it stands
+ * once, in the source that defines FXL_HERE before it includes the header. */
+#if !FXL_IS_SMALL
+#define FXL_IN_PLACE static inline
+#else
+#define FXL_IN_PLACE
+#endif
+
 /* direction . (x, y, z), exact, in units of 2^-46.
  * Requires |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28. By Cauchy-Schwarz the sum
  * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61. So is every partial sum: it is the
  * product with the same vector, with some components set to 0. */
-static inline fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+FXL_IN_PLACE fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
 {
     return fxl_multiply_s31(direction->x, x) + fxl_multiply_s31(direction->y, y) +
            fxl_multiply_s31(direction->z, z);
 }
+#endif
+
+/* *difference = a - b. Requires points of the world: each coordinate of the result is then below
+ * 2^30. */
+FXL_IN_PLACE void fxl_subtract(const fxl_point *a, const fxl_point *b, fxl_point *difference)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
+{
+    difference->x = a->x - b->x;
+    difference->y = a->y - b->y;
+    difference->z = a->z - b->z;
+}
+#endif
 
 #endif

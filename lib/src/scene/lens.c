@@ -4,15 +4,19 @@
 #include "../math/arith.h"
 #include "../math/sine.h"
 
+FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested at once");
+
+/* Both 1..FXL_SCREEN_MAX: 0 becomes the largest number of all. */
 static bool screen_in_range(uint16_t width, uint16_t height)
 {
-    return width >= 1 && width <= FXL_SCREEN_MAX && height >= 1 && height <= FXL_SCREEN_MAX;
+    return ((width - 1u) | (height - 1u)) < FXL_SCREEN_MAX;
 }
 
+/* Neither near_z nor far_z is below 0, so the difference does not overflow. */
 static bool depth_in_range(fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset)
 {
-    return near_z >= FXL_NEAR_MIN && far_z <= FXL_FAR_MAX && inset >= 0 && inset <= FXL_INSET_MAX &&
-           (int64_t)near_z + 2 * (int64_t)inset < far_z;
+    return near_z >= FXL_NEAR_MIN && (uint32_t)far_z <= FXL_FAR_MAX &&
+           (uint32_t)inset <= FXL_INSET_MAX && 2 * inset < far_z - near_z;
 }
 
 fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
@@ -39,10 +43,11 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
     return FXL_OK;
 }
 
-/* 1 / (2 tan(fov / 2)) of FXL_FOV_MAX and FXL_FOV_MIN, 0.13397 and 5.71503, in units of 2^-16,
- * rounded outward. A width is below 2^11, so the products are below 2^30. */
-#define FOCAL_LEAST 8779
-#define FOCAL_MOST  374542
+/* 1 / (2 tan(fov / 2)) of FXL_FOV_MAX and FXL_FOV_MIN is 0.13397 and 5.71503. Here each is moved
+ * outward by less than 2/1000, in units of 2^-16, to a number that an instruction can hold. A width
+ * is below 2^11, so the products are below 2^30. */
+#define FOCAL_LEAST 0x2240
+#define FOCAL_MOST  0x5B800
 
 bool fxl_lens_is_valid(const fxl_lens *lens)
 {

@@ -57,7 +57,7 @@ fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera)
         return FXL_E_RANGE;
     }
     const fxl_angle angles[3] = {pose->yaw, pose->pitch, pose->roll};
-    fxl_direction *const rows[3] = {&camera->right, &camera->up, &camera->forward};
+    fxl_direction *const rows[3] = {&camera->axes.right, &camera->axes.up, &camera->axes.forward};
     int64_t factors[FACTOR_COUNT];
     for (uint32_t i = 0; i < 3; i++) {
         factors[CY + 2 * i] = fxl_cos_q31(angles[i]);

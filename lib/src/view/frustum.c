@@ -44,9 +44,9 @@ static void set_side_planes(const fxl_camera *camera, const fxl_lens *lens, uint
 {
     fxl_q2_30 along, depth;
     normalise((uint32_t)lens->focal, (uint32_t)extent * 32768u, &along, &depth);
-    fxl_direction normal = turn(along, axis, depth, &camera->forward);
+    fxl_direction normal = turn(along, axis, depth, &camera->axes.forward);
     *low = fxl_plane_from_point(&camera->position, &normal, lens->inset);
-    normal = turn(-along, axis, depth, &camera->forward);
+    normal = turn(-along, axis, depth, &camera->axes.forward);
     *high = fxl_plane_from_point(&camera->position, &normal, lens->inset);
 }
 
@@ -64,16 +64,18 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
 void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum)
 {
     fxl_plane *planes = frustum->planes;
-    set_side_planes(camera, lens, lens->width, &camera->right, &planes[FXL_PLANE_LEFT],
+    set_side_planes(camera, lens, lens->width, &camera->axes.right, &planes[FXL_PLANE_LEFT],
                     &planes[FXL_PLANE_RIGHT]);
-    set_side_planes(camera, lens, lens->height, &camera->up, &planes[FXL_PLANE_BOTTOM],
+    set_side_planes(camera, lens, lens->height, &camera->axes.up, &planes[FXL_PLANE_BOTTOM],
                     &planes[FXL_PLANE_TOP]);
 
     /* near_z and far_z add at most 2^31 * 2^30 = 2^61 to a distance below 2^61. */
-    planes[FXL_PLANE_NEAR] = fxl_plane_from_point(&camera->position, &camera->forward, lens->inset);
+    planes[FXL_PLANE_NEAR] =
+        fxl_plane_from_point(&camera->position, &camera->axes.forward, lens->inset);
     planes[FXL_PLANE_NEAR].distance += (int64_t)lens->near_z * FXL_Q2_30_ONE;
 
-    fxl_direction backward = {-camera->forward.x, -camera->forward.y, -camera->forward.z};
+    fxl_direction backward = {-camera->axes.forward.x, -camera->axes.forward.y,
+                              -camera->axes.forward.z};
     planes[FXL_PLANE_FAR] = fxl_plane_from_point(&camera->position, &backward, lens->inset);
     planes[FXL_PLANE_FAR].distance -= (int64_t)lens->far_z * FXL_Q2_30_ONE;
 }

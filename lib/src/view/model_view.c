@@ -28,10 +28,14 @@ void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
     FXL_ASSERT(entries != NULL || entry_count == 0);
     /* A model has fewer vertices. */
     uint32_t size = TAG_INSTANCE;
-    while (size > entry_count && size > 1) {
+    while (size > entry_count) {
         size >>= 1;
     }
-    cache->entries = entry_count > 0 ? entries : NULL;
+    if (size == 0) {
+        entries = NULL;
+        size = 1;
+    }
+    cache->entries = entries;
     cache->mask = size - 1;
     forget_all(cache);
 }
@@ -47,49 +51,44 @@ static uint32_t next_tag(fxl_vertex_cache *cache)
     return cache->count;
 }
 
-/* What instances and polygons have in common: offset is where the vertices' origin lies from the
- * eye, each coordinate below 2^30. */
-static void set_up(fxl_model_view *model_view, const fxl_point *offset, fxl_planes planes,
-                   const fxl_view *view, fxl_vertex_cache *cache)
+/* What instances and polygons have in common. Requires the offset. */
+static inline void set_up(fxl_model_view *model_view, const fxl_view *view, fxl_vertex_cache *cache)
 {
-    const fxl_camera *camera = &view->camera;
+    fxl_view_point *translation = &model_view->translation;
     model_view->view = view;
     model_view->entries = entries_of(cache);
     model_view->mask = cache->mask;
     model_view->tag = next_tag(cache);
-    model_view->planes = planes;
-    model_view->rows[0] = camera->right;
-    model_view->rows[1] = camera->up;
-    model_view->rows[2] = camera->forward;
-    fxl_rotate(camera, offset, &model_view->translation);
-    model_view->offset = *offset;
+    model_view->planes = FXL_PLANES_ALL;
+    model_view->axes = &view->camera.axes;
+    translation->x = translation->y = translation->z = 0;
+    fxl_rotate(model_view->axes, &model_view->offset, translation, translation);
     model_view->beam_light = NULL;
-    model_view->clipper_workspace = NULL;
+    model_view->clipper_workspace = cache->clipper_workspace;
 }
 
 void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
-                                const fxl_instance *instance, fxl_planes planes,
-                                const fxl_view *view, fxl_vertex_cache *cache)
+                                const fxl_instance *instance, const fxl_view *view,
+                                fxl_vertex_cache *cache)
 {
-    const fxl_point *eye = &view->camera.position;
-    /* Both within FXL_COORDINATE_MAX. */
-    const fxl_point offset = {instance->centre.x - eye->x, instance->centre.y - eye->y,
-                              instance->centre.z - eye->z};
-    set_up(model_view, &offset, planes, view, cache);
     model_view->vertices = scene->vertices + scene->models[instance->model].first_vertex;
     model_view->indices = scene->indices;
+    fxl_subtract(&instance->centre, &view->camera.position, &model_view->offset);
+    set_up(model_view, view, cache);
 }
 
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
-                               fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache)
+                               const fxl_view *view, fxl_vertex_cache *cache)
 {
     static const uint16_t indices[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
                                        11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                                        22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
     FXL_STATIC_ASSERT(sizeof indices / sizeof indices[0] >= FXL_POLYGON_CAPACITY, "all indices");
     const fxl_point *eye = &view->camera.position;
-    const fxl_point offset = {-eye->x, -eye->y, -eye->z};
-    set_up(model_view, &offset, planes, view, cache);
     model_view->vertices = points;
     model_view->indices = indices;
+    model_view->offset.x = -eye->x;
+    model_view->offset.y = -eye->y;
+    model_view->offset.z = -eye->z;
+    set_up(model_view, view, cache);
 }

@@ -12,18 +12,11 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
            fxl_square(point->z - eye->z);
 }
 
-/* The eye relative to an instance's centre. Both are within FXL_COORDINATE_MAX, so the result is
- * below 2^30. */
-static fxl_point relative_to(const fxl_point *eye, const fxl_point *centre)
-{
-    fxl_point relative = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
-    return relative;
-}
-
 uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
                                    const fxl_instance *instance, const fxl_face *face)
 {
-    fxl_point relative = relative_to(eye, &instance->centre);
+    fxl_point relative;
+    fxl_subtract(eye, &instance->centre, &relative);
     fxl_point box = fxl_face_box(&scene->vertices[scene->models[instance->model].first_vertex],
                                  &scene->indices[face->first_index], face->count);
     return fxl_box_distance(box.x, box.y, box.z, &relative);
@@ -291,18 +284,28 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
-/* The same as fxl_front_faces, for a scene without face bounds: it computes them from the
- * vertices. */
+/* The same as fxl_front_faces, for a scene without face bounds: bounds is null, and they are
+ * computed from the vertices. With FXL_SMALL it serves both kinds of scenes. */
 static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
-                                   const fxl_point *eye, fxl_order_entry *entry)
+                                   const fxl_face_bounds *bounds, const fxl_point *eye,
+                                   fxl_order_entry *entry)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     const fxl_face *faces = &scene->faces[model->first_face];
     for (uint32_t i = 0; i < model->face_count; i++) {
+        const fxl_face_bounds *known = FXL_IS_SMALL && bounds != NULL ? &bounds[i] : NULL;
         const uint16_t *indices = &scene->indices[faces[i].first_index];
-        if (fxl_dot(&faces[i].normal, eye->x, eye->y, eye->z) >
-            fxl_face_height(vertices, indices, &faces[i])) {
-            fxl_point box = fxl_face_box(vertices, indices, faces[i].count);
+        const fxl_q18_46 height = known != NULL ? fxl_face_bounds_height(known)
+                                                : fxl_face_height(vertices, indices, &faces[i]);
+        if (fxl_dot(&faces[i].normal, eye->x, eye->y, eye->z) > height) {
+            fxl_point box;
+            if (known != NULL) {
+                box.x = known->box_x;
+                box.y = known->box_y;
+                box.z = known->box_z;
+            } else {
+                box = fxl_face_box(vertices, indices, faces[i].count);
+            }
             *entry++ =
                 fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, eye), (uint16_t)i, 0);
         }
@@ -314,12 +317,14 @@ uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_instance *instance, c
                          fxl_order_entry *entries)
 {
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_point relative = relative_to(eye, &instance->centre);
-    const fxl_order_entry *end =
-        scene->face_bounds != NULL ? fxl_front_faces(&scene->faces[model->first_face],
-                                                     &scene->face_bounds[model->first_face_bounds],
-                                                     &relative, entries, model->face_count)
-                                   : find_front(scene, model, &relative, entries);
+    fxl_point relative;
+    fxl_subtract(eye, &instance->centre, &relative);
+    const fxl_face_bounds *bounds =
+        scene->face_bounds != NULL ? &scene->face_bounds[model->first_face_bounds] : NULL;
+    const fxl_order_entry *end = FXL_IS_SMALL || bounds == NULL
+                                     ? find_front(scene, model, bounds, &relative, entries)
+                                     : fxl_front_faces(&scene->faces[model->first_face], bounds,
+                                                       &relative, entries, model->face_count);
     uint32_t count = (uint32_t)(end - entries);
     fxl_order_sort_faces(entries, count);
     return count;

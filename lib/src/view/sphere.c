@@ -23,7 +23,7 @@
  * face would be drawn. */
 #include "fixel/stage/sphere.h"
 
-#include "../math/arith.h"
+#include "rotate.h"
 
 #define SLACK 9 /* bug: sphere-slack */
 
@@ -50,9 +50,9 @@ static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int
 }
 
 /* The coordinate along an axis of the view, in units of 2^-14. Exact except for the floor. */
-static int32_t along_axis(const fxl_direction *axis, int32_t dx, int32_t dy, int32_t dz)
+static int32_t upper(fxl_q18_46 coordinate)
 {
-    return (int32_t)((uint64_t)fxl_dot(axis, dx, dy, dz) >> 32);
+    return (int32_t)((uint64_t)coordinate >> 32);
 }
 
 uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
@@ -61,11 +61,12 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
     FXL_ASSERT(fxl_point_in_range(centre) && radius >= 0 && radius <= FXL_RADIUS_MAX);
     const int32_t reach = (radius >> 4) + SLACK;
     /* Both within FXL_COORDINATE_MAX, so each difference is below 2^30. */
-    int32_t dx = centre->x - camera->position.x;
-    int32_t dy = centre->y - camera->position.y;
-    int32_t dz = centre->z - camera->position.z;
+    fxl_point from_eye;
+    fxl_view_point at = {0, 0, 0};
+    fxl_subtract(centre, &camera->position, &from_eye);
+    fxl_rotate(&camera->axes, &from_eye, &at, &at);
 
-    int32_t z = along_axis(&camera->forward, dx, dy, dz);
+    int32_t z = upper(at.z);
     int32_t from_near = (z >> 2) - (int32_t)(frustum->near_z >> 34);
     int32_t from_far = (int32_t)(frustum->far_z >> 34) - (z >> 2);
     if (from_near + reach < 0 || from_far + reach < 0) { /* bug: sphere-far */
@@ -75,13 +76,13 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
                                                                             << FXL_PLANE_FAR;
 
     int32_t inset = (int32_t)(frustum->inset >> 34);
-    int32_t x = along_axis(&camera->right, dx, dy, dz);
+    int32_t x = upper(at.x);
     planes |= side_planes(frustum->x_side, frustum->x_depth, x, z, inset, reach, FXL_PLANE_LEFT,
                           FXL_PLANE_RIGHT);
     if (planes >= FXL_SPHERE_OUTSIDE) {
         return FXL_SPHERE_OUTSIDE;
     }
-    int32_t y = along_axis(&camera->up, dx, dy, dz);
+    int32_t y = upper(at.y);
     planes |= side_planes(frustum->y_side, frustum->y_depth, y, z, inset, reach, FXL_PLANE_BOTTOM,
                           FXL_PLANE_TOP);
     return planes >= FXL_SPHERE_OUTSIDE ? FXL_SPHERE_OUTSIDE : planes;

@@ -9,10 +9,15 @@
 extern "C" {
 #endif
 
-/* The view matrix: the position of the eye, and the rows of the world-to-view rotation. */
+/* A rotation: its rows are the axes that it turns x, y and z of the view to. */
+typedef struct {
+    fxl_direction right, up, forward;
+} fxl_axes;
+
+/* The view matrix: the position of the eye, and the world-to-view rotation. */
 typedef struct {
     fxl_point position;
-    fxl_direction right, up, forward;
+    fxl_axes axes;
 } fxl_camera;
 
 /* Sets up a camera from a pose:

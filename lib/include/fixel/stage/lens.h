@@ -21,7 +21,8 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
                              fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens);
 
 /* Whether a lens may have been made by fxl_lens_from_fov: all members within their ranges, and a
- * focal length of a field of view within FXL_FOV_MIN..FXL_FOV_MAX, by less than 1/1000. */
+ * focal length of a field of view within FXL_FOV_MIN..FXL_FOV_MAX, or beyond it by less than
+ * 2/1000. */
 bool fxl_lens_is_valid(const fxl_lens *lens);
 
 #ifdef __cplusplus

@@ -34,6 +34,7 @@ typedef struct {
     fxl_cached_vertex *entries; /* of the caller's memory; null: only the entry below */
     uint32_t mask;              /* number of entries - 1; the number is a power of two */
     uint32_t count;             /* model views made, from 1, in units of 2^16 */
+    void *clipper_workspace;    /* what the clipper keeps beside the vertices; or null */
     fxl_cached_vertex own;      /* all of the cache where the caller gave no memory */
 } fxl_vertex_cache;
 
@@ -47,8 +48,8 @@ typedef struct {
     uint32_t tag;               /* of vertex 0 */
     const fxl_point *vertices;  /* of the model */
     const uint16_t *indices;    /* of the scene */
+    const fxl_axes *axes;       /* of the view, in those of the model */
     fxl_planes planes;          /* no vertex lies outside any plane that is not in this set */
-    fxl_direction rows[3];      /* from the model's axes to the view's: x, y and z of the view */
     fxl_view_point translation; /* where the model's origin is in the view */
     fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
     const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
@@ -57,23 +58,24 @@ typedef struct {
 
 /* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that
  * is at most entry_count and at most 65536; where entry_count is 0, one within the cache, and
- * entries is not looked at. The record holds no pointer to itself. */
+ * entries is not looked at. The record holds no pointer to itself. clipper_workspace stays. */
 void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
                            uint32_t entry_count);
 
 /* Sets up the model view of an instance. All entries of the cache become stale.
- * Requires a checked scene, a view with a pose, and planes such that no vertex of the instance lies
- * outside any other plane. Exact. */
+ * Its planes are all; to save time the caller takes out those that no vertex lies outside of.
+ * Requires a checked scene and a view with a pose. Exact. */
 void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
-                                const fxl_instance *instance, fxl_planes planes,
-                                const fxl_view *view, fxl_vertex_cache *cache);
+                                const fxl_instance *instance, const fxl_view *view,
+                                fxl_vertex_cache *cache);
 
 /* Sets up the model view of a polygon of the world: its vertices are points, and its face is any
  * whose first_index is 0. All entries of the cache become stale.
+ * Planes as for an instance.
  * Requires at most FXL_POLYGON_CAPACITY points, each within FXL_COORDINATE_MAX, that outlive
- * *model_view; planes as for an instance. Exact. */
+ * *model_view. Exact. */
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
-                               fxl_planes planes, const fxl_view *view, fxl_vertex_cache *cache);
+                               const fxl_view *view, fxl_vertex_cache *cache);
 
 /* A vertex of the model relative to the eye, along the world's axes, in world units. Exact: the
  * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each

@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+#define FXL_HERE
+#include "arith.h"
