@@ -76,7 +76,7 @@ def build(scene, out, frames=None, screen=None, layers=None):
     """Compiles a scene file into an image file; answers as compile_scene."""
     compiled, notes = compile_scene(scene, frames, screen, layers)
     blob = packed(compiled, scene)
-    image.save(out, blob)
+    output.write_file(out, blob)
     compiled.size = len(blob)
     return compiled, notes
 

@@ -77,7 +77,7 @@ void test_planes(void)
     expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[2].distance_high = 0x20000000u; /* 2^61 itself, and then no face is near */
     made->nodes[2].distance_low = 0;
-    expect(FXL_E_PLANARITY, "face", 8);
+    expect(FXL_E_PLANARITY, "BSP node", 2);
 }
 
 /* 8 units of 2^-16 off is near enough, the least bit more is not. */
@@ -94,7 +94,7 @@ void test_faces_lie_on_the_plane(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         made->nodes[4].distance_low = (uint32_t)cases[i].distance;
         made->nodes[4].distance_high = (uint32_t)(cases[i].distance >> 32);
-        expect(cases[i].status, "face", 10);
+        expect(cases[i].status, "BSP node", 4);
     }
 }
 
