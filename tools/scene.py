@@ -184,7 +184,7 @@ def main(argv):
         compiled, notes = build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree)
         size = compiled.size
     for note in notes:
-        print(note if note.startswith("warning:") else f"note: {note}", file=sys.stderr)
+        print(f"note: {note}", file=sys.stderr)
     print(f"{arguments.out}: {size:,} bytes, {len(compiled.objects)} objects, "
           f"{compiled.frames} frames", file=sys.stderr)
     return 0

@@ -9,13 +9,15 @@ import os
 
 from fixel import image, obj, palette, quantity, solids
 from fixel.errors import ToolError
-from fixel.mesh import bulge, shape
+from fixel.convex import is_convex
+from fixel.mesh import FACES_MAX, shape, two_sided
+from fixel.reading import quoted
 from fixel.toml_table import Table
 
 KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves"}
+        "moves", "two_sided"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
 
@@ -140,10 +142,10 @@ def _places(table):
 class Objects:
     """Compiles the objects of one scene. notes are told to the user, once each."""
 
-    def __init__(self, name, folder, light, notes, progress=None):
+    def __init__(self, name, folder, light, notes, progress=None, files=None):
         self.name, self.folder, self.light = name, folder, light
         self.notes, self.progress = notes, progress
-        self.files, self.shapes = {}, {}
+        self.files, self.shapes = files or {}, {}
 
     def mesh(self, table):
         """(mesh, name, identity) of an object's solid or file."""
@@ -157,33 +159,54 @@ class Objects:
             if key in table:
                 raise ToolError(f"{table.at(key)}: means nothing for an OBJ file")
         name = table.text("obj")
-        if not os.path.isfile(os.path.join(self.folder, name)):
-            raise ToolError(f'{table.at("obj")}: there is no file "{name}"; the path is taken '
-                            "from the scene file's folder")
         if name not in self.files:
-            self.files[name], notes = obj.read(os.path.join(self.folder, name), name)
+            path = os.path.join(self.folder, name)
+            if not os.path.exists(path):
+                raise ToolError(f"{table.at('obj')}: there is no file {quoted(name)}; the path is taken "
+                                "from the scene file's folder")
+            self.files[name], notes = obj.read(path, name, self.progress)
             self.notes += notes
         return self.files[name], name, (name,)
 
     def _shape(self, table, scale, rotation):
-        """The shape and its bulge, computed once for each mesh, size and turn."""
+        """The shape and whether it is convex, computed once for each mesh, size and turn."""
         mesh, name, identity = self.mesh(table)
         inside = table.switch("inside", False)
         rotation = tuple(a % 360 for a in rotation)
-        key = (identity, scale, rotation, inside)
+        sides = self._sides(table)
+        key = (identity, scale, rotation, inside, sides)
         if key not in self.shapes:
             made = shape(mesh, matrix(scale, rotation), name, inside, self.progress)
             self.notes += made.notes
-            if made.open_edges and "obj" in table:
-                self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: "
-                                  "the model is open, and its faces show from their fronts only")
-            self.shapes[key] = (made, bulge(made, image.PLANARITY_MAX))
+            made = self._with_sides(made, sides, name, "obj" in table)
+            self.shapes[key] = (made, is_convex(made.vertices, made.faces))
         return self.shapes[key]
 
-    def _kind(self, table, out):
+    @staticmethod
+    def _sides(table):
+        """False, True, or "open": both sides only where the mesh is open."""
+        value = table.data.get("two_sided", False)
+        if not isinstance(value, bool) and value != "open":
+            raise ToolError(f"{table.at('two_sided')}: expected true, false or \"open\", found {quoted(value)}")
+        return value
+
+    def _with_sides(self, made, sides, name, told):
+        """The shape, with faces for both sides where they are wanted; told: says that the mesh is open."""
+        fits = 2 * len(made.faces) <= FACES_MAX
+        if sides is True and not fits:
+            raise ToolError(f"{name}: two_sided: twice {len(made.faces):,} faces are more than the limit of "
+                            f"{FACES_MAX:,}; simplify the model")
+        both = sides is True or (sides == "open" and made.open_edges > 0 and fits)
+        if made.open_edges and told:
+            why = "two_sided = true in a scene file shows both sides" if fits else \
+                f"both sides would be more than {FACES_MAX:,} faces"
+            self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: the model is open, and "
+                              "its faces show from " + ("both sides" if both else f"their fronts only ({why})"))
+        return two_sided(made) if both else made
+
+    def _kind(self, table, convex):
         """Convex or sorted; checked where it is stated."""
         stated = table.choice("kind", "", ["", "convex", "sorted"])
-        convex = out <= image.PLANARITY_MAX
         if stated == "convex" and not convex:
             raise ToolError(f"{table.at('kind')}: this model is not convex (some vertices stand "
                             "out in front of some face); leave kind away or say \"sorted\"")
@@ -222,8 +245,8 @@ class Objects:
         layer = table.whole("layer", 0, 0, 255)
         result = []
         for i, (position, yaw) in enumerate(_places(table)):
-            made, out = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
-            kind = self._kind(table, out)
+            made, convex = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
+            kind = self._kind(table, convex)
             place = where + (f", copy {i}" if i else "")
             centre = self._centre(position, made, anchor, place)
             moved = made.middle if anchor != "origin" else (0, 0, 0)

@@ -49,17 +49,6 @@ def focal_pixels(width, fov):
     return width / 2 / math.tan(fov * math.pi / 2 ** 32)
 
 
-def _near_warning(width, fov, near):
-    focal = focal_pixels(width, fov)
-    ratio = focal * 65536 / near
-    if ratio <= 1024:
-        return []
-    pixels = "1/32" if ratio > 2048 else "1/64"
-    return [f"warning: focal / near = {ratio:.0f}: vertices clipped at the near plane may be off "
-            f"by more than {pixels} pixel; near = {math.ceil(focal / 1024 * 1000) / 1000} "
-            "or more keeps them within 1/64"]
-
-
 def _light(top):
     light = top.table("light", {"direction", "ambient", "colour", "sky"})
     direction = quantity.vector(light.data.get("direction", ["-0.4", "-1", "0.7"]),
@@ -245,18 +234,19 @@ def _models(placements, indices):
     return models, objects
 
 
-def compile_data(data, name, folder, frames=None, progress=None, screen=None):
+def compile_data(data, name, folder, frames=None, progress=None, screen=None, meshes=None):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
-    width and height instead of the scene's, seen with the same field of view."""
+    width and height instead of the scene's, seen with the same field of view.
+    meshes: those of OBJ files that were read already, by name."""
     top = Table(data, name, TOP_KEYS)
     lens = _lens(top)
     if screen:
         lens = (*screen, *lens[2:])
-    notes = _near_warning(lens[0], lens[2], lens[3])
+    notes = []
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
-    objects = Objects(name, folder, _light(top), notes, progress)
+    objects = Objects(name, folder, _light(top), notes, progress, meshes)
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
