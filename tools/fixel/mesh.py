@@ -106,6 +106,9 @@ def is_flat(points, normal):
 def is_convex_outline(points, area):
     """Whether every corner lies on the inner side of every edge's line, but
     for DENT_MAX."""
+    if len(points) == 4 and all(dot(cross(minus(b, a), minus(c, b)), area) >= 0 for a, b, c in
+                                zip(points, points[1:] + points[:1], points[2:] + points[:2])):
+        return True     # of four corners no edge has others than its neighbours
     square = dot(area, area)
     for i, b in enumerate(points):
         edge = minus(b, points[i - 1])

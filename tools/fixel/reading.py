@@ -78,6 +78,12 @@ def _escaped(character):
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 
+def shortened(text):
+    """A message of another program: both ends of it, at most 80 characters."""
+    text = "".join(map(_escaped, text if len(text) <= QUOTE_MAX else text[:40] + "..." + text[-37:]))
+    return text if len(text) <= QUOTE_MAX else text[:40] + "..." + text[-37:]
+
+
 def _cut(text, more):
     """At most 80 characters; three dots stand for what is left out."""
     return text[:QUOTE_MAX - 3] + "..." if more or len(text) > QUOTE_MAX else text

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """From a scene file to a scene image. docs/scenes.md describes the file."""
 
+import collections
 from fractions import Fraction
 import math
 import os
@@ -12,7 +13,8 @@ from fixel.image import Face, Model, Object, SceneImage
 from fixel.toml_object import Objects
 from fixel.toml_table import Table
 
-FRAMES_MAX = 1_000_000
+FRAMES_MAX = 1_000_000      # of a path
+POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path"}
 
 
@@ -61,6 +63,12 @@ def _light(top):
                          palette.parse(light.data.get("sky", "white"), light.at("sky")))
 
 
+def _check_poses(count, where):
+    if count > POSES_MAX:
+        raise ToolError(f"{where}: {count:,} frames are more than the limit of {POSES_MAX:,} that are computed; steps may "
+                        f"have up to {FRAMES_MAX:,}")
+
+
 def _key(data, where):
     key = Table(data, where, {"position", "yaw", "pitch", "roll", "look_at", "frames"})
     if "look_at" in key and ("yaw" in key or "pitch" in key):
@@ -106,6 +114,7 @@ def _orbit(table, frames):
     radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
     height = orbit.number("height", 0, -16382, 16382, "world units")
     count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
+    _check_poses(count, table.at("orbit"))
     poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
                        orbit.number("turns", 1, -100, 100))
     for i, pose in enumerate(poses):
@@ -141,8 +150,7 @@ def _path(top, frames):
             keys = [_key(data, f"{table.at('keys')}[{i}]")
                     for i, data in enumerate(table.rows("keys"))]
             smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
-            if sum(key.frames for key in keys) > FRAMES_MAX:
-                raise ToolError(f"{table.at('keys')}: more than {FRAMES_MAX:,} frames")
+            _check_poses(sum(key.frames for key in keys), table.at("keys"))
             entries = walk.poses(keys, smooth, f"{table.where}: key")
         else:
             entries = _orbit(table, frames)
@@ -191,10 +199,10 @@ def _beams(top):
 
 
 def _count_colours(placements, lit):
-    wanted = {}
-    for placement in placements:
-        for colour in placement.colours:
-            wanted[colour] = wanted.get(colour, 0) + 1
+    wanted, times = {}, collections.Counter(id(placement.colours) for placement in placements)
+    for colours in {id(placement.colours): placement.colours for placement in placements}.values():
+        for colour in colours:
+            wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
             wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
@@ -204,7 +212,7 @@ def _count_colours(placements, lit):
 def _lit_table(placements, indices, lit):
     """For each colour of the palette, the one that it has in a beam."""
     table = list(range(256))
-    for colour in {c for placement in placements for c in placement.colours}:
+    for colour in {c for colours in {id(p.colours): p.colours for p in placements}.values() for c in colours}:
         if lit and not isinstance(colour, int):
             table[indices[colour]] = indices[lit(colour)]
     return bytes(table)
@@ -216,9 +224,9 @@ def _models(placements, indices):
     numbers, models, objects = {}, [], []
     for item in placements:
         made, moved = item.shape
-        colours = tuple(indices[c] for c in item.colours)
-        key = (id(made), moved, colours, item.kind)
+        key = (id(made), moved, id(item.colours), item.kind)
         if key not in numbers:
+            colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             faces = tuple((f.normal, f.corners, c) for f, c in zip(made.faces, colours))
             # Meshes from different sources may come out the same.
