@@ -25,6 +25,7 @@ void test_a_sound_tree(void)
 {
     expect(FXL_OK, NULL, 0);
     made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
     made->tiny->models[1].first_face_bounds = 0;
     expect(FXL_OK, NULL, 0);
 }
@@ -39,9 +40,11 @@ void test_whose_it_is(void)
     expect(FXL_E_BSP, "instance", 2);
     made->tiny->models[0].kind = FXL_MODEL_SORTED;
     made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
     expect(FXL_E_BSP, "instance", 0);
     made->tiny->models[0].kind = FXL_MODEL_SORTED; /* on another layer it may be */
     made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
     made->tiny->instances[0].layer = 1;
     made->tiny->instances[2].layer = 2;
     expect(FXL_OK, NULL, 0);

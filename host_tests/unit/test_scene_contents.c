@@ -83,6 +83,7 @@ void test_vertices_on_the_sphere(void)
     const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
     tiny_scene *tiny = tiny_make();
     tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
     tiny->instances[1].model = 0;
     for (int v = 8; v < 16; v++) {
         tiny->vertices[v] = (fxl_point){0, 3, 4};
@@ -246,6 +247,7 @@ static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, u
 {
     tiny_scene *tiny = tiny_make();
     tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
     tiny->models[0].kind = kind0;
     tiny->models[1].kind = kind1;
     tiny->models[1].face_count = faces1;
