@@ -12,5 +12,3 @@ $(BUILD)/host/objects/loader/%.o: host_tests/loader/%.c
 $(BUILD)/host/loader: $(LOADER_OBJECTS) $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -o $@
-
--include $(LOADER_OBJECTS:.o=.d)
