@@ -247,9 +247,10 @@ equality: ## compare every kernel of every core with the portable one, on the em
 	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)') $(if $(JOBS),--jobs '$(JOBS)') \
 	    $(if $(KEEP),--keep '$(KEEP)')
 
-fuzz: ## fuzz the scene loader and the whole pipeline, print the branches reached [SECONDS=60]
+fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60]
 	@tools/setup.sh fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS)
+	@$(FUZZ_TOOLS_INPUT)
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time

@@ -22,9 +22,11 @@ import numpy
 
 import scene as scene_tool
 from fixel import dump, emulator, firmware, flash, output, picture
+from fixel import image as scene_image
 from fixel.errors import ToolError, run_main
 from fixel.programs import HostPrograms
 from fixel.progress import Progress, steps
+from fixel.reading import quoted
 from fixel.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
@@ -37,11 +39,19 @@ def elf_of(board, build):
     return pathlib.Path(build) / "boards" / board / ("walk" if board == firmware.HOST else "walk.elf")
 
 
+def check_frames(scene, wanted, there):
+    """Refuses more frames than a path has."""
+    if wanted > there:
+        raise ToolError(f"{scene}: path: {wanted} frames are asked for, and the path has {there}")
+
+
 def make_scene_image(scene, folder, frames, screen=None):
     """The scene image of a .toml or .obj, compiled into folder; an .fxls is one already."""
     if pathlib.Path(scene).suffix == ".fxls":
         if screen:
             raise ToolError(f"{scene} is a scene image, which has its screen already: give the .toml or .obj")
+        if frames:
+            check_frames(scene, frames, scene_image.load(scene).frames)
         return pathlib.Path(scene)
     image = folder / "scene.fxls"
     _, notes = scene_tool.build(scene, image, frames, screen)
@@ -109,6 +119,7 @@ def summarise(options, cpu, drawn, verdict, equal):
             "worst_frame_differing": max(frame["pixels_differing"] for frame in verdict["frames"]),
             "max_edge_distance_px": verdict["max_edge_distance_px"],
             "polygons": polygon_totals(drawn.frames),
+            "frames_empty": sum(frame.counters["drawn"] == 0 for frame in drawn.frames),
             "instructions_per_frame": instruction_figures(drawn.frames),
             "frame_sha256": [frame.sha256 for frame in drawn.frames],
             "host_frames_equal": equal}
@@ -148,7 +159,9 @@ def print_summary(summary, out):
             ["equal to host", summary["host_frames_equal"]]]
     print(table(rows))
     good = passes(summary)
-    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {out}")
+    empty = summary["frames_empty"]
+    said = f" ({empty} of {summary['frames']} frames are empty: nothing was drawn in them)" if empty else ""
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {out}")
 
 
 def passes(summary):
@@ -185,8 +198,8 @@ def run(options, folder):
 
 def frame_count(text):
     """A number of frames from a command line."""
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000):
-        raise ToolError(f"FRAMES is '{text}'; it must be a whole number from 1 to 1,000,000")
+    if not (text.isascii() and text.isdigit() and len(text) < 20 and 1 <= int(text) <= 1_000_000):
+        raise ToolError(f"FRAMES is {quoted(text)}; it must be a whole number from 1 to 1,000,000")
     return int(text)
 
 

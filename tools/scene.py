@@ -21,6 +21,7 @@ import time
 
 from fixel import c_scene, framing, image, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
+from fixel.reading import quoted
 
 QUIET_SECONDS = 2.0
 
@@ -42,8 +43,15 @@ def parse_screen(text):
     match = re.fullmatch(r"([0-9]{1,4})x([0-9]{1,4})", text)
     screen = tuple(map(int, match.groups())) if match else ()
     if not screen or not all(1 <= side <= image.SCREEN_MAX for side in screen):
-        raise ToolError(f"SCREEN is '{text}'; it must be like 128x64, both from 1 to {image.SCREEN_MAX}")
+        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image.SCREEN_MAX}")
     return screen
+
+
+def whole(text):
+    """A number of frames from the command line, as argparse wants it."""
+    if not re.fullmatch("[+-]?[0-9]{1,19}", text):
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is not a whole number")
+    return int(text)
 
 
 def compile_scene(scene, frames=None, screen=None, layers=None, framed=framing.WALK):
@@ -76,7 +84,7 @@ def build(scene, out, frames=None, screen=None, layers=None):
     """Compiles a scene file into an image file; answers as compile_scene."""
     compiled, notes = compile_scene(scene, frames, screen, layers)
     blob = packed(compiled, scene)
-    image.save(out, blob)
+    output.write_file(out, blob)
     compiled.size = len(blob)
     return compiled, notes
 
@@ -160,7 +168,7 @@ def arguments_of(argv):
     for command in (making, exporting):
         command.add_argument("scene")
         command.add_argument("-o", "--out", required=True)
-        command.add_argument("--frames", type=int, help="frames of the path; export writes no path without it")
+        command.add_argument("--frames", type=whole, help="frames of the path; export writes no path without it")
         command.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
         command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, "
                              "or all, or most")
@@ -184,7 +192,7 @@ def main(argv):
         compiled, notes = build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree)
         size = compiled.size
     for note in notes:
-        print(note if note.startswith("warning:") else f"note: {note}", file=sys.stderr)
+        print(f"note: {note}", file=sys.stderr)
     print(f"{arguments.out}: {size:,} bytes, {len(compiled.objects)} objects, "
           f"{compiled.frames} frames", file=sys.stderr)
     return 0

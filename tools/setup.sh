@@ -13,7 +13,7 @@
 #           fetch, 380 MB on disk), CMake
 #   lib     cross compiler
 #   format  clang-format
-#   fuzz    clang with its sanitizers and coverage tools, Python packages as for run
+#   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
 #   tools   Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
@@ -111,7 +111,7 @@ find_missing() {
             need_compilers
             need_python view report test ;;
         lib) need_cross_compiler ;;
-        fuzz) need_host_compiler; need_fuzzer; need_python run ;;
+        fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
         tools) need_python run ;;
         gdb) need_board; need_debugger ;;

@@ -248,7 +248,7 @@ def test_a_name_that_is_proposed_is_taken():
 def test_a_file_whose_name_is_no_c_name_is_told_to_have_another(tmp_path):
     (tmp_path / "my model.obj").write_bytes(CUBE.read_bytes())
     done = run_cli("scene", "export", "--c", tmp_path / "my model.obj", "-o", tmp_path / "x.h")
-    assert_one_sentence(done, "'my model'", "--name my_model")
+    assert_one_sentence(done, '"my model"', "--name my_model")
 
 
 @pytest.mark.parametrize("arguments, words", [

@@ -17,7 +17,7 @@ import time
 import pytest
 
 from board_programs import built
-from fixel import dump, dump_file, emulator, firmware, image
+from fixel import dump, dump_file, emulator, firmware, image, output
 from fixel.programs import HostPrograms
 from fixel.session import Session, touch_keys
 from screens import flashed
@@ -239,5 +239,5 @@ def steps_image(scene, seen, file):
     loaded = image.load(scene.scene)
     loaded.path_kind = image.STRIDES
     loaded.path = [(sum(image.KEYS[key] for key in keys), count) for keys, count in runs(seen)]
-    image.save(str(file), image.pack(loaded))
+    output.write_file(str(file), image.pack(loaded))
     return file

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from fixel import framing, image, mesh, obj
+from fixel import framing, image, mesh, obj, toml_scene
 from fixel.errors import ToolError
 from fixel.mesh import UNIT
 from test_scene_mesh import ONE, check_faces
@@ -87,6 +87,68 @@ def test_a_file_without_faces_is_refused(tmp_path):
         read(tmp_path, "v 0 0 0\n")
     with pytest.raises(ToolError, match="cannot be read"):
         obj.read(str(tmp_path / "none.obj"))
+
+
+def compiled(tmp_path, text, frames=8):
+    """A bare OBJ file as scene.py build compiles it: the scene and the notes."""
+    (tmp_path / "model.obj").write_text(text)
+    return framing.compile_obj(str(tmp_path / "model.obj"), frames)
+
+
+def test_a_byte_order_mark_and_display_attributes_are_skipped(tmp_path):
+    made, notes = read(tmp_path, "\ufeff" + CUBE + "lod 2\nbevel on\nshadow_obj other.obj\ntrace_obj x\nmg 1 2\n"
+                       "c_interp on\nd_interp on\n")
+    assert len(made.faces) == 6
+    assert any("1 x lod" in note and "1 x bevel" in note and "1 x shadow_obj" in note for note in notes)
+
+
+def test_a_bare_model_is_seen_from_its_front_which_is_lit(tmp_path):
+    scene, _ = compiled(tmp_path, CUBE, 60)
+    x, _, z, *_ = scene.path[0]
+    assert z < 0 and abs(x) < abs(z), "the eye stands at -z here, which is +z in the file"
+    # Of the faces to the front and to the back, the front is brighter.
+    brightness = {face.normal: sum(scene.palette[face.colour]) for face in scene.models[0].faces}
+    assert brightness[0, 0, -(1 << 30)] > brightness[0, 0, 1 << 30]
+
+
+def test_an_open_bare_model_shows_both_sides_and_says_so(tmp_path):
+    scene, notes = compiled(tmp_path, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    normals = sorted(face.normal for face in scene.models[0].faces)
+    assert normals == [(0, 0, -(1 << 30)), (0, 0, 1 << 30)]
+    assert any("the model is open" in note and "both sides" in note for note in notes)
+    scene, notes = compiled(tmp_path, CUBE.replace("\\\n  1\n", "1\n"))
+    assert len(scene.models[0].faces) == 6 and not any("open" in note for note in notes)
+
+
+@pytest.mark.parametrize("sides, faces", [("true", 2), ("false", 1), ('"open"', 2)])
+def test_a_scene_file_says_which_sides_show(tmp_path, sides, faces):
+    text = (f'[[objects]]\nsolid = "tile"\ntwo_sided = {sides}\n'
+            '[path]\nkeys = [{ position = [0, 1, 0] }]\n')
+    (tmp_path / "scene.toml").write_text(text)
+    scene, _ = toml_scene.compile_file(str(tmp_path / "scene.toml"))
+    assert len(scene.models[0].faces) == faces and scene.models[0].kind == image.CONVEX
+
+
+@pytest.mark.parametrize("far", ["", "v 1e6 0 0\n"])
+def test_a_bare_model_far_from_its_origin_is_centred(tmp_path, far):
+    lines = [line.split() for line in CUBE.splitlines()]
+    moved = [" ".join(["v", *(str(float(c) + (0 if far else 7200)) for c in line[1:])]) if line[0] == "v" else
+             " ".join(line) for line in lines]
+    # A vertex that no face has goes last, so that the others keep their numbers.
+    text = "\n".join(moved).replace("-5 -6 -2 -1", "4 3 7 8") + "\n" + far
+    scene, notes = compiled(tmp_path, text)
+    expected, _ = compiled(tmp_path, CUBE)
+    assert sorted(scene.models[0].vertices) == sorted(expected.models[0].vertices)
+    assert scene.path == expected.path
+    assert any("left out vertices that no face has: 1" in note for note in notes) == bool(far)
+    _check_in_view(scene)
+
+
+def test_a_model_far_from_its_origin_is_told_so_in_a_scene_file(tmp_path):
+    (tmp_path / "model.obj").write_text("v 20000 0 0\nv 20001 0 0\nv 20000 1 0\nf 1 2 3\n")
+    (tmp_path / "scene.toml").write_text('[[objects]]\nobj = "model.obj"\n[path]\nkeys = [{ position = [0, 1, 0] }]\n')
+    with pytest.raises(ToolError, match="lies up to 20001 units from its own origin.*move it to the origin"):
+        toml_scene.compile_file(str(tmp_path / "scene.toml"))
 
 
 def test_a_bare_model_is_framed(tmp_path):

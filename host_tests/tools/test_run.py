@@ -22,7 +22,7 @@ SCENE = "scenes/tiny.toml"
 FRAMES = 4
 KEYS = {"board", "cpu", "scene", "width", "height", "frames", "pixels", "pixels_differing",
         "pixels_unexplained", "worst_frame_differing", "max_edge_distance_px", "polygons",
-        "instructions_per_frame", "frame_sha256", "host_frames_equal"}
+        "instructions_per_frame", "frame_sha256", "host_frames_equal", "frames_empty"}
 
 
 def walk(out, board="mps2-an385", scene=SCENE, frames=FRAMES, **changes):
@@ -152,6 +152,16 @@ def test_scene_image_instead_of_toml(build, tmp_path, result):
     assert summary["frame_sha256"] == result[0]["frame_sha256"]
 
 
+def test_frames_in_which_nothing_is_drawn_are_told(build, tmp_path):
+    """A tile that faces up, from above and from below."""
+    (tmp_path / "tile.toml").write_text(
+        '[[objects]]\nsolid = "tile"\n[path]\ninterpolation = "linear"\n'
+        'keys = [{ position = [0, 2, 0], pitch = -90, frames = 2 }, { position = [0, -2, 0], pitch = 90 }]\n')
+    done = walk(tmp_path / "out", board="host", scene=tmp_path / "tile.toml", frames=None)
+    assert done.returncode == 0 and "pass (2 of 3 frames are empty" in done.stdout, done.stdout + done.stderr
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["frames_empty"] == 2
+
+
 # --- a walk that is wrong -----------------------------------------------------
 
 def spoil(data):
@@ -263,6 +273,15 @@ def test_bad_scene_image(build, tmp_path, image_bytes, board, kind):
     assert_nothing_left(tmp_path, tmp_path / "out")
 
 
+@pytest.mark.parametrize("suffix", ["toml", "fxls"])
+def test_more_frames_than_the_path_has(build, tmp_path, suffix):
+    scene_tool.build(str(CHECKOUT / SCENE), str(tmp_path / "tiny.fxls"))
+    scene = CHECKOUT / SCENE if suffix == "toml" else tmp_path / "tiny.fxls"
+    done = walk(tmp_path / "out", board="host", scene=scene, frames=99)
+    assert_one_sentence(done, f"tiny.{suffix}: path: 99 frames are asked for, and the path has 16")
+    assert not (tmp_path / "out").exists()
+
+
 def test_coordinate_out_of_range(build, tmp_path):
     text = (CHECKOUT / SCENE).read_text().replace("position = [-1.8, 0, 5]", "position = [-1.8, 9000, 5]")
     assert "9000" in text
@@ -291,7 +310,7 @@ def test_unwritable_out(build, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
-@pytest.mark.parametrize("frames", ["0", "-1", "x", "1.5", "1000001"])
+@pytest.mark.parametrize("frames", ["0", "-1", "x", "1.5", "1000001", "9" * 5000])
 def test_number_of_frames_that_is_none(build, tmp_path, frames):
     done = run_cli("run", "--board", "host", "--scene", SCENE, "--out", tmp_path / "out",
                    f"--frames={frames}")

@@ -155,7 +155,7 @@ def test_sorted_models_have_face_bounds():
     for data, at, status in ((b"\1", offset, "face bounds"), (b"\1", offset + 39, "face bounds"), (b"\1", 144, "index"),
                              (b"\3", 144, "offset"), (b"\1", table(blob, 4)[0] + 24, "reserved"),
                              (b"\1", table(blob, 4)[0] + 28 + 24, "index"),
-                             (b"\0", table(blob, 4)[0] + 28 + 16, "count"), (b"\0", 144, "offset")):
+                             (b"\0", table(blob, 4)[0] + 28 + 16, "count"), (b"\0", 144, "count")):
         refused(patched(blob, at, data), status)
     # They may be left out.
     assert image.unpack(patched(blob, 140, bytes(8))) == made

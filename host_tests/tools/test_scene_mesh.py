@@ -7,7 +7,7 @@ import math
 from hypothesis import assume, given, settings, strategies as st
 import pytest
 
-from fixel import image, mesh, palette, solids
+from fixel import convex, image, mesh, palette, solids
 from fixel.mesh import UNIT, Mesh
 from fixel.toml_object import matrix
 
@@ -44,7 +44,7 @@ def test_solids_are_closed_convex_and_look_outward_however_turned(name, turn, sc
     shape = mesh.shape(solids.make(name, {}, name), matrix((scale,) * 3, turn), name)
     check_faces(shape)
     assert shape.open_edges == 0 and not shape.notes
-    assert mesh.bulge(shape) <= image.PLANARITY_MAX
+    assert convex.is_convex(shape.vertices, shape.faces)
     for face in shape.faces:
         assert mesh.dot(face.normal, shape.vertices[face.corners[0]]) > 0
 
@@ -68,7 +68,7 @@ def test_inside_turns_the_faces_inward():
     shape = mesh.shape(solids.box(), ONE, "box", inside=True)
     check_faces(shape)
     assert all(mesh.dot(f.normal, shape.vertices[f.corners[0]]) < 0 for f in shape.faces)
-    assert mesh.bulge(shape) <= image.PLANARITY_MAX
+    assert convex.is_convex(shape.vertices, shape.faces)
 
 
 def test_a_concave_polygon_is_cut_into_triangles_of_the_same_area():
@@ -147,6 +147,24 @@ def test_star_shaped_polygons_keep_their_area(radii, turn):
     check_faces(turned)
     outline = sum(math.dist(a, b) for a, b in zip(star, star[1:] + star[:1]))
     assert area(turned) == pytest.approx(exact, abs=4 * count * outline)
+
+
+def test_corners_on_a_straight_line_stay_for_the_neighbours():
+    """An L of 32 corners, most of them on its straight sides: each is a corner of a triangle."""
+    ends = [(0, 0), (0, 8), (4, 8), (4, 4), (8, 4), (8, 0)]
+    outline = [(a[0] + (b[0] - a[0]) * i // n, a[1] + (b[1] - a[1]) * i // n)
+               for a, b in zip(ends, ends[1:] + ends[:1]) for n in [max(abs(b[0] - a[0]), abs(b[1] - a[1]))]
+               for i in range(n)]
+    assert len(outline) == 32
+    made = mesh.shape(flat_mesh(outline), ONE, "L")
+    assert all(len(face.corners) == 3 for face in made.faces) and area(made) == 48
+    corners = {corner for face in made.faces for corner in face.corners}
+    assert len(made.vertices) == 32 == len(corners)
+
+
+def test_an_outline_that_crosses_itself_becomes_a_fan():
+    made = mesh.shape(flat_mesh([(0, 0), (0, 10), (10, 2), (10, 6)]), ONE, "crossed")
+    assert any("cross themselves cut into fans" in note for note in made.notes)
 
 
 @settings(max_examples=200, deadline=None)

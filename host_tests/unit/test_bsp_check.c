@@ -25,6 +25,7 @@ void test_a_sound_tree(void)
 {
     expect(FXL_OK, NULL, 0);
     made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
     made->tiny->models[1].first_face_bounds = 0;
     expect(FXL_OK, NULL, 0);
 }
@@ -39,9 +40,11 @@ void test_whose_it_is(void)
     expect(FXL_E_BSP, "instance", 2);
     made->tiny->models[0].kind = FXL_MODEL_SORTED;
     made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
     expect(FXL_E_BSP, "instance", 0);
     made->tiny->models[0].kind = FXL_MODEL_SORTED; /* on another layer it may be */
     made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
     made->tiny->instances[0].layer = 1;
     made->tiny->instances[2].layer = 2;
     expect(FXL_OK, NULL, 0);
@@ -77,7 +80,7 @@ void test_planes(void)
     expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[2].distance_high = 0x20000000u; /* 2^61 itself, and then no face is near */
     made->nodes[2].distance_low = 0;
-    expect(FXL_E_PLANARITY, "face", 8);
+    expect(FXL_E_PLANARITY, "BSP node", 2);
 }
 
 /* 8 units of 2^-16 off is near enough, the least bit more is not. */
@@ -94,7 +97,7 @@ void test_faces_lie_on_the_plane(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         made->nodes[4].distance_low = (uint32_t)cases[i].distance;
         made->nodes[4].distance_high = (uint32_t)(cases[i].distance >> 32);
-        expect(cases[i].status, "face", 10);
+        expect(cases[i].status, "BSP node", 4);
     }
 }
 

@@ -83,6 +83,7 @@ void test_vertices_on_the_sphere(void)
     const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
     tiny_scene *tiny = tiny_make();
     tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
     tiny->instances[1].model = 0;
     for (int v = 8; v < 16; v++) {
         tiny->vertices[v] = (fxl_point){0, 3, 4};
@@ -129,7 +130,7 @@ void test_no_keys(void)
 {
     tiny_image *image = tiny_image_make(false);
     tiny_put32(tiny_at(image, AT_KEYS + 4), 0);
-    expect_opening(FXL_E_OFFSET, image);
+    expect_opening(FXL_E_COUNT, image);
     tiny_put32(tiny_at(image, AT_KEYS), 0);
     expect_opening(FXL_OK, image);
     fxl_scene_image opened;
@@ -220,10 +221,33 @@ void test_the_fault_names_the_element(void)
     TEST_ASSERT_EQUAL_UINT32(2, fault.index);
 }
 
+/* What fxl_scene_open names of an image with one word that is something else. */
+static void expect_name(fxl_status status, const char *what, uint32_t at, uint32_t value)
+{
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 0};
+    tiny_put32(tiny_at(image, at), value);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(status, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+}
+
+void test_the_fault_names_the_part(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    expect_name(FXL_E_SIZE, "header", AT_VERSION, 2 | (HEADER_SIZE + 16) << 16);
+    expect_name(FXL_E_SIZE, "image", AT_SIZE, image->size + 4);
+    expect_name(FXL_E_COUNT, "face bounds table", AT_KEYS + 4, 0);
+    expect_name(FXL_E_COUNT, "vertex table", AT_VERTICES + 4, 17); /* more than the models take */
+    expect_name(FXL_E_INDEX, "model", AT_VERTICES + 4, 15);
+}
+
 static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, uint32_t expected)
 {
     tiny_scene *tiny = tiny_make();
     tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
     tiny->models[0].kind = kind0;
     tiny->models[1].kind = kind1;
     tiny->models[1].face_count = faces1;
@@ -245,7 +269,7 @@ void test_models_share_nothing_and_leave_nothing_out(void)
 {
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 0, 0);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 8, 0);
-    expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 12, 5);
+    expect_entry_word(FXL_E_COUNT, AT_MODELS, 1, MODEL, 12, 5);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 0, MODEL, 12, 5);
 }
 

@@ -5,7 +5,7 @@ import pathlib
 import tomllib
 
 import scene as scene_tool
-from fixel import image
+from fixel import image, output
 from fixel.errors import ToolError
 
 CORES = ("m0", "m3", "m4f", "m55")
@@ -64,5 +64,5 @@ def units_of(workload, scene):
 
 def save_scene(scene, file):
     """A scene as an image file."""
-    image.save(file, image.pack(scene))
+    output.write_file(file, image.pack(scene))
     return file

@@ -9,6 +9,7 @@ import re
 from fixel import c_text, image, image_beam, image_keys, memory_needed
 from fixel.c_text import braces, comment, split64, table
 from fixel.errors import ToolError
+from fixel.reading import quoted
 from fixel.image_tree import SORTED
 
 NAME_MAX = 40       # a C compiler need not read more than 63 letters of a name
@@ -24,7 +25,7 @@ def check_name(name):
              "has __, which C++ keeps for itself" if "__" in name else
              "begins with fxl, which the library keeps for itself" if name.lower().startswith("fxl") else "")
     if wrong:
-        raise ToolError(f"the name '{name}' {wrong}: give another with --name, like --name "
+        raise ToolError(f"the name {quoted(name)} {wrong}: give another with --name, like --name "
                         f"{suggestion(name)}")
 
 

@@ -3,13 +3,11 @@
 
 from dataclasses import dataclass, field
 from math import isqrt
-import os
 import struct
-import tempfile
 import zlib
 
+from fixel import image_beam, image_keys, reading
 from fixel.errors import ToolError
-from fixel import image_beam, image_keys
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
@@ -27,6 +25,7 @@ NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
 GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
 FACE_VERTICES_MAX = 24
 PLANARITY_MAX = 4
+PLACED_MAX = 4_000_000          # vertices of the models of all instances
 
 CONVEX = 0
 POSES, STRIDES = 0, 1
@@ -230,8 +229,8 @@ def check_plane(normal, points, what):
 def _tables(blob, fields):
     """The tables as lists of tuples, after their offsets and counts; keys and nodes last, empty
     where there are none; beams and lit colours where the header has them."""
-    limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 3, 1_000_000),
-              ("corners", _CORNER, 3, 4_000_000), ("faces", _FACE, 1, 1_000_000),
+    limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 1, 1_000_000),
+              ("corners", _CORNER, 1, 4_000_000), ("faces", _FACE, 1, 1_000_000),
               ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
               ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000)]
     size, tables, places = fields[3], [], [fields[i:i + 2] for i in range(24, 38, 2)]
@@ -246,7 +245,7 @@ def _tables(blob, fields):
     for (offset, count), (name, entry, low, high) in zip(places, limits):
         if name in ("keys", "nodes") and not count:
             if offset:
-                fail("offset", f"the header gives an offset of {name}, but a count of 0")
+                fail("count", f"the header gives an offset of {name}, but a count of 0")
             tables.append([])
             continue
         if not low <= count <= high:
@@ -256,6 +255,9 @@ def _tables(blob, fields):
         if offset < fields[2] or offset + count * entry.size > size:
             fail("offset", f"the table of {name} reaches outside the image")
         tables.append(list(entry.iter_unpack(blob[offset:offset + count * entry.size])))
+    for name, held in (("vertices", tables[1]), ("corners", tables[2])):
+        if len(held) < 3:
+            fail("count", f"{len(held)} {name} are fewer than 3")
     return tables
 
 
@@ -270,7 +272,7 @@ def _check_faces(faces, corners):
 
 
 def _read_models(models, vertices, corners, faces):
-    result, extras = [], []
+    result, extras, vertex, face = [], [], 0, 0
     for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, radius,
             first_key) in enumerate(models):
         if kind not in (CONVEX, SORTED) or any(reserved):
@@ -279,7 +281,10 @@ def _read_models(models, vertices, corners, faces):
             fail("range", f"model {i}: a radius of {radius / 65536:.6g} is outside 0..28375")
         if not 3 <= vertex_count <= 65535 or not 1 <= face_count <= 65535:
             fail("count", f"model {i}: {vertex_count} vertices, {face_count} faces")
-        if first_vertex + vertex_count > len(vertices) or first_face + face_count > len(faces):
+        if (first_vertex, first_face) != (vertex, face):
+            fail("index", f"model {i} does not begin where the one before it ends")
+        vertex, face = vertex + vertex_count, face + face_count
+        if vertex > len(vertices) or face > len(faces):
             fail("index", f"model {i} reaches past the vertices or the faces")
         own = []
         for number, (*normal, first, count, colour, _) in \
@@ -290,7 +295,16 @@ def _read_models(models, vertices, corners, faces):
             own.append(Face(tuple(normal), outline, colour))
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
         extras.append((radius, first_key))
+    if (vertex, face) != (len(vertices), len(faces)):
+        fail("count", f"{len(vertices)} vertices and {len(faces)} faces, but the models have {vertex} and {face}")
     return result, extras
+
+
+def _check_vertices(models):
+    """A model may have no instance: its vertices lie within twice the range."""
+    for i, model in enumerate(models):
+        if any(abs(c) > 2 * COORDINATE_MAX for vertex in model.vertices for c in vertex):
+            fail("range", f"a vertex of model {i} is farther than {2 * 8191} from its origin")
 
 
 def _check_radii(models, extras):
@@ -301,13 +315,16 @@ def _check_radii(models, extras):
 
 
 def _read_objects(objects, models):
-    result = []
+    result, placed = [], 0
     for i, (*centre, model, layer, reserved) in enumerate(objects):
         if reserved:
             fail("reserved", f"instance {i}: a reserved field is not zero")
         if model >= len(models):
             fail("index", f"instance {i}: model {model} of {len(models)}")
         check_coordinates(centre, f"the centre of instance {i}")
+        placed += len(models[model].vertices)
+        if placed > PLACED_MAX:
+            fail("count", f"instance {i}: the instances' models have more than {PLACED_MAX:,} vertices together")
         result.append(Object(tuple(centre), model, layer))
     return result
 
@@ -327,8 +344,10 @@ def _check_path(kind, path, frames):
     for i, entry in enumerate(path):
         if kind == POSES:
             check_coordinates(entry[:3], f"pose {i}")
-        elif entry[0] & ~0xFF or entry[1] < 1:
-            fail("range", f"path segment {i}: keys {entry[0]:#x}, {entry[1]} frames")
+        elif entry[0] & ~0xFF:
+            fail("reserved", f"path segment {i}: unknown keys {entry[0]:#x}")
+        elif entry[1] < 1:
+            fail("count", f"path segment {i}: 0 frames")
     total = len(path) if kind == POSES else sum(n for _, n in path)
     if total != frames or not 1 <= frames <= 1_000_000:
         fail("count", f"the path has {total} frames, the header says {frames}")
@@ -348,6 +367,7 @@ def unpack(blob):
     models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
     _check_extents(objects, models)
+    _check_vertices(models)
     _check_radii(models, extras)
     for i, model in enumerate(models):
         for j, face in enumerate(model.faces):
@@ -369,32 +389,9 @@ def unpack(blob):
 
 
 def load(path):
-    try:
-        with open(path, "rb") as file:
-            blob = file.read()
-    except OSError as error:
-        raise ToolError(f"{path}: cannot be read ({error.strerror})") from error
+    """The scene of an image file, which may be longer than the image in it."""
+    blob = reading.read_start(path, IMAGE_MAX)
     try:
         return unpack(blob)
     except ToolError as error:
         raise ToolError(f"{path}: {error}") from error
-
-
-def save(path, blob):
-    """Writes a file whole or not at all."""
-    folder = os.path.dirname(os.path.abspath(path))
-    temporary = None
-    try:
-        os.makedirs(folder, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(prefix=".scene-", dir=folder)
-        with os.fdopen(handle, "wb") as file:
-            file.write(blob)
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(temporary, 0o666 & ~umask)
-        os.replace(temporary, path)
-    except OSError as error:
-        if temporary and os.path.exists(temporary):
-            os.unlink(temporary)
-        raise ToolError(f"{path}: cannot be written ({error.strerror}); "
-                        "choose a folder that you may write to") from error

@@ -5,13 +5,14 @@ library takes: flat, convex, of 3 to 24 vertices, with exact normals.
 Everything is done in integers on the rounded vertices, so that what is decided
 here holds for the numbers that the library sees."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isqrt, lcm
-
-import numpy as np
 
 from fixel.errors import ToolError
 from fixel.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, Face
+from fixel.triangles import triangulate
+
+FACES_MAX = 65535       # of a model
 
 # A mesh's coordinates are integers in 1/UNIT: decimals of OBJ files stay exact.
 UNIT = 10 ** 18
@@ -105,6 +106,9 @@ def is_flat(points, normal):
 def is_convex_outline(points, area):
     """Whether every corner lies on the inner side of every edge's line, but
     for DENT_MAX."""
+    if len(points) == 4 and all(dot(cross(minus(b, a), minus(c, b)), area) >= 0 for a, b, c in
+                                zip(points, points[1:] + points[:1], points[2:] + points[:2])):
+        return True     # of four corners no edge has others than its neighbours
     square = dot(area, area)
     for i, b in enumerate(points):
         edge = minus(b, points[i - 1])
@@ -114,41 +118,6 @@ def is_convex_outline(points, area):
             if side < 0 and side * side > limit:
                 return False
     return True
-
-
-def _holds(a, b, c, p, area):
-    """Whether p lies in the triangle or on its outline."""
-    return (dot(cross(minus(b, a), minus(p, a)), area) >= 0
-            and dot(cross(minus(c, b), minus(p, b)), area) >= 0
-            and dot(cross(minus(a, c), minus(p, c)), area) >= 0)
-
-
-def _find_ear(ring, points, area):
-    """The position of a corner that can be cut off, or None."""
-    for i, number in enumerate(ring):
-        before, after = ring[i - 1], ring[(i + 1) % len(ring)]
-        a, b, c = points[before], points[number], points[after]
-        if dot(cross(minus(b, a), minus(c, a)), area) <= 0:
-            continue
-        if not any(_holds(a, b, c, points[other], area) for other in ring
-                   if points[other] not in (a, b, c)):
-            return i
-    return None
-
-
-def triangulate(corners, points, area):
-    """Triangles that make up a polygon (ear clipping), and whether its
-    outline is sound; one that crosses itself falls back on a fan."""
-    ring, triangles = list(corners), []
-    while len(ring) > 3:
-        i = _find_ear(ring, points, area)
-        if i is None:
-            fan = [(ring[0], ring[k], ring[k + 1]) for k in range(1, len(ring) - 1)]
-            # What is left may be a line that earlier cuts used up.
-            return triangles + fan, newell([points[c] for c in ring]) == (0, 0, 0)
-        triangles.append((ring[i - 1], ring[i], ring[(i + 1) % len(ring)]))
-        del ring[i]
-    return triangles + [tuple(ring)], True
 
 
 class _Counts:
@@ -217,13 +186,29 @@ def turned(face):
     return Face(tuple(-n for n in face.normal), face.corners[::-1], face.colour)
 
 
+def two_sided(made):
+    """The shape with each face once more, seen from behind."""
+    return replace(made, faces=made.faces + [turned(face) for face in made.faces], sources=made.sources * 2)
+
+
+def _check_size(points, name):
+    """Refuses what no place in the world has room for."""
+    ends = [(min(axis), max(axis)) for axis in zip(*points)]
+    if all(-2 * COORDINATE_MAX <= low and high <= 2 * COORDINATE_MAX for low, high in ends):
+        return
+    if all(high - low <= 2 * COORDINATE_MAX for low, high in ends):
+        far = max(max(-low, high) for low, high in ends) / 65536
+        raise ToolError(f"{name}: the model lies up to {far:.6g} units from its own origin, more than twice the world "
+                        "(-8191..8191): move it to the origin in the model, or make scale smaller")
+    raise ToolError(f"{name}: with this scale the model is larger than the world "
+                    "(-8191..8191); make scale smaller")
+
+
 def shape(mesh, matrix, name, inside=False, progress=None):
     """The mesh, transformed, as the library takes it; vertices still relative
     to the mesh's origin. inside: turn every face inward."""
     points, renamed = _merge(transform(mesh, matrix))
-    if any(abs(c) > 2 * COORDINATE_MAX for p in points for c in p):
-        raise ToolError(f"{name}: with this scale the model is larger than the world "
-                        "(-8191..8191); make scale smaller")
+    _check_size(points, name)
     counts, faces, sources = _Counts(), [], []
     for number, corners in enumerate(mesh.faces):
         if progress:
@@ -232,6 +217,9 @@ def shape(mesh, matrix, name, inside=False, progress=None):
         for outline, normal in _pieces([renamed[c] for c in corners], points, place, counts):
             faces.append(Face(normal, outline, 0))
             sources.append(number)
+        if len(faces) > FACES_MAX:
+            raise ToolError(f"{place or name}: the model has more than {FACES_MAX:,} faces with those that its faces "
+                            "are cut into; simplify it or split it into several objects")
     if not faces:
         raise ToolError(f"{name}: no face with any area is left; is scale too small?")
     result = _used(points, faces, sources, counts.notes(name))
@@ -255,22 +243,3 @@ def _used(points, faces, sources, notes):
     high = [max(axis) for axis in zip(*vertices)]
     middle = tuple((a + b) // 2 for a, b in zip(low, high))
     return Shape(vertices, faces, sources, notes, middle, middle[1] - low[1])
-
-
-def bulge(result, cancel=None):
-    """How far, in 1/65536, vertices stand out from the planes of the faces:
-    the smaller of in front of and behind all of them. At most PLANARITY_MAX
-    means that faces that look the same way never hide each other, so that any
-    order will do. Doubles suffice: coordinates have 31 bits, the answer is
-    compared with whole units."""
-    vertices = np.array(result.vertices, dtype=float)
-    front = back = 0.0
-    for first in range(0, len(result.faces), 256):
-        chunk = result.faces[first:first + 256]
-        normals = np.array([face.normal for face in chunk], dtype=float) / 2 ** 30
-        bases = vertices[[face.corners[0] for face in chunk]]
-        heights = normals @ vertices.T - np.sum(normals * bases, axis=1)[:, None]
-        front, back = max(front, heights.max()), max(back, -heights.min())
-        if cancel is not None and min(front, back) > cancel:
-            break
-    return min(front, back)

@@ -8,6 +8,7 @@ import re
 from PIL import ImageColor
 
 from fixel.errors import ToolError
+from fixel.reading import QUOTE_MAX, quoted
 
 ENTRIES = 256
 
@@ -20,10 +21,10 @@ def parse(value, where):
         name = value.lower()
         if name in ImageColor.colormap:
             return ImageColor.getrgb(name)[:3]
-        near = difflib.get_close_matches(name, ImageColor.colormap, 1)
+        near = difflib.get_close_matches(name[:QUOTE_MAX], ImageColor.colormap, 1)
         hint = f'; did you mean "{near[0]}"?' if near else ""
-        raise ToolError(f'{where}: "{value}" is not a colour (like "#d8a050" or "teal"){hint}')
-    raise ToolError(f'{where}: expected a colour like "#d8a050" or "teal", found {value!r}')
+        raise ToolError(f'{where}: {quoted(value)} is not a colour (like "#d8a050" or "teal"){hint}')
+    raise ToolError(f'{where}: expected a colour like "#d8a050" or "teal", found {quoted(value)}')
 
 
 def wheel(index):
@@ -60,20 +61,24 @@ def lit(colour, strength, tint):
     return tuple(min(255, round(c * (1 + strength * t / 255))) for c, t in zip(colour, tint))
 
 
+def _ranges(group):
+    """How far the colours of a group reach in red, green and blue."""
+    return [max(axis) - min(axis) for axis in zip(*group)]
+
+
 def _median_cut(weights, count):
     """Distinct colours merged into count groups: {colour: group's mean}."""
     groups = [sorted(weights)]
+    spreads = [_ranges(groups[0])]
     while len(groups) < count:
-        def spread(group):
-            return max(max(axis) - min(axis) for axis in zip(*group))
-        widest = max(range(len(groups)), key=lambda i: (spread(groups[i]), len(groups[i]), -i))
-        group = groups.pop(widest)
-        ranges = [max(axis) - min(axis) for axis in zip(*group)]
+        widest = max(range(len(groups)), key=lambda i: (max(spreads[i]), len(groups[i]), -i))
+        group, ranges = groups.pop(widest), spreads.pop(widest)
         axis = ranges.index(max(ranges))
         group.sort(key=lambda c: (c[axis], c))
         middle = (group[0][axis] + group[-1][axis]) / 2
         cut = sum(1 for c in group if c[axis] <= middle)
         groups += [group[:cut], group[cut:]]
+        spreads += [_ranges(group[:cut]), _ranges(group[cut:])]
     merged = {}
     for group in groups:
         total = sum(weights[c] for c in group)

@@ -91,7 +91,7 @@ def _inner(keys, channels, i, step, smooth, where):
     values = [_between(v[i], v[i + 1], s[i], s[i + 1], n, u, smooth) for v, s in channels]
     if keys[i].target is not None and keys[i + 1].target is not None:
         values[3:5] = aim(values[:3], _target(keys, i, u, smooth), f"{where} {i}, {step} frames on")
-    return _pose([Fraction(v) for v in values[:3]], *(Fraction(v) for v in values[3:]))
+    return _pose(values[:3], *values[3:])
 
 
 def poses(keys, smooth, where):

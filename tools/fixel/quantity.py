@@ -5,11 +5,12 @@ A number may be written as an integer, a decimal or a string such as "-360/512",
 so that every rational can be said. Angles are degrees; "3/512 turn" is a part
 of a full turn. Nothing passes through floating point."""
 
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 import re
 
 from fixel.errors import ToolError
+from fixel.reading import quoted
 
 Q16_ONE = 1 << 16
 TURN = 1 << 32
@@ -17,15 +18,26 @@ COORDINATE_MAX = 8191
 
 # Powers of ten outside this are a slip of the pen, and would make huge integers.
 EXPONENT_MAX = 30
+DIGITS_MAX = 1000       # characters of a number
 
 _RATIONAL = re.compile(r"\s*([+-]?\d{1,30})\s*/\s*(\d{1,30})\s*")
 _DECIMAL = re.compile(r"\s*[+-]?(\d{1,30}(\.\d{0,30})?|\.\d{1,30})([eE][+-]?\d{1,2})?\s*")
 
 
+def decimal(text):
+    """A number of a TOML file; ValueError where it has too many digits or no exponent that there is."""
+    if len(text) > DIGITS_MAX:
+        raise ValueError("too many digits")
+    try:
+        return Decimal(text)
+    except InvalidOperation:
+        raise ValueError("no such exponent") from None
+
+
 def fraction(value, where):
     """A TOML number, or a string that says one, as a Fraction."""
     if isinstance(value, (bool, list, dict)) or value is None:
-        raise ToolError(f'{where}: expected a number (like 1.5 or "3/512"), found {value!r}')
+        raise ToolError(f'{where}: expected a number (like 1.5 or "3/512"), found {quoted(value)}')
     if isinstance(value, Fraction):
         return value
     if isinstance(value, str):
@@ -33,29 +45,31 @@ def fraction(value, where):
         if rational and int(rational[2]) != 0:
             return Fraction(int(rational[1]), int(rational[2]))
         if not _DECIMAL.fullmatch(value):
-            raise ToolError(f'{where}: "{value}" is not a number (like "1.5" or "-360/512")')
+            raise ToolError(f'{where}: {quoted(value)} is not a number (like "1.5" or "-360/512")')
         value = Decimal(value.strip())
     elif isinstance(value, float):
         value = Decimal(repr(value))
     if isinstance(value, Decimal):
         if not value.is_finite() or (value != 0 and abs(value.adjusted()) > EXPONENT_MAX):
-            raise ToolError(f"{where}: {value} is out of every range")
+            raise ToolError(f"{where}: {quoted(value)} is out of every range")
         return Fraction(value)
     if isinstance(value, int):
         if abs(value) >= 10 ** EXPONENT_MAX:
             raise ToolError(f"{where}: the number is out of every range")
         return Fraction(value)
-    raise ToolError(f"{where}: expected a number, found {value!r}")
+    raise ToolError(f"{where}: expected a number, found {quoted(value)}")
 
 
-def nearest(value):
-    """To the nearest integer, halves upward: the rounding of SPEC.md."""
-    return (2 * value.numerator + value.denominator) // (2 * value.denominator)
+def _times(value, numerator, denominator=1):
+    """A Fraction or float times a ratio, to the nearest integer, halves upward: the rounding of SPEC.md."""
+    above, below = value.as_integer_ratio()
+    above, below = above * numerator, below * denominator
+    return (2 * above + below) // (2 * below)
 
 
 def q16(value):
-    """A Fraction as 16.16."""
-    return nearest(value * Q16_ONE)
+    """A Fraction or float as 16.16."""
+    return _times(value, Q16_ONE)
 
 
 def shown(value):
@@ -75,7 +89,7 @@ def in_range(value, low, high, where, unit=""):
 def vector(value, where):
     """A list of three numbers."""
     if not isinstance(value, list) or len(value) != 3:
-        raise ToolError(f"{where}: expected three numbers [x, y, z], found {value!r}")
+        raise ToolError(f"{where}: expected three numbers [x, y, z], found {quoted(value)}")
     return tuple(fraction(item, f"{where}[{i}]") for i, item in enumerate(value))
 
 
@@ -95,5 +109,5 @@ def degrees(value, where):
 
 
 def angle(value):
-    """Degrees (a Fraction) as a binary angle; wraps."""
-    return nearest(value * TURN / 360) % TURN
+    """Degrees (a Fraction or float) as a binary angle; wraps."""
+    return _times(value, TURN, 360) % TURN

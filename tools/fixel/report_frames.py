@@ -5,7 +5,7 @@ import dataclasses
 import pathlib
 
 import scene as scene_tool
-from fixel import dump, image
+from fixel import dump, image, output
 from fixel.errors import ToolError
 from fixel.emulator import run as run_board
 from fixel.programs import read_json, run_program
@@ -99,7 +99,7 @@ def default_sources():
 def _judge(build, walk, folder):
     """The board's dump of a walk, the reference renderer's, and the verdict."""
     file, drawn, twin = (folder / name for name in ("walk.fxls", "board.fxld", "double.fxld"))
-    image.save(file, image.pack(walk.scene))
+    output.write_file(file, image.pack(walk.scene))
     run_board("host", file, build / "boards/host/walk", drawn)
     run_program([build / "host/judge", file, drawn, "--json", folder / "judge.json",
                  "--twin", twin, "--distance", str(DISTANCE)])

@@ -3,7 +3,7 @@
 
 import dataclasses
 
-from fixel import dump, emulator, firmware, flash, image
+from fixel import dump, emulator, firmware, flash, image, output
 from fixel.errors import ToolError
 from fixel.progress import Progress
 
@@ -32,7 +32,7 @@ def scaled(scene, factor):
 def _draw(build, board, scene, factor, folder, progress):
     """What the board draws of a scene at a scale."""
     elf, file = build / "boards" / board / "walk.elf", folder / f"scale_{factor}.fxls"
-    image.save(file, image.pack(scaled(scene, factor)))
+    output.write_file(file, image.pack(scaled(scene, factor)))
     flash.flash(board, elf, file, folder / f"scale_{factor}.bin")
     emulator.run(board, folder / f"scale_{factor}.bin", elf, folder / f"scale_{factor}.fxld",
                  None, TIMEOUT, progress)

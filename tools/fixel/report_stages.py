@@ -2,7 +2,7 @@
 """Library and reference renderer on the same input at the boundary of each stage: the polygons of a scene, and
 random input from the whole allowed range."""
 
-from fixel import image
+from fixel import image, output
 from fixel.programs import HostPrograms
 from fixel.progress import Progress
 
@@ -15,7 +15,7 @@ SAMPLES_PER = 50
 def measure(build, walk, samples, seed, folder):
     """A row for each stage and input."""
     file = folder / "twins.fxls"
-    image.save(file, image.pack(walk.scene))
+    output.write_file(file, image.pack(walk.scene))
     count = max(1000, samples // SAMPLES_PER)
     with Progress(f"stages against double: {walk.name} and {count:,} random samples each"):
         rows = HostPrograms(build).stage_errors(file, count, seed)

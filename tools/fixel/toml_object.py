@@ -9,15 +9,19 @@ import os
 
 from fixel import image, obj, palette, quantity, solids
 from fixel.errors import ToolError
-from fixel.mesh import bulge, shape
+from fixel.convex import is_convex
+from fixel.mesh import FACES_MAX, shape, two_sided
+from fixel.reading import quoted
 from fixel.toml_table import Table
 
 KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves"}
+        "moves", "two_sided"}
+_RING = {"count", "radius", "start", "turn"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
+MADE_MAX = 40_000       # faces of all models, beside those of the scene's OBJ files
 
 
 @dataclass
@@ -93,12 +97,15 @@ def _solid_options(table):
     return options
 
 
-def _ring_places(table):
+def _ring_count(table):
+    return table.table("ring", _RING).whole("count", None, 1, 1000) if "ring" in table else 1
+
+
+def _ring_places(table, count):
     """(offset, yaw) of each place on a ring about the position."""
     if "ring" not in table:
         return [((0, 0, 0), 0)]
-    ring = table.table("ring", {"count", "radius", "start", "turn"})
-    count = ring.whole("count", None, 1, 1000)
+    ring = table.table("ring", _RING)
     radius = ring.number("radius", None, 0, 16382, "world units")
     start, turn = ring.degrees("start"), ring.switch("turn", True)
     places = []
@@ -109,41 +116,52 @@ def _ring_places(table):
     return places
 
 
-def _repeat_offsets(table):
+def _repeat_count(table):
     if "repeat" not in table:
-        return [(0, 0, 0)]
+        return 1, 1, 1
     repeat = table.table("repeat", {"count", "step"})
     count = repeat.rows("count")
     if len(count) != 3 or not all(isinstance(c, int) and 1 <= c <= 1000 for c in count):
         raise ToolError(f"{repeat.at('count')}: expected three whole numbers from 1 to 1000")
+    return tuple(count)
+
+
+def _repeat_offsets(table, count):
+    if "repeat" not in table:
+        return [(0, 0, 0)]
+    repeat = table.table("repeat", {"count", "step"})
     step = quantity.vector(repeat.need("step"), repeat.at("step"))
     return [tuple(n * s for n, s in zip((i, j, k), step))
             for k in range(count[2]) for j in range(count[1]) for i in range(count[0])]
 
 
-def _places(table):
-    """(position, extra yaw) of every placement, in order."""
+def _places(table, room):
+    """(position, extra yaw) of every placement, in order. room: how many more the scene may have."""
     if "positions" in table and "position" in table:
         raise ToolError(f"{table.where}: both position and positions are given; keep one")
+    ring, repeat = _ring_count(table), _repeat_count(table)
+    count = (len(table.rows("positions")) if "positions" in table else 1) * ring * math.prod(repeat)
+    if count > room:
+        raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
+                        f"{PLACEMENTS_MAX:,} objects, and {PLACEMENTS_MAX - room:,} stand before these")
     if "positions" in table:
         bases = [quantity.position(p, f"{table.at('positions')}[{i}]")
                  for i, p in enumerate(table.rows("positions"))]
     else:
         bases = [table.position("position") if "position" in table else (0, 0, 0)]
-    rings, offsets = _ring_places(table), _repeat_offsets(table)
-    if len(bases) * len(rings) * len(offsets) > PLACEMENTS_MAX:
-        raise ToolError(f"{table.where}: more than {PLACEMENTS_MAX} objects")
-    return [(tuple(map(sum, zip(base, out, offset))), yaw)
+    rings, offsets = _ring_places(table, ring), _repeat_offsets(table, repeat)
+    return [(tuple(a + b + c for a, b, c in zip(base, out, offset)), yaw)
             for base in bases for out, yaw in rings for offset in offsets]
 
 
 class Objects:
     """Compiles the objects of one scene. notes are told to the user, once each."""
 
-    def __init__(self, name, folder, light, notes, progress=None):
+    def __init__(self, name, folder, light, notes, progress=None, files=None):
         self.name, self.folder, self.light = name, folder, light
         self.notes, self.progress = notes, progress
-        self.files, self.shapes = {}, {}
+        self.files, self.shapes, self.coloured = files or {}, {}, {}
+        self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
 
     def mesh(self, table):
         """(mesh, name, identity) of an object's solid or file."""
@@ -157,33 +175,55 @@ class Objects:
             if key in table:
                 raise ToolError(f"{table.at(key)}: means nothing for an OBJ file")
         name = table.text("obj")
-        if not os.path.isfile(os.path.join(self.folder, name)):
-            raise ToolError(f'{table.at("obj")}: there is no file "{name}"; the path is taken '
-                            "from the scene file's folder")
         if name not in self.files:
-            self.files[name], notes = obj.read(os.path.join(self.folder, name), name)
+            path = os.path.join(self.folder, name)
+            if not os.path.exists(path):
+                raise ToolError(f"{table.at('obj')}: there is no file {quoted(name)}; the path is taken "
+                                "from the scene file's folder")
+            self.files[name], notes = obj.read(path, name, self.progress)
             self.notes += notes
         return self.files[name], name, (name,)
 
     def _shape(self, table, scale, rotation):
-        """The shape and its bulge, computed once for each mesh, size and turn."""
+        """The shape and whether it is convex, computed once for each mesh, size and turn."""
         mesh, name, identity = self.mesh(table)
         inside = table.switch("inside", False)
         rotation = tuple(a % 360 for a in rotation)
-        key = (identity, scale, rotation, inside)
+        sides = self._sides(table)
+        key = (identity, scale, rotation, inside, sides)
         if key not in self.shapes:
+            self._check_made(len(mesh.faces), table.where)
             made = shape(mesh, matrix(scale, rotation), name, inside, self.progress)
             self.notes += made.notes
-            if made.open_edges and "obj" in table:
-                self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: "
-                                  "the model is open, and its faces show from their fronts only")
-            self.shapes[key] = (made, bulge(made, image.PLANARITY_MAX))
+            made = self._with_sides(made, sides, name, "obj" in table)
+            self.shapes[key] = (made, is_convex(made.vertices, made.faces))
         return self.shapes[key]
 
-    def _kind(self, table, out):
+    @staticmethod
+    def _sides(table):
+        """False, True, or "open": both sides only where the mesh is open."""
+        value = table.data.get("two_sided", False)
+        if not isinstance(value, bool) and value != "open":
+            raise ToolError(f"{table.at('two_sided')}: expected true, false or \"open\", found {quoted(value)}")
+        return value
+
+    def _with_sides(self, made, sides, name, told):
+        """The shape, with faces for both sides where they are wanted; told: says that the mesh is open."""
+        fits = 2 * len(made.faces) <= FACES_MAX
+        if sides is True and not fits:
+            raise ToolError(f"{name}: two_sided: twice {len(made.faces):,} faces are more than the limit of "
+                            f"{FACES_MAX:,}; simplify the model")
+        both = sides is True or (sides == "open" and made.open_edges > 0 and fits)
+        if made.open_edges and told:
+            why = "two_sided = true in a scene file shows both sides" if fits else \
+                f"both sides would be more than {FACES_MAX:,} faces"
+            self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: the model is open, and "
+                              "its faces show from " + ("both sides" if both else f"their fronts only ({why})"))
+        return two_sided(made) if both else made
+
+    def _kind(self, table, convex):
         """Convex or sorted; checked where it is stated."""
         stated = table.choice("kind", "", ["", "convex", "sorted"])
-        convex = out <= image.PLANARITY_MAX
         if stated == "convex" and not convex:
             raise ToolError(f"{table.at('kind')}: this model is not convex (some vertices stand "
                             "out in front of some face); leave kind away or say \"sorted\"")
@@ -191,59 +231,98 @@ class Objects:
             self.notes.append(f"{table.where}: not convex, so its faces are sorted far to near")
         return image.CONVEX if convex and stated != "sorted" else image.SORTED
 
-    def _colours(self, table, made, number):
-        """What colour each face wishes for."""
+    @staticmethod
+    def _wish(table):
+        """What colours an object's faces wish for, as a key of self.coloured."""
         if "colour_index" in table:
-            first = table.whole("colour_index", None, 1, 255) - 1
-            first += number * table.whole("colour_next", 0, 0, 254)
-            step = table.whole("colour_step", 0, 0, 254)
-            return tuple(1 + (first + source * step) % 255 for source in made.sources)
+            return ("index", table.whole("colour_index", None, 1, 255) - 1, table.whole("colour_next", 0, 0, 254),
+                    table.whole("colour_step", 0, 0, 254))
         for key in ("colour_step", "colour_next"):
             if key in table:
                 raise ToolError(f"{table.at(key)}: needs colour_index")
         if "colours" in table:
-            bases = [palette.parse(c, f"{table.at('colours')}[{i}]")
-                     for i, c in enumerate(table.rows("colours"))]
+            bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
+                          for i, c in enumerate(table.rows("colours")))
         else:
-            bases = [palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))]
-        shade = table.switch("shade", True)
-        return tuple(self.light.bake(bases[s % len(bases)], face.normal) if shade
-                     else bases[s % len(bases)] for s, face in zip(made.sources, made.faces))
+            bases = (palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour")),)
+        return "shaded" if table.switch("shade", True) else "plain", bases
+
+    def _colours(self, made, wish, copy, where):
+        """What colour each face of a shape wishes for; the same object for the same wish."""
+        key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0
+        if key in self.coloured:
+            return self.coloured[key]
+        self._check_made(len(made.faces), where)
+        self.made += len(made.faces)
+        if wish[0] == "index":
+            _, first, then, step = wish
+            colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
+        elif wish[0] == "plain":
+            colours = tuple(wish[1][s % len(wish[1])] for s in made.sources)
+        else:
+            colours = tuple(self.light.bake(wish[1][s % len(wish[1])], face.normal)
+                            for s, face in zip(made.sources, made.faces))
+        self.coloured[key] = colours
+        return colours
+
+    def _check_made(self, faces, where):
+        """Refuses more faces than a scene may make of its files."""
+        most = MADE_MAX + sum(len(mesh.faces) for mesh in self.files.values())
+        if self.made + faces > most:
+            raise ToolError(f"{where}: the scene's models have more than the limit of {most:,} faces together ("
+                            f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts")
+
+    def _count_placed(self, vertices, where):
+        self.placed += vertices
+        if self.placed > image.PLACED_MAX:
+            raise ToolError(f"{where}: the objects have more than the limit of {image.PLACED_MAX:,} vertices together; "
+                            "use fewer copies or smaller models")
 
     def placements(self, data, number):
         """All placements of the object that stands number-th in the file."""
         name = data.get("name") if isinstance(data, dict) else None
-        where = f"{self.name}: object {number}" + (f' ("{name}")' if name else "")
+        where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
         table = Table(data, where, KEYS)
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
-        layer = table.whole("layer", 0, 0, 255)
-        result = []
-        for i, (position, yaw) in enumerate(_places(table)):
-            made, out = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
-            kind = self._kind(table, out)
+        layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table)
+        places = _places(table, PLACEMENTS_MAX - self.count)
+        self.count += len(places)
+        if len(places) > 1:
+            different = len(places) if "colour_next" in table else len({yaw for _, yaw in places})
+            self._check_made(different * len(self.mesh(table)[0].faces) - self.made, where)
+        known, result = {}, []      # by yaw and, where copies differ, by number: the shape and its colours
+        for i, (position, yaw) in enumerate(places):
+            key = yaw, i if "colour_next" in table else 0
             place = where + (f", copy {i}" if i else "")
-            centre = self._centre(position, made, anchor, place)
-            moved = made.middle if anchor != "origin" else (0, 0, 0)
-            result.append(Placement((made, moved), self._colours(table, made, i), kind, centre,
-                                    layer, table.switch("moves", False), place))
+            if key not in known:
+                made, convex = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
+                moved = made.middle if anchor != "origin" else (0, 0, 0)
+                known[key] = made, moved, self._kind(table, convex), self._colours(made, wish, i, place), _ends(made, moved)
+            made, moved, kind, colours, ends = known[key]
+            self._count_placed(len(made.vertices), place)
+            centre = _centre(position, made.half_height if anchor == "base" else 0, ends, place)
+            result.append(Placement((made, moved), colours, kind, centre, layer, moves, place))
         return result
 
-    @staticmethod
-    def _centre(position, made, anchor, where):
-        """The object's centre in 16.16, with every vertex inside the world."""
-        for i, value in enumerate(position):
-            quantity.in_range(value, -8191, 8191, f"{where}: position[{i}]", "world units")
-        centre = [quantity.q16(value) for value in position]
-        moved = made.middle if anchor != "origin" else (0, 0, 0)
-        if anchor == "base":
-            centre[1] += made.half_height
-        for axis, name in enumerate("xyz"):
-            along = [vertex[axis] for vertex in made.vertices]
-            for vertex in (min(along), max(along)):
-                value = Fraction(centre[axis] + vertex - moved[axis], 65536)
-                quantity.in_range(value, -8191, 8191, f"{where}: a vertex, at {name}",
+
+def _ends(made, moved):
+    """The least and greatest x, y and z of a shape about the point that is placed."""
+    return [(min(axis) - c, max(axis) - c) for axis, c in zip(zip(*made.vertices), moved)]
+
+
+def _centre(position, rise, ends, where):
+    """The object's centre in 16.16, with every vertex inside the world."""
+    centre = [quantity.q16(value) for value in position]
+    for i, value in enumerate(centre):
+        if abs(value) > image.COORDINATE_MAX:
+            quantity.in_range(position[i], -8191, 8191, f"{where}: position[{i}]", "world units")
+    centre[1] += rise
+    for name, middle, along in zip("xyz", centre, ends):
+        for end in along:
+            if abs(middle + end) > image.COORDINATE_MAX:
+                quantity.in_range(Fraction(middle + end, 65536), -8191, 8191, f"{where}: a vertex, at {name}",
                                   "world units")
-        return tuple(centre)
+    return tuple(centre)

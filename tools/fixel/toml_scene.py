@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """From a scene file to a scene image. docs/scenes.md describes the file."""
 
+import collections
 from fractions import Fraction
 import math
 import os
@@ -12,7 +13,8 @@ from fixel.image import Face, Model, Object, SceneImage
 from fixel.toml_object import Objects
 from fixel.toml_table import Table
 
-FRAMES_MAX = 1_000_000
+FRAMES_MAX = 1_000_000      # of a path
+POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path"}
 
 
@@ -49,17 +51,6 @@ def focal_pixels(width, fov):
     return width / 2 / math.tan(fov * math.pi / 2 ** 32)
 
 
-def _near_warning(width, fov, near):
-    focal = focal_pixels(width, fov)
-    ratio = focal * 65536 / near
-    if ratio <= 1024:
-        return []
-    pixels = "1/32" if ratio > 2048 else "1/64"
-    return [f"warning: focal / near = {ratio:.0f}: vertices clipped at the near plane may be off "
-            f"by more than {pixels} pixel; near = {math.ceil(focal / 1024 * 1000) / 1000} "
-            "or more keeps them within 1/64"]
-
-
 def _light(top):
     light = top.table("light", {"direction", "ambient", "colour", "sky"})
     direction = quantity.vector(light.data.get("direction", ["-0.4", "-1", "0.7"]),
@@ -70,6 +61,12 @@ def _light(top):
     return palette.Light([float(c) for c in direction], float(ambient),
                          palette.parse(light.data.get("colour", "white"), light.at("colour")),
                          palette.parse(light.data.get("sky", "white"), light.at("sky")))
+
+
+def _check_poses(count, where):
+    if count > POSES_MAX:
+        raise ToolError(f"{where}: {count:,} frames are more than the limit of {POSES_MAX:,} that are computed; steps may "
+                        f"have up to {FRAMES_MAX:,}")
 
 
 def _key(data, where):
@@ -117,6 +114,7 @@ def _orbit(table, frames):
     radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
     height = orbit.number("height", 0, -16382, 16382, "world units")
     count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
+    _check_poses(count, table.at("orbit"))
     poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
                        orbit.number("turns", 1, -100, 100))
     for i, pose in enumerate(poses):
@@ -152,8 +150,7 @@ def _path(top, frames):
             keys = [_key(data, f"{table.at('keys')}[{i}]")
                     for i, data in enumerate(table.rows("keys"))]
             smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
-            if sum(key.frames for key in keys) > FRAMES_MAX:
-                raise ToolError(f"{table.at('keys')}: more than {FRAMES_MAX:,} frames")
+            _check_poses(sum(key.frames for key in keys), table.at("keys"))
             entries = walk.poses(keys, smooth, f"{table.where}: key")
         else:
             entries = _orbit(table, frames)
@@ -202,10 +199,10 @@ def _beams(top):
 
 
 def _count_colours(placements, lit):
-    wanted = {}
-    for placement in placements:
-        for colour in placement.colours:
-            wanted[colour] = wanted.get(colour, 0) + 1
+    wanted, times = {}, collections.Counter(id(placement.colours) for placement in placements)
+    for colours in {id(placement.colours): placement.colours for placement in placements}.values():
+        for colour in colours:
+            wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
             wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
@@ -215,7 +212,7 @@ def _count_colours(placements, lit):
 def _lit_table(placements, indices, lit):
     """For each colour of the palette, the one that it has in a beam."""
     table = list(range(256))
-    for colour in {c for placement in placements for c in placement.colours}:
+    for colour in {c for colours in {id(p.colours): p.colours for p in placements}.values() for c in colours}:
         if lit and not isinstance(colour, int):
             table[indices[colour]] = indices[lit(colour)]
     return bytes(table)
@@ -227,9 +224,9 @@ def _models(placements, indices):
     numbers, models, objects = {}, [], []
     for item in placements:
         made, moved = item.shape
-        colours = tuple(indices[c] for c in item.colours)
-        key = (id(made), moved, colours, item.kind)
+        key = (id(made), moved, id(item.colours), item.kind)
         if key not in numbers:
+            colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             faces = tuple((f.normal, f.corners, c) for f, c in zip(made.faces, colours))
             # Meshes from different sources may come out the same.
@@ -245,18 +242,19 @@ def _models(placements, indices):
     return models, objects
 
 
-def compile_data(data, name, folder, frames=None, progress=None, screen=None):
+def compile_data(data, name, folder, frames=None, progress=None, screen=None, meshes=None):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
-    width and height instead of the scene's, seen with the same field of view."""
+    width and height instead of the scene's, seen with the same field of view.
+    meshes: those of OBJ files that were read already, by name."""
     top = Table(data, name, TOP_KEYS)
     lens = _lens(top)
     if screen:
         lens = (*screen, *lens[2:])
-    notes = _near_warning(lens[0], lens[2], lens[3])
+    notes = []
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
-    objects = Objects(name, folder, _light(top), notes, progress)
+    objects = Objects(name, folder, _light(top), notes, progress, meshes)
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)

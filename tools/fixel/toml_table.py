@@ -2,25 +2,38 @@
 """Reading TOML strictly: unknown keys and wrong types are errors that say
 where, and what was probably meant."""
 
-from decimal import Decimal
 import difflib
+import re
 import tomllib
 
-from fixel import quantity
+from fixel import quantity, reading
 from fixel.errors import ToolError
+from fixel.reading import QUOTE_MAX, quoted
+
+FILE_MAX = 1 << 20      # bytes
+PARTS_MAX = 32          # of a dotted key: tomllib takes quadratic time and memory for them
+_LONG_KEY = re.compile(r"""(?<![\w."'-])(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){%d}""" % PARTS_MAX)
 
 
 def read(path):
     """A TOML file as a dictionary; decimals stay exact."""
+    blob = reading.read_whole(path, FILE_MAX, "use repeat, ring or an OBJ file for what is many")
     try:
-        with open(path, "rb") as file:
-            return tomllib.loads(file.read().decode("utf-8"), parse_float=Decimal)
-    except OSError as error:
-        raise ToolError(f"{path}: cannot be read ({error.strerror})") from error
+        text = blob.decode("utf-8-sig")
+        long_key = _LONG_KEY.search(text)
+        if long_key:
+            line = text.count("\n", 0, long_key.start()) + 1
+            raise ToolError(f"{path}: line {line}: a key of more than {PARTS_MAX} parts; no key of a scene has so many")
+        return tomllib.loads(text, parse_float=quantity.decimal)
     except UnicodeDecodeError as error:
         raise ToolError(f"{path}: not UTF-8 text (byte {error.start})") from error
+    except RecursionError:
+        raise ToolError(f"{path}: lists or tables are nested deeper than the reader of TOML follows") from None
     except tomllib.TOMLDecodeError as error:
-        raise ToolError(f"{path}: not TOML: {error}") from error
+        raise ToolError(f"{path}: not TOML: {reading.shortened(str(error))}") from error
+    except ValueError:
+        # The only others are those of int and of quantity.decimal.
+        raise ToolError(f"{path}: a number is out of every range: it has thousands of digits") from None
 
 
 class Table:
@@ -28,13 +41,13 @@ class Table:
 
     def __init__(self, data, where, known):
         if not isinstance(data, dict):
-            raise ToolError(f"{where}: expected a table of keys, found {data!r}")
+            raise ToolError(f"{where}: expected a table of keys, found {quoted(data)}")
         for key in data:
             if key not in known:
-                near = difflib.get_close_matches(key, known, 1, 0.5)
+                near = difflib.get_close_matches(key[:QUOTE_MAX], known, 1, 0.5)
                 hint = (f'did you mean "{near[0]}"?' if near
                         else f"known keys: {', '.join(sorted(known))}")
-                raise ToolError(f'{where}: unknown key "{key}"; {hint}')
+                raise ToolError(f"{where}: unknown key {quoted(key)}; {hint}")
         self.data = data
         self.where = where
 
@@ -62,8 +75,8 @@ class Table:
     def whole(self, key, default, low, high):
         value = self.need(key) if default is None else self.data.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int):
-            raise ToolError(f"{self.at(key)}: expected a whole number, found {value!r}")
-        return int(quantity.in_range(value, low, high, self.at(key)))
+            raise ToolError(f"{self.at(key)}: expected a whole number, found {quoted(value)}")
+        return int(quantity.in_range(quantity.fraction(value, self.at(key)), low, high, self.at(key)))
 
     def degrees(self, key, default=0):
         return quantity.degrees(self.data.get(key, default), self.at(key))
@@ -74,21 +87,21 @@ class Table:
     def switch(self, key, default):
         value = self.data.get(key, default)
         if not isinstance(value, bool):
-            raise ToolError(f"{self.at(key)}: expected true or false, found {value!r}")
+            raise ToolError(f"{self.at(key)}: expected true or false, found {quoted(value)}")
         return value
 
     def choice(self, key, default, allowed):
         value = self.need(key) if default is None else self.data.get(key, default)
-        if value not in allowed:
-            near = difflib.get_close_matches(str(value), allowed, 1)
+        if not isinstance(value, str) or value not in allowed:
+            near = difflib.get_close_matches(value[:QUOTE_MAX], allowed, 1) if isinstance(value, str) else []
             hint = f'did you mean "{near[0]}"?' if near else f"one of: {', '.join(allowed)}"
-            raise ToolError(f"{self.at(key)}: unknown value {value!r}; {hint}")
+            raise ToolError(f"{self.at(key)}: unknown value {quoted(value)}; {hint}")
         return value
 
     def text(self, key):
         value = self.need(key)
         if not isinstance(value, str):
-            raise ToolError(f"{self.at(key)}: expected a string, found {value!r}")
+            raise ToolError(f"{self.at(key)}: expected a string, found {quoted(value)}")
         return value
 
     def rows(self, key):

@@ -15,6 +15,7 @@ from fixel.image import (CONVEX, FACE_VERTICES_MAX, SORTED, Model, Object, check
 from fixel.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
 from fixel.image_tree import PLANARITY_MAX as NEAR
 from fixel.mesh import dot, minus
+from fixel.reading import quoted
 
 # A vertex closer to a plane than this lies on it: in units of 2^-46. It exceeds what a face may
 # be off its plane (4) and a rounded vertex off its line (0.87).
@@ -281,9 +282,9 @@ def layers_of(text, scene):
         return set(faces)
     if text == "most":
         return {max(faces, key=lambda layer: (faces[layer], layer))}
-    wanted = {int(part) for part in text.split(",") if part.isascii() and part.isdigit()}
+    wanted = {int(part) for part in text.split(",") if part.isascii() and part.isdigit() and len(part) < 4}
     if not wanted or len(wanted) != len(text.split(",")) or not wanted <= set(faces):
-        raise ToolError(f"the layers of the tree are '{text}'; they must be like 5, 2,4,5, all or "
+        raise ToolError(f"the layers of the tree are {quoted(text)}; they must be like 5, 2,4,5, all or "
                         f"most, and of {', '.join(map(str, sorted(faces)))}")
     return wanted
 

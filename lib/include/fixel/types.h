@@ -119,19 +119,19 @@ typedef enum {
     FXL_E_DEGENERATE,  /* fewer than three vertices */
     FXL_E_ORDER,       /* a call out of order: draw before begin */
     FXL_E_ALIGNMENT,   /* an image or an offset is not a multiple of four bytes */
-    FXL_E_SIZE,        /* an image shorter than its header states, or longer than allowed */
+    FXL_E_SIZE,        /* the image or its header has no size that this version allows */
     FXL_E_MAGIC,       /* not a scene image */
     FXL_E_VERSION,     /* a scene image of another version */
     FXL_E_CRC,         /* the checksum does not match */
     FXL_E_OFFSET,      /* a table that reaches outside the image */
     FXL_E_COUNT,       /* a count outside its stated range */
-    FXL_E_INDEX,       /* an index past the end of the table it points into */
-    FXL_E_NORMAL,      /* a face normal that is not of unit length */
-    FXL_E_PLANARITY,   /* a face vertex off the plane of its face */
+    FXL_E_INDEX,       /* past the end of a table, or not the entry that must follow */
+    FXL_E_NORMAL,      /* a normal that is not of unit length */
+    FXL_E_PLANARITY,   /* a face vertex off the plane of its face or BSP node */
     FXL_E_RESERVED,    /* a reserved field or an enumeration holds an unknown value */
-    FXL_E_RADIUS,      /* a vertex farther from its model's origin than the model's radius */
+    FXL_E_RADIUS,      /* a vertex or a sphere outside the sphere that must hold it */
     FXL_E_FACE_BOUNDS, /* a face's bounds differ from those of its vertices and its normal */
-    FXL_E_BSP,         /* links of BSP nodes that form no tree, or a tree that is too deep */
+    FXL_E_BSP,         /* no tree, too deep a tree, or an instance that may not be with it */
     FXL_STATUS_COUNT
 } fxl_status;
 

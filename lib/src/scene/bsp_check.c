@@ -128,7 +128,7 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
         for (uint32_t j = 0; j < node->face_count; j++) {
             uint32_t number = model->first_face + first + j;
             if (!lies_on(scene, model, &scene->faces[number], node)) {
-                return fxl_fault_at(fault, "face", number, FXL_E_PLANARITY);
+                return fxl_fault_at(fault, "BSP node", i, FXL_E_PLANARITY);
             }
         }
         if (!sphere_holds(scene, model, i)) {

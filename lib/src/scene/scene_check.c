@@ -100,10 +100,10 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
             return status;
         }
     }
-    if (vertex != scene->vertex_count || face != scene->face_count) {
-        return fxl_fault_at(fault, "model", scene->model_count - 1, FXL_E_INDEX);
+    if (vertex != scene->vertex_count) {
+        return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
     }
-    return FXL_OK;
+    return face == scene->face_count ? FXL_OK : fxl_fault_at(fault, "face table", 0, FXL_E_COUNT);
 }
 
 static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault)

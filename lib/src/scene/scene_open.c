@@ -78,7 +78,8 @@ static bool header_size_is_known(const header *head)
            (head->version != VERSION && head->header_size == sizeof *head + sizeof(beam_header));
 }
 
-static fxl_status check_envelope(const header *head, size_t size)
+/* *what is "image", and becomes "header" if only the header's own size is wrong. */
+static fxl_status check_envelope(const header *head, size_t size, const char **what)
 {
     if (size < sizeof *head) {
         return FXL_E_SIZE;
@@ -89,9 +90,12 @@ static fxl_status check_envelope(const header *head, size_t size)
     if (head->version != VERSION && head->version != VERSION_MORE) {
         return FXL_E_VERSION;
     }
-    if (!header_size_is_known(head) || head->image_size < head->header_size ||
-        head->image_size > FXL_SCENE_IMAGE_MAX || head->image_size % 4 != 0 ||
-        head->image_size > size) {
+    if (!header_size_is_known(head)) {
+        *what = "header";
+        return FXL_E_SIZE;
+    }
+    if (head->image_size < head->header_size || head->image_size > FXL_SCENE_IMAGE_MAX ||
+        head->image_size % 4 != 0 || head->image_size > size) {
         return FXL_E_SIZE;
     }
     const uint8_t *bytes = (const uint8_t *)head;
@@ -185,7 +189,7 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
         /* The last two are optional: without sorted models there are no face bounds. */
         if (i >= count - 2 && tables[i].entry->count == 0) {
             if (tables[i].entry->offset != 0) {
-                return fxl_fault_at(fault, tables[i].what, 0, FXL_E_OFFSET);
+                return fxl_fault_at(fault, tables[i].what, 0, FXL_E_COUNT);
             }
             continue;
         }
@@ -282,9 +286,10 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
         return fxl_fault_at(fault, "image", 0, FXL_E_ALIGNMENT);
     }
     const header *head = (const header *)image;
-    fxl_status status = check_envelope(head, size);
+    const char *what = "image";
+    fxl_status status = check_envelope(head, size, &what);
     if (status != FXL_OK) {
-        return fxl_fault_at(fault, "image", 0, status);
+        return fxl_fault_at(fault, what, 0, status);
     }
     fxl_scene_image found;
     memset(&found, 0, sizeof found);

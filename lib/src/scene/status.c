@@ -19,7 +19,7 @@ const char *fxl_status_text(fxl_status status)
     case FXL_E_ALIGNMENT:
         return "an address or an offset is not a multiple of four";
     case FXL_E_SIZE:
-        return "the image is shorter than its header says, or longer than allowed";
+        return "the size of the image or of its header is not one that its version allows";
     case FXL_E_MAGIC:
         return "this is not a scene image";
     case FXL_E_VERSION:
@@ -31,19 +31,22 @@ const char *fxl_status_text(fxl_status status)
     case FXL_E_COUNT:
         return "a count is outside its stated range";
     case FXL_E_INDEX:
-        return "an index points past the end of its table";
+        return "an index is past the end of its table, or is not that of the entry that must "
+               "follow";
     case FXL_E_NORMAL:
-        return "a face normal is not of unit length";
+        return "a normal is not of unit length";
     case FXL_E_PLANARITY:
-        return "a face vertex lies off the plane of its face";
+        return "a face vertex lies off the plane of its face or of its BSP node";
     case FXL_E_RESERVED:
         return "a reserved field or a kind has an unknown value";
     case FXL_E_RADIUS:
-        return "a vertex lies farther from its model's origin than the model's radius";
+        return "a vertex, or the sphere of a BSP node, lies outside the sphere that must hold it";
     case FXL_E_FACE_BOUNDS:
         return "the stored bounds of a face differ from those of its vertices and its normal";
     case FXL_E_BSP:
-        return "the nodes of the BSP tree do not form one tree, or the tree is too deep";
+        return "the BSP nodes form no tree or one that is too deep, or an instance may not have "
+               "the "
+               "tree's model or layer";
     case FXL_STATUS_COUNT:
         break;
     }

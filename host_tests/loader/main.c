@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* What the loader says of many images: reads a file of images, each a u32 size and then so many
+ * bytes, and prints a line for each: the status's number, what is at fault, its index. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fixel/scene.h"
+#include "frames/read_file.h"
+
+/* Copies an image to memory of its own, aligned and no longer than it, and opens it there. */
+static int judge(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t *image = malloc(size > 0 ? size : 1);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"-", 0};
+    if (!image) {
+        return 1;
+    }
+    memcpy(image, bytes, size);
+    fxl_status status = fxl_scene_open(image, size, &opened, &fault);
+    printf("%d %u %s\n", (int)status, (unsigned)fault.index, fault.what);
+    free(image);
+    return 0;
+}
+
+int main(int count, char **arguments)
+{
+    size_t size = 0, at = 0;
+    uint8_t *bytes = count == 2 ? read_file(arguments[1], &size) : NULL;
+    if (!bytes) {
+        fprintf(stderr, "error: usage: loader FILE of images\n");
+        return 2;
+    }
+    while (at < size) {
+        uint32_t length = 0;
+        if (size - at >= sizeof length) {
+            memcpy(&length, bytes + at, sizeof length);
+            at += sizeof length;
+        }
+        if (length == 0 || length > size - at || judge(bytes + at, length)) {
+            fprintf(stderr, "error: %s: not a file of images at byte %zu\n", arguments[1], at);
+            return 2;
+        }
+        at += length;
+    }
+    free(bytes);
+    return 0;
+}

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""The checker of scene images in Python and the loader in C say the same of every image."""
+
+import random
+import struct
+import subprocess
+import zlib
+
+import pytest
+
+import scene as scene_tool
+from conftest import CHECKOUT
+from fixel import image
+from fixel.errors import ToolError
+
+SEED, MUTANTS = 13, 600     # mutants of each image
+SCENES = (("tiny", None), ("cube", None), ("w2", None), ("beam", None), ("knot", None), ("knot", "all"),
+          ("beam", "all"))
+TABLES = [*range(80, 136, 8), 140, 148, 160]
+# fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
+STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
+                           "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
+                           "face bounds", "bsp"]))
+# Entry sizes of the tables, in the order of TABLES; of the path it is that of poses.
+ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176)
+
+
+def sealed(blob):
+    """With a checksum that matches."""
+    blob[12:16] = struct.pack("<I", zlib.crc32(bytes(blob[16:])))
+    return bytes(blob)
+
+
+def put(blob, at, chance):
+    """Another number at a place: near the old one, an end of a range, or any."""
+    size = chance.choice((1, 2, 4, 4))
+    at -= at % size
+    if at + size > len(blob):
+        return
+    old = int.from_bytes(blob[at:at + size], "little")
+    new = chance.choice((old + chance.choice((-4, -1, 1, 4)), 0, 1, 255, 65535, 1 << 31, (1 << 32) - 1,
+                         old ^ 1 << chance.randrange(8 * size), chance.getrandbits(8 * size)))
+    blob[at:at + size] = (new % (1 << 8 * size)).to_bytes(size, "little")
+
+
+def mutant(blob, chance, changes=1):
+    """An image with so many numbers that are something else, mostly in a table."""
+    blob = bytearray(blob)
+    for _ in range(changes):
+        where = chance.random()
+        if where < 0.25:
+            put(blob, chance.randrange(16, 176), chance)
+            continue
+        number = chance.randrange(len(TABLES))
+        offset, count = struct.unpack_from("<II", blob, TABLES[number])
+        if where < 0.3 or count == 0 or offset >= len(blob):
+            put(blob, TABLES[number] + chance.choice((0, 4)), chance)
+        else:
+            put(blob, min(offset + chance.randrange(min(count, 1 << 16) * ENTRIES[number]), len(blob) - 1), chance)
+    return sealed(blob)
+
+
+def with_overlaps(blob):
+    """Images whose models share vertices or faces, leave some out, or come in another order."""
+    models, count = struct.unpack_from("<II", blob, 112)
+    made = []
+    for number in range(min(count, 4)):
+        for field in range(0, 16, 4):
+            for step in (-3, -1, 1):
+                new = bytearray(blob)
+                at = models + 28 * number + field
+                struct.pack_into("<I", new, at, (struct.unpack_from("<I", new, at)[0] + step) % (1 << 32))
+                made.append(sealed(new))
+        made.append(sealed(bytearray(blob[:models + 28 * number] + blob[models:models + 28] +
+                                     blob[models + 28 * number + 28:])))
+    return made
+
+
+def python_says(blob):
+    """The status by the checker in Python."""
+    try:
+        image.unpack(blob)
+    except ToolError as error:
+        return str(error).split(":")[0]
+    return "ok"
+
+
+def loader_says(build, blobs, folder):
+    """The statuses by the loader."""
+    file = folder / "images"
+    file.write_bytes(b"".join(struct.pack("<I", len(blob)) + blob for blob in blobs))
+    done = subprocess.run([build / "host" / "loader", file], capture_output=True, text=True, check=True)
+    return [STATUSES[int(line.split()[0])] for line in done.stdout.splitlines()]
+
+
+@pytest.fixture(scope="module", params=SCENES, ids=lambda item: item[0] + ("-tree" if item[1] else ""), name="blob")
+def fixture_blob(request, tmp_path_factory):
+    """A scene's image."""
+    name, layers = request.param
+    file = tmp_path_factory.mktemp("image") / "scene.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes" / f"{name}.toml"), str(file), layers=layers)
+    return file.read_bytes()
+
+
+def assert_agreement(build, blobs, folder, same=lambda one, other: one == other):
+    """Both say the same of each, and refuse some and take some."""
+    ours, theirs = [python_says(blob) for blob in blobs], loader_says(build, blobs, folder)
+    assert len(ours) == len(theirs)
+    different = [(i, one, other) for i, (one, other) in enumerate(zip(ours, theirs)) if not same(one, other)]
+    assert not different, f"{len(different)} of {len(blobs)}: (image, Python, loader): {different[:8]}"
+    assert len(set(ours)) > 1
+
+
+def test_both_say_the_same_of_mutated_images(build, blob, tmp_path):
+    chance = random.Random(SEED)
+    assert_agreement(build, [blob, *(mutant(blob, chance) for _ in range(MUTANTS))], tmp_path)
+
+
+def test_both_take_or_refuse_images_with_several_faults(build, blob, tmp_path):
+    """Which of the faults comes first may differ."""
+    chance = random.Random(SEED + 1)
+    blobs = [blob, *(mutant(blob, chance, chance.choice((2, 3))) for _ in range(MUTANTS))]
+    assert_agreement(build, blobs, tmp_path, lambda one, other: (one == "ok") == (other == "ok"))
+
+
+def test_both_say_the_same_of_models_that_overlap(build, blob, tmp_path):
+    made = with_overlaps(blob)
+    assert_agreement(build, [blob, *made], tmp_path)
+    assert python_says(blob) == "ok"
+
+
+def test_both_refuse_more_placed_vertices_than_four_million(build, tmp_path):
+    square = [(0, 0, 0), (0, 0, 65536), (65536, 0, 65536), (65536, 0, 0)]
+    for vertices, objects, status in ((400, 10_000, "ok"), (400, 10_001, "count")):
+        model = image.Model(square + [(0, 0, 0)] * (vertices - 4), [image.Face((0, 1 << 30, 0), (0, 1, 2, 3), 1)])
+        made = image.SceneImage(320, 240, 1 << 30, 65536, 64 << 16, 0, 0, [(0, 0, 0)] * 256, [model],
+                                [image.Object((0, 0, 0), 0)], image.POSES, [(0,) * 6])
+        one = image.pack(made)
+        blob = with_instances(one, objects)
+        assert python_says(blob) == status
+        assert loader_says(build, [blob], tmp_path) == [status]
+
+
+def with_instances(blob, count):
+    """An image with so many copies of its first instance."""
+    offset, = struct.unpack_from("<I", blob, 120)
+    new = bytearray(blob) + blob[offset:offset + 16] * count
+    struct.pack_into("<I", new, 8, len(new))
+    struct.pack_into("<II", new, 120, len(blob), count)
+    return sealed(new)

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""Input files: regular ones of a bounded size, and pieces of them in messages."""
+
+import os
+import reprlib
+import stat
+
+from fixel.errors import ToolError
+
+QUOTE_MAX = 80      # characters of the input in a message
+_DIGITS_MAX = 60    # of a number in a message
+_KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISCHR, "a device"),
+          (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"))
+
+
+def _open(path):
+    """A regular file, opened; its size. A FIFO must not be waited for."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        file = os.fdopen(descriptor, "rb") if stat.S_ISREG(os.fstat(descriptor).st_mode) else None
+    except (OSError, ValueError) as error:
+        words = getattr(error, "strerror", None) or "its name has a character that no name may have"
+        raise ToolError(f"{path}: cannot be read ({words})") from error
+    if file:
+        return file, os.fstat(descriptor).st_size
+    mode = os.fstat(descriptor).st_mode
+    os.close(descriptor)
+    kind = next((name for test, name in _KINDS if test(mode)), "no regular file")
+    raise ToolError(f"{path}: is {kind}; give a regular file")
+
+
+def read_start(path, most):
+    """The file's first bytes, at most so many."""
+    file, _ = _open(path)
+    with file:
+        try:
+            return file.read(most)
+        except OSError as error:
+            raise ToolError(f"{path}: cannot be read ({error.strerror})") from error
+
+
+def read_whole(path, most, advice):
+    """The file's bytes; one of more than so many is refused."""
+    file, size = _open(path)
+    file.close()
+    if size > most:
+        raise ToolError(f"{path}: {size:,} bytes are more than the limit of {most:,}; {advice}")
+    blob = read_start(path, most + 1)
+    if len(blob) > most:
+        raise ToolError(f"{path}: more than the limit of {most:,} bytes; {advice}")
+    return blob
+
+
+class _Short(reprlib.Repr):
+    """Values of TOML as short text, however large or deep they are."""
+
+    def __init__(self):
+        super().__init__()
+        self.maxlevel = 3
+        self.maxother = self.maxstring = QUOTE_MAX
+
+    def repr_int(self, value, _):
+        """An integer of any size; one of many digits takes too long to write out."""
+        return repr(value) if value.bit_length() < 3 * _DIGITS_MAX else "a number of many digits"
+
+
+def quoted(value):
+    """A value of the input for a message: at most 80 characters, a string in double quotes and escaped."""
+    if isinstance(value, str):
+        text = "".join(map(_escaped, value[:QUOTE_MAX]))
+        return f'"{_cut(text, len(value) > QUOTE_MAX)}"'
+    return _cut(_Short().repr(value), False)
+
+
+def _escaped(character):
+    if character in '"\\':
+        return "\\" + character
+    return character if character.isprintable() else character.encode("unicode_escape").decode()
+
+
+def shortened(text):
+    """A message of another program: both ends of it, at most 80 characters."""
+    text = "".join(map(_escaped, text if len(text) <= QUOTE_MAX else text[:40] + "..." + text[-37:]))
+    return text if len(text) <= QUOTE_MAX else text[:40] + "..." + text[-37:]
+
+
+def _cut(text, more):
+    """At most 80 characters; three dots stand for what is left out."""
+    return text[:QUOTE_MAX - 3] + "..." if more or len(text) > QUOTE_MAX else text
