@@ -3,13 +3,11 @@
 
 from dataclasses import dataclass, field
 from math import isqrt
-import os
 import struct
-import tempfile
 import zlib
 
 from fixel.errors import ToolError
-from fixel import image_beam, image_keys
+from fixel import image_beam, image_keys, output
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
@@ -382,19 +380,4 @@ def load(path):
 
 def save(path, blob):
     """Writes a file whole or not at all."""
-    folder = os.path.dirname(os.path.abspath(path))
-    temporary = None
-    try:
-        os.makedirs(folder, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(prefix=".scene-", dir=folder)
-        with os.fdopen(handle, "wb") as file:
-            file.write(blob)
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(temporary, 0o666 & ~umask)
-        os.replace(temporary, path)
-    except OSError as error:
-        if temporary and os.path.exists(temporary):
-            os.unlink(temporary)
-        raise ToolError(f"{path}: cannot be written ({error.strerror}); "
-                        "choose a folder that you may write to") from error
+    output.write_file(path, blob)
