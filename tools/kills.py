@@ -57,10 +57,10 @@ def carry_out(options, campaign):
     choose, kills = random.Random(options.seed), []
     with Progress("kills", options.kills) as progress:
         for number in range(options.kills):
-            kills.append(campaign.kill(choose.choice(options.commands), choose))
+            kills.append(campaign.kill(options.commands[number % len(options.commands)], choose))
             for sentence in kills[-1].complaints:
-                print(f"kill {number}, {kills[-1].command} by {kills[-1].signal.name} after {kills[-1].seconds:.2f} s: "
-                      f"{sentence}", file=sys.stderr, flush=True)
+                print(f"kill {number}, {kills[-1].command} by {kills[-1].signal.name} after {kills[-1].seconds:.2f} s"
+                      f"{' with a child' if kills[-1].at_child else ''}: {sentence}", file=sys.stderr, flush=True)
             progress(len(kills))
     return kills
 

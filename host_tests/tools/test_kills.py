@@ -45,7 +45,7 @@ def test_a_process_that_is_left(campaign, monkeypatch):
     monkeypatch.setattr(kill_campaign, "GONE_WITHIN", 0)
     process = subprocess.Popen(["sleep", "600"], env=campaign.environment)
     try:
-        while "sleep 600" not in str(kill_campaign.marked(f"{kill_campaign.MARK}={campaign.word}")):
+        while "sleep 600" not in str(campaign.marked()):
             assert process.poll() is None
         assert campaign.left() == [f"process {process.pid} still runs: sleep 600 "]
     finally:

@@ -26,6 +26,7 @@ MARK = "FIXEL_KILLS"            # in the environment of all that is started
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
 AFTER_END = 1.1                 # of a command's own time: some signals come when it has ended
 VIEWED = 1.5                    # of the time until a window is live
+AT_CHILD, CHILD_WITHIN = 0.5, 0.5   # share of the kills that come after a child has begun, and within how many seconds
 AGAIN, AGAIN_WITHIN = 0.25, 0.2 # share of the kills that SIGKILL follows, and within how many seconds
 GONE_WITHIN = 60.0              # seconds for the kernel to end what it has killed
 STUCK = 120.0                   # seconds of CPU time, or of sleep, for a command to end
@@ -34,10 +35,12 @@ FRAMES = {"old": 2, "new": 3}   # of the two scenes
 
 @dataclasses.dataclass
 class Kill:
-    """What was done to a command. early: it was still at work."""
+    """What was done to a command. seconds: since its start, or, at_child, since it had a child. again: SIGKILL
+    followed. early: it was still at work."""
     command: str
     signal: signal.Signals
     seconds: float
+    at_child: bool
     again: bool
     early: bool = False
     complaints: list = dataclasses.field(default_factory=list)
@@ -125,11 +128,13 @@ class Campaign:
 
     def kill(self, command, choose):
         """Kills a command once, and looks at what is left after the next one. choose: a random.Random."""
-        times = VIEWED if command.startswith("view") else AFTER_END
-        done = Kill(command, choose.choice(SIGNALS), choose.uniform(0, times * self.times[command]),
-                    choose.random() < AGAIN)
+        at_child, times = choose.random() < AT_CHILD, VIEWED if command.startswith("view") else AFTER_END
+        latest = CHILD_WITHIN if at_child else times * self.times[command]
+        done = Kill(command, choose.choice(SIGNALS), choose.uniform(0, latest), at_child, choose.random() < AGAIN)
         later = choose.uniform(0, AGAIN_WITHIN)
         process = self.start(command, choose.choice(list(FRAMES)))
+        if at_child:
+            self.wait(command, process, lambda: len(self.marked()) > 1)
         time.sleep(done.seconds)
         done.early = process.poll() is None
         process.send_signal(done.signal)
@@ -141,6 +146,8 @@ class Campaign:
             done.complaints.append(f"it says: {self.said()}")
         self.wait("scene", self.start("scene"))
         done.complaints += self.left()
+        for number in self.marked():    # told once, and no matter for the next kill
+            os.kill(number, signal.SIGKILL)
         return done
 
     def left(self):
@@ -152,10 +159,14 @@ class Campaign:
                   if inside in content(path) and not path.name.startswith(f"{os.getpid()}-")]
         return found + self.halves()
 
+    def marked(self):
+        """{number: command} of what runs of all that was started."""
+        return marked(f"{MARK}={self.word}")
+
     def processes(self):
-        """{number: command} of what runs of all that was started, after what was killed has ended."""
+        """The same, after what was killed has ended."""
         until = time.monotonic() + GONE_WITHIN
-        while (found := marked(f"{MARK}={self.word}")) and time.monotonic() < until:
+        while (found := self.marked()) and time.monotonic() < until:
             time.sleep(0.02)
         return found
 
