@@ -78,6 +78,25 @@ def test_a_killed_make_takes_its_tool_along(tmp_path):
     assert_gone(found)
 
 
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_within_a_destructor_counts(tmp_path, ending):
+    """Python ignores what is raised there, so the tool would go on."""
+    body = """
+        class Slow:
+            def __del__(self):
+                (folder / "started").touch()
+                time.sleep(600)
+        Slow()
+        time.sleep(600)
+    """
+    process = subprocess.Popen(tool(tmp_path, body), stderr=subprocess.PIPE, text=True)
+    wait_for(tmp_path / "started", process)
+    process.send_signal(ending)
+    _, words = process.communicate()
+    assert process.returncode == 128 + ending
+    assert words == ("interrupted\n" if ending == signal.SIGINT else f"ended by {ending.name}\n")
+
+
 def test_an_ignored_signal_stays_ignored(tmp_path):
     body = """
         import os, signal

@@ -19,6 +19,7 @@ import sys
 from fixel import children, scratch
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+ONCE_MORE = 0.01    # seconds
 
 
 class ToolError(Exception):
@@ -42,6 +43,16 @@ def _end(number, _frame):
     raise Ended(number)
 
 
+def _heed_lost(unraisable):
+    """Python ignores what is raised in a destructor. If a signal comes just there, it comes once more."""
+    if not isinstance(unraisable.exc_value, Ended):
+        sys.__unraisablehook__(unraisable)
+        return
+    number = unraisable.exc_value.number
+    signal.signal(signal.SIGALRM, lambda *_: _end(number, None))
+    signal.setitimer(signal.ITIMER_REAL, ONCE_MORE)
+
+
 def _begin():
     """What every tool does first: it ends with make, ends its children with itself, and removes what others
     left. A signal that the caller had ignored, as nohup does, stays ignored."""
@@ -50,6 +61,7 @@ def _begin():
     for number in ENDINGS:
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _end)
+    sys.unraisablehook = _heed_lost
     scratch.remove_left_over()
 
 
@@ -65,6 +77,6 @@ def run_main(main):
         number = getattr(error, "number", signal.SIGINT)
         print("interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}", file=sys.stderr)
         code = 128 + number
-    for number in ENDINGS:  # whoever is impatient now would leave something behind
+    for number in (*ENDINGS, signal.SIGALRM):   # whoever is impatient now would leave something behind
         signal.signal(number, signal.SIG_IGN)
     sys.exit(code)
