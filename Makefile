@@ -254,8 +254,8 @@ fuzz: ## fuzz the scene loader and the whole pipeline, print the branches reache
 
 kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [KILLS=200 SEED=1]
 	@tools/setup.sh test
-	@$(MAKE) $(HOST_WALK) $(BOARD_WALK.mps2-an385) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
-	@$(PY) tools/kills.py --build $(BUILD) $(if $(KILLS),--kills '$(KILLS)') $(if $(SEED),--seed '$(SEED)')
+	@$(MAKE) $(HOST_WALK) $(WALK) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
+	@$(PY) tools/kills.py --board '$(BOARD)' --streaming lm3s6965evb --build $(BUILD) $(if $(KILLS),--kills '$(KILLS)') $(if $(SEED),--seed '$(SEED)')
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
 	@tools/setup.sh units

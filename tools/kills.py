@@ -33,6 +33,8 @@ def read_options(argv):
     parser.add_argument("--kills", default="200", help="how many (KILLS=)")
     parser.add_argument("--seed", default="1", help="of what is killed, by which signal, and when (SEED=)")
     parser.add_argument("--commands", nargs="+", default=list(COMMANDS), choices=COMMANDS)
+    parser.add_argument("--board", required=True, help="an emulated board")
+    parser.add_argument("--streaming", required=True, help="one that streams its frames to the live window")
     parser.add_argument("--samples", default="1000", help="of a report")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
@@ -47,7 +49,8 @@ def make_campaign(options, folder):
         scenes[name] = folder / f"{name}.fxls"
         scene_tool.build(SCENE, str(scenes[name]), frames)
     with Progress("running each command undisturbed"):
-        campaign = kill_campaign.Campaign(folder, options.build, scenes, options.samples)
+        campaign = kill_campaign.Campaign(folder, options.build, scenes, options.samples, options.board,
+                                          options.streaming)
         campaign.prepare(options.commands)
     return campaign
 

@@ -9,21 +9,22 @@ import pytest
 from board_programs import built
 from conftest import run_cli
 from fixel import kill_campaign
+from viewers import BOARDS
 
 KILLS, SEED = 8, 13
 
 
 def test_a_few_kills(build):
-    for board in (kill_campaign.BOARD, kill_campaign.STREAMING):
+    for board in BOARDS:
         built(f"{board}/walk.elf")
-    done = run_cli("kills", "--kills", KILLS, "--seed", SEED, "--commands", "run", "flash", "boot", "view", "view-stream")
+    done = run_cli("kills", "--board", BOARDS[0], "--streaming", BOARDS[1], "--kills", KILLS, "--seed", SEED, "--commands", "run", "flash", "boot", "view", "view-stream")
     assert done.returncode == 0, done.stdout + done.stderr
     assert f"pass: {KILLS} of {KILLS} kills" in done.stdout
 
 
 @pytest.mark.parametrize("arguments, words", [(("--kills", "0"), "KILLS is '0'"), (("--seed", "x"), "SEED is 'x'")])
 def test_refused(arguments, words):
-    done = run_cli("kills", *arguments)
+    done = run_cli("kills", "--board", BOARDS[0], "--streaming", BOARDS[1], *arguments)
     assert done.returncode == 2 and words in done.stderr
 
 
@@ -32,7 +33,7 @@ def test_refused(arguments, words):
 @pytest.fixture
 def campaign(build, tmp_path):
     """One in which nothing was killed yet. The old image and its frames are made up."""
-    made = kill_campaign.Campaign(tmp_path, build, {}, "1000")
+    made = kill_campaign.Campaign(tmp_path, build, {}, "1000", *BOARDS)
     made.images, made.frames = {"old": b"image"}, {"new": ["hash"]}
     return made
 

@@ -21,7 +21,6 @@ from fixel import children, dump, limits, scratch
 from fixel.errors import ToolError
 
 TOOLS = pathlib.Path(__file__).resolve().parents[1]
-BOARD, STREAMING = "mps2-an385", "lm3s6965evb"     # shares memory with the live window; streams to it
 MARK = "FIXEL_KILLS"            # in the environment of all that is started
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
 AFTER_END = 1.1                 # of a command's own time: some signals come when it has ended
@@ -47,10 +46,11 @@ class Kill:
 
 
 class Campaign:
-    """Commands, and what they print and write undisturbed. scenes: {"old", "new": scene image}."""
+    """Commands, and what they print and write undisturbed. scenes: {"old", "new": scene image}. board: of all
+    commands but view-stream, whose board is streaming."""
 
-    def __init__(self, folder, build, scenes, samples):
-        self.folder, self.scenes = pathlib.Path(folder), scenes
+    def __init__(self, folder, build, scenes, samples, board, streaming):
+        self.folder, self.scenes, self.board, self.streaming = pathlib.Path(folder), scenes, board, streaming
         self.word = secrets.token_hex(8)
         for name in ("build", "tmp", "out"):
             (self.folder / name).mkdir()
@@ -68,15 +68,15 @@ class Campaign:
     def words(self, command, scene="new"):
         """A command as it is typed."""
         build, out = self.folder / "build", self.folder / "out"
-        elf, image = build / "boards" / BOARD / "walk.elf", out / "flash" / "board.bin"
+        elf, image = build / "boards" / self.board / "walk.elf", out / "flash" / "board.bin"
         return [sys.executable, TOOLS / f"{command.split('-')[0]}.py", *{
-            "run": ["--board", BOARD, "--scene", self.scenes[scene], "--out", out / "run", "--build", build],
-            "flash": ["--board", BOARD, "--elf", elf, "--scene", self.scenes[scene], "--image", image],
-            "boot": ["--board", BOARD, "--elf", elf, "--image", self.folder / "boot.bin", "--dump",
+            "run": ["--board", self.board, "--scene", self.scenes[scene], "--out", out / "run", "--build", build],
+            "flash": ["--board", self.board, "--elf", elf, "--scene", self.scenes[scene], "--image", image],
+            "boot": ["--board", self.board, "--elf", elf, "--image", self.folder / "boot.bin", "--dump",
                      out / "boot" / "board.fxld"],
-            "view": ["--board", BOARD, "--scene", self.scenes[scene], "--build", build],
-            "view-stream": ["--board", STREAMING, "--scene", self.scenes[scene], "--build", build],
-            "report": ["--board", BOARD, "--scene", self.scenes[scene], "--samples", self.samples, "--out",
+            "view": ["--board", self.board, "--scene", self.scenes[scene], "--build", build],
+            "view-stream": ["--board", self.streaming, "--scene", self.scenes[scene], "--build", build],
+            "report": ["--board", self.board, "--scene", self.scenes[scene], "--samples", self.samples, "--out",
                        out / "report", "--build", build],
             "scene": ["info", self.scenes[scene]]}[command]]
 
