@@ -41,7 +41,7 @@ endif
 # same file at a time. What a command builds is built in parallel with -j, after its set-up. lib
 # calls no make of its own.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz seeded-bugs size format clean
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs size format clean
 ifneq ($(filter-out lib,$(filter $(COMMANDS),$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
@@ -252,6 +252,11 @@ fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print t
 	@$(MAKE) $(FUZZ_PROGRAMS)
 	@$(FUZZ_TOOLS_INPUT)
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
+
+kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [KILLS=200 SEED=1]
+	@tools/setup.sh test
+	@$(MAKE) $(HOST_WALK) $(WALK) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
+	@$(PY) tools/kills.py --board '$(BOARD)' --streaming lm3s6965evb --build $(BUILD) $(if $(KILLS),--kills '$(KILLS)') $(if $(SEED),--seed '$(SEED)')
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
 	@tools/setup.sh units

@@ -15,7 +15,6 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 
 from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, parallel,
                    qemu)
@@ -30,7 +29,8 @@ DIFFERING_MAX = 0.002
 def tool_version(*command):
     """The first line of a tool's --version."""
     try:
-        done = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
+        done = children.run([*command, "--version"], text=True)
+        done.check_returncode()
     except (OSError, subprocess.CalledProcessError) as error:
         raise ToolError(f"{command[0]} --version failed: {error}") from error
     return done.stdout.splitlines()[0]
@@ -72,7 +72,7 @@ def draw_all(plan, cores, folder):
 def measure(plan, cores, left_out):
     """bench.json."""
     rows, limits, growth = [], [], []
-    with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
+    with scratch.folder("bench") as folder:
         drawn, units, profiles, small = draw_all(plan, cores, folder)
         check_small(drawn, small)
         pictures = bench_rows.pictures(drawn)

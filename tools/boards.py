@@ -17,11 +17,10 @@ import concurrent.futures
 import os
 import pathlib
 import sys
-import tempfile
 import threading
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, fleet, output
+from fixel import dump, emulator, firmware, fleet, output, scratch
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
@@ -163,8 +162,7 @@ def main(argv):
     options = parser.parse_args(argv)
     emulator.find_qemu()
     pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".boards-", dir=options.build) as name:
-        folder = pathlib.Path(name)
+    with scratch.folder("boards", options.build) as folder:
         scenes = make_scenes(options.scene, options.build, folder)
         answers = run_jobs(all_jobs(options, scenes, folder), max(1, options.workers))
         rows = [row(board, options, scenes, answers[board]) for board in options.boards]

@@ -13,9 +13,8 @@ interpreter.choose()  # before the imports that need a package
 import argparse
 import pathlib
 import sys
-import tempfile
 
-from fixel import clippers_page, clippers_plan, clippers_rows, clippers_run, output, parallel, qemu
+from fixel import clippers_page, clippers_plan, clippers_rows, clippers_run, output, parallel, qemu, scratch
 from fixel.errors import ToolError, run_main
 from fixel.programs import read_json
 from fixel.table import coloured
@@ -104,8 +103,8 @@ def main(argv):
     qemu.find_qemu()
     cores = [core for core in plan.cores if core in options.cores]
     with output.replaced_folder(options.out, PATTERNS) as folder, \
-            tempfile.TemporaryDirectory(prefix=".clippers-", dir=options.build) as work:
-        result, hosts = measure(plan, cores, pathlib.Path(work), options.frames)
+            scratch.folder("clippers", options.build) as work:
+        result, hosts = measure(plan, cores, work, options.frames)
         output.write_json(folder / "clippers.json", result)
         output.write_file(folder / "clippers.html", clippers_page.render(plan, result, hosts))
     print(clippers_page.terminal(plan, result))

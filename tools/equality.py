@@ -19,12 +19,11 @@ import json
 import os
 import pathlib
 import re
-import tempfile
 import threading
 import time
 
 from fixel import ending as endings
-from fixel import emulator, firmware, output, qemu
+from fixel import emulator, firmware, output, qemu, scratch
 from fixel.errors import ToolError, run_main
 
 TIMEOUT = 3600.0    # seconds of CPU time for a kernel
@@ -39,7 +38,7 @@ def execute(elf, number, timeout):
     """What a program prints that is asked for frames=number."""
     program = firmware.load(elf)
     options = [*qemu.semihosting(["equality", f"frames={number}"]), "-kernel", str(program.path.resolve())]
-    with tempfile.TemporaryDirectory(prefix="fixel-equality-") as folder:
+    with scratch.folder("equality") as folder:
         ending = emulator.emulate(program, options, folder, timeout)
     wrong = any(int(each[2]) for each in LINE.findall(ending.output))
     if ending.code != endings.exit_code("TEST" if wrong else "DONE") or not MARKER.search(ending.output):
@@ -92,9 +91,7 @@ class Journal:
             self.rows = [each for each in self.rows
                          if (each["core"], each["kernel"]) != (row["core"], row["kernel"])] + [row]
             self.rows.sort(key=lambda each: (each["core"], each["kernel"]))
-            part = self.path.with_suffix(".part")
-            part.write_text(json.dumps({"rows": self.rows}, indent=1) + "\n", encoding="utf-8")
-            os.replace(part, self.path)
+            output.write_file(self.path, json.dumps({"rows": self.rows}, indent=1) + "\n")
             print_row(row)
 
     def show(self, row):

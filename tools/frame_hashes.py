@@ -16,10 +16,9 @@ interpreter.choose()  # before the imports that need a package
 import argparse
 import pathlib
 import sys
-import tempfile
 
 import scene as scene_tool
-from fixel import dump, frame_hashes
+from fixel import dump, frame_hashes, scratch
 from fixel.errors import ToolError, run_main
 from fixel.programs import run_program
 
@@ -53,9 +52,9 @@ def main(argv):
     parser.add_argument("--build", default="build")
     options = parser.parse_args(argv)
     records = frame_hashes.load()
-    with tempfile.TemporaryDirectory(prefix="fixel-") as folder:
+    with scratch.folder("hashes") as folder:
         for scene in options.scenes:
-            print(f"{scene}: {add(scene, records, options.build, pathlib.Path(folder))}", file=sys.stderr)
+            print(f"{scene}: {add(scene, records, options.build, folder)}", file=sys.stderr)
     frame_hashes.save(records)
     return 0
 

@@ -24,7 +24,7 @@ import subprocess
 import sys
 import time
 
-from fixel import output
+from fixel import children, output
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured
 
@@ -81,8 +81,8 @@ def start_worker(target, number, build, seconds):
                "-print_final_stats=1", f"-artifact_prefix={findings}/{target}-"]
     with log.open("wb") as out:
         try:
-            process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
-                                       stdout=out, stderr=subprocess.STDOUT, cwd=CHECKOUT)
+            process = children.start(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
+                                     cwd=CHECKOUT)
         except OSError as error:
             raise ToolError(f"{relative(command[0])}: cannot be started ({error.strerror}); "
                             "make fuzz builds it") from error
@@ -164,9 +164,7 @@ def findings_of(workers, build):
 def run_tool(command, **environment):
     """Standard output of a command that must end well."""
     try:
-        done = subprocess.run([str(part) for part in command], stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, errors="replace", check=False,
-                              cwd=CHECKOUT, env={**os.environ, **environment})
+        done = children.run(command, text=True, errors="replace", cwd=CHECKOUT, env={**os.environ, **environment})
     except OSError as error:
         raise ToolError(f"{command[0]}: cannot be started: {error.strerror}; "
                         "tools/setup.sh fuzz installs it") from error

@@ -12,9 +12,8 @@ interpreter.choose()  # before the imports that need a package
 import argparse
 import pathlib
 import sys
-import tempfile
 
-from fixel import bench_plan, bench_run, flame, output, places, qemu
+from fixel import bench_plan, bench_run, flame, output, places, qemu, scratch
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import table
@@ -25,7 +24,7 @@ ROWS = 24       # of a table on the terminal; all are in profile.json
 
 def take(plan, workload, core, renderer, frames):
     """(Profile, frames): a workload drawn with every place counted."""
-    with tempfile.TemporaryDirectory(prefix="fixel-profile-") as folder, \
+    with scratch.folder("profile") as folder, \
             Progress(f"profiling {workload['name']} on {core}"):
         image, _ = bench_plan.compile_scene(workload, folder)
         return bench_run.profile(plan, core, renderer, image, frames)

@@ -14,10 +14,10 @@ interpreter.choose()  # before the imports that need a package
 import argparse
 import pathlib
 import sys
-import tempfile
 
 from fixel import (output, report_claims, report_frames, report_page, report_plots, report_scale,
-                   report_shards, report_stages)
+                   report_shards, report_stages, scratch)
+from fixel.arguments import whole_number
 from fixel.errors import ToolError, run_main
 from fixel.programs import read_json
 from fixel.table import coloured, table
@@ -106,13 +106,6 @@ def write_picture(options):
     print(options.picture)
 
 
-def whole_number(name, text, low, high):
-    """A number from a command line."""
-    if not (text.isascii() and text.isdigit() and low <= int(text) <= high):
-        raise ToolError(f"{name} is '{text}'; it must be a whole number from {low:,} to {high:,}")
-    return int(text)
-
-
 def read_options(argv):
     """The command line, checked."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -139,8 +132,8 @@ def main(argv):
         write_picture(options)
         return 0
     with output.replaced_folder(options.out, PATTERNS) as folder, \
-            tempfile.TemporaryDirectory(prefix=".report-", dir=options.build) as work:
-        report, shown = gather(options, pathlib.Path(work))
+            scratch.folder("report", options.build) as work:
+        report, shown = gather(options, work)
         print("writing the page", file=sys.stderr)
         output.write_json(folder / "report.json", report)
         output.write_file(folder / "report.html", report_page.render(report, shown))

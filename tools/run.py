@@ -16,12 +16,11 @@ import pathlib
 import shutil
 import statistics
 import sys
-import tempfile
 
 import numpy
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, flash, output, picture
+from fixel import dump, emulator, firmware, flash, output, picture, scratch
 from fixel import image as scene_image
 from fixel.errors import ToolError, run_main
 from fixel.programs import HostPrograms
@@ -172,8 +171,7 @@ def passes(summary):
 def run(options, folder):
     """The whole run; its files go into folder. The summary."""
     pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".run-", dir=options.build) as name:
-        work = pathlib.Path(name)
+    with scratch.folder("run", options.build) as work:
         # QEMU may be missing: say so before the scene takes its time.
         if options.board != firmware.HOST:
             emulator.find_qemu()

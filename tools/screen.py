@@ -8,12 +8,11 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
-import tempfile
 
 from PIL import Image
 
 import scene as scene_tool
-from fixel import firmware, flash, output, picture
+from fixel import firmware, flash, output, picture, scratch
 from fixel.errors import ToolError, run_main
 from fixel.image import load
 from fixel.progress import Progress
@@ -52,9 +51,8 @@ def main(argv):
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
-    with tempfile.TemporaryDirectory(prefix="fixel-screen-") as folder:
-        pixels, frames = photograph(options, pathlib.Path(folder))
-    options.out.parent.mkdir(parents=True, exist_ok=True)
+    with scratch.folder("screen") as folder:
+        pixels, frames = photograph(options, folder)
     output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))
     print(f"{options.board}: its screen after frame {frames - 1}: {options.out}")
     return 0

@@ -28,7 +28,7 @@ import threading
 
 import equality
 from fixel import bugs as records
-from fixel import limits
+from fixel import children, limits
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
@@ -84,10 +84,8 @@ def build_tests(folder, tests, jobs):
     """Builds tests in a copy; what the compiler said, or None if all went well."""
     environment = {name: value for name, value in os.environ.items()
                    if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
-    done = subprocess.run(["make", "-s", f"-j{jobs}", *map(target, tests)],
-                          cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
-                          env=environment)
+    done = children.run(["make", "-s", f"-j{jobs}", *map(target, tests)],
+                        cwd=folder, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
     return done.stdout if done.returncode else None
 
 

@@ -14,12 +14,11 @@ import argparse
 import pathlib
 import re
 import sys
-import tempfile
 
 from elftools.elf.elffile import ELFFile
 
 import scene as scene_tool
-from fixel import firmware, fleet, linked_size, output, stack
+from fixel import firmware, fleet, linked_size, output, scratch, stack
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured, table
 
@@ -60,7 +59,7 @@ def sections_size(elf):
 def archive_size(file, cross):
     """The same for a library, all its objects."""
     total = {FLASH: 0, RAM: 0}
-    with tempfile.TemporaryDirectory(prefix="fixel-size-") as folder:
+    with scratch.folder("size") as folder:
         stack.run([f"{cross}ar", "x", "--output", folder, str(file)])
         for member in sorted(pathlib.Path(folder).iterdir()):
             with member.open("rb") as handle:
@@ -104,7 +103,7 @@ def measure_run(board, elf, scenes):
     """The deepest stack that was seen when the board walked the scenes that it has room for; None where it
     walked none."""
     seen = []
-    with tempfile.TemporaryDirectory(prefix="fixel-size-") as folder:
+    with scratch.folder("size") as folder:
         for scene in scenes:
             image = pathlib.Path(folder) / f"{pathlib.Path(scene).stem}.fxls"
             scene_tool.build(scene, image, frames=SCENE_FRAMES)
@@ -159,7 +158,7 @@ def prove_pure(library, cross, core=PROOF_CORE):
     undefined = undefined_symbols(library, cross)
     wrong = [f"it asks for {name}" for name in undefined if not ALLOWED.match(name)]
     linked = []
-    with tempfile.TemporaryDirectory(prefix="fixel-size-") as folder:
+    with scratch.folder("size") as folder:
         program = pathlib.Path(folder) / "proof.elf"
         complaint = link_alone(library, cross, core, program)
         if complaint:

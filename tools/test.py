@@ -19,12 +19,11 @@ import os
 import pathlib
 import re
 import sys
-import tempfile
 import threading
 import time
 import xml.etree.ElementTree
 
-from fixel import emulator, limits
+from fixel import emulator, limits, scratch
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured
 
@@ -88,8 +87,8 @@ def run_board(elf):
 
 def run_pytest(file):
     """One file of pytest tests."""
-    with tempfile.TemporaryDirectory(prefix="fixel-test-") as folder:
-        report = pathlib.Path(folder) / "report.xml"
+    with scratch.folder("test") as folder:
+        report = folder / "report.xml"
         # The plug-in takes half a second, and says more only of tests that use Hypothesis.
         plugins = [] if "hypothesis" in file.read_text(encoding="utf-8") else ["-p", "no:hypothesispytest"]
         command = [sys.executable, "-m", "pytest", str(file), *plugins, "-q", "--tb=long", "--color=no",

@@ -16,19 +16,22 @@ import asyncio
 import contextlib
 import pathlib
 import signal
-import tempfile
 import webbrowser
 
-from fixel import firmware, flash
-from fixel.errors import ToolError, run_main
+from fixel import firmware, flash, scratch
+from fixel.errors import ENDINGS, ToolError, run_main
 from fixel.view_board import Board
 from fixel.view_pump import IDLE_RATE, Pump
-from fixel.view_server import HOST, Hub, Server, hello
+from fixel.view_server import Hub, Server, hello
 from fixel.view_reference import Reference
 from run import elf_of, make_scene_image
 from scene import parse_screen
 
-ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+def open_page(file, address):
+    """Opens a page by way of a file that only this user may read: any user sees what a command is told."""
+    file.write_text(f'<!DOCTYPE html><meta http-equiv="refresh" content="0; url={address}">\n', encoding="ascii")
+    webbrowser.open(file.as_uri())
 
 
 async def serve(board, reference_program, scene_image, options):
@@ -53,32 +56,23 @@ async def serve(board, reference_program, scene_image, options):
         server = Server(hub)
         try:
             await server.open(options.port)
-            address = f"http://{HOST}:{server.port}/"
-            print(f"{board.program.board} ({board.program.cpu}) walks {options.scene}: {address} (Ctrl-C ends it)",
-                  flush=True)
+            print(f"{board.program.board} ({board.program.cpu}) walks {options.scene}: {server.address} "
+                  "(Ctrl-C ends it)", flush=True)
             if options.open:
-                webbrowser.open(address)
+                open_page(board.folder / "open.html", server.address)
             await hub.ended.wait()
         finally:
             await server.close()
         return hub.error
 
 
-def interrupted(*_):
-    """An ending before there is a loop that would take it."""
-    raise KeyboardInterrupt
-
-
 def view(options):
-    for each in ENDINGS:
-        signal.signal(each, interrupted)
     elf = elf_of(options.board, options.build)
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
     pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".view-", dir=options.build) as name:
-        folder = pathlib.Path(name).resolve()
+    with scratch.folder("view", options.build) as folder:
         scene_image = make_scene_image(options.scene, folder, None, options.screen)
         flash.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:

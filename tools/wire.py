@@ -8,10 +8,9 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
-import tempfile
 
 import scene as scene_tool
-from fixel import dump, output, picture
+from fixel import dump, output, picture, scratch
 from fixel.errors import run_main
 from fixel.programs import HostPrograms
 from fixel.progress import Progress, steps
@@ -28,8 +27,7 @@ def passes(summary):
 def run(options, folder):
     """Draws and compares; the pictures go into folder. The summary."""
     pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".wire-", dir=options.build) as name:
-        work = pathlib.Path(name)
+    with scratch.folder("wire", options.build) as work:
         image = make_scene_image(options.scene, work, options.frames, options.screen)
         with Progress("drawing wireframes, and judging them against double"):
             found = HostPrograms(options.build).wire(image, work / "wire.fxld", options.frames)

@@ -197,9 +197,9 @@ def test_a_missing_emulator(image, walk, dump, monkeypatch, tmp_path):
 
 def test_a_dump_that_cannot_be_written(image, walk, tmp_path):
     (tmp_path / "file").write_bytes(b"")
-    with pytest.raises(ToolError, match="cannot write"):
+    with pytest.raises(ToolError, match="cannot be written"):
         emulator.run(BOARD, image, walk, tmp_path / "file" / "walk.fxld", 1)
-    with pytest.raises(ToolError, match="is a directory"):
+    with pytest.raises(ToolError, match="it is a folder"):
         emulator.run(BOARD, image, walk, tmp_path, 1)
 
 

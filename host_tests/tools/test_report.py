@@ -327,7 +327,7 @@ def test_oracle_that_fails_leaves_nothing(built, tmp_path):
     (build / "host/oracle").write_text("#!/bin/sh\necho 'oracle: out of luck' >&2\nexit 2\n")
     done = run_report(build, tmp_path / "out", samples=100)
     assert_one_sentence(done, "out of luck")
-    assert not (tmp_path / "out").exists() and not list(build.glob(".report-*"))
+    assert not (tmp_path / "out").exists() and not list(build.glob(".fixel-report-*"))
 
 
 @pytest.mark.parametrize("option, value, word", [("--samples", "0", "SAMPLES"), ("--samples", "many", "SAMPLES"),

@@ -34,7 +34,7 @@ def assert_nothing_left(folder, out):
     """No result, and no temporary folder beside its place or where make builds."""
     assert not out.exists()
     assert not list(folder.glob(".fixel-*"))
-    assert not [path for path in (CHECKOUT / "build").glob(".run-*")
+    assert not [path for path in (CHECKOUT / "build").glob(".fixel-run-*")
                 if path.stat().st_uid == os.getuid() and belongs_to_nobody(path)]
 
 

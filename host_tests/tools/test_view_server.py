@@ -3,6 +3,8 @@
 gets, whose keys count, how it ends."""
 
 import asyncio
+import contextlib
+import io
 import json
 import struct
 import time
@@ -11,7 +13,7 @@ import aiohttp
 import numpy
 import pytest
 
-from fixel import dump
+from fixel import dump, view_guard
 from fixel.errors import ToolError
 from fixel.view_pump import Pump
 from fixel.view_server import Hub, Server, UNSEEN_MAX
@@ -37,7 +39,8 @@ class Bench:
 
     async def __aenter__(self):
         await self.server.open()
-        self.base = f"http://127.0.0.1:{self.server.port}"
+        self.origin = f"http://127.0.0.1:{self.server.port}"
+        self.base = self.server.address.removesuffix("/")
         self.session = aiohttp.ClientSession()
         return self
 
@@ -75,7 +78,7 @@ def bench_test(function):
     def test():
         async def run():
             async with Bench() as bench:
-                await asyncio.wait_for(function(bench), 20)
+                await function(bench)
         asyncio.run(run())
     test.__name__ = function.__name__
     return test
@@ -92,9 +95,10 @@ async def test_the_page_and_its_files(bench):
             text = await answer.text()
             assert answer.status == 200 and answer.content_type == kind and word in text
             assert "default-src 'self'" in answer.headers["Content-Security-Policy"]
-            assert "http://" not in text.replace("ws://${location.host}", "") and "https://" not in text
-    async with bench.session.get(bench.base + "/../Makefile") as answer:
-        assert answer.status == 404
+            assert "http://" not in text.replace("ws://${location.host}${location.pathname}live", "") and "https://" not in text
+    for path in ("/Makefile", "/%2e%2e/Makefile", "/../Makefile"):
+        async with bench.session.get(bench.base + path) as answer:
+            assert answer.status in (403, 404)
 
 
 @bench_test
@@ -104,13 +108,13 @@ async def test_pages_of_other_origins_are_refused(bench):
             assert answer.status == 403
         with pytest.raises(aiohttp.WSServerHandshakeError):
             await bench.tab(**headers)
-    await bench.tab(Origin=bench.base)
+    await bench.tab(Origin=bench.origin)
     assert len(bench.hub.tabs) == 1
 
 
 @bench_test
 async def test_it_listens_on_this_machine_alone(bench):
-    assert [address[0] for address in bench.server._runner.addresses] == ["127.0.0.1"]
+    assert [socket.getsockname()[0] for socket in bench.server._listening.sockets] == ["127.0.0.1"]
 
 
 @bench_test
@@ -122,9 +126,84 @@ async def test_a_second_server_finds_another_port(bench):
 
 
 @bench_test
+async def test_who_has_not_the_token_is_refused(bench):
+    wrong = bench.server.token[:-1] + ("A" if bench.server.token[-1] != "A" else "B")
+    for path in ("/", "/live", "/view.js", f"/{wrong}/", f"/{wrong}/live", "//", f"/x/{bench.server.token}/"):
+        async with bench.session.get(bench.origin + path) as answer:
+            assert answer.status == 403 and "the address that make view printed" in await answer.text(), path
+    with pytest.raises(aiohttp.WSServerHandshakeError):
+        await bench.session.ws_connect(f"{bench.origin}/live")
+    assert not bench.hub.tabs
+    async with Bench() as other:
+        assert other.server.token != bench.server.token and len(other.server.token) >= 20
+
+
+@bench_test
+async def test_connections_that_say_nothing_are_few(bench):
+    """1,138 of them brought 14,346 lines with tracebacks."""
+    held, said = [], io.StringIO()
+    watching = await bench.tab()
+    with contextlib.redirect_stderr(said):
+        try:
+            for number in range(1138):
+                opened = await asyncio.open_connection("127.0.0.1", bench.server.port)
+                opened[1].write(b"GET / HTTP/1.1\r\n" if number % 2 else b"")
+                held.append(opened)
+            await settled()
+            assert len(bench.server._runner.server.connections) <= view_guard.STRANGERS_MAX + 1
+            assert (await bench.session.get(f"{bench.base}/")).status == 200    # the page is served all the same
+            bench.hub.show(frame(1))
+            assert (await read_frame(watching))[0]["number"] == 1
+        finally:
+            for _, writer in held:
+                writer.close()
+    assert said.getvalue().count("\n") == 1 and "more than 32 connections without a request" in said.getvalue()
+
+
+@bench_test
+async def test_a_connection_that_says_nothing_ends(bench):
+    view_guard_time, view_guard.STRANGER_TIME = view_guard.STRANGER_TIME, 0.05
+    try:
+        reader, writer = await asyncio.open_connection("127.0.0.1", bench.server.port)
+        with contextlib.suppress(ConnectionResetError):
+            assert await reader.read() == b""
+        writer.close()
+    finally:
+        view_guard.STRANGER_TIME = view_guard_time
+
+
+@bench_test
+async def test_connections_of_pages_are_bounded(bench):
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        tabs = [await bench.tab() for _ in range(view_guard.TRUSTED_MAX)]
+        with pytest.raises(aiohttp.ClientError):
+            await bench.tab()
+        await tabs[0].close()
+        await settled()
+        await bench.tab()
+    assert said.getvalue() == "live window: more than 64 connections of pages: close some tabs\n"
+
+
+def test_what_is_no_request_is_not_worth_a_line(capfd):
+    async def run():
+        async with Bench() as bench:
+            for words in (b"\x16\x03\x01 hello\r\n\r\n", b"GET\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"GET / HTTP/1.1\r\n" +
+                          b"A: " + b"a" * 100000 + b"\r\n\r\n", b"POST / HTTP/1.1\r\nContent-Length: -1\r\n\r\n"):
+                reader, writer = await asyncio.open_connection("127.0.0.1", bench.server.port)
+                with contextlib.suppress(ConnectionError):
+                    writer.write(words)
+                    await reader.read()
+                writer.close()
+    asyncio.run(run())
+    assert capfd.readouterr().err == ""
+
+
+@bench_test
 async def test_what_makes_no_sense_ends_the_tab(bench):
     for words in ("{", "[]", '{"type": "keys"}', '{"type": "keys", "held": 256}', '{"type": "keys", "held": true}',
-                  '{"type": "rate", "rate": 31}', '{"type": "wants", "wants": 4}', '{"type": "what"}'):
+                  '{"type": "rate", "rate": 31}', '{"type": "rate", "rate": false}', '{"type": "rate", "rate": 30.0}',
+                  '{"type": "rate"}', "[" * 4000, '{"type":' * 500, '{"type": "wants", "wants": 4}', '{"type": "what"}'):
         socket = await bench.tab()
         await socket.send_str(words)
         assert (await socket.receive(timeout=None)).type == aiohttp.WSMsgType.CLOSE, words
@@ -274,7 +353,7 @@ def test_every_tab_is_told_why_it_ended():
                 assert await tab.receive_json(timeout=None) == {"type": "ended", "message": "the board fell over"}
                 assert (await tab.receive(timeout=None)).type == aiohttp.WSMsgType.CLOSE
             await closing
-    asyncio.run(asyncio.wait_for(run(), 20))
+    asyncio.run(run())
 
 
 # --- the pump -------------------------------------------------------------------------

@@ -42,7 +42,7 @@ def port_of(address):
 
 def left(build):
     """The folders of viewers that have not ended."""
-    return {path.name for path in build.glob(".view-*")}
+    return {path.name for path in build.glob(".fixel-view-*")}
 
 
 def children(process):

@@ -4,11 +4,10 @@
 import dataclasses
 import pathlib
 import re
-import tempfile
 
 import numpy
 
-from fixel import bench_plan, counter, cycles, dump, emulator, places
+from fixel import bench_plan, counter, cycles, dump, emulator, places, scratch
 from fixel.debug_lines import DebugLines
 from fixel.errors import ToolError
 from fixel.machine_code import MachineCode
@@ -37,10 +36,10 @@ def _said(pattern, output, elf):
 def draw(plan, core, renderer, scene, frames=None):
     """Draws a scene image."""
     elf = plan.program(core, renderer)
-    with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
+    with scratch.folder("bench") as folder:
         output, counts = counter.run(elf, MachineCode(elf), plan.counter, folder, scene, frames,
                                      timeout=TIMEOUT)
-        drawn = dump.read_dump(pathlib.Path(folder) / emulator.DUMP_NAME)
+        drawn = dump.read_dump(folder / emulator.DUMP_NAME)
     if len(counts.regions) != len(drawn.frames) or not drawn.frames:
         raise ToolError(f"{elf}: {len(counts.regions)} regions, {len(drawn.frames)} frames", exit_code=1)
     return Drawn(counts.regions, numpy.stack([frame.pixels for frame in drawn.frames]),
@@ -51,7 +50,7 @@ def profile(plan, core, renderer, scene, frames=None):
     """(Profile, frames): a scene drawn with every place counted."""
     elf = plan.program(core, renderer)
     code = MachineCode(elf)
-    with tempfile.TemporaryDirectory(prefix="fixel-profile-") as folder:
+    with scratch.folder("profile") as folder:
         _, counts = counter.run(elf, code, plan.counter, folder, scene, frames, detail=True, timeout=TIMEOUT)
     taken = places.Profile(code, counts, DebugLines(elf), cycles.models(core))
     # The call of the end marker is the region's last instruction, and nobody's work.
@@ -65,7 +64,7 @@ def profile(plan, core, renderer, scene, frames=None):
 def kernels(plan, core):
     """{name: (instructions, units)} of the kernels and the limits."""
     elf = plan.program(core, "kernels")
-    with tempfile.TemporaryDirectory(prefix="fixel-bench-") as folder:
+    with scratch.folder("bench") as folder:
         output, counts = counter.run(elf, MachineCode(elf), plan.counter, folder, timeout=TIMEOUT)
     said = re.findall(r"^bench: kernel (\S+) (\d+)$", output, re.MULTILINE)
     if len(said) != len(counts.regions):

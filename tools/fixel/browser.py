@@ -9,11 +9,12 @@ import signal
 import subprocess
 import sys
 
+from fixel import children
 from fixel.errors import ToolError
 
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
 VIEW = pathlib.Path(__file__).resolve().parents[1] / "view.py"
-ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
+ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/[\w-]+/")
 ENDING = 20     # seconds
 
 
@@ -23,8 +24,8 @@ def viewing(board, scene, build="build", options=(), **how):
     it still runs. options: more words for it; how: for subprocess.Popen."""
     how.setdefault("stdin", subprocess.DEVNULL)
     how.setdefault("stderr", subprocess.PIPE)
-    process = subprocess.Popen([sys.executable, str(VIEW), "--board", board, "--scene", str(scene),
-                                "--build", str(build), *options], stdout=subprocess.PIPE, text=True, **how)
+    process = children.start([sys.executable, VIEW, "--board", board, "--scene", scene, "--build", build, *options],
+                             signal.SIGTERM, stdout=subprocess.PIPE, text=True, **how)
     try:
         address = ADDRESS.search(process.stdout.readline())
         if address is None:

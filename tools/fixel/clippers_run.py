@@ -6,10 +6,9 @@ import dataclasses
 import json
 import pathlib
 import statistics
-import tempfile
 import zlib
 
-from fixel import bench_run, counter, dump, link_map, programs
+from fixel import bench_run, counter, dump, link_map, programs, scratch
 from fixel.errors import ToolError
 from fixel.machine_code import MachineCode
 
@@ -65,7 +64,7 @@ def operations(plan, core, clipper, file):
     that took, their vertices being known, and projecting what was left, of all of them together."""
     elf = plan.operations_program(core, clipper)
     code = MachineCode(elf)
-    with tempfile.TemporaryDirectory(prefix="fixel-clippers-") as folder:
+    with scratch.folder("clippers") as folder:
         _, counts = counter.run(elf, code, plan.counter, folder, file, detail=True, timeout=bench_run.TIMEOUT,
                                 markers=MARKERS)
     kinds = collections.Counter()

@@ -8,11 +8,10 @@ import shutil
 import signal
 import socket
 import subprocess
-import tempfile
 import threading
 import time
 
-from fixel import emulator, firmware, limits, qemu
+from fixel import children, emulator, firmware, limits, qemu, scratch
 from fixel.errors import ToolError
 from fixel.execute import kill
 
@@ -69,8 +68,8 @@ def start_board(program, image, frames, connection, folder):
     command = qemu.command(program, "-S", "-chardev", f"socket,id=gdb,fd={number}", "-gdb", "chardev:gdb",
                            *emulator.walk_options(program, image, frames))
     # A session of its own: Ctrl-C in the terminal is for the debugger.
-    process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, pass_fds=(number,),
-                               start_new_session=True)
+    process = children.start(command, cwd=folder, stdin=subprocess.DEVNULL, pass_fds=(number,),
+                             start_new_session=True)
     hold_open(connection, process)
     return process
 
@@ -100,7 +99,7 @@ def session(program, image, frames, commands, folder):
         listener.bind(str(address))
         listener.listen(1)
         try:
-            debugger = subprocess.Popen(gdb_command(program, address, commands))
+            debugger = children.start(gdb_command(program, address, commands), signal.SIGTERM)
             started.append(debugger)
             connection = accept(listener, debugger)
             if connection is not None:
@@ -124,5 +123,5 @@ def debug(board, elf, image, frames=None, commands=None):
     emulator.check_image(program, image)
     qemu.find_qemu()
     # What the program writes goes there; and nobody else may enter it.
-    with tempfile.TemporaryDirectory(prefix="fixel-gdb-") as folder, for_the_debugger():
+    with scratch.folder("gdb") as folder, for_the_debugger():
         return session(program, pathlib.Path(image), frames, commands, folder)

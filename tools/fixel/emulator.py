@@ -5,13 +5,13 @@ A run has succeeded only if it ended as fixel.ending demands AND its dump is
 whole.
 """
 
+import contextlib
 import dataclasses
 import os
 import pathlib
 import re
-import tempfile
 
-from fixel import dump_file, firmware, qemu, qmp
+from fixel import dump_file, firmware, output, qemu, qmp, scratch
 from fixel.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
 from fixel.errors import ToolError
 from fixel.execute import OUTPUT_MAX, execute
@@ -49,6 +49,9 @@ def emulate(program, options, directory, timeout, watch=None):
 def check_image(program, image):
     """Refuses an image that does not hold this very program."""
     try:
+        found = output.not_a_file(image)
+        if found:
+            raise ToolError(f"cannot read the flash image {image}: it is {found}; name a file")
         data = pathlib.Path(image).read_bytes()
     except OSError as error:
         raise ToolError(f"cannot read the flash image {image}: {error.strerror}; "
@@ -65,15 +68,16 @@ def check_image(program, image):
                             f"run 'make flash BOARD={program.board}'")
 
 
+@contextlib.contextmanager
 def work_directory(dump):
     """A directory beside the dump, so that a rename can put it in place."""
-    try:
-        dump.parent.mkdir(parents=True, exist_ok=True)
-        if dump.is_dir():
-            raise ToolError(f"cannot write {dump}: it is a directory")
-        return tempfile.TemporaryDirectory(prefix=".boot-", dir=dump.parent)
-    except OSError as error:
-        raise ToolError(f"cannot write into {dump.parent}: {error.strerror}") from error
+    with contextlib.ExitStack() as stack:
+        try:
+            dump.parent.mkdir(parents=True, exist_ok=True)
+            folder = stack.enter_context(scratch.folder("boot", dump.parent))
+        except OSError as error:
+            raise ToolError(f"cannot write into {dump.parent}: {error.strerror}") from error
+        yield folder
 
 
 def walk_options(program, image, frames=None, live=False, extra=()):
@@ -98,12 +102,12 @@ def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=
     program. Answers a RunResult, or raises ToolError and leaves the dump as it
     was before.
     """
-    image, dump = pathlib.Path(image), pathlib.Path(dump)
+    image, dump = pathlib.Path(image), output.target_of(dump)
     program = firmware.load(elf, board)
     check_image(program, image)
     agreed = 0 if program.hosted else exit_code("DONE")
     with work_directory(dump) as directory:
-        part = pathlib.Path(directory) / DUMP_NAME
+        part = directory / DUMP_NAME
         ending = power_on(program, image, frames, timeout, live, extra, directory,
                           dump_file.watch(part, progress))
         marker = require_done(ending, agreed, MARKER, board)
@@ -125,7 +129,7 @@ def run_text(elf, arguments=(), timeout=60.0, icount=True):
     program = firmware.load(elf)
     options = [*(["-icount", "shift=0"] if icount else []), *qemu.semihosting(arguments),
                "-kernel", str(program.path.resolve())]
-    with tempfile.TemporaryDirectory(prefix="fixel-") as directory:
+    with scratch.folder("board") as directory:
         return emulate(program, options, directory, timeout)
 
 

@@ -8,11 +8,18 @@ What exit codes mean, for every tool:
   2       refused: an argument, a file, a missing program; nothing was changed
   10..50  a board's program ended with that code (boards/contract/system.h)
   124     a board's program hung: nothing new came within its limit of CPU time
-  130     interrupted
+  129, 130, 143  ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM
   134     the core locked up
 """
 
+import os
+import signal
 import sys
+
+from fixel import children, scratch
+
+ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+ONCE_MORE = 0.01    # seconds
 
 
 class ToolError(Exception):
@@ -23,14 +30,53 @@ class ToolError(Exception):
         self.exit_code = exit_code
 
 
+class Ended(KeyboardInterrupt):
+    """A signal ended the tool."""
+
+    def __init__(self, number):
+        super().__init__()
+        self.number = number
+
+
+def _end(number, _frame):
+    children.end_all()
+    raise Ended(number)
+
+
+def _heed_lost(unraisable):
+    """Python ignores what is raised in a destructor. If a signal comes just there, it comes once more."""
+    if not isinstance(unraisable.exc_value, Ended):
+        sys.__unraisablehook__(unraisable)
+        return
+    number = unraisable.exc_value.number
+    signal.signal(signal.SIGALRM, lambda *_: _end(number, None))
+    signal.setitimer(signal.ITIMER_REAL, ONCE_MORE)
+
+
+def _begin():
+    """What every tool does first: it ends with make, ends its children with itself, and removes what others
+    left. A signal that the caller had ignored, as nohup does, stays ignored."""
+    if "MAKELEVEL" in os.environ:
+        children.follow_parent()
+    for number in ENDINGS:
+        if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
+            signal.signal(number, _end)
+    sys.unraisablehook = _heed_lost
+    scratch.remove_left_over()
+
+
 def run_main(main):
     """Runs a tool's main(argv) -> exit code and turns ToolError into a sentence."""
     try:
+        _begin()
         code = main(sys.argv[1:])
     except ToolError as error:
         print(f"error: {error}", file=sys.stderr)
         code = error.exit_code
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        code = 130
+    except KeyboardInterrupt as error:
+        number = getattr(error, "number", signal.SIGINT)
+        print("interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}", file=sys.stderr)
+        code = 128 + number
+    for number in (*ENDINGS, signal.SIGALRM):   # whoever is impatient now would leave something behind
+        signal.signal(number, signal.SIG_IGN)
     sys.exit(code)

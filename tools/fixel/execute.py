@@ -5,7 +5,7 @@ import pathlib
 import subprocess
 import time
 
-from fixel import limits
+from fixel import children, limits
 from fixel.ending import Ending
 from fixel.errors import ToolError
 
@@ -20,10 +20,10 @@ def kill(process):
     process.wait()
 
 
-def start(command, directory, output, inherited):
+def start(command, directory, output, inherited, **how):
     try:
-        return subprocess.Popen(command, cwd=directory, stdin=subprocess.DEVNULL, stdout=output,
-                                stderr=subprocess.STDOUT, pass_fds=inherited)
+        return children.start(command, cwd=directory, stdin=subprocess.DEVNULL, stdout=output,
+                              stderr=subprocess.STDOUT, pass_fds=inherited, **how)
     except OSError as error:
         raise ToolError(f"cannot start {command[0]}: {error.strerror}") from error
 

@@ -3,12 +3,10 @@
 
 import os
 import pathlib
-import subprocess
-import tempfile
 
 import numpy
 
-from fixel import c_scene, framing
+from fixel import c_scene, children, framing, scratch
 from fixel.errors import ToolError
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -29,14 +27,14 @@ def draw(library):
     """The picture as an array of palette entries, and the palette. library: libfixel.a of this machine."""
     if not pathlib.Path(library).exists():
         raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
-    with tempfile.TemporaryDirectory(prefix="fixel-first-") as folder:
+    with scratch.folder("first") as folder:
         scene = write_scene(folder)
         command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{PROGRAM}"', f"-I{ROOT / 'lib' / 'include'}",
                    f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        done = children.run(command, text=True)
         if done.returncode != 0:
             raise ToolError(f"{PROGRAM} cannot be compiled with {library}: {done.stderr.strip()}")
-        ran = subprocess.run([f"{folder}/frame"], capture_output=True, check=False)
+        ran = children.run([f"{folder}/frame"])
     if ran.returncode != 0 or len(ran.stdout) != WIDTH * HEIGHT:
         raise ToolError(f"{PROGRAM} drew nothing: it ended with {ran.returncode}", exit_code=1)
     pixels = numpy.frombuffer(ran.stdout, dtype=numpy.uint8).reshape(HEIGHT, WIDTH)

@@ -12,7 +12,7 @@ import pathlib
 import struct
 import zlib
 
-from fixel import firmware, qemu
+from fixel import firmware, output, qemu
 from fixel.errors import ToolError
 from fixel.flash_image import ERASED, read_old, replace
 
@@ -45,6 +45,9 @@ def read_scene(path):
     """A scene image from a file, checked so far as flashing needs it: whole,
     undamaged, of our version. What is in it, the board's loader checks."""
     try:
+        found = output.not_a_file(path)
+        if found:
+            raise ToolError(f"cannot read {path}: it is {found}; name a scene image")
         data = pathlib.Path(path).read_bytes()
     except OSError as error:
         raise ToolError(f"cannot read {path}: {error.strerror}") from error

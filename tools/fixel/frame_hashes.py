@@ -9,6 +9,7 @@ scene file is a new record, not a changed one.
 import json
 import pathlib
 
+from fixel import output
 from fixel.errors import ToolError
 
 FILE = pathlib.Path(__file__).resolve().parents[2] / "host_tests" / "frames" / "hashes.json"
@@ -40,7 +41,7 @@ def load(file=FILE):
 def save(records, file=FILE):
     """Writes all records, in the order of the scenes' names."""
     ordered = dict(sorted(records.items(), key=lambda item: (item[1]["scene"], item[0])))
-    pathlib.Path(file).write_text(json.dumps(ordered, indent=1) + "\n", encoding="utf-8")
+    output.write_file(file, json.dumps(ordered, indent=1) + "\n")
 
 
 def difference(record, drawn):

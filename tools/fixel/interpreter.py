@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import signal
 import sys
 
 TOOLS = pathlib.Path(__file__).resolve().parents[1]
@@ -14,6 +15,9 @@ def choose():
     already. A tool calls this before it imports a package. In any other program it does nothing."""
     if pathlib.Path(sys.argv[0]).resolve().parent != TOOLS:
         return
+    # Until fixel.errors takes over there is nothing to tidy up: Ctrl-C ends the tool without a traceback.
+    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     if pathlib.Path(sys.prefix).resolve() == VENV.resolve():
         sys.excepthook = explain
         return

@@ -14,6 +14,7 @@ import subprocess
 import tempfile
 import time
 
+from fixel import children
 from fixel.errors import ToolError
 
 ASLEEP = 300.0      # seconds of sleep without output that are a hang
@@ -121,8 +122,8 @@ def run(command, cpu, asleep=ASLEEP, merge=False, **options):
     merge: what it says on stderr comes with stdout."""
     text = options.pop("text", False)
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out,
-                                   stderr=subprocess.STDOUT if merge else err, **options)
+        process = children.start(command, stdin=subprocess.DEVNULL, stdout=out,
+                                 stderr=subprocess.STDOUT if merge else err, **options)
         watch, why, size = Watch(process.pid, cpu, asleep), None, 0
         try:
             while not _ended(process) and not why:

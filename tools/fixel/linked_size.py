@@ -3,9 +3,8 @@
 
 import pathlib
 import re
-import tempfile
 
-from fixel import link_map, stack
+from fixel import link_map, scratch, stack
 from fixel.first_program import write_scene
 from fixel.errors import ToolError
 
@@ -27,8 +26,7 @@ def first_program(readme=ROOT / "README.md"):
 def measure(core, library, cross, include=ROOT / "lib" / "include"):
     """{"linked_flash", "linked_ram", "linked_helpers"}: bytes that the first program links of the library, of
     flash and of variables, and of the compiler's arithmetic. The scene's tables are the program's own."""
-    with tempfile.TemporaryDirectory(prefix="fixel-size-") as name:
-        folder = pathlib.Path(name)
+    with scratch.folder("size") as folder:
         write_scene(folder)
         (folder / "first.c").write_text(first_program(), encoding="utf-8")
         stack.run([f"{cross}gcc", f"-mcpu={core}", "-mthumb", "-std=c11", "-O2", "-ffreestanding", "-fno-builtin",

@@ -5,14 +5,39 @@ import contextlib
 import json
 import os
 import pathlib
-import shutil
-import tempfile
+import stat
 
+from fixel import scratch
 from fixel.errors import ToolError
+
+# What a name may stand for that is no file, and no tool replaces.
+KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISSOCK, "a socket"),
+         (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"))
 
 
 def _unwritable(path, error):
     return ToolError(f"{path}: cannot be written: {error.strerror or error}")
+
+
+def not_a_file(path):
+    """What is at a path, as words, where it is neither a file nor absent. Symbolic links are followed."""
+    try:
+        mode = os.stat(path).st_mode
+    except FileNotFoundError:
+        return None
+    return next((words for is_kind, words in KINDS if is_kind(mode)), None)
+
+
+def target_of(path):
+    """The file that a result replaces: path itself, or what the symbolic link there leads to, so that the link
+    stays. A path at which there is something else is refused."""
+    try:
+        found = not_a_file(path)
+    except OSError as error:
+        raise _unwritable(path, error) from error
+    if found:
+        raise ToolError(f"{path}: cannot be written: it is {found}; name a file")
+    return pathlib.Path(os.path.realpath(path))
 
 
 @contextlib.contextmanager
@@ -27,17 +52,12 @@ def replaced_folder(path, patterns):
     try:
         if path.exists() and not path.is_dir():
             raise ToolError(f"{path}: cannot be written: it is there and is not a folder")
-        new = pathlib.Path(tempfile.mkdtemp(prefix=".fixel-", dir=_nearest_folder(path)))
+        with scratch.folder("results", _nearest_folder(path)) as new:
+            yield new
+            new.chmod(0o777 & ~_umask())
+            _put_in_place(new, path, patterns)
     except OSError as error:
         raise _unwritable(path, error) from error
-    try:
-        yield new
-        new.chmod(0o777 & ~_umask())
-        _put_in_place(new, path, patterns)
-    except OSError as error:
-        raise _unwritable(path, error) from error
-    finally:
-        shutil.rmtree(new, ignore_errors=True)
 
 
 def _nearest_folder(path):
@@ -68,23 +88,40 @@ def _put_in_place(new, path, patterns):
             os.replace(file, path / file.name)
 
 
-def write_file(path, data):
-    """Writes bytes or text by way of a temporary file and a rename."""
-    path = pathlib.Path(path)
-    data = data.encode() if isinstance(data, str) else data
+def replace(path, data, check=None, durable=False):
+    """Puts bytes in a file's place in one step: a kill at any moment leaves the old file or the new one. check:
+    is called with the path of the new file before that; its answer is the answer, and what it raises leaves the
+    file as it was. durable: a power cut, too, leaves one of both."""
+    target = target_of(path)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(data)
-            os.chmod(temporary, 0o666 & ~_umask())
-            os.replace(temporary, path)
-        except BaseException:
-            os.unlink(temporary)
-            raise
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with scratch.file("output", target.parent) as (new, file):
+            file.write(data)
+            file.flush()
+            if durable:
+                os.fsync(file.fileno())
+            new.chmod(0o666 & ~_umask())    # a temporary file nobody else may read
+            answer = check(new) if check else None
+            os.replace(new, target)
+        if durable:
+            _sync_folder(target.parent)
+        return answer
     except OSError as error:
-        raise _unwritable(path, error) from error
+        raise ToolError(f"{_unwritable(path, error)}; it is unchanged") from error
+
+
+def _sync_folder(folder):
+    """Makes a rename last over a power cut, too."""
+    handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def write_file(path, data):
+    """Writes bytes or text as a whole file."""
+    replace(path, data.encode() if isinstance(data, str) else data)
 
 
 def write_json(path, value):

@@ -4,10 +4,11 @@
 import pathlib
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 
-from fixel import flash
+from fixel import children, flash
 from fixel.errors import ToolError
 
 OPENOCD = "openocd"
@@ -54,8 +55,9 @@ def run(program, words):
     the lines by which it says how far it got."""
     seen = []
     try:
-        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                   text=True, errors="replace")
+        # By force it could leave the debug probe in a state that only its plug ends.
+        process = children.start(words, signal.SIGTERM, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, text=True, errors="replace")
     except OSError as error:
         raise ToolError(f"cannot start {words[0]}: {error.strerror}") from error
     try:

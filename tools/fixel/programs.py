@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 
+from fixel import children
 from fixel.errors import ToolError
 
 
@@ -20,9 +21,8 @@ def run_program(command):
     # stdout goes to a file, so that nothing waits on a full pipe while stderr is read.
     with tempfile.TemporaryFile() as out:
         try:
-            process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
-                                       stdout=out, stderr=subprocess.PIPE, text=True,
-                                       errors="replace")
+            process = children.start(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, text=True,
+                                     errors="replace")
         except OSError as error:
             raise ToolError(f"{command[0]}: cannot be started: {error.strerror}; "
                             f"make all builds it") from error

@@ -4,10 +4,8 @@
 import pathlib
 import re
 import shutil
-import subprocess
-import tempfile
 
-from fixel import qmp
+from fixel import execute, qmp, scratch
 from fixel.errors import ToolError
 from fixel.symbols import Symbols
 
@@ -58,26 +56,36 @@ def where(channel, program, process):
     return Symbols(program.path).registers(lr, pc)
 
 
+def start_stopped(program, options, folder, output, timeout=qmp.TIMEOUT, **how):
+    """Starts QEMU in a folder, with the core stopped before its first instruction: (process, Machine). A core that
+    runs could fill a FIFO that nobody reads yet, and QEMU answers nothing while the core waits. timeout: for the
+    first answer. how: as for subprocess.Popen."""
+    with qmp.Channel() as channel:
+        process = execute.start(command(program, "-S", *channel.options, *options), folder, output, channel.fds, **how)
+        try:
+            return process, channel.connect(process.pid, timeout)
+        except BaseException:
+            execute.kill(process)
+            raise
+
+
 def read_memory(program, image, timeout=30.0):
     """The flash as the emulated core sees it, from an image, before its first
     instruction."""
-    with tempfile.TemporaryDirectory(prefix="fixel-") as directory, qmp.Channel() as channel:
-        folder = pathlib.Path(directory)
-        with (folder / "words.txt").open("w+", encoding="utf-8", errors="replace") as words:
-            process = subprocess.Popen(
-                command(program, "-S", *channel.options, *loader(program, image)), pass_fds=channel.fds,
-                stdin=subprocess.DEVNULL, stdout=words, stderr=subprocess.STDOUT)
+    with scratch.folder("verify") as folder, \
+            (folder / "words.txt").open("w+", encoding="utf-8", errors="replace") as words:
+        try:
+            process, machine = start_stopped(program, loader(program, image), folder, words, timeout)
             try:
-                with channel.connect(process.pid, timeout) as machine:
-                    # As the core sees it: not every bus behind it is the system's.
-                    machine.execute("memsave", timeout, val=program.flash_base, size=program.flash_size,
-                                    filename=str(folder / "memory.bin"))
-                    machine.quit()
+                # As the core sees it: not every bus behind it is the system's.
+                machine.execute("memsave", timeout, val=program.flash_base, size=program.flash_size,
+                                filename=str(folder / "memory.bin"))
+                machine.quit()
                 return (folder / "memory.bin").read_bytes()
-            except ToolError as error:
-                words.seek(0)
-                raise ToolError(f"{QEMU} could not read the flash back: {error}\n{words.read()}".rstrip(),
-                                exit_code=1) from error
             finally:
-                process.kill()
-                process.wait()
+                machine.close()
+                execute.kill(process)
+        except ToolError as error:
+            words.seek(0)
+            raise ToolError(f"{QEMU} could not read the flash back: {error}\n{words.read()}".rstrip(),
+                            exit_code=1) from error

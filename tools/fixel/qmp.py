@@ -2,7 +2,7 @@
 """Talking to a running QEMU by its machine protocol: keys, pictures, registers.
 
     with qmp.Channel() as channel:
-        process = subprocess.Popen([*command, *channel.options], pass_fds=channel.fds)
+        process = children.start([*command, *channel.options], pass_fds=channel.fds)
         with channel.connect(process.pid) as machine:
             machine.key("up", down=True)
             machine.screendump("screen.png")

@@ -12,7 +12,7 @@ import time
 import numpy
 from PIL import Image
 
-from fixel import execute, limits, qemu, qmp
+from fixel import execute, limits, qemu
 from fixel.ending import Ending, describe, last_lines
 from fixel.errors import ToolError
 
@@ -28,17 +28,16 @@ class Session:
         self.program, self.folder = program, pathlib.Path(folder)
         self.machine = self._process = None
         told = ["-icount", "shift=0", *qemu.semihosting(["walk", *words]), *qemu.loader(program, image), *options]
-        with qmp.Channel() as channel, (self.folder / OUTPUT).open("wb") as output:
-            self._process = execute.start(qemu.command(program, *told, *channel.options), self.folder,
-                                          output, channel.fds)
-            try:
-                self.machine = channel.connect(self._process.pid)
-            except ToolError as error:
-                self.close()
-                raise ToolError(f"{error}{last_lines(self.text())}", exit_code=1) from error
-            except BaseException:
-                self.close()
-                raise
+        try:
+            with (self.folder / OUTPUT).open("wb") as output:
+                self._process, self.machine = qemu.start_stopped(program, told, self.folder, output)
+            self.machine.execute("cont")
+        except ToolError as error:
+            self.close()
+            raise ToolError(f"{error}{last_lines(self.text())}", error.exit_code) from error
+        except BaseException:
+            self.close()
+            raise
 
     def text(self):
         """What the board has printed so far."""

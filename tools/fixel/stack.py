@@ -14,10 +14,10 @@ import dataclasses
 import pathlib
 import re
 import struct
-import subprocess
 
 from elftools.elf.elffile import ELFFile
 
+from fixel import children
 from fixel.errors import ToolError
 
 SHF_ALLOC = 2
@@ -44,7 +44,7 @@ class Function:
 def run(command):
     """Output of a binutils program."""
     try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        done = children.run(command, text=True)
     except OSError as error:
         raise ToolError(f"{command[0]}: cannot be started: {error.strerror}") from error
     if done.returncode:

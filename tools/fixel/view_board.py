@@ -8,11 +8,9 @@ window, into a file, or, where its note says `keys=`, to its emulated buttons.
 
 import concurrent.futures
 import pathlib
-import shutil
-import subprocess
 import time
 
-from fixel import emulator, limits, qemu, qmp
+from fixel import emulator, limits, qemu
 from fixel.ending import Ending, describe, exit_status, last_lines
 from fixel.errors import ToolError
 from fixel.execute import OUTPUT_MAX, kill
@@ -109,23 +107,15 @@ class Board:
             self.frame()
 
     def _launch(self, options):
-        """In a session of its own, so that Ctrl-C reaches this tool alone; and ended with it, whatever
-        ends it."""
-        with qmp.Channel() as channel, (self.folder / OUTPUT).open("wb") as output:
-            command = qemu.command(self.program, *options, *channel.options)
-            if shutil.which("setpriv"):
-                command = ["setpriv", "--pdeathsig", "KILL", *command]
-            try:
-                self._process = subprocess.Popen(command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=output,
-                                                 stderr=subprocess.STDOUT, pass_fds=channel.fds,
-                                                 start_new_session=True)
-            except OSError as error:
-                raise ToolError(f"cannot start {command[0]}: {error.strerror}") from error
+        """In a session of its own, so that Ctrl-C reaches this tool alone."""
+        try:
+            with (self.folder / OUTPUT).open("wb") as output:
+                self._process, self._machine = qemu.start_stopped(self.program, options, self.folder, output,
+                                                                  start_new_session=True)
             self._limit = limits.Watch(self._process.pid, HANG, HANG)
-            try:
-                self._machine = channel.connect(self._process.pid)
-            except ToolError as error:
-                raise ToolError(f"{error}{last_lines(self.text())}", exit_code=1) from error
+            self._machine.execute("cont")
+        except ToolError as error:
+            raise ToolError(f"{error}{last_lines(self.text())}", error.exit_code) from error
 
     # --- while it runs --------------------------------------------------------------
 

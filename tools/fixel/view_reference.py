@@ -10,7 +10,7 @@ import struct
 import subprocess
 import threading
 
-from fixel import dump
+from fixel import children, dump
 from fixel.errors import ToolError
 
 FRAME, OUTLINES = 1, 2      # what may be wanted, as bits
@@ -38,8 +38,8 @@ class Reference:
         self._asked = 0
         try:
             # Its words on stderr are short: they wait in the pipe until they are wanted.
-            self._process = subprocess.Popen([program, scene], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                             stderr=subprocess.PIPE, start_new_session=True)
+            self._process = children.start([program, scene], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                           stderr=subprocess.PIPE, start_new_session=True)
         except OSError as error:
             raise ToolError(f"cannot start {program}: {error.strerror}; make all builds it") from error
         self._thread = threading.Thread(target=self._run, name="reference", daemon=True)

@@ -8,18 +8,23 @@ From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
 second}, {"type": "wants", "wants": bits}, {"type": "seen"} for each frame that
 it has shown. A tab is sent the newest frame, and another only when it has seen
 the one before the last: where it is slow it misses frames and lags behind none.
+
+Whoever has the address may look on: it holds a random token, which every request must name.
 """
 
 import asyncio
 import base64
+import hmac
 import json
 import pathlib
+import secrets
 import struct
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from fixel import view_reference
 from fixel.errors import ToolError
+from fixel.view_guard import Guard
 from fixel.view_pump import IDLE_RATE
 
 HOST = "127.0.0.1"
@@ -31,11 +36,12 @@ UNSEEN_MAX = 2          # frames on their way to a tab
 MESSAGE_MAX = 4096      # bytes from a tab
 HEARTBEAT = 20.0        # seconds
 FAREWELL = 1.0          # seconds for the last words to a tab
+TOKEN_BYTES = 16        # 128 random bits
 PAGE = pathlib.Path(__file__).resolve().parents[1] / "templates"
 FILES = {"/": ("view.html", "text/html"), "/view.js": ("view.js", "text/javascript"),
          "/view_picture.js": ("view_picture.js", "text/javascript"), "/view.css": ("view.css", "text/css")}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; img-src 'self' data:", "Cache-Control": "no-store",
-           "X-Content-Type-Options": "nosniff"}
+           "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer"}
 
 
 class Tab:
@@ -56,8 +62,8 @@ class Tab:
         elif kind == "wants":
             self.wants = bits(message.get("wants"), WANTS_ALL)
             hub.wants_changed()
-        elif kind == "rate" and message.get("rate") in RATES:
-            hub.choose_rate(message["rate"])
+        elif kind == "rate":
+            hub.choose_rate(one_of(message.get("rate"), RATES))
         elif kind == "seen":
             self.unseen = max(0, self.unseen - 1)
         else:
@@ -66,8 +72,14 @@ class Tab:
 
 
 def bits(value, every):
-    if not isinstance(value, int) or isinstance(value, bool) or value & ~every:
+    if type(value) is not int or value & ~every:    # a bool is an int, too
         raise ValueError("not bits of that kind")
+    return value
+
+
+def one_of(value, every):
+    if type(value) is not int or value not in every:    # False == 0, 30.0 == 30
+        raise ValueError("not one of these numbers")
     return value
 
 
@@ -193,26 +205,33 @@ class Server:
     def __init__(self, hub):
         self.hub = hub
         self.port = None
-        application = web.Application(middlewares=[self._only_here])
+        self.token = secrets.token_urlsafe(TOKEN_BYTES)
+        application = web.Application(middlewares=[self._only_invited])
         for path in FILES:
-            application.router.add_get(path, self._file)
-        application.router.add_get("/live", self._live)
+            application.router.add_get(f"/{self.token}{path}", self._file)
+        application.router.add_get(f"/{self.token}/live", self._live)
         self._runner = web.AppRunner(application, access_log=None, handle_signals=False,
                                      shutdown_timeout=FAREWELL)
+        self._guard = self._listening = None
+
+    @property
+    def address(self):
+        """The page's."""
+        return f"http://{HOST}:{self.port}/{self.token}/"
 
     async def open(self, port=None):
         """Listens. port: None for the usual one, or any that is free."""
         await self._runner.setup()
+        self._guard = Guard(self._runner.server)
         for choice in ([port] if port else [PORT, 0]):
-            site = web.TCPSite(self._runner, HOST, choice)
             try:
-                await site.start()
+                self._listening = await self._guard.listen(HOST, choice)
             except OSError as error:
                 if choice == port:
                     raise ToolError(f"cannot listen on port {port} of {HOST}: {error.strerror}; "
                                     "choose another with PORT=") from error
                 continue
-            self.port = self._runner.addresses[0][1]
+            self.port = self._listening.sockets[0].getsockname()[1]
             return
         raise ToolError(f"no port of {HOST} is free")
 
@@ -220,7 +239,11 @@ class Server:
         """Says good-bye to the tabs and ends."""
         error = self.hub.error
         words = json.dumps({"type": "ended", "message": str(error) if error else ""})
+        if self._listening is not None:
+            self._listening.close()
         await asyncio.gather(*(self._part(tab, words) for tab in list(self.hub.tabs)))
+        if self._guard is not None:
+            self._guard.close()
         await self._runner.cleanup()
 
     @staticmethod
@@ -235,18 +258,21 @@ class Server:
     # --- requests ---------------------------------------------------------------------
 
     @web.middleware
-    async def _only_here(self, request, handler):
-        """Refuses pages of other origins, and names of ours that others made up."""
+    async def _only_invited(self, request, handler):
+        """Refuses who has not the token, pages of other origins, and names of ours that others made up."""
         names = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
         origin = request.headers.get("Origin")
         if request.headers.get("Host") not in names or \
                 (origin is not None and origin.removeprefix("http://") not in names):
             raise web.HTTPForbidden(text="this window is for this machine's own browser\n")
+        if not hmac.compare_digest(request.path.split("/")[1].encode(), self.token.encode()):
+            raise web.HTTPForbidden(text="open the address that make view printed: it ends with a token\n")
+        self._guard.trust(request.transport)
         return await handler(request)
 
     @staticmethod
     async def _file(request):
-        name, kind = FILES[request.path]
+        name, kind = FILES["/" + request.path.rsplit("/", 1)[1]]
         return web.Response(text=(PAGE / name).read_text(encoding="utf-8"), content_type=kind, charset="utf-8",
                             headers=HEADERS)
 
@@ -273,7 +299,7 @@ class Server:
             if not isinstance(said, dict):
                 return False
             tab.take(said, self.hub)
-        except ValueError:
+        except (ValueError, RecursionError):    # the latter of JSON that is nested too deeply
             return False
         return True
 

@@ -29,7 +29,7 @@ let compared = { frames: 0, pixels: 0 };
 // --- the wire ------------------------------------------------------------------
 
 function connect() {
-  socket = new WebSocket(`ws://${location.host}/live`);
+  socket = new WebSocket(`ws://${location.host}${location.pathname}live`);
   socket.binaryType = "arraybuffer";
   socket.onmessage = ({ data }) => {
     if (typeof data === "string") {

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""Programs that tools start: none outlives its tool, however that ends."""
+
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+
+import pytest
+
+from conftest import CHECKOUT, TOOLS, environment
+from fixel import children
+from viewers import assert_gone, children as started_by, runs
+
+
+def tool(folder, body):
+    """A tool made up here, in a file; its body has `folder`."""
+    file = folder / "tool.py"
+    file.write_text("import pathlib, sys, time, threading, concurrent.futures\n"
+                    f"sys.path.insert(0, {str(TOOLS)!r})\nfolder = pathlib.Path({str(folder)!r})\n"
+                    "from fixel import children\nfrom fixel.errors import run_main\n"
+                    f"def main(argv):\n{textwrap.indent(textwrap.dedent(body), '    ')}\n    return 0\nrun_main(main)\n",
+                    encoding="utf-8")
+    return [sys.executable, str(file)]
+
+
+def wait_for(path, process):
+    while not path.exists():
+        assert process.poll() is None
+        time.sleep(0.01)
+
+
+SLEEPERS = """
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        waiting = [pool.submit(children.run, ["sleep", str(600 + number)]) for number in range(2)]
+        process = children.start(["sleep", "602"], start_new_session=True)
+        (folder / "started").touch()
+        process.wait()
+"""
+
+
+@pytest.mark.parametrize("ending", [signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_children_end_with_their_tool(tmp_path, ending):
+    process = subprocess.Popen(tool(tmp_path, SLEEPERS), stderr=subprocess.PIPE, text=True)
+    wait_for(tmp_path / "started", process)
+    found = {}
+    while len(found) < 4:
+        found = started_by(process.pid) | {process.pid: ""}
+    process.send_signal(ending)
+    _, words = process.communicate()
+    assert process.returncode == (-ending if ending == signal.SIGKILL else 128 + ending)
+    assert "Traceback" not in words
+    assert_gone(found)
+
+
+def test_a_tool_that_is_gone_before_its_child_has_begun(tmp_path):
+    """The child looks for its parent: setpriv alone would ask the kernel for a signal that has been sent."""
+    command = children.tied(["touch", tmp_path / "ran"])
+    place = command.index(children.BECOME) + 1
+    assert command[place].isdigit()
+    command[place] = "1"      # somebody else's child
+    assert subprocess.run(command, check=False).returncode == 1
+    assert not (tmp_path / "ran").exists()
+
+
+def test_a_killed_make_takes_its_tool_along(tmp_path):
+    command = tool(tmp_path, '(folder / "started").touch()\ntime.sleep(600)')
+    (tmp_path / "Makefile").write_text(f"all:\n\t@{' '.join(command)}\n", encoding="ascii")
+    process = subprocess.Popen(["make", "-C", tmp_path], env=environment(), stdout=subprocess.DEVNULL)
+    wait_for(tmp_path / "started", process)
+    found = started_by(process.pid)
+    assert any("tool.py" in each for each in found.values())
+    process.kill()
+    process.wait()
+    assert_gone(found)
+
+
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_within_a_destructor_counts(tmp_path, ending):
+    """Python ignores what is raised there, so the tool would go on."""
+    body = """
+        class Slow:
+            def __del__(self):
+                (folder / "started").touch()
+                time.sleep(600)
+        Slow()
+        time.sleep(600)
+    """
+    process = subprocess.Popen(tool(tmp_path, body), stderr=subprocess.PIPE, text=True)
+    wait_for(tmp_path / "started", process)
+    process.send_signal(ending)
+    _, words = process.communicate()
+    assert process.returncode == 128 + ending
+    assert words == ("interrupted\n" if ending == signal.SIGINT else f"ended by {ending.name}\n")
+
+
+def test_an_ignored_signal_stays_ignored(tmp_path):
+    body = """
+        import os, signal
+        os.kill(os.getpid(), signal.SIGHUP)
+        assert signal.getsignal(signal.SIGHUP) == signal.SIG_IGN
+    """
+    assert subprocess.run(["nohup", *tool(tmp_path, body)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          check=False).returncode == 0
+
+
+@pytest.mark.parametrize("program, error", [("none", FileNotFoundError), ("./none", FileNotFoundError),
+                                            ("./plain", PermissionError), ("plain", FileNotFoundError)])
+def test_a_program_that_cannot_be_started(tmp_path, program, error):
+    (tmp_path / "plain").write_text("", encoding="ascii")
+    with pytest.raises(error) as raised:
+        children.start([program], cwd=tmp_path)
+    assert raised.value.filename == program
+
+
+def test_a_program_of_another_folder_and_path(tmp_path):
+    program = tmp_path / "here"
+    program.write_text("#!/bin/sh\necho $0 $1\n", encoding="ascii")
+    program.chmod(0o755)
+    assert children.run(["./here", "a b"], cwd=tmp_path, text=True).stdout == "./here a b\n"
+    assert children.run(["here", "c"], env={"PATH": f"{tmp_path}:/usr/bin:/bin"}, text=True).stdout == f"{program} c\n"
+
+
+def test_no_setpriv(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(OSError, match="setpriv is not installed: run 'sudo apt-get install util-linux'"):
+        children.start(["/bin/true"])
+
+
+def test_every_tool_starts_its_children_so():
+    """No tool has another way."""
+    other = re.compile(r"subprocess\.(Popen|run|call|check_call|check_output)\(|os\.(system|popen|spawn\w*|posix_spawn\w*)\(")
+    found = [f"{file.relative_to(CHECKOUT)}: {line.strip()}" for file in TOOLS.rglob("*.py")
+             if file.name != "children.py"
+             for line in file.read_text(encoding="utf-8").splitlines() if other.search(line)]
+    assert not found
+
+
+def test_runs_sees_the_dead():
+    """What the tests above rely on."""
+    process = subprocess.Popen(["sleep", "600"])
+    assert runs(process.pid)
+    process.kill()
+    process.wait()
+    assert not runs(process.pid) and pathlib.Path("/proc/self").exists()

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""A few kills of commands at random moments, and that `make kills` sees what a command leaves."""
+
+import os
+import subprocess
+
+import pytest
+
+from board_programs import built
+from conftest import run_cli
+from fixel import kill_campaign
+from viewers import BOARDS
+
+KILLS, SEED = 8, 13
+
+
+def test_a_few_kills(build):
+    for board in BOARDS:
+        built(f"{board}/walk.elf")
+    done = run_cli("kills", "--board", BOARDS[0], "--streaming", BOARDS[1], "--kills", KILLS, "--seed", SEED, "--commands", "run", "flash", "boot", "view", "view-stream")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert f"pass: {KILLS} of {KILLS} kills" in done.stdout
+
+
+@pytest.mark.parametrize("arguments, words", [(("--kills", "0"), "KILLS is '0'"), (("--seed", "x"), "SEED is 'x'")])
+def test_refused(arguments, words):
+    done = run_cli("kills", "--board", BOARDS[0], "--streaming", BOARDS[1], *arguments)
+    assert done.returncode == 2 and words in done.stderr
+
+
+# --- what it looks for ----------------------------------------------------------------
+
+@pytest.fixture
+def campaign(build, tmp_path):
+    """One in which nothing was killed yet. The old image and its frames are made up."""
+    made = kill_campaign.Campaign(tmp_path, build, {}, "1000", *BOARDS)
+    made.images, made.frames = {"old": b"image"}, {"new": ["hash"]}
+    return made
+
+
+def test_nothing_is_left(campaign):
+    assert campaign.left() == []
+
+
+def test_a_process_that_is_left(campaign, monkeypatch):
+    monkeypatch.setattr(kill_campaign, "GONE_WITHIN", 0)
+    process = subprocess.Popen(["sleep", "600"], env=campaign.environment)
+    try:
+        while "sleep 600" not in str(campaign.marked()):
+            assert process.poll() is None
+        assert campaign.left() == [f"process {process.pid} still runs: sleep 600 "]
+    finally:
+        process.kill()
+        process.wait()
+    assert campaign.left() == []
+
+
+@pytest.mark.parametrize("name", ["tmp/.fixel-board-0", "build/.fixel-run-0", "out/.fixel-results-0", "out/run/.hidden",
+                                  "out/flash/.fixel-output-0", "out/boot/other"])
+def test_a_file_that_is_left(campaign, name):
+    path = campaign.folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.touch()
+    assert f"{name} is left" in campaign.left()
+
+
+@pytest.mark.parametrize("name", ["flash/board.bin", "boot/board.fxld", "run/summary.json", "report/report.json"])
+def test_half_a_result(campaign, name):
+    path = campaign.folder / "out" / name
+    path.parent.mkdir(parents=True)
+    path.write_bytes(b"imag")
+    assert any(sentence.startswith(f"out/{name} is not") for sentence in campaign.left())
+
+
+def test_a_whole_image(campaign):
+    (campaign.folder / "out" / "flash").mkdir()
+    (campaign.folder / "out" / "flash" / "board.bin").write_bytes(b"image")
+    assert campaign.left() == []
+
+
+def test_tracebacks():
+    text = "Traceback (most recent call last):\n  File ...\nValueError"
+    assert kill_campaign.is_traceback(text) and not kill_campaign.is_traceback("error: no")
+    assert os.environ.get(kill_campaign.MARK) is None

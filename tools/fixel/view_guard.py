@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""Who may hold a connection to the live window's server, and how many.
+
+A connection is a stranger until a request of it has named the token. Strangers are few and have little time, so that
+processes which connect and say nothing take no connection from the page.
+"""
+
+import asyncio
+import logging
+import sys
+
+STRANGERS_MAX = 32      # connections at a time; one more ends the oldest of them
+TRUSTED_MAX = 64        # connections at a time; one more is refused
+STRANGER_TIME = 5.0     # seconds
+BACKLOG = 16            # connections that the kernel accepts before the server does
+
+# A request that is none, or ends in the middle, is its sender's affair.
+logging.getLogger("aiohttp.server").addFilter(lambda record: not _is_of_the_wire(record))
+
+
+def _is_of_the_wire(record):
+    error = record.exc_info[1] if record.exc_info else None
+    return isinstance(error, (ConnectionError, asyncio.CancelledError)) or \
+        type(error).__module__ == "aiohttp.http_exceptions"
+
+
+class Guard:
+    """Makes connections for a server's protocols, as many as are allowed. For the thread of the event loop."""
+
+    def __init__(self, protocol):
+        self._protocol = protocol   # makes a protocol of the server's
+        self._strangers = {}        # transport -> what ends it when its time is over, the oldest first
+        self._trusted = set()
+        self._said = False
+
+    async def listen(self, host, port):
+        return await asyncio.get_running_loop().create_server(lambda: _Door(self), host, port, backlog=BACKLOG)
+
+    def admit(self, transport):
+        """A new connection."""
+        for each in [each for each in self._strangers if each.is_closing()]:
+            self._end(each)
+        if len(self._strangers) >= STRANGERS_MAX:
+            self._end(next(iter(self._strangers)))
+            self._say(f"more than {STRANGERS_MAX} connections without a request: the oldest are closed")
+        timer = asyncio.get_running_loop().call_later(STRANGER_TIME, self._end, transport)
+        self._strangers[transport] = timer
+        protocol = self._protocol()
+        transport.set_protocol(protocol)
+        protocol.connection_made(transport)
+
+    def trust(self, transport):
+        """A request of the connection has named the token."""
+        timer = self._strangers.pop(transport, None)
+        if timer is None:
+            return
+        timer.cancel()
+        self._trusted = {each for each in self._trusted if not each.is_closing()}
+        if len(self._trusted) >= TRUSTED_MAX:
+            transport.abort()
+            self._say(f"more than {TRUSTED_MAX} connections of pages: close some tabs")
+        else:
+            self._trusted.add(transport)
+
+    def _end(self, transport):
+        timer = self._strangers.pop(transport, None)
+        if timer is not None:
+            timer.cancel()
+            transport.abort()
+
+    def _say(self, words):
+        """One line, however often it happens."""
+        if not self._said:
+            self._said = True
+            print(f"live window: {words}", file=sys.stderr, flush=True)
+
+    def close(self):
+        for transport in list(self._strangers):
+            self._end(transport)
+
+
+class _Door(asyncio.Protocol):
+    """What a connection meets first."""
+
+    def __init__(self, guard):
+        self._guard = guard
+
+    def connection_made(self, transport):
+        self._guard.admit(transport)

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Kills run, flash, boot, view and report at random moments, and looks at what they leave.
+
+After each kill another command runs. Then there must be no process and no file of theirs, and every result must be
+whole, the old one or the new one. Exit: 0 so it was, 1 not.
+"""
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
+import argparse
+import pathlib
+import random
+import signal
+import sys
+
+import scene as scene_tool
+from fixel import kill_campaign, scratch
+from fixel.arguments import whole_number
+from fixel.errors import run_main
+from fixel.progress import Progress
+from fixel.table import coloured, table
+
+COMMANDS = ("run", "flash", "boot", "view", "view-stream", "report")
+SCENE = "scenes/tiny.toml"
+KILLS_MAX = 1_000_000
+
+
+def read_options(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--kills", default="200", help="how many (KILLS=)")
+    parser.add_argument("--seed", default="1", help="of what is killed, by which signal, and when (SEED=)")
+    parser.add_argument("--commands", nargs="+", default=list(COMMANDS), choices=COMMANDS)
+    parser.add_argument("--board", required=True, help="an emulated board")
+    parser.add_argument("--streaming", required=True, help="one that streams its frames to the live window")
+    parser.add_argument("--samples", default="1000", help="of a report")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
+    options = parser.parse_args(argv)
+    options.kills = whole_number("KILLS", options.kills, 1, KILLS_MAX)
+    options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
+    return options
+
+
+def make_campaign(options, folder):
+    scenes = {}
+    for name, frames in kill_campaign.FRAMES.items():
+        scenes[name] = folder / f"{name}.fxls"
+        scene_tool.build(SCENE, str(scenes[name]), frames)
+    with Progress("running each command undisturbed"):
+        campaign = kill_campaign.Campaign(folder, options.build, scenes, options.samples, options.board,
+                                          options.streaming)
+        campaign.prepare(options.commands)
+    return campaign
+
+
+def carry_out(options, campaign):
+    """All kills; one that leaves something is told at once."""
+    choose, kills = random.Random(options.seed), []
+    with Progress("kills", options.kills) as progress:
+        for number in range(options.kills):
+            kills.append(campaign.kill(options.commands[number % len(options.commands)], choose))
+            for sentence in kills[-1].complaints:
+                print(f"kill {number}, {kills[-1].command} by {kills[-1].signal.name} after {kills[-1].seconds:.2f} s"
+                      f"{' with a child' if kills[-1].at_child else ''}: {sentence}", file=sys.stderr, flush=True)
+            progress(len(kills))
+    return kills
+
+
+def print_kills(kills, commands):
+    rows = [[command, *(sum(kill.command == command and kill.signal == each for kill in kills)
+                        for each in kill_campaign.SIGNALS),
+             sum(kill.command == command and kill.early for kill in kills),
+             sum(kill.command == command and bool(kill.complaints) for kill in kills)] for command in commands]
+    print(table(rows, ["kills of", *(each.name for each in kill_campaign.SIGNALS), "at work", "left something"]))
+    bad = sum(bool(kill.complaints) for kill in kills)
+    print(f"{coloured('FAIL', 'red') if bad else coloured('pass', 'green')}: {len(kills) - bad} of {len(kills)} kills "
+          "left no process, no file and nothing half-written")
+    return bad
+
+
+def main(argv):
+    options = read_options(argv)
+    # A shell ignores it for what it starts in the background, and so would the commands.
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    with scratch.folder("kills", options.build) as folder:
+        kills = carry_out(options, make_campaign(options, folder))
+    return 1 if print_kills(kills, options.commands) else 0
+
+
+if __name__ == "__main__":
+    run_main(main)
