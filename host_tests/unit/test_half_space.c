@@ -94,6 +94,33 @@ void test_windows_out_of_range_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_volume_from_window(0, 1, 0, 1, 256, 512, NULL));
 }
 
+void test_windows_at_the_range_s_ends_are_taken(void)
+{
+    static const fxl_q16_16 good[][6] = {
+        {-FXL_COORDINATE_MAX, FXL_COORDINATE_MAX, -FXL_COORDINATE_MAX, FXL_COORDINATE_MAX,
+         FXL_NEAR_MIN, FXL_FAR_MAX},
+        {-1, 0, 0, 1, FXL_COORDINATE_MAX, FXL_COORDINATE_MAX + 1},
+    };
+    static const int beyond[] = {-1, 1, -1, 1, -1, 1};
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        const fxl_q16_16 *g = good[i];
+        fxl_volume volume;
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_volume_from_window(g[0], g[1], g[2], g[3], g[4], g[5], &volume));
+    }
+    for (int k = 0; k < 6; k++) { /* each number of the first one further */
+        fxl_q16_16 g[6];
+        fxl_volume volume;
+        memcpy(g, good[0], sizeof g);
+        g[k] += beyond[k];
+        TEST_ASSERT_EQUAL(FXL_E_RANGE,
+                          fxl_volume_from_window(g[0], g[1], g[2], g[3], g[4], g[5], &volume));
+    }
+    fxl_volume volume;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_volume_from_window(0, 1, 0, 1, FXL_COORDINATE_MAX + 1,
+                                                          FXL_FAR_MAX, &volume));
+}
+
 void test_points(void)
 {
     fxl_volume volume = aside();
@@ -110,17 +137,13 @@ void test_points(void)
         {-15, 31, 10, 1 << FXL_PLANE_TOP},
         {0, 0, 0, 1 << FXL_PLANE_NEAR},
         {-150, 200, 101, 1 << FXL_PLANE_FAR},
-        {15, -20, -10,
+        {15, -20, -10, /* behind the eye, where left is right: x + 2 z and y - z are negative */
          1 << FXL_PLANE_NEAR | 1 << FXL_PLANE_LEFT | 1 << FXL_PLANE_RIGHT | 1 << FXL_PLANE_BOTTOM |
              1 << FXL_PLANE_TOP},
     };
     for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
         fxl_view_point at = {V(points[i].x), V(points[i].y), V(points[i].z)};
-        uint32_t expected = points[i].outside;
-        if (i == 9) { /* behind the eye a plane through it may have its inside */
-            expected = fxl_volume_code(&volume, &at);
-            TEST_ASSERT_TRUE((expected >> FXL_PLANE_NEAR & 1u) == 1);
-        }
+        const uint32_t expected = points[i].outside;
         TEST_ASSERT_EQUAL(expected, fxl_volume_code(&volume, &at));
         TEST_ASSERT_EQUAL(expected == 0, fxl_volume_holds(&volume, &at));
     }
@@ -145,6 +168,8 @@ void test_polygons(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &workspace, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
     TEST_ASSERT_EQUAL(2, workspace.stats.intersections);
+    /* Four outcodes of six planes, then the four vertices against the one plane. */
+    TEST_ASSERT_EQUAL(4 * FXL_PLANE_COUNT + 4, workspace.stats.distances);
 }
 
 /* One half-space: early outs that write nothing, and the input may be any. */
@@ -167,6 +192,8 @@ void test_one_half_space(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
                       fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
     TEST_ASSERT_TRUE(out->count == 4 && out->vertices[1].position.x == V(4));
+    TEST_ASSERT_EQUAL(9, account.distances);
+    TEST_ASSERT_EQUAL(2, account.intersections);
 }
 
 /* What the guard band leaves can be projected, from the range's ends and the

@@ -135,6 +135,51 @@ void test_borders(void)
     }
 }
 
+/* Each new vertex is an intersection. A vertex that is already on the border is none. */
+void test_new_vertices_are_counted(void)
+{
+    fxl_screen_triangle out[2], in = flat(-4, 8, 4, 0, 4, 16);
+    stats.intersections = 0;
+    fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out);
+    TEST_ASSERT_EQUAL(2, stats.intersections);
+    in = flat(-4, 8, 0, 0, 4, 16);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
+    TEST_ASSERT_EQUAL(3, stats.intersections);
+    TEST_ASSERT_EQUAL(4 * 65536, out[0].corners[0].at.x + out[0].corners[1].at.x +
+                                     out[0].corners[2].at.x); /* 4, 0 and 0 */
+}
+
+/* A result that is null says whether it is the end or an error, whatever *status was. */
+void test_next_says_how_it_ended(void)
+{
+    fxl_lens lens = unit_lens(64, 48);
+    fxl_volume volume;
+    fxl_varying_polygon shape = SHAPE(-1, -1, 10, 0, 2, 10, 1, -1, 10);
+    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
+    TEST_ASSERT_EQUAL(3 * FXL_PLANE_COUNT, workspace.stats.distances);
+    fxl_status status = FXL_E_RANGE;
+    const fxl_screen_triangle *piece = fxl_triangle_next(&volume, &lens, &workspace, &status);
+    TEST_ASSERT_NOT_NULL(piece);
+    TEST_ASSERT_EQUAL(FXL_OK, status);
+    TEST_ASSERT_TRUE(piece->corners[1].depth == V(10) &&
+                     piece->corners[1].carried[1] == triangle.corners[1].carried[1]);
+    status = FXL_E_RANGE;
+    TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));
+    TEST_ASSERT_EQUAL(FXL_OK, status);
+    triangle.corners[0].position.x = V(-1) * 8000; /* beyond any screen, and no side to cut it */
+    for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
+        volume.planes[plane] = volume.planes[FXL_PLANE_NEAR];
+    }
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
+    TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, status);
+    TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));
+    TEST_ASSERT_EQUAL(FXL_OK, status);
+}
+
 void test_screen_touches_and_lines_are_left_out(void)
 {
     fxl_screen_triangle out[2], in = flat(0, 8, -4, 0, -4, 16);
