@@ -138,6 +138,12 @@ void test_what_makes_no_beam_is_refused(void)
     expect_refused(FXL_E_COUNT, &lamp, window, FXL_BEAM_PLANES_MAX);
     expect_refused(FXL_E_RANGE, &off, window, 4);
     expect_refused(FXL_E_RANGE, &lamp, &off, 3);
+    for (int i = 0; i < 4; i++) { /* any corner */
+        fxl_point corners[4];
+        memcpy(corners, window, sizeof corners);
+        corners[i].y = FXL_COORDINATE_MAX + 1;
+        expect_refused(FXL_E_RANGE, &lamp, corners, 4);
+    }
     expect_refused(FXL_E_DEGENERATE, &flat_light, window, 4);
     expect_refused(FXL_E_DEGENERATE, &lamp, line, 3);
     expect_refused(FXL_E_DEGENERATE, &lamp, star, 4);

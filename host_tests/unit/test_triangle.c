@@ -220,7 +220,8 @@ void test_fractions_in_space(void)
         in.corners[1].at = (fxl_screen_point){-unit_between(1, Q16(2000)), Q16(10)};
         in.corners[2].at = (fxl_screen_point){in.corners[1].at.x, Q16(-10)};
         for (int k = 0; k < 3; k++) {
-            in.corners[k].depth = ((int64_t)1 << bits) + (unit_wide(36) & INT64_MAX);
+            const int64_t more = unit_wide(36);
+            in.corners[k].depth = ((int64_t)1 << bits) + (more < 0 ? -more : more);
             in.corners[k].carried[0] = unit_between(-Q16(16383), Q16(16383));
         }
         TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
@@ -294,6 +295,25 @@ void test_pieces_lie_on_the_screen(void)
         most = made > most ? made : most;
     }
     TEST_ASSERT_TRUE(pieces > UNIT_REPEAT / 50 && most >= 6);
+}
+
+/* The intersections with the borders count beside those with the planes. */
+void test_the_borders_intersections_are_counted(void)
+{
+    fxl_lens lens = unit_lens(64, 48);
+    fxl_volume volume;
+    fxl_varying_polygon shape = SHAPE(-20, 0, 10, 0, 2, 10, 0, -2, 10); /* x = -10 is the border */
+    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+    fxl_status status;
+    uint32_t pieces = 0;
+    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    workspace.stats = (fxl_clip_stats){.intersections = 7};
+    fxl_triangle_begin(&triangle, 2, &volume, &workspace);
+    while (fxl_triangle_next(&volume, &lens, &workspace, &status) != NULL) {
+        pieces++;
+    }
+    TEST_ASSERT_EQUAL(2, pieces);
+    TEST_ASSERT_EQUAL(7 + 2, workspace.stats.intersections);
 }
 
 /* A wall about the whole screen: its pieces cover it, exactly. */
