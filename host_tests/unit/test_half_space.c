@@ -196,6 +196,27 @@ void test_one_half_space(void)
     TEST_ASSERT_EQUAL(2, account.intersections);
 }
 
+/* As many vertices as a polygon may have: the distances beyond are nobody's. */
+void test_the_most_vertices(void)
+{
+    fxl_volume volume = aside();
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = {.count = FXL_POLYGON_CAPACITY};
+    for (int i = 0; i < FXL_POLYGON_CAPACITY; i++) { /* down one side, and back up the other */
+        const bool back = i >= FXL_POLYGON_CAPACITY / 2;
+        const int64_t y = back ? FXL_POLYGON_CAPACITY - 1 - i : i;
+        polygon.vertices[i].position =
+            (fxl_view_point){back ? V(-16) : V(-18), V(12) + y * (V(1) / 4), V(10)};
+    }
+    polygon.vertices[0].position.x = V(-24); /* outside of left */
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    memset(workspace.distances, 0x5A, sizeof workspace.distances);
+    fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &workspace, &result);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, cut); /* two for one */
+    TEST_ASSERT_NULL(result);
+    TEST_ASSERT_EQUAL(FXL_POLYGON_CAPACITY * (FXL_PLANE_COUNT + 1), workspace.stats.distances);
+}
+
 /* What the guard band leaves can be projected, from the range's ends and the
  * nearest near plane; without it, it could not. */
 void test_the_guard_band_keeps_the_screen_in_range(void)
