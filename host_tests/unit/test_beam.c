@@ -48,6 +48,25 @@ void test_what_the_light_reaches_through_the_window_is_inside(void)
     TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-14), Q16(10), Q16(0.5)}));
 }
 
+/* A face is turned to a lamp that is before its plane: along each axis, to a unit. */
+void test_what_a_lamp_shines_on(void)
+{
+    const fxl_beam beam = {.kind = FXL_BEAM_POINT, .from = {Q16(3), Q16(-5), Q16(7)}};
+    for (int axis = 0; axis < 3; axis++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            fxl_q2_30 normal[3] = {0, 0, 0};
+            normal[axis] = sign * FXL_Q2_30_ONE;
+            const fxl_direction along = {normal[0], normal[1], normal[2]};
+            for (int unit = -1; unit <= 1; unit++) {
+                int32_t at[3] = {Q16(100), Q16(200), Q16(-300)};
+                at[axis] = beam.from[axis] - sign * unit;
+                const fxl_point vertex = {at[0], at[1], at[2]};
+                TEST_ASSERT_EQUAL(unit > 0, fxl_beam_shines_on(&beam, &vertex, &along));
+            }
+        }
+    }
+}
+
 void test_a_direction_makes_a_shaft(void)
 {
     const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};

@@ -196,6 +196,23 @@ void test_one_half_space(void)
     TEST_ASSERT_EQUAL(2, account.intersections);
 }
 
+/* By the sliver rule a vertex on the plane is outside. It stands for the intersection, which is
+ * then not computed. */
+void test_a_vertex_on_the_plane_is_no_intersection(void)
+{
+    fxl_varying_polygon *const out = &workspace.polygons[0];
+    fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+    fxl_clip_stats account = {.sliver = V(1)};
+    const fxl_half_space wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
+    fxl_varying_polygon polygon = SHAPE(4, 0, 10, 0, 4, 10, -4, 0, 10);
+    fxl_varying_polygon expected = SHAPE(4, 0, 10, 0, 4, 10, 0, 0, 10);
+    expected.vertices[2].carried[1] = Q16(1);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                      fxl_clip_to_half_space(&polygon, &wall, &account, out, distances));
+    TEST_ASSERT_EQUAL(1, account.intersections);
+    TEST_ASSERT_TRUE(clip_same(&expected, out));
+}
+
 /* As many vertices as a polygon may have: the distances beyond are nobody's. */
 void test_the_most_vertices(void)
 {

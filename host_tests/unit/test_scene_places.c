@@ -86,6 +86,17 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     tiny = with_instances_of(1);
     tiny->vertices[0].y = INT32_MIN;
     expect_fault(FXL_E_RANGE, "vertex", 0, &tiny->scene);
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) { /* any instance, by its first vertex alone */
+        for (int axis = 0; axis < 3; axis++) {
+            tiny = with_instances_of(0);
+            fxl_point *vertex = &tiny->vertices[0], *centre = &tiny->instances[i].centre;
+            fxl_q16_16 *const numbers[] = {&vertex->x, &vertex->y, &vertex->z,
+                                           &centre->x, &centre->y, &centre->z};
+            *numbers[axis] = -Q16(2);
+            *numbers[axis + 3] = Q16(1.5) - FXL_COORDINATE_MAX;
+            expect_fault(FXL_E_RANGE, "instance", i, &tiny->scene);
+        }
+    }
     tiny = tiny_make();
     tiny->faces[11].reserved = 1;
     expect_fault(FXL_E_RESERVED, "face", 11, &tiny->scene);
