@@ -260,7 +260,7 @@ mutants: ## put random small mistakes into the library; a unit test must fail fo
 	@tools/setup.sh units
 	@$(MAKE) $(UNIT_PROGRAMS)
 	@$(PY) tools/mutants.py --seed '$(or $(SEED),1)' --count '$(or $(COUNT),200)' $(if $(ONLY),--only '$(ONLY)') \
-	    --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS)' --tests $(UNIT_PROGRAMS)
+	    --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS)
 
 format: ## format the C sources with clang-format
 	@tools/setup.sh format

@@ -116,9 +116,9 @@ def link_tests(tree, programs):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for program in map(pathlib.Path, programs):
-        objects, place = [program.with_name(f"{program.name}{end}") for end in (".o", "_runner.o")], program.parent
-        said = tree.run([*tree.compiler, *(each.resolve() for each in objects), (place / "unity.o").resolve(),
-                         *((place / name).resolve() for name in ("libhelpers.a", "libparts.a")),
+        objects = [program.with_name(f"{program.name}.o"), program.with_name(f"{program.name}_main.o"),
+                   *map(program.with_name, ("unity.o", "assert.o", "libhelpers.a", "libparts.a"))]
+        said = tree.run([*tree.compiler, *(each.resolve() for each in objects),
                          tree.folder / LIBRARY, "-lm", "-o", folder / program.name])
         if said:
             raise ToolError(f"{program.name} cannot be linked:\n{said}")
