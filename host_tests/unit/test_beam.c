@@ -55,7 +55,7 @@ void test_what_a_lamp_shines_on(void)
     for (int axis = 0; axis < 3; axis++) {
         for (int sign = -1; sign <= 1; sign += 2) {
             fxl_q2_30 normal[3] = {0, 0, 0};
-            normal[axis] = sign * FXL_Q2_30_ONE;
+            normal[axis] = sign > 0 ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
             const fxl_direction along = {normal[0], normal[1], normal[2]};
             for (int unit = -1; unit <= 1; unit++) {
                 int32_t at[3] = {Q16(100), Q16(200), Q16(-300)};

@@ -210,32 +210,6 @@ void test_what_rides_along_is_cut_as_in_space(void)
     TEST_ASSERT_TRUE(found);
 }
 
-/* At any place and depth, all bits of both: what rides along goes by s z0 / (s z0 + (1 - s) z1). */
-void test_fractions_in_space(void)
-{
-    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
-        fxl_screen_triangle out[2], in = flat(0, 0, 0, 0, 0, 0);
-        const int bits = unit_between(38, 60);
-        in.corners[0].at = (fxl_screen_point){unit_between(1, Q16(2000)), 0};
-        in.corners[1].at = (fxl_screen_point){-unit_between(1, Q16(2000)), Q16(10)};
-        in.corners[2].at = (fxl_screen_point){in.corners[1].at.x, Q16(-10)};
-        for (int k = 0; k < 3; k++) {
-            const int64_t more = unit_wide(36);
-            in.corners[k].depth = ((int64_t)1 << bits) + (more < 0 ? -more : more);
-            in.corners[k].carried[0] = unit_between(-Q16(16383), Q16(16383));
-        }
-        TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
-        for (int k = 1; k < 3; k++) {
-            const fxl_screen_corner *a = &in.corners[0], *b = &in.corners[k];
-            double from = (double)a->at.x * (double)a->depth;
-            double to = -(double)b->at.x * (double)b->depth;
-            double exact =
-                a->carried[0] + ((double)b->carried[0] - a->carried[0]) * (from / (from + to));
-            TEST_ASSERT_NEAR(out[0].corners[k].carried[0], exact, 0.52);
-        }
-    }
-}
-
 /* The largest depths, distances and ranges: the fraction stays one. */
 void test_the_range_s_ends(void)
 {
@@ -334,4 +308,30 @@ void test_a_wall_covers_the_screen(void)
     area = area < 0 ? -area : area;
     int64_t screen = (int64_t)2 * 64 * 48 * 65536 * 65536;
     TEST_ASSERT_TRUE(area == screen);
+}
+
+/* At any place and depth, all bits of both: what rides along goes by s z0 / (s z0 + (1 - s) z1). */
+void test_fractions_in_space(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        fxl_screen_triangle out[2], in = flat(0, 0, 0, 0, 0, 0);
+        const int bits = unit_between(38, 60);
+        in.corners[0].at = (fxl_screen_point){unit_between(1, Q16(2000)), 0};
+        in.corners[1].at = (fxl_screen_point){-unit_between(1, Q16(2000)), Q16(10)};
+        in.corners[2].at = (fxl_screen_point){in.corners[1].at.x, Q16(-10)};
+        for (int k = 0; k < 3; k++) {
+            const int64_t more = unit_wide(36);
+            in.corners[k].depth = ((int64_t)1 << bits) + (more < 0 ? -more : more);
+            in.corners[k].carried[0] = unit_between(-Q16(16383), Q16(16383));
+        }
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
+        for (int k = 1; k < 3; k++) {
+            const fxl_screen_corner *a = &in.corners[0], *b = &in.corners[k];
+            double from = (double)a->at.x * (double)a->depth;
+            double to = -(double)b->at.x * (double)b->depth;
+            double exact =
+                a->carried[0] + ((double)b->carried[0] - a->carried[0]) * (from / (from + to));
+            TEST_ASSERT_NEAR(out[0].corners[k].carried[0], exact, 0.52);
+        }
+    }
 }
