@@ -121,12 +121,12 @@ static void misuse_setters(fxl_renderer *renderer)
     const fxl_renderer before = *renderer;
     DEMAND(fxl_renderer_set_clipper(NULL, &fxl_clipper_view, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, NULL, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, crooked, 60) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, room, 64) == FXL_E_CAPACITY);
     DEMAND(fxl_renderer_set_visibility(NULL, &fxl_visibility_sorted, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_visibility(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, NULL, 8) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, room, 8) == FXL_E_CAPACITY);
     DEMAND(fxl_renderer_set_beams(NULL, beams, 1, lit, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, NULL, 1, lit, room, 64) == FXL_E_ARGUMENT);
