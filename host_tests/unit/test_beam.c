@@ -48,6 +48,20 @@ void test_what_the_light_reaches_through_the_window_is_inside(void)
     TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-14), Q16(10), Q16(0.5)}));
 }
 
+/* A sphere that touches the beam may lie in it; one that is 2^-13 unit away does not. */
+void test_a_sphere_beside_a_beam(void)
+{
+    const fxl_beam beam = {.kind = FXL_BEAM_DIRECTION,
+                           .plane_count = 1,
+                           .from = {0, -FXL_Q2_30_ONE, 0},
+                           .planes = {{.normal = {FXL_Q2_30_ONE, 0, 0}}}}; /* x >= 0 */
+    for (fxl_q16_16 radius = 0; radius <= FXL_RADIUS_MAX / 4; radius += FXL_RADIUS_MAX / 40) {
+        const fxl_point touching = {-radius, Q16(3), Q16(-5)}, away = {-radius - 8, 0, 0};
+        TEST_ASSERT_TRUE(fxl_beam_reaches(&beam, &touching, radius));
+        TEST_ASSERT_FALSE(fxl_beam_reaches(&beam, &away, radius));
+    }
+}
+
 /* A face is turned to a lamp that is before its plane: along each axis, to a unit. */
 void test_what_a_lamp_shines_on(void)
 {

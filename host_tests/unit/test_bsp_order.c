@@ -223,6 +223,48 @@ static uint32_t used_by(const fxl_point *centre, const fxl_pose *pose)
     return tree->used;
 }
 
+/* The first cube has no room for its parts, and is whole; what it had taken is free again for the
+ * second. */
+void test_what_a_failed_cut_took_is_free_again(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{Q16(5), Q16(4), Q16(4)}, DEGREES(-45), DEGREES(-20), 0};
+    made = bsp_make();
+    made->tiny->instances[0].centre = (fxl_point){Q16(1), 0, Q16(8)};
+    made->tiny->instances[2].centre = (fxl_point){Q16(2), Q16(2), Q16(6)};
+    start(&fxl_visibility_bsp, &lens);
+    fxl_bsp_workspace *tree = renderer.submit_workspace;
+    draw(whole, &pose, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
+    TEST_ASSERT_EQUAL_UINT32(5 * 12 + 5 * 4 * 16 + 3 * (12 + 4 * 16), tree->used);
+    tree->pieces_size = 5 * 12 + 5 * 4 * 16 - 4; /* four bytes too few for the first */
+    draw(other, &pose, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(1, tree->unsplit);
+    TEST_ASSERT_TRUE(tree->used <= tree->pieces_size);
+}
+
+/* Two bits a node, in words, and 4 bytes a node and 12 a mover; one bit where nothing moves. */
+void test_room_for_trees_of_any_size(void)
+{
+    static const uint32_t nodes[] = {1, 31, 32, 33, 64, 65};
+    static const uint32_t words[] = {1, 1, 1, 2, 2, 3};
+    made = bsp_make();
+    fxl_scene *scene = &made->tiny->scene;
+    for (int i = 0; i < 6; i++) {
+        const uint32_t record = (uint32_t)sizeof(fxl_bsp_workspace);
+        scene->bsp_node_count = nodes[i];
+        made->tiny->instances[0].layer = made->tiny->instances[2].layer = 0;
+        TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 2 * 12,
+                                 fxl_visibility_bsp.submit_workspace_size(scene));
+        made->tiny->instances[0].layer = 1;
+        TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 12,
+                                 fxl_visibility_bsp.submit_workspace_size(scene));
+        made->tiny->instances[2].layer = 1;
+        TEST_ASSERT_EQUAL_UINT32(record + 4 * words[i],
+                                 fxl_visibility_bsp.submit_workspace_size(scene));
+    }
+}
+
 /* The plane x = 1 halves two of the three faces. Each half has two corners of the face and two
  * intersections. Through two corners of a face, a plane makes no intersection: each half has both
  * corners. */

@@ -116,6 +116,40 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     expect_fault(FXL_E_FACE_BOUNDS, "face", 11, &tiny->scene);
 }
 
+void test_tables_of_too_few_and_too_many(void)
+{
+    static const struct {
+        uint32_t few, many;
+        const char *name;
+    } tables[] = {{2, FXL_SCENE_VERTICES_MAX + 1, "vertex table"},
+                  {2, FXL_SCENE_INDICES_MAX + 1, "index table"},
+                  {0, FXL_SCENE_FACES_MAX + 1, "face table"},
+                  {0, FXL_SCENE_MODELS_MAX + 1, "model table"},
+                  {0, FXL_SCENE_INSTANCES_MAX + 1, "instance table"}};
+    for (int i = 0; i < 5; i++) {
+        for (int many = 0; many < 2; many++) {
+            fxl_scene *scene = &tiny_make()->scene;
+            uint32_t *const counts[] = {&scene->vertex_count, &scene->index_count,
+                                        &scene->face_count, &scene->model_count,
+                                        &scene->instance_count};
+            *counts[i] = many ? tables[i].many : tables[i].few;
+            expect_fault(FXL_E_COUNT, tables[i].name, 0, scene);
+        }
+    }
+}
+
+/* The path's frames are those that the header states. */
+void test_a_path_of_other_frames(void)
+{
+    for (uint32_t frames = TINY_POSES - 1; frames <= TINY_POSES + 1; frames++) {
+        fxl_scene_fault fault = {"", 9};
+        tiny_image *image = tiny_image_make(false);
+        tiny_put32(tiny_at(image, AT_FRAMES), frames);
+        TEST_ASSERT_EQUAL(frames == TINY_POSES ? FXL_OK : FXL_E_COUNT, open(image, &fault));
+        TEST_ASSERT_EQUAL_UINT32(frames == TINY_POSES ? 9 : 0, fault.index);
+    }
+}
+
 /* What lies within the limits is taken, at their ends too. */
 void test_limits_that_are_reached(void)
 {
