@@ -41,7 +41,7 @@ endif
 # same file at a time. What a command builds is built in parallel with -j, after its set-up. lib
 # calls no make of its own.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs size format clean
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs mutants size format clean
 ifneq ($(filter-out lib,$(filter $(COMMANDS),$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
@@ -261,6 +261,12 @@ kills: ## kill run, flash, boot, view and report at random moments: nothing may 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
 	@tools/setup.sh units
 	@$(PY) tools/seeded_bugs.py --build $(BUILD)
+
+mutants: ## put random small mistakes into the library; a unit test must fail for most of them [SEED=1 COUNT=200 ONLY=]
+	@tools/setup.sh units
+	@$(MAKE) $(UNIT_PROGRAMS)
+	@$(PY) tools/mutants.py --seed '$(or $(SEED),1)' --count '$(or $(COUNT),200)' $(if $(ONLY),--only '$(ONLY)') \
+	    --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS)
 
 format: ## format the C sources with clang-format
 	@tools/setup.sh format

@@ -31,7 +31,8 @@ from fixel.table import coloured
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"
 TARGETS = {"scene": 8192, "pipeline": 4096}     # and the longest input in bytes
-SEED_SCENES = ("scenes/tiny.toml", "scenes/cube.toml", "scenes/beam.toml")
+SEED_SCENES = ("scenes/tiny.toml", "scenes/cube.toml",
+               *sorted(str(file) for file in (CHECKOUT / "host_tests/fuzz/scenes").glob("*.toml")))
 INPUT_TIMEOUT = 10      # seconds for one input: more is a hang
 GRACE = 60              # seconds that a fuzzer may end after its time
 PLAIN_INTERVAL = 10.0   # seconds between two lines where there is no terminal

@@ -212,6 +212,9 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     fxl_renderer *renderer =
         make_renderer(first->scene, &first->frame.view.lens, clipper, words, fuzz_below(in, 40));
+    if (fuzz_below(in, 4) == 0) {
+        DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_box, NULL, 0) == FXL_OK);
+    }
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);

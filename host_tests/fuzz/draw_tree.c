@@ -13,7 +13,7 @@ enum {
 /* A frame drawn by a tree, with blocks that end where they should. */
 typedef struct {
     fxl_renderer renderer;
-    void *order, *list, *room, *pieces;
+    void *order, *list, *room, *pieces, *clip, *light;
     uint8_t *pixels;
     uint32_t rows, unsplit;
 } drawing;
@@ -26,8 +26,28 @@ static void *block(size_t size)
     return made;
 }
 
+/* The triangles, which give a face several polygons, or the default; and the scene's beams. */
+static void set_others(drawing *made, const fxl_scene *scene, bool triangles)
+{
+    if (triangles) {
+        const fxl_clipper *clipper = &fxl_clipper_triangles;
+        made->clip = block(clipper->workspace_size);
+        DEMAND(fxl_renderer_set_clipper(&made->renderer, clipper, made->clip,
+                                        clipper->workspace_size) == FXL_OK);
+    }
+    if (scene->beam_count > 0) {
+        const uint32_t size = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
+        made->light = block(size);
+        DEMAND(fxl_renderer_set_beams(&made->renderer, scene->beams, scene->beam_count, scene->lit,
+                                      made->light, size - 1) == FXL_E_CAPACITY);
+        DEMAND(fxl_renderer_set_beams(&made->renderer, scene->beams, scene->beam_count, scene->lit,
+                                      made->light, size) == FXL_OK);
+    }
+    made->renderer.workspace.counters.refused_calls = 0;
+}
+
 static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *lens,
-                         const fxl_visibility *visibility, uint32_t pieces)
+                         const fxl_visibility *visibility, uint32_t pieces, bool triangles)
 {
     made->order = block(scene->order_needed * sizeof(fxl_order_entry));
     made->list = block(1);
@@ -38,14 +58,16 @@ static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *
     DEMAND(fxl_renderer_init_with(&made->renderer, scene, lens, &memory) == FXL_OK);
     made->room = block(room);
     made->pieces = block(pieces);
+    made->clip = made->light = NULL;
     DEMAND(room == 0 || fxl_renderer_set_visibility(&made->renderer, visibility, made->room,
                                                     room - 1) == FXL_E_CAPACITY);
     DEMAND(fxl_renderer_set_visibility(&made->renderer, visibility, made->room, room) == FXL_OK);
     if (scene->bsp_nodes != NULL) {
         fxl_bsp_workspace *tree = made->room;
-        tree->pieces = made->pieces;
+        tree->pieces = pieces > 0 ? made->pieces : NULL;
         tree->pieces_size = pieces;
     }
+    set_others(made, scene, triangles);
     made->rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
     made->pixels = block((size_t)made->rows * lens->width);
 }
@@ -82,6 +104,8 @@ static void close_drawing(drawing *made)
     free(made->list);
     free(made->room);
     free(made->pieces);
+    free(made->clip);
+    free(made->light);
     free(made->pixels);
 }
 
@@ -103,14 +127,15 @@ void draw_by_bsp(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *p
 {
     drawing whole = {0}, bands = {0}, spans = {0};
     const uint32_t pieces = fuzz_below(in, 2) ? PIECES_MAX : fuzz_below(in, PIECES_MAX);
-    open_drawing(&whole, scene, lens, &fxl_visibility_bsp, pieces);
+    const bool triangles = fuzz_below(in, 4) == 0;
+    open_drawing(&whole, scene, lens, &fxl_visibility_bsp, pieces, triangles);
     draw(&whole, pose, whole.rows);
     DEMAND(whole.renderer.workspace.counters.in == draw_model_view(scene));
-    open_drawing(&bands, scene, lens, &fxl_visibility_bsp, pieces);
+    open_drawing(&bands, scene, lens, &fxl_visibility_bsp, pieces, triangles);
     give_list(&bands, fuzz_below(in, 200));
     draw(&bands, pose, 1 + fuzz_below(in, bands.rows));
     demand_same(&whole, &bands);
-    open_drawing(&spans, scene, lens, &fxl_visibility_bsp_spans, pieces);
+    open_drawing(&spans, scene, lens, &fxl_visibility_bsp_spans, pieces, triangles);
     give_list(&spans, fuzz_below(in, 200));
     draw(&spans, pose, 1 + fuzz_below(in, spans.rows));
     demand_same(&whole, &spans);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Fuzz targets: with libFuzzer and the sanitizers (make fuzz), once more to
-# measure branches, and as plain programs that replay files (make test).
+# measure branches, and as plain programs that replay files (make test): once
+# with GCC's sanitizers, and once to count the branches.
 
 FUZZ_TARGETS := scene pipeline
 FUZZ_OUT := $(BUILD)/host/fuzz
@@ -53,6 +54,18 @@ $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	$(HOST_SAY)
 	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -c $< -o $@
 
+# --- replay that counts branches, of the library as it is shipped --------------
+
+FUZZ_BRANCHES_CFLAGS := $(WARNINGS) -O0 --coverage -Ilib/include -Ilib -MMD -MP
+
+$(eval $(call LIB_RULES,$(FUZZ_OUT)/branches/lib,\
+    $$(HOSTCC) $$(FUZZ_BRANCHES_CFLAGS) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
+
+$(FUZZ_OUT)/branches/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
+	@mkdir -p $(@D)
+	$(HOST_SAY)
+	$(HOSTCC) $(WARNINGS) -O1 -Ilib/include -Ilib -MMD -MP -c $< -o $@
+
 define FUZZ_PROGRAM
 $(FUZZ_OUT)/fuzz_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/asan/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/asan/lib/%.o)
 	$$(HOST_SAY)
@@ -66,6 +79,11 @@ $(FUZZ_OUT)/replay_$(1): $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out
         $(BUILD)/host/unit/libfixel.a
 	$$(HOST_SAY)
 	$$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
+
+$(FUZZ_OUT)/branches_$(1): $(patsubst %,$(FUZZ_OUT)/branches/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
+        $(FUZZ_LIB:%=$(FUZZ_OUT)/branches/lib/%.o)
+	$$(HOST_SAY)
+	$$(HOSTCC) --coverage $$^ -o $$@
 endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 
@@ -77,4 +95,4 @@ FUZZ_TOOLS_INPUT = FUZZ_SEED='$(or $(SECONDS),60)' FUZZ_EXAMPLES='$(FUZZ_TOOLS_E
     $(PY) -m pytest -q -p no:cacheprovider host_tests/tools/test_input_fuzz.py
 
 FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
-HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
+HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/branches_%)

@@ -8,7 +8,8 @@
 
 enum {
     PIXELS = 4096,
-    POSES = 3
+    POSES = 3,
+    PARTS = 28 /* as many for scenes as for all others together */
 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -70,11 +71,12 @@ static void fuzz_placed_limit(fuzz_input *in)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static void (*const parts[])(fuzz_input *) = {
-        fuzz_project, fuzz_scan,   fuzz_clip_world,   fuzz_clip_view,
-        fuzz_viewer,  fuzz_lenses, fuzz_placed_limit, fuzz_misuse,
+        fuzz_project,      fuzz_scan,    fuzz_clip_world, fuzz_clip_view,     fuzz_viewer,
+        fuzz_lenses,       fuzz_misuse,  fuzz_sort,       fuzz_beams,         fuzz_split,
+        fuzz_placed_limit, fuzz_volumes, fuzz_normalised, fuzz_first_program,
     };
     fuzz_input in = {data, size};
-    uint32_t part = fuzz_below(&in, 16);
+    uint32_t part = fuzz_below(&in, PARTS);
     if (part < sizeof parts / sizeof parts[0]) {
         parts[part](&in);
     } else {

@@ -111,6 +111,59 @@ static void misuse_scene(void)
     DEMAND(fxl_scene_open(NULL, 0, NULL, NULL) == FXL_E_ARGUMENT);
 }
 
+/* A clipper, a visibility method and beams that the renderer must refuse; it keeps what it has. */
+static void misuse_setters(fxl_renderer *renderer)
+{
+    static uint64_t room[8];
+    static const fxl_beam beams[FXL_BEAMS_MAX + 1];
+    static const uint8_t lit[256];
+    uint8_t *const crooked = (uint8_t *)room + 4;
+    const fxl_renderer before = *renderer;
+    DEMAND(fxl_renderer_set_clipper(NULL, &fxl_clipper_view, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_clipper(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, NULL, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, crooked, 60) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, room, 64) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_set_visibility(NULL, &fxl_visibility_sorted, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_visibility(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, NULL, 8) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, room, 8) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_set_beams(NULL, beams, 1, lit, room, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_beams(renderer, NULL, 1, lit, room, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, NULL, room, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, NULL, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, crooked, 60) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, room, 64) == FXL_E_COUNT);
+    DEMAND(fxl_renderer_set_beams(renderer, beams, FXL_BEAMS_MAX + 1, lit, room, 64) ==
+           FXL_E_COUNT);
+    DEMAND(before.clipper == renderer->clipper && before.visibility == renderer->visibility &&
+           before.beam_light == renderer->beam_light);
+    DEMAND(fxl_renderer_set_beams(renderer, NULL, 0, NULL, NULL, 0) == FXL_OK);
+}
+
+static void misuse_wire(const fxl_scene *scene, const fxl_lens *lens, const fxl_band *band)
+{
+    static fxl_wire wire;
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0}, far_away = {{INT32_MAX, 0, 0}, 0, 0, 0};
+    fxl_band nowhere = *band;
+    nowhere.pixels = NULL;
+    DEMAND(fxl_wire_init(NULL, scene, lens, fxl_line_by_planes) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_init(&wire, NULL, lens, fxl_line_by_planes) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_init(&wire, scene, NULL, fxl_line_by_planes) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_init(&wire, scene, lens, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_init(&wire, scene, lens, fxl_line_by_planes) == FXL_OK);
+    DEMAND(fxl_wire_draw(&wire, band) == FXL_E_ORDER);
+    DEMAND(fxl_wire_begin(NULL, &pose) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_begin(&wire, &far_away) == FXL_E_RANGE);
+    DEMAND(fxl_wire_begin(&wire, &pose) == FXL_OK);
+    DEMAND(fxl_wire_draw(NULL, band) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_draw(&wire, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_wire_draw(&wire, &nowhere) == FXL_E_ARGUMENT);
+    bool legal = band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&
+                 band->first_row + band->rows <= lens->height;
+    DEMAND(fxl_wire_draw(&wire, band) == (legal ? FXL_OK : FXL_E_RANGE));
+}
+
 void fuzz_misuse(fuzz_input *in)
 {
     static fxl_renderer renderer;
@@ -128,6 +181,8 @@ void fuzz_misuse(fuzz_input *in)
     misuse_frame(&renderer, &band, in);
     misuse_scan(&band);
     misuse_scene();
+    misuse_setters(&renderer);
+    misuse_wire(&empty, &lens, &band);
     DEMAND(fxl_camera_from_pose(NULL, &camera) == FXL_E_ARGUMENT);
     DEMAND(fxl_camera_from_pose(&pose, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_player_step(NULL, 0, &motion_limits, NULL) == FXL_E_ARGUMENT);

@@ -16,7 +16,8 @@ from fixel import image, toml_scene, tree
 from fixel.errors import ToolError, run_main
 
 LARGEST = 8000          # bytes of a scene that is worth mutating
-PARTS = 16              # what the pipeline's first byte chooses among
+POSES = 3               # that a seed has of its scene's path
+PARTS = 28              # what the pipeline's first byte chooses among
 LENGTHS = (200, 400, 800, 2000)
 
 
@@ -24,13 +25,14 @@ def scene_seeds(file):
     """An image of a scene file, once with a path of poses and once of strides."""
     compiled, _ = toml_scene.compile_file(str(file), None, lambda text: None)
     small = dataclasses.replace(compiled, width=64, height=48, palette=[(0, 0, 0)] * 256)
-    start = small.start
+    start, path = small.start, small.path[:POSES] if small.path_kind == image.POSES else [small.start]
     yield image.pack(dataclasses.replace(small, path_kind=image.POSES, path=[start, start]))
     yield image.pack(dataclasses.replace(small, path_kind=image.STRIDES,
                                          path=[(image.KEYS["forward"], 2), (0xFF, 1)]))
     kinds = [dataclasses.replace(model, kind=image.SORTED) for model in small.models]
     yield image.pack(dataclasses.replace(small, models=kinds, path_kind=image.POSES, path=[start]))
-    planted = dataclasses.replace(small, path_kind=image.POSES, path=[start])
+    planted = dataclasses.replace(small, path_kind=image.POSES, path=path)
+    yield image.pack(planted)
     tree.plant(planted, tree.layers_of("most", planted), compiled.moving)
     yield image.pack(planted)
 

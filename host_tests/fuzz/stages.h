@@ -13,5 +13,11 @@ void fuzz_clip_view(fuzz_input *in);
 void fuzz_viewer(fuzz_input *in);
 void fuzz_lenses(fuzz_input *in);
 void fuzz_misuse(fuzz_input *in);
+void fuzz_sort(fuzz_input *in);
+void fuzz_beams(fuzz_input *in);
+void fuzz_split(fuzz_input *in);
+void fuzz_volumes(fuzz_input *in);
+void fuzz_normalised(fuzz_input *in);
+void fuzz_first_program(fuzz_input *in);
 
 #endif

@@ -18,7 +18,7 @@ import pytest
 import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import assert_one_sentence, environment, run_cli
-from fixel import flash, qemu
+from fixel import flash, limits, qemu
 
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 
@@ -104,6 +104,15 @@ class Terminal:
                 assert self.process.poll() is None, self.seen
         self.seen = self.seen.split(text, 1)[1]
 
+    def works(self):
+        """Waits until the processes have used some more CPU time."""
+        watch = limits.Watch(self.process.pid, cpu=3600.0)
+        while watch.check() is None and watch.used == 0.0:
+            time.sleep(0.01)
+        used = watch.used
+        while watch.check() is None and watch.used < used + 0.2:
+            time.sleep(0.01)
+
     def type(self, text):
         os.write(self.ours, text.encode())
 
@@ -132,7 +141,7 @@ def test_a_person_interrupts_and_quits(image, walk, tmp_path, terminal):
     one.expect("(gdb) ")
     one.type("continue\n")
     one.expect("Continuing.")
-    time.sleep(0.5)
+    one.works()     # the program runs: QEMU uses the processor, which it does not while it is stopped
     one.type("\x03")
     one.expect("SIGINT")
     one.expect("(gdb) ")

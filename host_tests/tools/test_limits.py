@@ -41,6 +41,22 @@ def test_output_is_no_sleep():
     assert shell("for i in 1 2 3 4 5 6 7 8; do echo $i; sleep 0.2; done", asleep=0.8).returncode == 0
 
 
+def test_news_between_two_late_looks_are_no_sleep():
+    """This process may get no processor for longer than the limit."""
+    child = subprocess.Popen(["sleep", "600"])
+    try:
+        watch = limits.Watch(child.pid, HOUR, 0.2)
+        for renew in (watch.awake, watch.renew):
+            time.sleep(0.4)
+            renew()
+            assert watch.check() is None
+        time.sleep(0.4)
+        assert watch.check() == "it slept for 0.2 s"
+    finally:
+        child.kill()
+        child.wait()
+
+
 def test_work_is_no_sleep():
     assert shell("i=0; while [ $i -lt 400000 ]; do i=$((i + 1)); done", asleep=0.3).returncode == 0
 

@@ -391,7 +391,8 @@ def test_the_pump_keeps_time():
 def test_the_pump_as_fast_as_it_goes():
     board, failed = Drawn(2000), []
     pump = Pump(board, 1, lambda one: None, failed.append)
-    time.sleep(0.1)
+    while not board.waits:
+        time.sleep(0.01)
     pump.set_rate(0)    # at once, not after the second that it waits
     while not failed:
         time.sleep(0.01)

@@ -48,6 +48,39 @@ void test_what_the_light_reaches_through_the_window_is_inside(void)
     TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-14), Q16(10), Q16(0.5)}));
 }
 
+/* A sphere that touches the beam may lie in it; one that is 2^-13 unit away does not. */
+void test_a_sphere_beside_a_beam(void)
+{
+    const fxl_beam beam = {.kind = FXL_BEAM_DIRECTION,
+                           .plane_count = 1,
+                           .from = {0, -FXL_Q2_30_ONE, 0},
+                           .planes = {{.normal = {FXL_Q2_30_ONE, 0, 0}}}}; /* x >= 0 */
+    for (fxl_q16_16 radius = 0; radius <= FXL_RADIUS_MAX / 4; radius += FXL_RADIUS_MAX / 40) {
+        const fxl_point touching = {-radius, Q16(3), Q16(-5)}, away = {-radius - 8, 0, 0};
+        TEST_ASSERT_TRUE(fxl_beam_reaches(&beam, &touching, radius));
+        TEST_ASSERT_FALSE(fxl_beam_reaches(&beam, &away, radius));
+    }
+}
+
+/* A face is turned to a lamp that is before its plane: along each axis, to a unit. */
+void test_what_a_lamp_shines_on(void)
+{
+    const fxl_beam beam = {.kind = FXL_BEAM_POINT, .from = {Q16(3), Q16(-5), Q16(7)}};
+    for (int axis = 0; axis < 3; axis++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            fxl_q2_30 normal[3] = {0, 0, 0};
+            normal[axis] = sign > 0 ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
+            const fxl_direction along = {normal[0], normal[1], normal[2]};
+            for (int unit = -1; unit <= 1; unit++) {
+                int32_t at[3] = {Q16(100), Q16(200), Q16(-300)};
+                at[axis] = beam.from[axis] - sign * unit;
+                const fxl_point vertex = {at[0], at[1], at[2]};
+                TEST_ASSERT_EQUAL(unit > 0, fxl_beam_shines_on(&beam, &vertex, &along));
+            }
+        }
+    }
+}
+
 void test_a_direction_makes_a_shaft(void)
 {
     const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};
@@ -138,6 +171,12 @@ void test_what_makes_no_beam_is_refused(void)
     expect_refused(FXL_E_COUNT, &lamp, window, FXL_BEAM_PLANES_MAX);
     expect_refused(FXL_E_RANGE, &off, window, 4);
     expect_refused(FXL_E_RANGE, &lamp, &off, 3);
+    for (int i = 0; i < 4; i++) { /* any corner */
+        fxl_point corners[4];
+        memcpy(corners, window, sizeof corners);
+        corners[i].y = FXL_COORDINATE_MAX + 1;
+        expect_refused(FXL_E_RANGE, &lamp, corners, 4);
+    }
     expect_refused(FXL_E_DEGENERATE, &flat_light, window, 4);
     expect_refused(FXL_E_DEGENERATE, &lamp, line, 3);
     expect_refused(FXL_E_DEGENERATE, &lamp, star, 4);

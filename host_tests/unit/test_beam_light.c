@@ -205,13 +205,16 @@ void test_what_makes_no_light_is_refused(void)
                       fxl_renderer_set_beams(&renderer, beams, 1, NULL, room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_beams(&renderer, beams, 1, lit, NULL, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_beams(&renderer, beams, 1, lit,
-                                                             (uint8_t *)room + 4, WORKSPACE - 4));
+    for (int off = 1; off < 8; off *= 2) {
+        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                          fxl_renderer_set_beams(&renderer, beams, 1, lit, (uint8_t *)room + off,
+                                                 (uint32_t)(WORKSPACE - off)));
+    }
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_renderer_set_beams(&renderer, beams, FXL_BEAMS_MAX + 1, lit,
                                                           room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_set_beams(&renderer, beams, 2, lit, room, needed - 1));
-    TEST_ASSERT_EQUAL_UINT32(6, renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(8, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_NULL(renderer.beam_light);
     beams[1].plane_count = 0;
     TEST_ASSERT_EQUAL(FXL_E_COUNT,
@@ -220,6 +223,43 @@ void test_what_makes_no_light_is_refused(void)
     TEST_ASSERT_NOT_NULL(renderer.beam_light);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
     TEST_ASSERT_NULL(renderer.beam_light);
+}
+
+/* A comb whose teeth all cross two sides of the beam: its parts need more corners than there is
+ * memory for. The loader does not check that faces are convex. Such a face is drawn whole and
+ * dark, and counts as refused. */
+void test_what_has_no_room_is_drawn_dark(void)
+{
+    static fxl_point comb[FXL_FACE_VERTICES_MAX - 5];
+    static uint16_t corners[FXL_FACE_VERTICES_MAX - 5];
+    const fxl_pose above = {{0, Q16(6), 0}, 0, DEGREES(-90), 0};
+    const uint32_t count = FXL_FACE_VERTICES_MAX - 5;
+    for (uint32_t i = 0; i < count; i++) {
+        corners[i] = (uint16_t)i;
+        comb[i] = (fxl_point){Q16(-0.3) + (int32_t)i * 2000, 0, i % 2 ? Q16(2) : Q16(-2)};
+    }
+    make(WORDS);
+    tiny->models[0].vertex_count = count;
+    tiny->models[0].face_count = 1;
+    tiny->models[0].radius = Q16(4);
+    tiny->faces[0].normal = (fxl_direction){0, FXL_Q2_30_ONE, 0};
+    tiny->faces[0].count = (uint8_t)count;
+    fxl_scene *scene = &tiny->scene;
+    scene->vertices = comb;
+    scene->indices = corners;
+    scene->instance_count = scene->model_count = scene->face_count = 1;
+    scene->vertex_count = scene->index_count = count;
+    scene->face_bounds = NULL;
+    scene->face_bounds_count = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+    draw(whole, &above, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.drawn);
+    TEST_ASSERT_NOT_NULL(memchr(whole, 1, sizeof whole));
+    light(1, lit);
+    draw(other, &above, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
 }
 
 /* 15 vertices and 5 planes fit, 16 and twice 5 more do not. */

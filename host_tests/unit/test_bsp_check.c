@@ -131,6 +131,18 @@ void test_spheres(void)
     expect(FXL_E_RADIUS, "BSP node", 5);
 }
 
+/* A sphere about one corner of the last node's face, which any of the others leaves. */
+void test_a_sphere_holds_every_corner(void)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        const fxl_face *face = &made->tiny->faces[11];
+        const uint16_t corner = made->tiny->corners[face->first_index + i];
+        made->nodes[5].centre = made->tiny->vertices[8 + corner];
+        made->nodes[5].radius = 256;
+        expect(FXL_E_RADIUS, "BSP node", 5);
+    }
+}
+
 void test_every_face_has_one_node(void)
 {
     made->nodes[1].first_face = 2;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "src/view/facing.h"
+#include "fixel/stage/order.h"
 #include "tiny.h"
 
 static int64_t side_of(const fxl_face *face, const fxl_point *first, const fxl_point *eye)
@@ -52,6 +53,26 @@ void test_the_least_bit_decides(void)
         fxl_point eye = {first->x, first->y + side, first->z};
         TEST_ASSERT_EQUAL(side > 0,
                           fxl_face_is_front(&tiny->scene, &tiny->instances[0], face, &eye));
+    }
+}
+
+/* An eye in the plane of a face does not see it; a unit before it, it does. With the bounds that
+ * the scene stores, and without. */
+void test_an_eye_in_the_plane_of_a_face(void)
+{
+    static fxl_order_entry entries[6];
+    tiny_scene *tiny = tiny_make();
+    const fxl_instance *cube = &tiny->instances[1];
+    for (int bounds = 0; bounds < 2; bounds++) {
+        tiny->scene.face_bounds = bounds ? tiny->keys : NULL;
+        for (int unit = -1; unit <= 1; unit++) {
+            const fxl_point eye = {0, Q16(1) + unit, cube->centre.z};
+            const uint32_t count = fxl_order_faces(&tiny->scene, cube, &eye, entries);
+            TEST_ASSERT_EQUAL_UINT32(unit > 0, count);
+            TEST_ASSERT_TRUE(count == 0 || entries[0].face == 3);
+            TEST_ASSERT_EQUAL(unit > 0,
+                              fxl_face_is_front(&tiny->scene, cube, &tiny->faces[9], &eye));
+        }
     }
 }
 

@@ -117,6 +117,32 @@ void test_the_block_is_divided_without_overlap(void)
     }
 }
 
+/* The cache has a power of two of entries that is enough for the largest model's 8 vertices, or
+ * as many as fit a quarter of the memory beside the order. All else is the display list. */
+void test_how_the_block_is_divided(void)
+{
+    const fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    const size_t order = (scene.order_needed * sizeof(fxl_order_entry) + 7) / 8 * 8;
+    for (uint32_t entries = 0; entries <= 16; entries = entries == 0 ? 1 : 2 * entries) {
+        const size_t size = order + 4 * entries * sizeof(fxl_cached_vertex);
+        const uint32_t kept = entries < 8 ? entries : 8;
+        TEST_ASSERT_TRUE(size + 64 <= LARGE);
+        for (size_t more = 0; more <= 8; more += 8) {
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              fxl_renderer_init(&renderer, &scene, &config, block, size + more));
+            TEST_ASSERT_EQUAL_UINT32(kept == 0 ? 0 : kept - 1, renderer.workspace.cache.mask);
+            TEST_ASSERT_EQUAL_UINT32((size + more - order - kept * sizeof(fxl_cached_vertex)) / 4,
+                                     renderer.frame.display_list.capacity);
+        }
+        if (entries > 0 && entries <= 8) { /* a byte less is half as many */
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              fxl_renderer_init(&renderer, &scene, &config, block, size - 1));
+            TEST_ASSERT_EQUAL_UINT32(entries < 4 ? 0 : entries / 2 - 1,
+                                     renderer.workspace.cache.mask);
+        }
+    }
+}
+
 void test_a_frame_is_the_same_whatever_the_block(void)
 {
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);

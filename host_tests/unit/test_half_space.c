@@ -94,6 +94,33 @@ void test_windows_out_of_range_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_volume_from_window(0, 1, 0, 1, 256, 512, NULL));
 }
 
+void test_windows_at_the_range_s_ends_are_taken(void)
+{
+    static const fxl_q16_16 good[][6] = {
+        {-FXL_COORDINATE_MAX, FXL_COORDINATE_MAX, -FXL_COORDINATE_MAX, FXL_COORDINATE_MAX,
+         FXL_NEAR_MIN, FXL_FAR_MAX},
+        {-1, 0, 0, 1, FXL_COORDINATE_MAX, FXL_COORDINATE_MAX + 1},
+    };
+    static const int beyond[] = {-1, 1, -1, 1, -1, 1};
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        const fxl_q16_16 *g = good[i];
+        fxl_volume volume;
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_volume_from_window(g[0], g[1], g[2], g[3], g[4], g[5], &volume));
+    }
+    for (int k = 0; k < 6; k++) { /* each number of the first one further */
+        fxl_q16_16 g[6];
+        fxl_volume volume;
+        memcpy(g, good[0], sizeof g);
+        g[k] += beyond[k];
+        TEST_ASSERT_EQUAL(FXL_E_RANGE,
+                          fxl_volume_from_window(g[0], g[1], g[2], g[3], g[4], g[5], &volume));
+    }
+    fxl_volume volume;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_volume_from_window(0, 1, 0, 1, FXL_COORDINATE_MAX + 1,
+                                                          FXL_FAR_MAX, &volume));
+}
+
 void test_points(void)
 {
     fxl_volume volume = aside();
@@ -110,17 +137,13 @@ void test_points(void)
         {-15, 31, 10, 1 << FXL_PLANE_TOP},
         {0, 0, 0, 1 << FXL_PLANE_NEAR},
         {-150, 200, 101, 1 << FXL_PLANE_FAR},
-        {15, -20, -10,
+        {15, -20, -10, /* behind the eye, where left is right: x + 2 z and y - z are negative */
          1 << FXL_PLANE_NEAR | 1 << FXL_PLANE_LEFT | 1 << FXL_PLANE_RIGHT | 1 << FXL_PLANE_BOTTOM |
              1 << FXL_PLANE_TOP},
     };
     for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
         fxl_view_point at = {V(points[i].x), V(points[i].y), V(points[i].z)};
-        uint32_t expected = points[i].outside;
-        if (i == 9) { /* behind the eye a plane through it may have its inside */
-            expected = fxl_volume_code(&volume, &at);
-            TEST_ASSERT_TRUE((expected >> FXL_PLANE_NEAR & 1u) == 1);
-        }
+        const uint32_t expected = points[i].outside;
         TEST_ASSERT_EQUAL(expected, fxl_volume_code(&volume, &at));
         TEST_ASSERT_EQUAL(expected == 0, fxl_volume_holds(&volume, &at));
     }
@@ -145,6 +168,8 @@ void test_polygons(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_to_volume(&half, &volume, &workspace, &result));
     TEST_ASSERT_TRUE(clip_same(&expected, result));
     TEST_ASSERT_EQUAL(2, workspace.stats.intersections);
+    /* Four outcodes of six planes, then the four vertices against the one plane. */
+    TEST_ASSERT_EQUAL(4 * FXL_PLANE_COUNT + 4, workspace.stats.distances);
 }
 
 /* One half-space: early outs that write nothing, and the input may be any. */
@@ -167,6 +192,46 @@ void test_one_half_space(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
                       fxl_clip_to_half_space(&polygon, &slanted, &account, out, distances));
     TEST_ASSERT_TRUE(out->count == 4 && out->vertices[1].position.x == V(4));
+    TEST_ASSERT_EQUAL(9, account.distances);
+    TEST_ASSERT_EQUAL(2, account.intersections);
+}
+
+/* By the sliver rule a vertex on the plane is outside. It stands for the intersection, which is
+ * then not computed. */
+void test_a_vertex_on_the_plane_is_no_intersection(void)
+{
+    fxl_varying_polygon *const out = &workspace.polygons[0];
+    fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+    fxl_clip_stats account = {.sliver = V(1)};
+    const fxl_half_space wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
+    fxl_varying_polygon polygon = SHAPE(4, 0, 10, 0, 4, 10, -4, 0, 10);
+    fxl_varying_polygon expected = SHAPE(4, 0, 10, 0, 4, 10, 0, 0, 10);
+    expected.vertices[2].carried[1] = Q16(1);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                      fxl_clip_to_half_space(&polygon, &wall, &account, out, distances));
+    TEST_ASSERT_EQUAL(1, account.intersections);
+    TEST_ASSERT_TRUE(clip_same(&expected, out));
+}
+
+/* As many vertices as a polygon may have: the distances beyond are nobody's. */
+void test_the_most_vertices(void)
+{
+    fxl_volume volume = aside();
+    const fxl_varying_polygon *result;
+    fxl_varying_polygon polygon = {.count = FXL_POLYGON_CAPACITY};
+    for (int i = 0; i < FXL_POLYGON_CAPACITY; i++) { /* down one side, and back up the other */
+        const bool back = i >= FXL_POLYGON_CAPACITY / 2;
+        const int64_t y = back ? FXL_POLYGON_CAPACITY - 1 - i : i;
+        polygon.vertices[i].position =
+            (fxl_view_point){back ? V(-16) : V(-18), V(12) + y * (V(1) / 4), V(10)};
+    }
+    polygon.vertices[0].position.x = V(-24); /* outside of left */
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    memset(workspace.distances, 0x5A, sizeof workspace.distances);
+    fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &workspace, &result);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, cut); /* two for one */
+    TEST_ASSERT_NULL(result);
+    TEST_ASSERT_EQUAL(FXL_POLYGON_CAPACITY * (FXL_PLANE_COUNT + 1), workspace.stats.distances);
 }
 
 /* What the guard band leaves can be projected, from the range's ends and the

@@ -130,6 +130,21 @@ void test_codes_are_the_signs_of_the_distances(void)
     TEST_ASSERT_EQUAL((1 << FXL_PLANE_COUNT) - 1, seen);
 }
 
+/* The planes as the header states them, term by term. */
+void test_distances_are_the_definition(void)
+{
+    const fxl_normalised frustum = {
+        .x_inset = 100, .y_inset = 3000, .near_z = 50000, .far_z = 700000};
+    const fxl_view_point at = {11, 1300, 17000};
+    TEST_ASSERT_TRUE(fxl_normalised_distance(&frustum, FXL_PLANE_LEFT, &at) == 17000 + 11 - 100);
+    TEST_ASSERT_TRUE(fxl_normalised_distance(&frustum, FXL_PLANE_RIGHT, &at) == 17000 - 11 - 100);
+    TEST_ASSERT_TRUE(fxl_normalised_distance(&frustum, FXL_PLANE_BOTTOM, &at) ==
+                     17000 + 1300 - 3000);
+    TEST_ASSERT_TRUE(fxl_normalised_distance(&frustum, FXL_PLANE_TOP, &at) == 17000 - 1300 - 3000);
+    TEST_ASSERT_TRUE(fxl_normalised_distance(&frustum, FXL_PLANE_NEAR, &at) == 17000 - 50000);
+    TEST_ASSERT_TRUE(fxl_normalised_distance(&frustum, FXL_PLANE_FAR, &at) == 700000 - 17000);
+}
+
 void test_inside_is_the_input_itself(void)
 {
     const fxl_varying_polygon *result;

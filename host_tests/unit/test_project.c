@@ -207,6 +207,34 @@ void test_the_range_ends_at_4095(void)
     expect_ends_at_4095(&lens, (int64_t)1 << 48);
 }
 
+/* The members are multiples of the focal length, modulo 2^32. The kernels' fast path is for focal
+ * lengths below 1024 pixels and screens less than about four of them wide. */
+void test_what_is_set_up_of_a_lens(void)
+{
+    static const struct {
+        fxl_q16_16 focal;
+        uint16_t width, height;
+        bool fast;
+    } lenses[] = {{Q16(160), 320, 240, true}, {Q16(1024) - 1, 64, 48, true},
+                  {Q16(1024), 64, 48, false}, {Q16(64), 253, 10, true},
+                  {Q16(64), 254, 10, false},  {Q16(64), 10, 253, true},
+                  {Q16(64), 10, 254, false}};
+    for (size_t i = 0; i < sizeof lenses / sizeof lenses[0]; i++) {
+        fxl_lens lens = unit_lens(lenses[i].width, lenses[i].height);
+        fxl_projection made;
+        lens.focal = lenses[i].focal;
+        const uint32_t focal = (uint32_t)lens.focal;
+        fxl_projection_from_lens(&lens, &made);
+        TEST_ASSERT_EQUAL_HEX32(4 * focal, made.factor);
+        TEST_ASSERT_EQUAL_HEX32(4 * focal - 1, made.factor_less_1);
+        TEST_ASSERT_EQUAL_HEX32(16 * focal, made.factor_2);
+        TEST_ASSERT_EQUAL_HEX32(524288 * focal, made.factor_17);
+        TEST_ASSERT_EQUAL_INT32(lens.width * 32768, made.centre_x);
+        TEST_ASSERT_EQUAL_INT32(lens.height * 32768, made.centre_y);
+        TEST_ASSERT_EQUAL_INT32(lenses[i].fast ? 32 : INT32_MAX, made.depth_min);
+    }
+}
+
 void test_a_polygon_is_its_points(void)
 {
     fxl_lens lens = unit_lens(320, 240);

@@ -172,6 +172,26 @@ void test_a_new_band_finds_nothing_covered(void)
 }
 
 /* Edges that cross, an empty row, and rows after which the pool is full. */
+/* Rows that are not wholly covered are counted, however a row comes to be covered. */
+void test_open_rows_are_counted(void)
+{
+    start(INTERVALS);
+    TEST_ASSERT_EQUAL_UINT16(HEIGHT, buffer->open_rows);
+    TEST_ASSERT_TRUE(draw(0, 0, WIDTH, 'a'));
+    TEST_ASSERT_EQUAL_UINT16(HEIGHT - 1, buffer->open_rows);
+    TEST_ASSERT_TRUE(draw(0, 3, 7, 'b')); /* covered already */
+    TEST_ASSERT_EQUAL_UINT16(HEIGHT - 1, buffer->open_rows);
+    TEST_ASSERT_TRUE(draw(1, 1, WIDTH, 'c'));
+    TEST_ASSERT_TRUE(draw(2, 0, WIDTH - 1, 'd'));
+    TEST_ASSERT_EQUAL_UINT16(HEIGHT - 1, buffer->open_rows);
+    TEST_ASSERT_TRUE(draw(1, 0, 1, 'e')); /* to the left of what is there */
+    TEST_ASSERT_EQUAL_UINT16(HEIGHT - 2, buffer->open_rows);
+    TEST_ASSERT_TRUE(draw(2, WIDTH - 1, WIDTH, 'f')); /* to the right */
+    TEST_ASSERT_EQUAL_UINT16(HEIGHT - 3, buffer->open_rows);
+    TEST_ASSERT_TRUE(draw(3, 0, 5, 'g') && draw(3, 9, WIDTH, 'h') && draw(3, 5, 9, 'i'));
+    TEST_ASSERT_EQUAL_UINT16(0, buffer->open_rows);
+}
+
 void test_a_trapezoid(void)
 {
     const fxl_trapezoid crossed = {0, 4, {{4, 0, 2, 0}, {10, 0x80000000u, -2, 0x80000000u}}};

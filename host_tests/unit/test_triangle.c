@@ -135,6 +135,51 @@ void test_borders(void)
     }
 }
 
+/* Each new vertex is an intersection. A vertex that is already on the border is none. */
+void test_new_vertices_are_counted(void)
+{
+    fxl_screen_triangle out[2], in = flat(-4, 8, 4, 0, 4, 16);
+    stats.intersections = 0;
+    fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out);
+    TEST_ASSERT_EQUAL(2, stats.intersections);
+    in = flat(-4, 8, 0, 0, 4, 16);
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
+    TEST_ASSERT_EQUAL(3, stats.intersections);
+    TEST_ASSERT_EQUAL(4 * 65536, out[0].corners[0].at.x + out[0].corners[1].at.x +
+                                     out[0].corners[2].at.x); /* 4, 0 and 0 */
+}
+
+/* A result that is null says whether it is the end or an error, whatever *status was. */
+void test_next_says_how_it_ended(void)
+{
+    fxl_lens lens = unit_lens(64, 48);
+    fxl_volume volume;
+    fxl_varying_polygon shape = SHAPE(-1, -1, 10, 0, 2, 10, 1, -1, 10);
+    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
+    TEST_ASSERT_EQUAL(3 * FXL_PLANE_COUNT, workspace.stats.distances);
+    fxl_status status = FXL_E_RANGE;
+    const fxl_screen_triangle *piece = fxl_triangle_next(&volume, &lens, &workspace, &status);
+    TEST_ASSERT_NOT_NULL(piece);
+    TEST_ASSERT_EQUAL(FXL_OK, status);
+    TEST_ASSERT_TRUE(piece->corners[1].depth == V(10) &&
+                     piece->corners[1].carried[1] == triangle.corners[1].carried[1]);
+    status = FXL_E_RANGE;
+    TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));
+    TEST_ASSERT_EQUAL(FXL_OK, status);
+    triangle.corners[0].position.x = V(-1) * 8000; /* beyond any screen, and no side to cut it */
+    for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
+        volume.planes[plane] = volume.planes[FXL_PLANE_NEAR];
+    }
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
+    TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, status);
+    TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));
+    TEST_ASSERT_EQUAL(FXL_OK, status);
+}
+
 void test_screen_touches_and_lines_are_left_out(void)
 {
     fxl_screen_triangle out[2], in = flat(0, 8, -4, 0, -4, 16);
@@ -226,6 +271,25 @@ void test_pieces_lie_on_the_screen(void)
     TEST_ASSERT_TRUE(pieces > UNIT_REPEAT / 50 && most >= 6);
 }
 
+/* The intersections with the borders count beside those with the planes. */
+void test_the_borders_intersections_are_counted(void)
+{
+    fxl_lens lens = unit_lens(64, 48);
+    fxl_volume volume;
+    fxl_varying_polygon shape = SHAPE(-20, 0, 10, 0, 2, 10, 0, -2, 10); /* x = -10 is the border */
+    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+    fxl_status status;
+    uint32_t pieces = 0;
+    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    workspace.stats = (fxl_clip_stats){.intersections = 7};
+    fxl_triangle_begin(&triangle, 2, &volume, &workspace);
+    while (fxl_triangle_next(&volume, &lens, &workspace, &status) != NULL) {
+        pieces++;
+    }
+    TEST_ASSERT_EQUAL(2, pieces);
+    TEST_ASSERT_EQUAL(7 + 2, workspace.stats.intersections);
+}
+
 /* A wall about the whole screen: its pieces cover it, exactly. */
 void test_a_wall_covers_the_screen(void)
 {
@@ -244,4 +308,30 @@ void test_a_wall_covers_the_screen(void)
     area = area < 0 ? -area : area;
     int64_t screen = (int64_t)2 * 64 * 48 * 65536 * 65536;
     TEST_ASSERT_TRUE(area == screen);
+}
+
+/* At any place and depth, all bits of both: what rides along goes by s z0 / (s z0 + (1 - s) z1). */
+void test_fractions_in_space(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        fxl_screen_triangle out[2], in = flat(0, 0, 0, 0, 0, 0);
+        const int bits = unit_between(38, 60);
+        in.corners[0].at = (fxl_screen_point){unit_between(1, Q16(2000)), 0};
+        in.corners[1].at = (fxl_screen_point){-unit_between(1, Q16(2000)), Q16(10)};
+        in.corners[2].at = (fxl_screen_point){in.corners[1].at.x, Q16(-10)};
+        for (int k = 0; k < 3; k++) {
+            const int64_t more = unit_wide(36);
+            in.corners[k].depth = ((int64_t)1 << bits) + (more < 0 ? -more : more);
+            in.corners[k].carried[0] = unit_between(-Q16(16383), Q16(16383));
+        }
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
+        for (int k = 1; k < 3; k++) {
+            const fxl_screen_corner *a = &in.corners[0], *b = &in.corners[k];
+            double from = (double)a->at.x * (double)a->depth;
+            double to = -(double)b->at.x * (double)b->depth;
+            double exact =
+                a->carried[0] + ((double)b->carried[0] - a->carried[0]) * (from / (from + to));
+            TEST_ASSERT_NEAR(out[0].corners[k].carried[0], exact, 0.52);
+        }
+    }
 }

@@ -65,6 +65,27 @@ void test_centres_from_the_first_end_to_before_the_last(void)
 }
 
 /* Between two rows it takes the lower, both ways round. */
+/* An end on a centre, and a unit beside it: the first end's pixel is in, the last one's is not. */
+void test_ends_about_a_centre(void)
+{
+    for (int unit = -1; unit <= 1; unit++) {
+        for (int upright = 0; upright < 2; upright++) {
+            fxl_screen_point ends[2];
+            for (int i = 0; i < 2; i++) {
+                const int32_t along = (i == 0 ? Q16(5.5) : Q16(9.5)) + unit;
+                ends[i] = upright ? (fxl_screen_point){Q16(3.5), along}
+                                  : (fxl_screen_point){along, Q16(3.5)};
+            }
+            draw(whole, ends[0], ends[1]);
+            for (int k = 0; k < 16; k++) {
+                const int first = unit > 0 ? 6 : 5, end = unit > 0 ? 10 : 9;
+                TEST_ASSERT_EQUAL_UINT8(k >= first && k < end,
+                                        upright ? whole[k * WIDTH + 3] : whole[3 * WIDTH + k]);
+            }
+        }
+    }
+}
+
 void test_a_line_between_rows(void)
 {
     draw(whole, at(0, 2), at(3, 2));

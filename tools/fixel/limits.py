@@ -76,15 +76,17 @@ class Watch:
         self.used = self.begun = 0.0    # CPU seconds now, and at the last news
         self.slept = 0.0
         self.fresh = False              # the next look is where the CPU time counts from
+        self.news = False               # since the last look: it did not sleep all that time
         self.last = time.monotonic()
 
     def awake(self):
-        """There are news: it does not sleep."""
-        self.slept = 0.0
+        """There are news: it does not sleep. Nor did it all the time since the last look, which may be
+        long ago on a busy machine."""
+        self.slept, self.news = 0.0, True
 
     def renew(self):
         """There are news: both limits count anew."""
-        self.fresh, self.slept = True, 0.0
+        self.fresh, self.slept, self.news = True, 0.0, True
 
     def check(self):
         """None, or words that say which limit is passed. To be called again and again."""
@@ -97,8 +99,8 @@ class Watch:
         before, self.used = self.used, max(self.used, sum(tree.values()))
         if self.fresh:
             self.fresh, self.begun = False, self.used
-        if self.used - before >= BUSY * elapsed or any(map(_is_ready, tree)):
-            self.slept = 0.0
+        if self.news or self.used - before >= BUSY * elapsed or any(map(_is_ready, tree)):
+            self.slept, self.news = 0.0, False
         else:
             self.slept += min(elapsed, LOOK_MAX)
         if self.used - self.begun > self.cpu:
@@ -127,11 +129,11 @@ def run(command, cpu, asleep=ASLEEP, merge=False, **options):
         watch, why, size = Watch(process.pid, cpu, asleep), None, 0
         try:
             while not _ended(process) and not why:
-                why = watch.check()
                 new = os.fstat(out.fileno()).st_size + os.fstat(err.fileno()).st_size
                 if new != size:
                     size = new
                     watch.awake()
+                why = watch.check()
         finally:
             if process.poll() is None:
                 kill_tree(process.pid)

@@ -34,13 +34,16 @@ static bool has_room(const fxl_bsp_cutter *cutter, uint32_t more)
     return fxl_bsp_used(cutter) + more <= cutter->capacity;
 }
 
-/* Takes a new vertex. Returns its number, or FXL_ITEM_NONE where memory is short. */
-static uint32_t new_vertex(fxl_bsp_cutter *cutter, const fxl_point *point)
+/* Takes a new vertex of a piece of a face. Returns its number, or FXL_ITEM_NONE where memory is
+ * short. */
+static uint32_t new_vertex(fxl_bsp_cutter *cutter, const fxl_point *point, uint32_t face)
 {
     if (!has_room(cutter, sizeof(fxl_bsp_vertex)) || cutter->vertex_count >= FXL_ITEM_NONE) {
         return FXL_ITEM_NONE;
     }
-    fxl_bsp_vertex_of(cutter->parts, cutter->vertex_count)->point = *point;
+    fxl_bsp_vertex *vertex = fxl_bsp_vertex_of(cutter->parts, cutter->vertex_count);
+    vertex->point = *point;
+    vertex->face = (uint16_t)face;
     return cutter->vertex_count++;
 }
 
@@ -94,7 +97,7 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
             /* Within FXL_COORDINATE_MAX, because the scene is checked. */
             fxl_point point = {from->x + instance->centre.x, from->y + instance->centre.y,
                                from->z + instance->centre.z};
-            if (!append(cutter, &outline, new_vertex(cutter, &point))) {
+            if (!append(cutter, &outline, new_vertex(cutter, &point, i))) {
                 return false;
             }
         }
@@ -123,7 +126,7 @@ static bool share_with(fxl_bsp_cutter *cutter, fxl_bsp_item *item, const fxl_poi
         const fxl_point *there = &fxl_bsp_vertex_of(cutter->parts, next)->point;
         if ((same(&here->point, a) && same(there, b)) ||
             (same(&here->point, b) && same(there, a))) {
-            uint32_t vertex = new_vertex(cutter, crossing);
+            uint32_t vertex = new_vertex(cutter, crossing, here->face);
             if (vertex == FXL_ITEM_NONE || item->count == FXL_FACE_VERTICES_MAX) {
                 return false;
             }
@@ -152,13 +155,14 @@ static bool share(fxl_bsp_cutter *cutter, uint32_t node, const fxl_point *a, con
 }
 
 /* Appends the intersection of an edge to both parts. */
-static bool append_intersection(fxl_bsp_cutter *cutter, const split_plane *by, vertex_ring parts[2],
-                                const fxl_point *ahead, const fxl_point *behind)
+static bool append_intersection(fxl_bsp_cutter *cutter, const split_plane *by, uint32_t face,
+                                vertex_ring parts[2], const fxl_point *ahead,
+                                const fxl_point *behind)
 {
     fxl_point crossing = fxl_split_edge(ahead, behind, height(by, ahead), height(by, behind));
     return share(cutter, by->number, ahead, behind, &crossing) &&
-           append(cutter, &parts[0], new_vertex(cutter, &crossing)) &&
-           append(cutter, &parts[1], new_vertex(cutter, &crossing));
+           append(cutter, &parts[0], new_vertex(cutter, &crossing, face)) &&
+           append(cutter, &parts[1], new_vertex(cutter, &crossing, face));
 }
 
 /* Divides the outline of an item into its part in front and its part behind. Vertices move to
@@ -167,6 +171,7 @@ static bool divide(fxl_bsp_cutter *cutter, const split_plane *by, const fxl_bsp_
                    vertex_ring parts[2])
 {
     const fxl_point first = fxl_bsp_vertex_of(cutter->parts, item->first)->point;
+    const uint32_t face = fxl_bsp_vertex_of(cutter->parts, item->first)->face;
     uint32_t at = item->first;
     for (uint32_t i = 0; i < item->count; i++) {
         const fxl_bsp_vertex *vertex = fxl_bsp_vertex_of(cutter->parts, at);
@@ -177,13 +182,13 @@ static bool divide(fxl_bsp_cutter *cutter, const split_plane *by, const fxl_bsp_
         const fxl_q18_46 here_height = height(by, &here), there_height = height(by, &there);
         if (!append(cutter, &parts[here_height < 0], at) ||
             /* bug: plane-in-front */
-            (here_height == 0 && !append(cutter, &parts[1], new_vertex(cutter, &here)))) {
+            (here_height == 0 && !append(cutter, &parts[1], new_vertex(cutter, &here, face)))) {
             return false;
         }
         if ((here_height > 0 && there_height < 0 &&
-             !append_intersection(cutter, by, parts, &here, &there)) ||
+             !append_intersection(cutter, by, face, parts, &here, &there)) ||
             (here_height < 0 && there_height > 0 &&
-             !append_intersection(cutter, by, parts, &there, &here))) {
+             !append_intersection(cutter, by, face, parts, &there, &here))) {
             return false;
         }
         at = next;

@@ -166,6 +166,13 @@ static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, 
     return done;
 }
 
+/* The normal of a face of an instance: it decides whether the face's pieces are turned to a light.
+ */
+static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *instance, uint32_t face)
+{
+    return scene->faces[scene->models[instance->model].first_face + face].normal;
+}
+
 static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
                              const fxl_bsp_item *item)
 {
@@ -185,7 +192,10 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     fxl_pieces_begin(&pieces, on);
     pieces.planes = entry->instance.planes;
     if (light != NULL && light->reaches(light, scene, instance)) {
-        const fxl_face face = {.count = item->count, .material = item->colour};
+        const fxl_face face = {
+            .normal = normal_of(scene, instance, fxl_bsp_vertex_of(parts, item->first)->face),
+            .count = item->count,
+            .material = item->colour};
         (void)light->split(light, &pieces, &face, points, item->count);
     } else {
         (void)fxl_submit_piece(&pieces, points, item->count, item->colour);

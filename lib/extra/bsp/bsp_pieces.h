@@ -37,7 +37,7 @@ typedef struct {
 typedef struct fxl_bsp_vertex {
     fxl_point point;
     uint16_t next; /* the next vertex around the piece */
-    uint16_t unused;
+    uint16_t face; /* of the model, whose piece this is */
 } fxl_bsp_vertex;
 
 fxl_bsp_parts fxl_bsp_parts_of(const fxl_scene *scene, fxl_bsp_workspace *workspace);

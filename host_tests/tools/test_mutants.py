@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""What tools/mutants.py takes for a mistake, and what it leaves alone."""
+
+import pytest
+
+from fixel import mutate
+
+CODE = """#include "a.h"
+#define ONE (1 + 1)
+static const int table[2] = {1, 2};
+/* a < b && 1 */
+static int f(int a, int *b)
+{
+    const char text[] = "a + 1";
+    FXL_ASSERT(a < 4 &&
+               a > 2);
+    %s
+}
+"""
+
+
+def becomes(statement):
+    """{(what, what it becomes)} of the mutants of a statement of a function."""
+    return {(mutant.was, mutant.becomes) for mutant in mutate.mutants("a.c", CODE % statement)}
+
+
+@pytest.mark.parametrize("statement, expected", [
+    ("return a < *b;", {("<", "<="), ("<", ">=")}),
+    ("return a == *b;", {("==", "!=")}),
+    ("return a && !*b;", {("&&", "||"), ("!", "")}),
+    ("return a + 3u;", {("+", "-"), ("3u", "4u"), ("3u", "2u")}),
+    ("return -a;", set()),
+    ("return a << *b & a;", {("<<", ">>"), ("&", "|")}),
+    ("return true;", {("true", "false")}),
+    ("g(&a);", {("g(&a);", "(void)0;")}),
+    ("a = *b;", {("a = *b;", "(void)0;")}),
+    ("int c = *b;", set()),
+    ("return a / 'b';", {("/", "*")}),
+    ("return a->b;", set()),
+])
+def test_mistakes(statement, expected):
+    assert becomes(statement) == expected
+
+
+def test_a_mutant_changes_its_place_alone():
+    text = CODE % "return a < *b;"
+    for mutant in mutate.mutants("a.c", text):
+        assert mutant.apply(text) == text.replace("return a < *b;", f"return a {mutant.becomes} *b;")
+        assert str(mutant) == f"a.c:10: '<' becomes '{mutant.becomes}'"

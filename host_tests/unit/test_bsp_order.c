@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: MIT */
+/* Drawing by a tree beside other layers, near to far, through the near plane, with a clipper that
+ * gives several polygons a face, and with light. */
+#include "bsp_sight.h"
+
+enum {
+    WIDTH = BSP_WIDTH,
+    HEIGHT = BSP_HEIGHT,
+    BACKGROUND = BSP_BACKGROUND,
+    PIECES = 3072,
+    LIGHT = 2048
+};
+
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], lit[256];
+static uint64_t workspace[64], pieces[PIECES / 8], light_room[LIGHT / 8];
+static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_renderer renderer;
+static fxl_clipper_workspace clip_room;
+static bsp_scene *made;
+
+static void start(const fxl_visibility *visibility, const fxl_lens *lens)
+{
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
+    fxl_scene *scene = &made->tiny->scene;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, lens, &memory));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_visibility(&renderer, visibility, workspace, sizeof workspace));
+    if (visibility->submit_workspace_size != NULL && scene->bsp_nodes != NULL) {
+        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        tree->pieces = pieces;
+        tree->pieces_size = sizeof pieces;
+    }
+}
+
+static void draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row, (uint16_t)rows};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+}
+
+/* Whatever comes first keeps its pixels. */
+static bool paint_under(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
+                        uint8_t colour, const fxl_band *band)
+{
+    fxl_scan_box scan;
+    fxl_span span;
+    (void)by;
+    fxl_scan_box_begin(points, count, band, &scan);
+    while (fxl_scan_box_next(&scan, &span)) {
+        for (int32_t x = span.x0; x < span.x1; x++) {
+            uint8_t *pixel = &band->pixels[(span.y - band->first_row) * band->stride + x];
+            *pixel = *pixel == BACKGROUND ? colour : *pixel;
+        }
+    }
+    return true;
+}
+
+/* Cubes on layers 0, 1 and 2, the tree's on each of them in turn, each hiding some of the one
+ * before. Near to far the layers come in reverse, and the same pixels win. */
+void test_layers_come_in_reverse_near_to_far(void)
+{
+    static const fxl_raster_backend under = {.draw_polygon = paint_under};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_visibility reverse = fxl_visibility_bsp;
+    reverse.front_to_back = true;
+    reverse.backend = &under;
+    for (uint32_t turn = 0; turn < 3; turn++) {
+        made = bsp_make();
+        for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+            fxl_instance *instance = &made->tiny->instances[i];
+            instance->layer = (uint8_t)((i + turn) % 3);
+            instance->centre =
+                (fxl_point){Q16(0.75) * instance->layer, Q16(0.5) * instance->layer, Q16(5)};
+        }
+        start(&fxl_visibility_bsp, &lens);
+        draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+        start(&reverse, &lens);
+        draw(other, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        for (uint32_t i = 0; i < TINY_INSTANCES; i++) { /* every cube is seen */
+            const uint8_t front = i == 1 ? 15 : 5;
+            TEST_ASSERT_NOT_NULL(memchr(whole, front, sizeof whole));
+        }
+    }
+}
+
+/* The spheres of the tree cross the near plane and no other. */
+void test_a_tree_through_the_near_plane_is_drawn(void)
+{
+    fxl_lens lens;
+    const fxl_pose pose = {{0, Q16(4), 0}, 0, 0, 0};
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_lens_from_fov(WIDTH, HEIGHT, FXL_ANGLE_QUARTER, Q16(9.5), Q16(100), 0, &lens));
+    made = bsp_make();
+    made->tiny->instances[0].layer = made->tiny->instances[2].layer = 1;
+    made->tiny->instances[0].centre.z = made->tiny->instances[2].centre.z = Q16(-50);
+    start(&fxl_visibility_sorted, &lens);
+    draw(other, &pose, HEIGHT);
+    TEST_ASSERT_NOT_NULL(memchr(other, 14, sizeof other));
+    start(&fxl_visibility_bsp, &lens);
+    draw(whole, &pose, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(1u << FXL_PLANE_NEAR, order[0].instance.planes);
+    TEST_ASSERT_EQUAL_MEMORY(other, whole, sizeof whole);
+}
+
+/* A cube that moves through the tree's, beside it and into it. */
+static void make_crossing(void)
+{
+    made = bsp_make();
+    made->tiny->instances[0].centre = (fxl_point){Q16(0.75), Q16(0.5), Q16(9.25)};
+    made->tiny->instances[2].centre = (fxl_point){Q16(-1.25), Q16(-0.5), Q16(10.5)};
+}
+
+/* Faces that come as several polygons count once, whole or in pieces. */
+void test_a_clipper_of_several_polygons(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose poses[] = {{{Q16(2.5), Q16(2), Q16(7)}, DEGREES(-40), DEGREES(-30), 0},
+                              {{Q16(0.5), Q16(1), Q16(6)}, 0, 0, 0}};
+    uint32_t clipped = 0;
+    for (uint32_t i = 0; i < 2; i++) {
+        make_crossing();
+        start(&fxl_visibility_bsp, &lens);
+        draw(whole, &poses[i], HEIGHT);
+        const fxl_counters counters = renderer.workspace.counters;
+        start(&fxl_visibility_bsp, &lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_triangles,
+                                                           &clip_room, sizeof clip_room));
+        draw(other, &poses[i], HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+        TEST_ASSERT_EQUAL_UINT32(counters.drawn, renderer.workspace.counters.drawn);
+        TEST_ASSERT_EQUAL_UINT32(counters.backfacing, renderer.workspace.counters.backfacing);
+        clipped += counters.clipped;
+        uint32_t differing = 0;
+        for (uint32_t k = 0; k < WIDTH * HEIGHT; k++) {
+            differing += whole[k] != other[k];
+        }
+        TEST_ASSERT_TRUE(differing <= 2); /* the clippers round their vertices differently */
+    }
+    TEST_ASSERT_TRUE(clipped > 0);
+}
+
+/* Pieces of what moves are split by the beam as its faces would be: the pixels are those without
+ * light, some of them lit, in bands as whole. */
+void test_pieces_are_lit(void)
+{
+    static const fxl_point window[] = {{Q16(-2), Q16(4), Q16(8.6)},
+                                       {Q16(-2), Q16(4), Q16(9.7)},
+                                       {Q16(1.1), Q16(4), Q16(9.7)},
+                                       {Q16(1.1), Q16(4), Q16(8.6)}};
+    const fxl_direction down = {0, -FXL_Q2_30_ONE, 0};
+    const fxl_pose pose = {{0, Q16(5), Q16(7)}, 0, DEGREES(-50), 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_beam beam;
+    uint32_t bright[2] = {0, 0}, dark[2] = {0, 0};
+    for (uint32_t i = 0; i < 256; i++) {
+        lit[i] = (uint8_t)(i + 100);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&down, window, 4, &beam));
+    make_crossing();
+    start(&fxl_visibility_bsp, &lens);
+    draw(whole, &pose, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(0, ((const fxl_bsp_workspace *)renderer.submit_workspace)->unsplit);
+    for (uint32_t rows = HEIGHT; rows > 0; rows /= 4) {
+        start(&fxl_visibility_bsp, &lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, light_room,
+                                                         sizeof light_room));
+        draw(other, &pose, rows);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t moves = whole[i] <= 6;
+            TEST_ASSERT_TRUE(other[i] == whole[i] || other[i] == lit[whole[i]]);
+            bright[moves] += other[i] != whole[i];
+            dark[moves] += other[i] == whole[i];
+        }
+    }
+    TEST_ASSERT_TRUE(bright[0] > 4 && bright[1] > 4 && dark[0] > 4 && dark[1] > 4);
+}
+
+/* Cubes on the planes of the tree and not across them stay whole: the memory that is used is that
+ * of the faces that face the eye, 12 bytes each and 16 for each of their vertices. */
+void test_what_touches_a_plane_is_not_cut(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{Q16(5), Q16(4), Q16(4)}, DEGREES(-45), DEGREES(-20), 0};
+    static const fxl_point places[] = {
+        {Q16(2), 0, Q16(10)},  {0, Q16(2), Q16(10)},       {0, 0, Q16(8)},
+        {0, 0, Q16(10)},       {Q16(2), Q16(2), Q16(8)},   {Q16(-2), 0, Q16(10)},
+        {0, Q16(-2), Q16(10)}, {Q16(2), Q16(-2), Q16(12)}, {0, 0, Q16(12)}};
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        made = bsp_make();
+        made->tiny->instances[0].centre = places[i];
+        made->tiny->instances[2].layer = 1;
+        start(&fxl_visibility_bsp, &lens);
+        draw(whole, &pose, HEIGHT);
+        const fxl_bsp_workspace *tree = renderer.submit_workspace;
+        uint32_t front = 0;
+        for (uint32_t k = 0; k < 6; k++) {
+            front += fxl_face_is_front(&made->tiny->scene, &made->tiny->instances[0],
+                                       &made->tiny->faces[k], &pose.position);
+        }
+        TEST_ASSERT_TRUE(front > 0);
+        TEST_ASSERT_EQUAL_UINT32(front * (12 + 4 * 16), tree->used);
+    }
+}
+
+static uint32_t used_by(const fxl_point *centre, const fxl_pose *pose)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    made->tiny->instances[0].centre = *centre;
+    made->tiny->instances[2].layer = 1;
+    start(&fxl_visibility_bsp, &lens);
+    draw(whole, pose, HEIGHT);
+    const fxl_bsp_workspace *tree = renderer.submit_workspace;
+    TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
+    return tree->used;
+}
+
+/* The first cube has no room for its parts, and is whole; what it had taken is free again for the
+ * second. */
+void test_what_a_failed_cut_took_is_free_again(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{Q16(5), Q16(4), Q16(4)}, DEGREES(-45), DEGREES(-20), 0};
+    made = bsp_make();
+    made->tiny->instances[0].centre = (fxl_point){Q16(1), 0, Q16(8)};
+    made->tiny->instances[2].centre = (fxl_point){Q16(2), Q16(2), Q16(6)};
+    start(&fxl_visibility_bsp, &lens);
+    fxl_bsp_workspace *tree = renderer.submit_workspace;
+    draw(whole, &pose, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
+    TEST_ASSERT_EQUAL_UINT32(5 * 12 + 5 * 4 * 16 + 3 * (12 + 4 * 16), tree->used);
+    tree->pieces_size = 5 * 12 + 5 * 4 * 16 - 4; /* four bytes too few for the first */
+    draw(other, &pose, HEIGHT);
+    TEST_ASSERT_EQUAL_UINT32(1, tree->unsplit);
+    TEST_ASSERT_TRUE(tree->used <= tree->pieces_size);
+}
+
+/* Two bits a node, in words, and 4 bytes a node and 12 a mover; one bit where nothing moves. */
+void test_room_for_trees_of_any_size(void)
+{
+    static const uint32_t nodes[] = {1, 31, 32, 33, 64, 65};
+    static const uint32_t words[] = {1, 1, 1, 2, 2, 3};
+    made = bsp_make();
+    fxl_scene *scene = &made->tiny->scene;
+    for (int i = 0; i < 6; i++) {
+        const uint32_t record = (uint32_t)sizeof(fxl_bsp_workspace);
+        scene->bsp_node_count = nodes[i];
+        made->tiny->instances[0].layer = made->tiny->instances[2].layer = 0;
+        TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 2 * 12,
+                                 fxl_visibility_bsp.submit_workspace_size(scene));
+        made->tiny->instances[0].layer = 1;
+        TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 12,
+                                 fxl_visibility_bsp.submit_workspace_size(scene));
+        made->tiny->instances[2].layer = 1;
+        TEST_ASSERT_EQUAL_UINT32(record + 4 * words[i],
+                                 fxl_visibility_bsp.submit_workspace_size(scene));
+    }
+}
+
+/* The plane x = 1 halves two of the three faces. Each half has two corners of the face and two
+ * intersections. Through two corners of a face, a plane makes no intersection: each half has both
+ * corners. */
+void test_how_much_a_cut_takes(void)
+{
+    const fxl_pose pose = {{Q16(5), Q16(4), Q16(4)}, DEGREES(-45), DEGREES(-20), 0};
+    const fxl_point halved = {Q16(1), 0, Q16(8)}, diamond = {Q16(1), Q16(-20), Q16(8)};
+    const fxl_pose before_it = {{Q16(1), Q16(-19.8), Q16(4)}, 0, 0, 0};
+    made = bsp_make();
+    TEST_ASSERT_EQUAL_UINT32(5 * 12 + 5 * 4 * 16, used_by(&halved, &pose));
+    made = bsp_make();
+    bsp_tilt(made, 0, 0, DEGREES(45));
+    TEST_ASSERT_EQUAL_UINT32(2 * 12 + 2 * 3 * 16, used_by(&diamond, &before_it));
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/* Where the tables of an image may lie, which element a fault names, and limits that are reached.
+ */
+#include "expect_scene.h"
+
+static fxl_scene_image opened;
+
+static fxl_status open(tiny_image *image, fxl_scene_fault *fault)
+{
+    tiny_seal(image);
+    return fxl_scene_open(image->words, image->size, &opened, fault);
+}
+
+/* Each table may end where the image ends, and no byte later. Its contents are then another
+ * table's, which some check may refuse; but not for its place. */
+void test_a_table_may_end_with_the_image(void)
+{
+    static const struct {
+        uint32_t at, bytes;
+        const char *name;
+    } tables[] = {{AT_PALETTE, 768, "palette table"},
+                  {AT_VERTICES, 16 * VERTEX, "vertex table"},
+                  {AT_CORNERS, 48 * CORNER, "index table"},
+                  {AT_FACES, 12 * FACE, "face table"},
+                  {AT_MODELS, 2 * MODEL, "model table"},
+                  {AT_INSTANCES, TINY_INSTANCES * INSTANCE, "instance table"},
+                  {AT_PATH, TINY_POSES * POSE, "path table"},
+                  {AT_KEYS, 6 * KEY, "face bounds table"}};
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        fxl_scene_fault fault = {"", 0};
+        tiny_image *image = tiny_image_make(false);
+        const uint32_t last = image->size - tables[i].bytes;
+        tiny_put32(tiny_at(image, tables[i].at), last);
+        const fxl_status status = open(image, &fault);
+        TEST_ASSERT_TRUE(status != FXL_E_OFFSET);
+        tiny_put32(tiny_at(image, tables[i].at), last + 4);
+        TEST_ASSERT_EQUAL(FXL_E_OFFSET, open(image, &fault));
+        TEST_ASSERT_EQUAL_STRING(tables[i].name, fault.what);
+        tiny_put32(tiny_at(image, tables[i].at), HEADER_SIZE);
+        TEST_ASSERT_TRUE(open(image, &fault) != FXL_E_OFFSET);
+    }
+}
+
+/* Who begins to walk stands still, and was not held anywhere. */
+void test_the_start_is_at_rest(void)
+{
+    memset(&opened, 0x5A, sizeof opened);
+    fxl_scene_fault fault = {"", 0};
+    TEST_ASSERT_EQUAL(FXL_OK, open(tiny_image_make(true), &fault));
+    TEST_ASSERT_EQUAL_INT32(0, opened.start.speed);
+    TEST_ASSERT_EQUAL_UINT32(0, opened.start.clamped);
+    TEST_ASSERT_EQUAL_UINT8(200, opened.background);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.5), opened.motion_limits.acceleration);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.25), opened.motion_limits.friction);
+    TEST_ASSERT_EQUAL_INT32(Q16(2), opened.motion_limits.speed_max);
+    TEST_ASSERT_EQUAL_HEX32(DEGREES(3), opened.motion_limits.turn);
+}
+
+static void expect_fault(fxl_status status, const char *what, uint32_t number, fxl_scene *scene)
+{
+    fxl_scene_fault fault = {"", 0};
+    TEST_ASSERT_EQUAL(status, fxl_scene_check(scene, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(number, fault.index);
+}
+
+/* The tiny scene with all instances of one model, so that the other is placed nowhere. */
+static tiny_scene *with_instances_of(uint16_t model)
+{
+    tiny_scene *tiny = tiny_make();
+    for (int i = 0; i < TINY_INSTANCES; i++) {
+        tiny->instances[i].model = model;
+    }
+    return tiny;
+}
+
+void test_faults_name_the_last_element_as_well_as_the_first(void)
+{
+    tiny_scene *tiny = tiny_make();
+    tiny->scene.model_count = 1; /* the second model's vertices belong to nobody */
+    tiny->instances[1].model = 0;
+    expect_fault(FXL_E_INDEX, "model", 0, &tiny->scene);
+    tiny = with_instances_of(0);
+    tiny->vertices[15].z = INT32_MAX;
+    expect_fault(FXL_E_RANGE, "vertex", 15, &tiny->scene);
+    tiny = with_instances_of(1);
+    tiny->vertices[0].y = INT32_MIN;
+    expect_fault(FXL_E_RANGE, "vertex", 0, &tiny->scene);
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) { /* any instance, by its first vertex alone */
+        for (int axis = 0; axis < 3; axis++) {
+            tiny = with_instances_of(0);
+            fxl_point *vertex = &tiny->vertices[0], *centre = &tiny->instances[i].centre;
+            fxl_q16_16 *const numbers[] = {&vertex->x, &vertex->y, &vertex->z,
+                                           &centre->x, &centre->y, &centre->z};
+            *numbers[axis] = -Q16(2);
+            *numbers[axis + 3] = Q16(1.5) - FXL_COORDINATE_MAX;
+            expect_fault(FXL_E_RANGE, "instance", i, &tiny->scene);
+        }
+    }
+    tiny = tiny_make();
+    tiny->faces[11].reserved = 1;
+    expect_fault(FXL_E_RESERVED, "face", 11, &tiny->scene);
+    tiny = tiny_make();
+    tiny->instances[2].reserved = 1;
+    expect_fault(FXL_E_RESERVED, "instance", 2, &tiny->scene);
+    for (int i = 0; i < 3; i++) {
+        tiny = tiny_make();
+        tiny->models[1].reserved[i] = 1;
+        expect_fault(FXL_E_RESERVED, "model", 1, &tiny->scene);
+    }
+    tiny = tiny_make();
+    tiny->faces[10].normal.x = 1 << 20; /* no unit vector any more */
+    expect_fault(FXL_E_NORMAL, "face", 10, &tiny->scene);
+    tiny = tiny_make();
+    tiny->keys[5].box_y += 1;
+    expect_fault(FXL_E_FACE_BOUNDS, "face", 11, &tiny->scene);
+}
+
+void test_tables_of_too_few_and_too_many(void)
+{
+    static const struct {
+        uint32_t few, many;
+        const char *name;
+    } tables[] = {{2, FXL_SCENE_VERTICES_MAX + 1, "vertex table"},
+                  {2, FXL_SCENE_INDICES_MAX + 1, "index table"},
+                  {0, FXL_SCENE_FACES_MAX + 1, "face table"},
+                  {0, FXL_SCENE_MODELS_MAX + 1, "model table"},
+                  {0, FXL_SCENE_INSTANCES_MAX + 1, "instance table"}};
+    for (int i = 0; i < 5; i++) {
+        for (int many = 0; many < 2; many++) {
+            fxl_scene *scene = &tiny_make()->scene;
+            uint32_t *const counts[] = {&scene->vertex_count, &scene->index_count,
+                                        &scene->face_count, &scene->model_count,
+                                        &scene->instance_count};
+            *counts[i] = many ? tables[i].many : tables[i].few;
+            expect_fault(FXL_E_COUNT, tables[i].name, 0, scene);
+        }
+    }
+}
+
+/* The path's frames are those that the header states. */
+void test_a_path_of_other_frames(void)
+{
+    for (uint32_t frames = TINY_POSES - 1; frames <= TINY_POSES + 1; frames++) {
+        fxl_scene_fault fault = {"", 9};
+        tiny_image *image = tiny_image_make(false);
+        tiny_put32(tiny_at(image, AT_FRAMES), frames);
+        TEST_ASSERT_EQUAL(frames == TINY_POSES ? FXL_OK : FXL_E_COUNT, open(image, &fault));
+        TEST_ASSERT_EQUAL_UINT32(frames == TINY_POSES ? 9 : 0, fault.index);
+    }
+}
+
+/* What lies within the limits is taken, at their ends too. */
+void test_limits_that_are_reached(void)
+{
+    tiny_scene *tiny = tiny_make();
+    tiny->models[0].radius = tiny->models[1].radius = FXL_RADIUS_MAX;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    tiny->models[1].radius = FXL_RADIUS_MAX + 1;
+    expect_fault(FXL_E_RANGE, "model", 1, &tiny->scene);
+    tiny = with_instances_of(1);
+    tiny->vertices[4].x =
+        2 * FXL_COORDINATE_MAX + 1; /* the most that any vertex may have, and one */
+    expect_fault(FXL_E_RANGE, "vertex", 4, &tiny->scene);
+    tiny->vertices[4].x = 2 * FXL_COORDINATE_MAX;
+    const fxl_status status = fxl_scene_check(&tiny->scene, NULL); /* other checks refuse it */
+    TEST_ASSERT_TRUE(status != FXL_OK && status != FXL_E_RANGE);
+}

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Small mistakes in C code: which there are in a file, found by the code's text.
+
+A mistake is one of
+    a comparison that takes or leaves its limit, or is turned about (< to <=, == to !=)
+    + for -, - for +, << for >>, & for |, && for ||, and so on
+    a whole number one larger or one smaller
+    true for false, a ! left out
+    a statement left out: an assignment, a call, ++, --
+Comments, strings, preprocessor lines, assertions and numbers outside functions are left alone.
+"""
+
+import dataclasses
+import re
+
+SWAPS = {
+    "<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<"),
+    "==": ("!=",), "!=": ("==",), "&&": ("||",), "||": ("&&",),
+    "+": ("-",), "-": ("+",), "*": ("+",), "/": ("*",), "%": ("/",),
+    "+=": ("-=",), "-=": ("+=",), "++": ("--",), "--": ("++",),
+    "<<": (">>",), ">>": ("<<",), "&": ("|",), "|": ("&",), "^": ("|",), "|=": ("&=", "="), "&=": ("|=", "="),
+    "!": ("",), "true": ("false",), "false": ("true",),
+}
+BINARY_ONLY = {"+", "-", "*", "&"}      # as a sign, a dereference or an address they are not mutated
+HIDDEN = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
+PREPROCESSOR = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
+ASSERTION = re.compile(r"\b(?:FXL_ASSERT|FXL_STATIC_ASSERT)\s*\([^;]*;")
+TOKEN = re.compile(r"0[xX][0-9a-fA-F]+[uUlL]*|\d+[uUlL]*|[A-Za-z_]\w*|<<=|>>=|->|\+\+|--|<<|>>|<=|>=|==|!=|"
+                   r"&&|\|\||[-+*/%&|^]=|[^\s\w]")
+STATEMENT = re.compile(r"(?<=[;{}])(\s*)([^;{}]+;)")
+NO_STATEMENT = re.compile(r"^(?:return|break|continue|goto|case|default|else|if|for|while|do|static|const|typedef|"
+                          r"struct|enum|union|extern)\b|^(?:\w+\s+|\w+\s*\*\s*)+\**\w+(?:\[[^\]]*\])*\s*[=,;]")
+EFFECT = re.compile(r"[^=!<>]=[^=]|\+\+|--|\)\s*;$")
+VALUE = re.compile(r"[\w)\]]$")
+
+
+@dataclasses.dataclass(frozen=True)
+class Mutant:
+    """A file with text[begin:end] replaced."""
+    file: str
+    line: int
+    begin: int
+    end: int
+    was: str
+    becomes: str
+
+    def apply(self, text):
+        return text[:self.begin] + self.becomes + text[self.end:]
+
+    def __str__(self):
+        becomes = self.becomes or "(left out)"
+        return f"{self.file}:{self.line}: '{' '.join(self.was.split())}' becomes '{becomes}'"
+
+
+def _blank(match):
+    """As many characters, the newlines among them, so that places stay what they are."""
+    return re.sub(r"[^\n]", " ", match[0])
+
+
+def code_of(text):
+    """The text with spaces instead of what no mutant is made of."""
+    for pattern in (HIDDEN, PREPROCESSOR, ASSERTION):
+        text = pattern.sub(_blank, text)
+    return text
+
+
+def _functions(code):
+    """(begin, end) of the bodies of functions: braces at the outermost level that follow a parenthesis."""
+    depth, begin, found = 0, 0, []
+    for match in re.finditer(r"[{}]", code):
+        if match[0] == "{":
+            if depth == 0:
+                begin = match.start() if code[:match.start()].rstrip().endswith(")") else -1
+            depth += 1
+        else:
+            depth -= 1
+            if depth == 0 and begin >= 0:
+                found.append((begin, match.end()))
+    return found
+
+
+def _changed(token, before):
+    """What a token may become; before is the code before it, without space at its end."""
+    if token[0].isdigit():
+        suffix = token[len(token.rstrip("uUlL")):]
+        value = int(token.rstrip("uUlL"), 0)
+        return [f"{value + 1}{suffix}"] + ([f"{value - 1}{suffix}"] if value else [])
+    if token in BINARY_ONLY and (not VALUE.search(before) or re.search(r"\b(return|case)$", before)):
+        return []
+    return SWAPS.get(token, ())
+
+
+def _statements(code, begin, end):
+    """Places of the statements of a function that may be left out."""
+    for match in STATEMENT.finditer(code, begin, end):
+        text = match[2].lstrip()
+        if EFFECT.search(text) and not NO_STATEMENT.search(text):
+            yield match.end() - len(text), match.end()
+
+
+def mutants(file, text):
+    """All mutants of a file, in the order of their places."""
+    code, found = code_of(text), []
+    for begin, end in _functions(code):
+        places = [(match.start(), match.end(), becomes) for match in TOKEN.finditer(code, begin, end)
+                  for becomes in _changed(match[0], code[:match.start()].rstrip()[-8:])]
+        places += [(first, last, ";") for first, last in _statements(code, begin, end)]
+        found += [Mutant(file, text.count("\n", 0, first) + 1, first, last, text[first:last],
+                         becomes if becomes != ";" else "(void)0;") for first, last, becomes in places]
+    return sorted(found, key=lambda mutant: (mutant.begin, mutant.end, mutant.becomes))
