@@ -8,14 +8,14 @@
 /* A plane to lay a face into: two axes and what stands on them. */
 typedef struct {
     fxl_point origin;
-    fxl_camera axes;
+    fxl_camera camera;
 } face_plane;
 
 static face_plane any_plane(fuzz_input *in)
 {
     face_plane plane;
     fxl_pose pose = fuzz_pose(in);
-    DEMAND(fxl_camera_from_pose(&pose, &plane.axes) == FXL_OK);
+    DEMAND(fxl_camera_from_pose(&pose, &plane.camera) == FXL_OK);
     plane.origin = pose.position;
     return plane;
 }
@@ -30,7 +30,7 @@ static fxl_q16_16 along(fxl_q16_16 origin, fxl_q2_30 right, int64_t a, fxl_q2_30
 /* origin + a right + b up, to the nearest unit. */
 static fxl_point on_plane(const face_plane *plane, int64_t a, int64_t b)
 {
-    const fxl_camera *axes = &plane->axes;
+    const fxl_axes *axes = &plane->camera.axes;
     fxl_point point;
     point.x = along(plane->origin.x, axes->right.x, a, axes->up.x, b);
     point.y = along(plane->origin.y, axes->right.y, a, axes->up.y, b);
@@ -47,9 +47,9 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     uint32_t kind = fuzz_below(in, 64);
     unsigned scale = kind % 16;
     fxl_q2_30 turned = kind < 32 ? 1 : -1;
-    face->normal.x = plane.axes.forward.x * turned;
-    face->normal.y = plane.axes.forward.y * turned;
-    face->normal.z = plane.axes.forward.z * turned;
+    face->normal.x = plane.camera.axes.forward.x * turned;
+    face->normal.y = plane.camera.axes.forward.y * turned;
+    face->normal.z = plane.camera.axes.forward.z * turned;
     face->first_index = scene->index_count;
     face->count = (uint8_t)(3 + fuzz_below(in, FXL_FACE_VERTICES_MAX - 2));
     face->material = (uint8_t)fuzz_bits(in, 1);
@@ -163,7 +163,7 @@ static fxl_bsp_node any_node(const made_scene *made, const fxl_model *model, uin
         node.distance_low = (uint32_t)height;
         node.distance_high = (uint32_t)(height >> 32);
     } else {
-        node.normal = any_plane(in).axes.forward;
+        node.normal = any_plane(in).camera.axes.forward;
         node.distance_high = (uint32_t)((int32_t)fuzz_bits(in, 4) >> (2 + fuzz_below(in, 16)));
     }
     return node;

@@ -48,8 +48,8 @@ void fuzz_beams(fuzz_input *in)
     fxl_beam beam, before;
     const fxl_direction travel = {0, -FXL_Q2_30_ONE, 0};
     fxl_pose pose = fuzz_pose(in);
-    fxl_camera axes;
-    DEMAND(fxl_camera_from_pose(&pose, &axes) == FXL_OK);
+    fxl_camera camera;
+    DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
     uint32_t count = fuzz_below(in, CORNERS + 1), kind = fuzz_below(in, 8);
     fxl_point light = fuzz_point(in, FXL_COORDINATE_MAX);
     for (uint32_t i = 0; i < CORNERS; i++) { /* corners of a kite: convex more often than not */
@@ -62,7 +62,7 @@ void fuzz_beams(fuzz_input *in)
     light.x = kind == 7 ? INT32_MAX : light.x;
     memset(&beam, 0x5A, sizeof beam);
     before = beam;
-    fxl_direction way = fuzz_below(in, 2) ? axes.forward : travel;
+    fxl_direction way = fuzz_below(in, 2) ? camera.axes.forward : travel;
     way.x += kind == 6 ? 1 << 20 : 0;
     fxl_status status = fuzz_below(in, 2) ? fxl_beam_from_point(&light, window, count, &beam)
                                           : fxl_beam_from_direction(&way, window, count, &beam);
@@ -91,9 +91,9 @@ void fuzz_split(fuzz_input *in)
 {
     static fxl_piece piece, front, back;
     fxl_pose pose = fuzz_pose(in);
-    fxl_camera axes;
-    DEMAND(fxl_camera_from_pose(&pose, &axes) == FXL_OK);
-    const fxl_plane plane = fxl_plane_from_point(&pose.position, &axes.forward, 0);
+    fxl_camera camera;
+    DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
+    const fxl_plane plane = fxl_plane_from_point(&pose.position, &camera.axes.forward, 0);
     piece.count = 2 + fuzz_below(in, FXL_POLYGON_CAPACITY - 1);
     uint32_t near_plane = fuzz_below(in, 4);
     for (uint32_t i = 0; i < piece.count; i++) {

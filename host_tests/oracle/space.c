@@ -27,7 +27,7 @@ oracle_space oracle_space_of_normalised(const fxl_view *view)
 {
     fxl_normalised f;
     fxl_normalised_from_camera(&view->camera, &view->lens, &f);
-    oracle_space space = {.camera = {f.eye, f.x.direction, f.y.direction, f.z.direction},
+    oracle_space space = {.camera = {f.eye, {f.x.direction, f.y.direction, f.z.direction}},
                           .x_shift = f.x.shift,
                           .y_shift = f.y.shift,
                           .z_shift = f.z.shift,

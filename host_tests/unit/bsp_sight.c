@@ -26,13 +26,14 @@ void bsp_tilt(bsp_scene *made, fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
     const fxl_pose pose = {{0, 0, 0}, yaw, pitch, roll};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&straight, &upright));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
-    const fxl_direction *const axes[3] = {&tilted.right, &tilted.up, &tilted.forward};
+    const fxl_direction *const axes[3] = {&tilted.axes.right, &tilted.axes.up,
+                                          &tilted.axes.forward};
     for (uint32_t i = 0; i < 8; i++) {
         const fxl_point from = made->tiny->vertices[i];
         made->tiny->vertices[i] =
-            (fxl_point){along(tilted.right.x, tilted.up.x, tilted.forward.x, &from),
-                        along(tilted.right.y, tilted.up.y, tilted.forward.y, &from),
-                        along(tilted.right.z, tilted.up.z, tilted.forward.z, &from)};
+            (fxl_point){along(tilted.axes.right.x, tilted.axes.up.x, tilted.axes.forward.x, &from),
+                        along(tilted.axes.right.y, tilted.axes.up.y, tilted.axes.forward.y, &from),
+                        along(tilted.axes.right.z, tilted.axes.up.z, tilted.axes.forward.z, &from)};
     }
     for (uint32_t i = 0; i < 6; i++) {
         made->tiny->faces[i].normal = times_sign(axes[i / 2], i % 2 ? 1 : -1);
@@ -79,7 +80,7 @@ static void look_at_cube(const fxl_point *eye, const double way[3], const fxl_in
                          uint8_t colour, bsp_sight *seen)
 {
     const fxl_camera *cube = colour == 1 ? &tilted : &upright;
-    const fxl_direction *const axes[3] = {&cube->right, &cube->up, &cube->forward};
+    const fxl_direction *const axes[3] = {&cube->axes.right, &cube->axes.up, &cube->axes.forward};
     const double from[3] = {(eye->x - instance->centre.x) / 65536.0,
                             (eye->y - instance->centre.y) / 65536.0,
                             (eye->z - instance->centre.z) / 65536.0};

@@ -88,13 +88,14 @@ static bsp_scene *make_scene(void)
     const fxl_pose pose = {{0, 0, 0}, unit_random(), unit_random(), unit_random()};
     fxl_camera tilted;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
-    const fxl_direction *const axes[3] = {&tilted.right, &tilted.up, &tilted.forward};
+    const fxl_direction *const axes[3] = {&tilted.axes.right, &tilted.axes.up,
+                                          &tilted.axes.forward};
     for (uint32_t i = 0; i < 8; i++) {
         const fxl_point from = made->tiny->vertices[i];
         made->tiny->vertices[i] =
-            (fxl_point){along(tilted.right.x, tilted.up.x, tilted.forward.x, &from),
-                        along(tilted.right.y, tilted.up.y, tilted.forward.y, &from),
-                        along(tilted.right.z, tilted.up.z, tilted.forward.z, &from)};
+            (fxl_point){along(tilted.axes.right.x, tilted.axes.up.x, tilted.axes.forward.x, &from),
+                        along(tilted.axes.right.y, tilted.axes.up.y, tilted.axes.forward.y, &from),
+                        along(tilted.axes.right.z, tilted.axes.up.z, tilted.axes.forward.z, &from)};
     }
     for (uint32_t i = 0; i < 6; i++) {
         const int32_t sign = i % 2 ? 1 : -1;

@@ -21,6 +21,7 @@ static fxl_view random_view(fxl_q16_16 reach)
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_view_set_lens(&view, &lens);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    fxl_view_set_world_frustum(&view);
     return view;
 }
 

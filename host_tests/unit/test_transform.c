@@ -93,7 +93,7 @@ void test_no_bit_is_rounded_away(void)
 {
     const fxl_direction slanted = {FXL_Q2_30_ONE - 1, 1, 0}, none = {0, 0, 0};
     const fxl_direction opposite = {1 - FXL_Q2_30_ONE, -1, 0};
-    fxl_camera camera = {{Q16(-4096), Q16(-4096), 0}, slanted, opposite, none};
+    fxl_camera camera = {{Q16(-4096), Q16(-4096), 0}, {slanted, opposite, none}};
     fxl_point point = {Q16(4096), Q16(4096) - 1, 0};
     fxl_view_point view;
     fxl_transform_point(&camera, &point, &view);

@@ -91,21 +91,24 @@ void test_bands_in_two_workspaces_are_the_frame(void)
 /* A clipper and a raster backend with workspaces of their own. */
 void test_a_second_workspace_has_memory_of_its_own(void)
 {
-    static FXL_ALIGN_8 uint8_t spans[1024];
-    static fxl_clipper_workspace workspace;
+    static const fxl_clipper counting = {.clip = fxl_clip_by_view,
+                                         .workspace_size = sizeof(fxl_clip_stats)};
+    static FXL_ALIGN_8 fxl_clip_stats counts;
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_near, &workspace,
-                                                       sizeof workspace));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_clipper(&renderer, &counting, &counts, sizeof counts));
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, spans, sizeof spans));
-    static FXL_ALIGN_8 uint8_t room[sizeof(fxl_clipper_workspace) + 1024];
+        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
     const size_t least = fxl_workspace_size(&renderer);
-    TEST_ASSERT_TRUE(least >= fxl_clipper_near.workspace_size && least <= sizeof room);
-    memset(room, 0x5A, sizeof room);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, room, least));
-    expect_the_same(6);
-    for (size_t i = least; i < sizeof room; i++) {
-        TEST_ASSERT_EQUAL_HEX8(0x5A, room[i]);
+    TEST_ASSERT_TRUE(least > counting.workspace_size && least <= ROOM);
+    memset(rooms[1], 0x5A, ROOM);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], least));
+    const fxl_clip_stats *others = (const fxl_clip_stats *)second.cache.clipper_workspace;
+    TEST_ASSERT_TRUE(others != &counts && others->distances == 0);
+    expect_the_same(24);
+    TEST_ASSERT_TRUE(counts.distances > 0 && others->distances > 0);
+    for (size_t i = least; i < ROOM; i++) {
+        TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[1][i]);
     }
 }
 
@@ -148,19 +151,20 @@ void test_a_workspace_that_cannot_be_is_refused_and_untouched(void)
 /* The record that it was moved from is overwritten: no pointer leads there. */
 void test_a_renderer_may_be_moved(void)
 {
-    static fxl_renderer moved;
+    FXL_STATIC_ASSERT(sizeof renderer <= sizeof rooms, "it is moved there");
+    fxl_renderer *moved = (fxl_renderer *)(void *)rooms;
     const fxl_pose pose = pose_number(2);
     fxl_band band = band_of(whole, 0, HEIGHT);
     start();
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    moved = renderer;
+    *moved = renderer;
     memset(&renderer, 0x5A, sizeof renderer);
     band = band_of(other, 0, HEIGHT);
     fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&moved, &pose));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&moved, &band));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(moved, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(moved, &band));
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
 }
