@@ -16,8 +16,8 @@ import pathlib
 import subprocess
 import sys
 
-from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, output, parallel,
-                   qemu)
+from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, children, output,
+                   parallel, qemu, scratch)
 from fixel.errors import ToolError, run_main
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]

@@ -31,7 +31,7 @@ import sys
 import threading
 import time
 
-from fixel import limits, mutate, output
+from fixel import children, limits, mutate, output
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress, steps
 
@@ -59,8 +59,8 @@ class Tree:
 
     def run(self, command):
         """What a command said if it failed, else None."""
-        done = subprocess.run([str(part) for part in command], cwd=self.folder, stdin=subprocess.DEVNULL, check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+        done = children.run([str(part) for part in command], cwd=self.folder,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
         return (done.stdout or "failed") if done.returncode else None
 
     def compile(self, source):
@@ -140,9 +140,9 @@ def run_test(tree, test, cpu):
 
 def symbols(file):
     """The global names that an object or a program defines."""
-    said = subprocess.run(["nm", "-g", "--defined-only", str(file)], stdin=subprocess.DEVNULL, capture_output=True,
-                          text=True, check=True).stdout
-    return {line.split()[-1] for line in said.splitlines() if line}
+    done = children.run(["nm", "-g", "--defined-only", str(file)], text=True)
+    done.check_returncode()
+    return {line.split()[-1] for line in done.stdout.splitlines() if line}
 
 
 def time_tests(tree, tests, slow):

@@ -141,7 +141,7 @@ int main(void)
         if (init(units) != FXL_OK) { return 2; }
         const fxl_vertex_cache *cache = &renderer.workspace.cache;
         const uint64_t *list = (const uint64_t *)(const void *)renderer.frame.display_list.words;
-        printf("%u %u %u\\n", (unsigned)units, cache->entries == &renderer.workspace.own_entry ? 0 : (unsigned)cache->mask + 1,
+        printf("%u %u %u\\n", (unsigned)units, cache->entries == NULL ? 0 : (unsigned)cache->mask + 1,
                (unsigned)renderer.frame.display_list.capacity);
         if (list + (renderer.frame.display_list.capacity + 1) / 2 > memory + units) { return 3; }
     }

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define FXL_NORMALISED_WORKSPACE fxl_normalised_workspace
 #include "intersection.h"
 #include "fetch_normalised.h"
 

@@ -1,18 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /* The steps that the clippers in the normalised frustum share: its vertices come through the vertex
- * cache. Internal. A clipper defines FXL_NORMALISED_WORKSPACE, the type of its workspace, which has
- * the members frame and frustum, before it includes this file. */
+ * cache. Internal. A clipper whose workspace is no fxl_normalised_workspace, but has its members
+ * frame and frustum too, defines FXL_NORMALISED_WORKSPACE before it includes this file. */
 #ifndef FXL_FETCH_NORMALISED_H
 #define FXL_FETCH_NORMALISED_H
 
 #include "clip_common.h"
+
+#ifndef FXL_NORMALISED_WORKSPACE
+#define FXL_NORMALISED_WORKSPACE fxl_normalised_workspace
+#endif
 
 static inline FXL_NORMALISED_WORKSPACE *workspace_of(const fxl_model_view *model_view)
 {
     return (FXL_NORMALISED_WORKSPACE *)model_view->clipper_workspace;
 }
 
-static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
+static inline fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
 {
     const fxl_normalised *frustum = &workspace_of(model_view)->frustum;
     bool is_new;
@@ -27,8 +31,8 @@ static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t numbe
     return entry;
 }
 
-static fxl_status project(const fxl_model_view *model_view, const fxl_view_point *point,
-                          fxl_screen_point *screen)
+static inline fxl_status project(const fxl_model_view *model_view, const fxl_view_point *point,
+                                 fxl_screen_point *screen)
 {
     /* bug: once-project */
     return fxl_normalised_project(&workspace_of(model_view)->frustum, point, screen);
