@@ -122,7 +122,7 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_clipper(NULL, &fxl_clipper_view, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, NULL, 64) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, crooked, 60) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, crooked, 60) == FXL_E_ALIGNMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, room, 64) == FXL_E_CAPACITY);
     DEMAND(fxl_renderer_set_visibility(NULL, &fxl_visibility_sorted, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_visibility(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
@@ -132,7 +132,7 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_beams(renderer, NULL, 1, lit, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, 1, NULL, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, NULL, 64) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, crooked, 60) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, crooked, 60) == FXL_E_ALIGNMENT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, room, 64) == FXL_E_COUNT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, FXL_BEAMS_MAX + 1, lit, room, 64) ==
            FXL_E_COUNT);

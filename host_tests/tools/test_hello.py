@@ -55,6 +55,39 @@ uint32_t keys_held(void)
     return frame > 6 ? FXL_KEY_ALL : frame > 3 ? FXL_KEY_FORWARD : FXL_KEY_LEFT;
 }
 """
+# The two cores are threads. With LEAST there is no room for a display list, so both traverse the scene.
+THREADS = """
+#include <pthread.h>
+#include <stdio.h>
+#include "cube_scene.h"
+#ifdef LEAST
+#undef CUBE_MEMORY
+#define CUBE_MEMORY CUBE_MEMORY_LEAST
+#endif
+#define main two_cores
+#include "cores.c"
+#undef main
+static void (*work)(int core);
+static void *second_core(void *unused)
+{
+    (void)unused;
+    work(1);
+    return NULL;
+}
+void on_both_cores(void (*draw_part)(int core))
+{
+    pthread_t thread;
+    work = draw_part;
+    if (pthread_create(&thread, NULL, second_core, NULL)) { return; }
+    work(0);
+    pthread_join(thread, NULL);
+}
+int main(void)
+{
+    if (two_cores()) { return 1; }
+    return fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels;
+}
+"""
 # The frames of the path, whole, by the first level.
 WHOLE = """
 #include <stdio.h>
@@ -103,7 +136,8 @@ def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("hello")
     for name, text in BLOCKS.items():
         (folder / name).write_text(text, encoding="utf-8")
-    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("whole.c", WHOLE)):
+    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS),
+                       ("whole.c", WHOLE)):
         (folder / name).write_text(text, encoding="utf-8")
     scene_tool.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
     library("host")
@@ -157,7 +191,8 @@ def test_readme_page_and_example_have_the_same_program():
 
 
 def test_the_page_has_its_six_steps():
-    assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "loop.c", "steer.c", "display.c"}
+    assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "cores.c", "loop.c", "steer.c",
+                           "display.c"}
     assert PAGE.count("\n## ") == 6 and PAGE.count("```") == 2 * len(BLOCKS)
 
 
@@ -205,6 +240,25 @@ def test_the_file_that_the_page_writes_is_the_picture_that_it_shows(page, pictur
 
 def test_bands_draw_the_same_picture(page, picture):
     assert drawn(page, "bands.c", "rows.c").tobytes() == picture.tobytes()
+
+
+def test_two_cores_draw_the_same_picture(page, picture):
+    assert drawn(page, "-pthread", "threads.c").tobytes() == picture.tobytes()
+
+
+@pytest.mark.parametrize("least", [[], ["-DLEAST"]])
+def test_two_cores_touch_nothing_of_each_other(page, picture, least):
+    """ThreadSanitizer, with the library's sources: it ends a program with 66 where two threads meet."""
+    sources = [*(ROOT / "lib" / "src").glob("*/*.c"), *(ROOT / "lib" / "kernels").glob("*/*.c")]
+    built_so = subprocess.run([*C11, "-O1", "-pthread", "-fsanitize=thread", "-ffunction-sections", "-fdata-sections",
+                               "-Wl,--gc-sections", f"-I{ROOT / 'lib'}", f"-I{ROOT / 'lib' / 'include'}", *least,
+                               "threads.c", *sources, "-o", "threads"],
+                              cwd=page, capture_output=True, text=True, check=False)
+    assert (built_so.returncode, built_so.stderr) == (0, "")
+    # Without random addresses: some kernels choose such as ThreadSanitizer cannot start with.
+    done = subprocess.run(["setarch", "-R", "./threads"], cwd=page, capture_output=True, check=False)
+    assert (done.returncode, done.stderr.decode()) == (0, "")
+    assert done.stdout == picture.tobytes()
 
 
 def test_the_loop_draws_the_path(page):

@@ -206,7 +206,7 @@ void test_what_makes_no_light_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_beams(&renderer, beams, 1, lit, NULL, sizeof room));
     for (int off = 1; off < 8; off *= 2) {
-        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
                           fxl_renderer_set_beams(&renderer, beams, 1, lit, (uint8_t *)room + off,
                                                  (uint32_t)(WORKSPACE - off)));
     }

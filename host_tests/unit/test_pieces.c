@@ -317,7 +317,7 @@ void test_a_clippers_room(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(NULL, &roomy, room, 16));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, NULL, room, 16));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &roomy, NULL, 16));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &roomy, words + 1, 16));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_clipper(&renderer, &roomy, words + 1, 16));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_clipper(&renderer, &roomy, room, 15));
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room, sizeof room);
     TEST_ASSERT_EQUAL_UINT32(5 - 1, renderer.workspace.counters.refused_calls);

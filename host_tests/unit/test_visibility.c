@@ -197,8 +197,8 @@ void test_refusals(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, NULL, room, least));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, NULL, least));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
-                                                                  (uint8_t *)room + 4, least));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
+                                                                   (uint8_t *)room + 4, least));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
                                                                   room, least - 1));
     counters.refused_calls = 4;

@@ -192,8 +192,8 @@ void test_counts_want_a_workspace_that_holds_them(void)
         TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                           fxl_renderer_set_clipper(&renderer, clippers[i], &room,
                                                    (uint32_t)sizeof(fxl_clip_stats) - 1));
-        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, clippers[i],
-                                                                   (uint8_t *)&room + 4, 64));
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_clipper(&renderer, clippers[i],
+                                                                    (uint8_t *)&room + 4, 64));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &room, sizeof room);

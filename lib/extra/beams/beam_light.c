@@ -132,8 +132,9 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
     }
     if (beam_count > 0) {
         fxl_status status = FXL_E_ARGUMENT;
-        if (beams != NULL && lit != NULL && workspace != NULL && ((uintptr_t)workspace & 7u) == 0) {
-            status = check(renderer->scene, beams, beam_count);
+        if (beams != NULL && lit != NULL && workspace != NULL) {
+            status = ((uintptr_t)workspace & 7u) != 0 ? FXL_E_ALIGNMENT
+                                                      : check(renderer->scene, beams, beam_count);
         }
         if (status == FXL_OK && workspace_size < fxl_beam_light_workspace_size(beams, beam_count)) {
             status = FXL_E_CAPACITY;

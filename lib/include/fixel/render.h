@@ -65,12 +65,12 @@ typedef struct {
  * within it; fxl_workspace_init sets up others. */
 typedef struct fxl_workspace {
     fxl_counters counters;
-    uint32_t frame;              /* that this workspace last drew, as fxl_view counts them */
+    uint32_t frame_number;       /* fxl_view.frame of the frame that this workspace last drew */
     fxl_order_entry *face_order; /* front faces of one sorted model, in the order of drawing */
     uint16_t sorted_instance;    /* whose they are, as fxl_resume_point counts instances */
     uint16_t front_count;        /* how many */
-    bool counted;                /* faces that are not in the display list have been counted */
-    uint16_t settings;           /* of the renderer when this was set up: counts changes */
+    bool rest_counted;           /* faces that are not in the display list have been counted */
+    uint16_t settings_version;   /* of the renderer when this was set up */
     fxl_vertex_cache cache;
     void *raster_workspace; /* the raster backend's, of the caller's memory; or null */
     uint32_t raster_workspace_size;
@@ -116,8 +116,8 @@ struct fxl_renderer {
 fxl_config fxl_config_default(uint16_t width, uint16_t height);
 
 /* Ties a renderer to a scene (an exported one, or one that was checked by fxl_scene_open or
- * fxl_scene_check), a screen, and one block of memory of the caller's, aligned to 8 bytes, of
- * which it keeps hold. The block is divided: first the order of drawing, which must fit;
+ * fxl_scene_check), a screen, and one block of memory of the caller's, aligned to 8 bytes; the
+ * renderer keeps the pointer. The block is divided: first the order of drawing, which must fit;
  * of the rest a quarter at most, and no more than the largest model needs, keeps vertices that
  * faces share; what is left is the display list. A larger block saves time and changes no
  * pixel.
@@ -148,25 +148,24 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
-/* The same, with neither a clipper nor a visibility method: a program that sets both links
- * neither of the usual ones. fxl_frame_begin answers FXL_E_ORDER until both are set. */
+/* The same, with neither a clipper nor a visibility method: where a program sets both itself, the
+ * default ones are not linked. fxl_frame_begin answers FXL_E_ORDER until both are set. */
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
 /* Sets the clipper and its workspace: at least clipper->workspace_size bytes of the caller's,
- * aligned to 8, of which it keeps hold. Where that is 0, a workspace is not needed; one of
- * workspace_size > 0 must hold an fxl_clip_stats. Then a frame must begin anew.
- * FXL_E_ARGUMENT (also a workspace that is not aligned), FXL_E_ORDER (the renderer was never
- * initialised: it is all zeros), FXL_E_CAPACITY (workspace_size): renderer untouched but for
- * refused_calls. */
+ * aligned to 8; the renderer keeps the pointer. A clipper that needs none may be given size 0, or
+ * an fxl_clip_stats to count in. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never initialised: it is all
+ * zeros), FXL_E_CAPACITY (workspace_size): renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
                                     void *workspace, uint32_t workspace_size);
 
-/* Sets the visibility method and its workspace, of the caller's memory, aligned to 8, of which
- * it keeps hold; may be null where the method wants none. Then a frame must begin anew.
- * FXL_E_ARGUMENT (also a workspace that is not aligned), FXL_E_ORDER (the renderer was never
- * initialised), FXL_E_CAPACITY (workspace_size is less than the method wants for this scene and
- * this lens): renderer untouched but for refused_calls. */
+/* Sets the visibility method and its workspace, of the caller's memory, aligned to 8; the renderer
+ * keeps the pointer. May be null where the method wants none. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_CAPACITY
+ * (workspace_size is less than the method wants for this scene and this lens): renderer untouched
+ * but for refused_calls. */
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
                                        void *workspace, uint32_t workspace_size);
 
@@ -183,8 +182,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 /* Draws the frame's polygons over a band that the caller has cleared
  * (fxl_fill_band): those of the display list that reach it, then the rest of the scene
  * where the list was full. The pixels are the same whatever bands a frame is cut
- * into. The first band after fxl_frame_begin counts that rest, so that each
- * face is counted once.
+ * into. Faces that the list had no room for are counted by the first band alone.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
  * not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
@@ -196,8 +194,8 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 size_t fxl_workspace_size(const fxl_renderer *renderer);
 
 /* Sets up a workspace beside the renderer's own, in one block of the caller's memory, aligned to 8
- * bytes, of which it keeps hold. What the block has over fxl_workspace_size keeps vertices that
- * faces share, and is room for the raster backend. The workspace must be set up anew after the
+ * bytes; the workspace keeps the pointer. Bytes beyond fxl_workspace_size become a vertex cache and
+ * memory for the raster backend. The workspace must be set up anew after the
  * renderer's clipper or visibility method was changed, or the renderer initialised.
  * FXL_E_ARGUMENT (also the renderer's own workspace), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer
  * lacks a clipper or a visibility method), FXL_E_CAPACITY: workspace untouched. */

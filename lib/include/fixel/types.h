@@ -118,7 +118,7 @@ typedef enum {
     FXL_E_CAPACITY,    /* the caller's memory, or a capacity set at build, is too small */
     FXL_E_DEGENERATE,  /* fewer than three vertices */
     FXL_E_ORDER,       /* a call out of order: draw before begin */
-    FXL_E_ALIGNMENT,   /* an image or an offset is not a multiple of four bytes */
+    FXL_E_ALIGNMENT,   /* memory, an image or an offset that is not aligned as it must be */
     FXL_E_SIZE,        /* the image or its header has no size that this version allows */
     FXL_E_MAGIC,       /* not a scene image */
     FXL_E_VERSION,     /* a scene image of another version */

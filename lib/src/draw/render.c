@@ -17,7 +17,7 @@
 
 /* --- begin ---------------------------------------------------------------------------- */
 
-/* The counters of a new frame, of which so many faces were culled with their instances. */
+/* Resets the counters for a frame; culled: the faces of the instances that were culled. */
 static void begin_counters(fxl_counters *counters, uint32_t culled)
 {
     uint32_t refused_calls = counters->refused_calls;
@@ -30,8 +30,8 @@ static void begin_counters(fxl_counters *counters, uint32_t culled)
 /* A workspace knows nothing of the frame yet. */
 static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool counted)
 {
-    workspace->frame = view->frame;
-    workspace->counted = counted;
+    workspace->frame_number = view->frame;
+    workspace->rest_counted = counted;
     /* bug: sorted-stale */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
 }
@@ -112,7 +112,7 @@ static fxl_outcome deliver(const fxl_traversal *on)
                : FXL_OUTCOME_FULL;
 }
 
-/* Every polygon that a face gives; cut: the first one's result. */
+/* Delivers all polygons of a face; cut is what the clipper answered for the first. */
 static fxl_outcome deliver_all(const fxl_traversal *on, const fxl_model_view *model_view,
                                fxl_clip_result cut)
 {
@@ -264,7 +264,8 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
                               .display_list = NULL,
                               .band = band,
                               .resume = &resume,
-                              .counters = workspace->counted ? &uncounted : &workspace->counters,
+                              .counters =
+                                  workspace->rest_counted ? &uncounted : &workspace->counters,
                               .way = way_of(renderer, false)};
     if (backend->begin_band != NULL) {
         backend->begin_band(renderer, workspace, band);
@@ -272,7 +273,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     if (!draw_display_list(&on) || !visibility->submit(&on)) {
         return false;
     }
-    workspace->counted = true; /* bug: counted-again */
+    workspace->rest_counted = true; /* bug: counted-again */
     return true;
 }
 
@@ -292,13 +293,13 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
-    if (!frame->ready || workspace->settings != renderer->workspace.settings) {
+    if (!frame->ready || workspace->settings_version != renderer->workspace.settings_version) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     if (!is_band_of(&frame->view.lens, band)) {
         return fxl_refuse(workspace, FXL_E_RANGE);
     }
-    if (workspace->frame != frame->view.frame) {
+    if (workspace->frame_number != frame->view.frame) {
         begin_workspace(workspace, &frame->view, true);
     }
     const fxl_raster_backend *backend = renderer->visibility->backend;

@@ -71,8 +71,11 @@ static fxl_status check_workspace(const fxl_renderer *renderer, const void *work
     if (renderer->scene == NULL) {
         return FXL_E_ORDER;
     }
-    if (size > 0 && (workspace == NULL || ((uintptr_t)workspace & 7u) != 0)) {
+    if (size > 0 && workspace == NULL) {
         return FXL_E_ARGUMENT;
+    }
+    if (size > 0 && ((uintptr_t)workspace & 7u) != 0) {
+        return FXL_E_ALIGNMENT;
     }
     return size < wanted ? FXL_E_CAPACITY : FXL_OK;
 }
@@ -81,7 +84,7 @@ static fxl_status check_workspace(const fxl_renderer *renderer, const void *work
 static void settings_changed(fxl_renderer *renderer)
 {
     renderer->frame.ready = false;
-    renderer->workspace.settings += 1;
+    renderer->workspace.settings_version += 1;
 }
 
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,

@@ -76,7 +76,7 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
     const uint32_t entries = fxl_cache_entries(renderer->scene, over);
     uint8_t *at = (uint8_t *)memory;
     memset(workspace, 0, sizeof *workspace);
-    workspace->settings = renderer->workspace.settings;
+    workspace->settings_version = renderer->workspace.settings_version;
     workspace->face_order = (fxl_order_entry *)(void *)at;
     at += of.face_order;
     if (of.clipper > 0) {

@@ -3,7 +3,7 @@
 
 #include "rotate.h"
 
-/* The unit of the cache's count in a tag. The lower bits of a tag are the vertex's number. */
+/* What each new model view adds to the tags. The lower bits of a tag are the vertex's number. */
 #define TAG_INSTANCE ((uint32_t)1 << 16)
 
 FXL_STATIC_ASSERT(FXL_MODEL_VERTICES_MAX < TAG_INSTANCE, "a vertex number fits a tag");
@@ -51,7 +51,7 @@ static uint32_t next_tag(fxl_vertex_cache *cache)
     return cache->count;
 }
 
-/* What instances and polygons have in common. Requires the offset. */
+/* What instances and polygons share. The offset must be set before. */
 static inline void set_up(fxl_model_view *model_view, const fxl_view *view, fxl_vertex_cache *cache)
 {
     fxl_view_point *translation = &model_view->translation;

@@ -48,8 +48,8 @@ typedef struct {
     uint32_t tag;               /* of vertex 0 */
     const fxl_point *vertices;  /* of the model */
     const uint16_t *indices;    /* of the scene */
-    const fxl_axes *axes;       /* of the view, in those of the model */
-    fxl_planes planes;          /* no vertex lies outside any plane that is not in this set */
+    const fxl_axes *axes;       /* rows of the rotation from the model to the view */
+    fxl_planes planes;          /* those that a vertex may lie outside of */
     fxl_view_point translation; /* where the model's origin is in the view */
     fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
     const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
