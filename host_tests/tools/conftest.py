@@ -16,9 +16,10 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = CHECKOUT / "tools"
 sys.path.insert(0, str(TOOLS))
 
-# A shell ignores it for what it starts in the background, and what that starts
-# inherits it: the tests interrupt programs.
+# A shell ignores one for what it starts in the background, nohup ignores the other, and what these start inherits it:
+# the tests send both to programs.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 

@@ -6,10 +6,10 @@
 
 FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested at once");
 
-/* Both 1..FXL_SCREEN_MAX: 0 becomes the largest number of all. */
+/* Both 1..FXL_SCREEN_MAX: less 1, no bit above those of FXL_SCREEN_MAX - 1 is set. */
 static bool screen_in_range(uint16_t width, uint16_t height)
 {
-    return ((width - 1u) | (height - 1u)) < FXL_SCREEN_MAX;
+    return (uint32_t)((width - 1) | (height - 1)) < FXL_SCREEN_MAX;
 }
 
 /* Neither near_z nor far_z is below 0, so the difference does not overflow. */
