@@ -49,6 +49,7 @@ static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
     FXL_ASSERT(height > 0 && y >= top->y && y < bottom->y);
     int64_t dividend = fxl_edge_dividend(start, bottom->x - top->x, height, y - top->y);
     int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);
+    /* Modulo 2^32: the remainder is below height. */
     *error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;
     return (start >> 16) + quotient + 1;
 }
