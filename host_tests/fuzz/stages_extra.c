@@ -55,7 +55,7 @@ void fuzz_beams(fuzz_input *in)
     for (uint32_t i = 0; i < CORNERS; i++) { /* corners of a kite: convex more often than not */
         static const int8_t x[CORNERS] = {-3, 0, 3, 0, -2, -3, -3, -4, -4};
         static const int8_t z[CORNERS] = {0, 3, 0, -3, -2, -1, -1, 0, 0};
-        window[i].x = x[i] * 65536 + (kind == 0 ? fuzz_any(in) : 0);
+        window[i].x = kind == 0 ? fuzz_any(in) : x[i] * 65536;
         window[i].y = kind < 2 ? fuzz_coordinate(in, FXL_COORDINATE_MAX) : 0;
         window[i].z = z[i] * 65536;
     }
