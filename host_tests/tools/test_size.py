@@ -187,5 +187,5 @@ def test_the_first_program_links_a_part_of_the_library(build):
     linked, whole = linked_size.measure("cortex-m3", file, CROSS), size_tool.archive_size(file, CROSS)
     assert 5_000 < linked["linked_flash"] < whole["flash"] / 2
     assert "fxl_render(&renderer" in linked_size.first_program()
-    said = re.search(r"this program links ([\d.]+) KB on a Cortex-M3", (build.parent / "README.md").read_text(encoding="utf-8"))
+    said = re.search(r"program below links ([\d.]+) KB of library code on a Cortex-M3", (build.parent / "README.md").read_text(encoding="utf-8"))
     assert abs(float(said.group(1)) * 1000 - linked["linked_flash"]) < 500, linked
