@@ -203,3 +203,42 @@ void test_depth(void)
     }
 #endif
 }
+
+/* A sphere need not hold the faces of the nodes beside its own. The second node is a leaf in front
+ * of the first, and all others are behind that. */
+void test_a_sphere_is_of_its_own_faces_alone(void)
+{
+    made->nodes[0].front = 1;
+    made->nodes[0].back = 2;
+    made->nodes[0].radius = Q16(3);
+    made->nodes[1].back = FXL_BSP_NONE;
+    made->nodes[2].parent = 0;
+    made->nodes[1].centre.x = Q16(1); /* the middle of its face, whose corners are sqrt(2) away */
+    made->nodes[1].radius = Q16(1.415);
+    expect(FXL_OK, NULL, 0);
+}
+
+/* An image with a tree: its nodes follow all else, and are used in place. */
+void test_a_tree_in_an_image(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    const uint32_t at = image->size, bytes = sizeof made->nodes;
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.scene.bsp_nodes);
+    TEST_ASSERT_TRUE(at + bytes <= sizeof image->words);
+    memcpy(tiny_at(image, at), bsp_make()->nodes, bytes);
+    tiny_put16(tiny_at(image, AT_VERSION), 3);
+    tiny_put32(tiny_at(image, AT_RESERVED), at);
+    tiny_put32(tiny_at(image, AT_RESERVED + 4), BSP_NODES);
+    tiny_put32(tiny_at(image, AT_RESERVED + 8), 1);
+    tiny_put32(tiny_at(image, AT_SIZE), at + bytes);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, at + bytes, &opened, &fault));
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, at), opened.scene.bsp_nodes);
+    TEST_ASSERT_EQUAL_UINT32(BSP_NODES, opened.scene.bsp_node_count);
+    TEST_ASSERT_EQUAL_UINT32(1, opened.scene.bsp_instance);
+    tiny_put32(tiny_at(image, AT_RESERVED + 4), BSP_NODES + 1); /* past the end of the image */
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_OFFSET, fxl_scene_open(image->words, at + bytes, &opened, &fault));
+}

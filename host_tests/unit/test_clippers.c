@@ -322,3 +322,30 @@ void test_all_count_what_they_work_out(void)
         account = (fxl_clip_stats){0, 0, 0};
     }
 }
+
+/* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
+void test_half_spaces_measure_a_vertex_once(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = random_view();
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = at(&view, Q16(0.25), Q16(-0.25), Q16(2));
+    polygon.vertices[2].position = at(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    memset(&guarded.workspace, 0, fxl_clipper_half_spaces.workspace_size);
+    for (int planes = 1; planes >= 0; planes--) {
+        guarded.workspace.stats = (fxl_clip_stats){0, 0, 0};
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &guarded.workspace;
+        face.model_view.planes = planes ? FXL_PLANES_ALL : 0;
+        for (int again = 0; again < 2; again++) {
+            TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clipper_half_spaces.clip(
+                                                   &face.model_view, &face.face, &work, &screen));
+            TEST_ASSERT_EQUAL_UINT32(planes ? 3 * FXL_PLANE_COUNT : 0,
+                                     guarded.workspace.stats.distances);
+            TEST_ASSERT_EQUAL_UINT32(0, guarded.workspace.stats.intersections);
+        }
+    }
+}

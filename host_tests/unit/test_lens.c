@@ -75,3 +75,49 @@ void test_null_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_lens_from_fov(9, 9, FXL_ANGLE_QUARTER, 999, 99999, 0, NULL));
 }
+
+/* What a lens would be with one member changed. */
+static bool is_valid_with(int member, int32_t value)
+{
+    fxl_lens lens = {.width = 320,
+                     .height = 240,
+                     .focal = Q16(160),
+                     .near_z = Q16(1),
+                     .far_z = Q16(1) + 1000,
+                     .inset = 4};
+    lens.width = member == 0 ? (uint16_t)value : lens.width;
+    lens.height = member == 1 ? (uint16_t)value : lens.height;
+    lens.focal = member == 2 ? value : lens.focal;
+    lens.near_z = member == 3 ? value : lens.near_z;
+    lens.far_z = member == 4 ? value : lens.far_z;
+    lens.inset = member == 5 ? value : lens.inset;
+    /* The focal length of 90 degrees is that of the width. */
+    lens.focal = member == 0 ? Q16(0.5) * (lens.width > 0 ? lens.width : 1) : lens.focal;
+    return fxl_lens_is_valid(&lens);
+}
+
+/* Every member has a least and a most; the focal length is measured by the width, and twice the
+ * inset by the depth. */
+void test_the_ends_of_a_valid_lens(void)
+{
+    static const struct {
+        int member;
+        int32_t least, most;
+    } ends[] = {{0, 1, FXL_SCREEN_MAX},
+                {1, 1, FXL_SCREEN_MAX},
+                {2, 320 * 0x2240, 320 * 0x5B800}, /* widths times 0.1338 and 5.719 */
+                {3, FXL_NEAR_MIN, Q16(1) + 1000 - 9},
+                {4, Q16(1) + 9, FXL_FAR_MAX},
+                {5, 0, 499}};
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        TEST_ASSERT_TRUE(is_valid_with(ends[i].member, ends[i].least));
+        TEST_ASSERT_TRUE(is_valid_with(ends[i].member, ends[i].most));
+        TEST_ASSERT_FALSE(is_valid_with(ends[i].member, ends[i].least - 1));
+        TEST_ASSERT_FALSE(is_valid_with(ends[i].member, ends[i].most + 1));
+    }
+    fxl_lens lens = unit_lens(320, 240);
+    lens.inset = FXL_INSET_MAX;
+    TEST_ASSERT_TRUE(fxl_lens_is_valid(&lens));
+    lens.inset = FXL_INSET_MAX + 1;
+    TEST_ASSERT_FALSE(fxl_lens_is_valid(&lens));
+}

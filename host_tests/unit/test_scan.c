@@ -350,7 +350,9 @@ static void expect_refused(fxl_status status, const fxl_screen_polygon *polygon,
 {
     fxl_scan scan;
     fxl_span span = {1, 2, 3};
+    memset(&scan, 1, sizeof scan); /* whatever it was */
     TEST_ASSERT_EQUAL(status, fxl_scan_begin(polygon, band, &scan));
+    TEST_ASSERT_NULL(fxl_scan_next_trapezoid(&scan));
     TEST_ASSERT_FALSE(fxl_scan_next(&scan, &span));
     TEST_ASSERT_EQUAL(1, span.y);
     TEST_ASSERT_EQUAL(2, span.x0);
@@ -377,6 +379,13 @@ void test_what_breaks_the_contract_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
     polygon.points[2].y = -FXL_SCREEN_COORDINATE_MAX - 1;
     expect_refused(FXL_E_RANGE, &polygon, &band);
+    polygon.points[2].y = 0;
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, 0, 8, 0, 8});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, 8, 8, 0, 0});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, FXL_SCREEN_MAX + 1, 8, 0, 8});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, 8, 8, 1, FXL_SCREEN_MAX});
+    band = (fxl_band){pixels, FXL_SCREEN_MAX, FXL_SCREEN_MAX, FXL_SCREEN_MAX - 1, 1};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
 }
 
 void test_a_span_is_untouched_at_the_end(void)

@@ -31,7 +31,9 @@ static void expect_corners(const fxl_clip_triangle *triangle, const int *numbers
 void test_none_and_all(void)
 {
     fxl_clip_triangle out[2], in = solid(-1, 0, -5, 0, -3, 4);
+    stats.distances = 100;
     TEST_ASSERT_EQUAL(0, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    TEST_ASSERT_EQUAL(100 + 3, stats.distances); /* one for each corner */
     in = solid(1, 0, 5, 0, 3, 4);
     TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     EXPECT(&out[0], 1, 0, 5, 0, 3, 4);

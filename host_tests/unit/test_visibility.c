@@ -242,3 +242,17 @@ void test_two_renderers_do_not_know_of_each_other(void)
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
     }
 }
+
+/* Testing every pixel of a polygon's box draws the same picture. */
+void test_boxes_draw_the_same_picture(void)
+{
+    const way sorted = {&fxl_visibility_sorted, LIST_WORDS, 0};
+    for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
+        const way boxes = {&fxl_visibility_box, (uint32_t)unit_between(0, LIST_WORDS), 0};
+        fxl_pose pose = random_pose();
+        fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
+        fxl_counters counters = draw(&boxes, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        expect_counters(&expected, &counters);
+    }
+}

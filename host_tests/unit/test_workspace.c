@@ -286,3 +286,72 @@ void test_face_bounds_without_a_table_are_refused(void)
     tiny->scene.face_bounds_count = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
 }
+
+/* What is over beyond the least keeps vertices: a power of two of them, and no more than the
+ * largest model has. Each part follows the one before. */
+void test_what_is_over_keeps_vertices(void)
+{
+    static const uint8_t kept[] = {0, 1, 2, 2, 4, 4, 4, 4, 8, 8};
+    start();
+    const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
+    for (size_t n = 0; n < sizeof kept; n++) {
+        const size_t sizes[] = {least + n * vertex, least + (n + 1) * vertex - 1};
+        for (int i = 0; i < 2; i++) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], sizes[i]));
+            TEST_ASSERT_EQUAL_PTR(kept[n] > 0 ? rooms[1] + least : NULL, second.cache.entries);
+            TEST_ASSERT_EQUAL_UINT32(kept[n] > 0 ? kept[n] - 1u : 0, second.cache.mask);
+        }
+        TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
+        TEST_ASSERT_NULL(second.cache.clipper_workspace);
+        TEST_ASSERT_NULL(second.raster_workspace);
+        TEST_ASSERT_EQUAL_UINT32(0, second.raster_workspace_size);
+    }
+}
+
+/* Of what is over, a raster backend gets what the vertices do not take of a quarter. */
+void test_the_rest_is_the_raster_backend_s(void)
+{
+    start();
+    const size_t order_bytes = fxl_workspace_size(&renderer);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
+    const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
+    TEST_ASSERT_TRUE(least > order_bytes && least + 8 * vertex <= ROOM);
+    for (size_t n = 0; n <= 2; n++) {
+        const size_t size = least + 4 * n * vertex;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
+        uint8_t *const after = rooms[1] + order_bytes + n * vertex;
+        TEST_ASSERT_EQUAL_PTR(n > 0 ? rooms[1] + order_bytes : NULL, second.cache.entries);
+        TEST_ASSERT_EQUAL_PTR(after, second.raster_workspace);
+        TEST_ASSERT_EQUAL_UINT32(rooms[1] + size - after, second.raster_workspace_size);
+    }
+}
+
+/* A workspace needs a renderer with both settings, and memory at eight bytes. */
+void test_when_a_workspace_can_be_set_up(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory tables = memory();
+    const fxl_scene *scene = &checked_scene()->scene;
+    TEST_ASSERT_EQUAL(0, fxl_workspace_size(NULL));
+    for (int settings = 0; settings < 4; settings++) {
+        const bool both = settings == 3;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, scene, &lens, &tables));
+        if (settings & 1) {
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
+        }
+        if (settings & 2) {
+            TEST_ASSERT_EQUAL(
+                FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
+        }
+        TEST_ASSERT_EQUAL(both, fxl_workspace_size(&renderer) > 0);
+        TEST_ASSERT_EQUAL(both ? FXL_OK : FXL_E_ORDER,
+                          fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    }
+    for (uint32_t off = 1; off < 8; off++) {
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                          fxl_workspace_init(&second, &renderer, rooms[1] + off, ROOM - 8));
+    }
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_workspace_init(&second, &renderer, NULL, 0));
+}
