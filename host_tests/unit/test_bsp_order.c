@@ -279,3 +279,68 @@ void test_how_much_a_cut_takes(void)
     bsp_tilt(made, 0, 0, DEGREES(45));
     TEST_ASSERT_EQUAL_UINT32(2 * 12 + 2 * 3 * 16, used_by(&diamond, &before_it));
 }
+
+enum {
+    DEEP = 70 /* nodes: more than two words of bits */
+};
+static fxl_bsp_node deep[DEEP];
+
+/* Hangs the tree below nodes that have no faces. Everything is behind their planes, 1000 units off,
+ * and each sphere is a little larger than the one below. */
+static void deepen(void)
+{
+    const uint32_t above = DEEP - BSP_NODES;
+    for (uint32_t i = 0; i < DEEP; i++) {
+        deep[i] = made->nodes[i < above ? 0 : i - above];
+        deep[i].front = FXL_BSP_NONE;
+        deep[i].back = (uint16_t)(i + 1 < DEEP ? i + 1 : FXL_BSP_NONE);
+        deep[i].parent = (uint16_t)(i > 0 ? i - 1 : FXL_BSP_NONE);
+        deep[i].radius += (fxl_q16_16)(DEEP - i);
+        if (i < above) {
+            deep[i].distance_high = 1000 << 14;
+            deep[i].face_count = 0;
+        }
+    }
+    made->tiny->scene.bsp_nodes = deep;
+    made->tiny->scene.bsp_node_count = DEEP;
+}
+
+void test_nodes_without_faces_change_nothing(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    for (uint32_t round = 0; round < UNIT_REPEAT / 1000; round++) {
+        made = bsp_make();
+        const fxl_pose pose = bsp_shuffle(made);
+        start(&fxl_visibility_bsp, &lens);
+        draw(whole, &pose, HEIGHT);
+        const fxl_counters counters = renderer.workspace.counters;
+        deepen();
+        start(&fxl_visibility_bsp, &lens);
+        draw(other, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+    }
+}
+
+/* All spheres of the tree are behind the eye, though that of its object is not. What moves before
+ * the eye is drawn all the same: its leaf is below the last node. */
+void test_what_moves_is_drawn_where_the_tree_is_not(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{0, 0, Q16(14)}, 0, 0, 0};
+    for (int is_deep = 0; is_deep < 2; is_deep++) {
+        made = bsp_make();
+        made->tiny->models[1].radius = Q16(20);
+        made->tiny->instances[0].centre = (fxl_point){0, 0, Q16(18)};
+        made->tiny->instances[2].centre = (fxl_point){0, 0, Q16(-100)};
+        if (is_deep) {
+            deepen();
+        }
+        start(&fxl_visibility_bsp, &lens);
+        draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT8(5, whole[WIDTH * HEIGHT / 2 + WIDTH / 2]);
+        TEST_ASSERT_EQUAL_UINT8(BACKGROUND, whole[0]);
+        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.drawn);
+        TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+    }
+}
