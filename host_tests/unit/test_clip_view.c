@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The rules of clipping in the view, worked out by hand; what a new vertex may
  * err by stands in test_clip_view_bounds.c. */
+#include "../../lib/src/clip/clip_stats.h"
 #include "unit.h"
 
 /* World units of the view, exactly. */
@@ -329,4 +330,30 @@ void test_frustum_refuses_what_exceeds_the_capacity(void)
     const fxl_view_polygon *result = &polygon;
     TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, clip(&polygon, &result));
     TEST_ASSERT_NULL(result);
+}
+
+/* An account has the distance of every vertex, and an intersection for every new vertex. A vertex
+ * on the plane is not new, and a polygon that is not cut has none. */
+void test_distances_and_new_vertices_are_counted(void)
+{
+    static const struct {
+        int numbers[6];
+        fxl_clip_result result;
+        uint32_t intersections;
+    } cases[] = {{{4, 0, -4, 4, -4, 8}, FXL_CLIP_CUT, 2},
+                 {{0, 0, 4, 4, -4, 8}, FXL_CLIP_CUT, 1},
+                 {{1, 0, 4, 4, 0, 8}, FXL_CLIP_INSIDE, 0},
+                 {{-1, 0, -4, 4, -1, 8}, FXL_CLIP_OUTSIDE, 0}};
+    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+        for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+            const fxl_view_polygon polygon = flat(plane, cases[i].numbers, 3);
+            const fxl_view_polygon *result;
+            fxl_clip_stats stats = {.distances = 10, .intersections = 20};
+            TEST_ASSERT_EQUAL(cases[i].result,
+                              fxl_clip_view_by_planes(&polygon, &walls, (fxl_planes)(1u << plane),
+                                                      &work, &stats, &result));
+            TEST_ASSERT_EQUAL_UINT32(10 + 3, stats.distances);
+            TEST_ASSERT_EQUAL_UINT32(20 + cases[i].intersections, stats.intersections);
+        }
+    }
 }

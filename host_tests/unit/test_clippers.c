@@ -349,3 +349,30 @@ void test_half_spaces_measure_a_vertex_once(void)
         }
     }
 }
+
+/* Each vertex beside the screen is tried against the guard band. For the clipper that cuts by the
+ * left side too, one beyond that side alone is not tried; then the left plane measures all three.
+ */
+void test_the_guard_band_is_counted(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = random_view();
+    fxl_screen_polygon screen;
+    const fxl_clip_stats *stats = &guarded.workspace.stats;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = at(&view, Q16(-40), 0, Q16(10));
+    polygon.vertices[1].position = at(&view, 0, Q16(40), Q16(10));
+    polygon.vertices[2].position = at(&view, Q16(40), Q16(-1), Q16(10));
+    for (int left = 0; left < 2; left++) {
+        const fxl_clipper *clipper = left ? &fxl_clipper_left : &fxl_clipper_near;
+        memset(&guarded.workspace, 0, clipper->workspace_size);
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &guarded.workspace;
+        TEST_ASSERT_EQUAL(left ? FXL_CLIP_CUT : FXL_CLIP_INSIDE,
+                          clipper->clip(&face.model_view, &face.face, &work, &screen));
+        TEST_ASSERT_EQUAL_UINT32(left ? 2 * FXL_PLANE_COUNT + 3 : 3 * FXL_PLANE_COUNT,
+                                 stats->distances);
+        TEST_ASSERT_EQUAL_UINT32(left ? 2 : 0, stats->intersections);
+    }
+}
