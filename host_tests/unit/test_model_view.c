@@ -143,3 +143,19 @@ void test_a_cache_knows_nothing_of_another(void)
         TEST_ASSERT_EQUAL_PTR(&others[i % ENTRIES], seen);
     }
 }
+
+/* A polygon of any size has its vertices in turn: each index is its own place. */
+void test_a_polygon_has_its_points_in_turn(void)
+{
+    fxl_model_view model_view;
+    start(ENTRIES);
+    fxl_model_view_of_polygon(&model_view, vertices, &view, &cache);
+    TEST_ASSERT_EQUAL_PTR(vertices, model_view.vertices);
+    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
+        TEST_ASSERT_EQUAL(i, model_view.indices[i]);
+    }
+    TEST_ASSERT_EQUAL_INT32(-view.camera.position.x, model_view.offset.x);
+    TEST_ASSERT_EQUAL_INT32(-view.camera.position.y, model_view.offset.y);
+    TEST_ASSERT_EQUAL_INT32(-view.camera.position.z, model_view.offset.z);
+    TEST_ASSERT_NULL(model_view.beam_light);
+}
