@@ -204,7 +204,9 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
 
 /* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
  * may draw a band of its own at the same time, each in its own workspace, with any clipper and
- * the method fxl_visibility_sorted, _box, _spans or _spans_box. The faces of a frame are counted
+ * the method fxl_visibility_sorted, _box, _spans or _spans_box, without light beams: a BSP and
+ * beams have one workspace for all cores, so with them one band must be drawn after another.
+ * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun, or the workspace was set up for another clipper or
  * method), FXL_E_RANGE (a band that is not of this screen): band untouched; counted in

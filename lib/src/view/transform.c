@@ -7,8 +7,8 @@ void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_v
 {
     FXL_ASSERT(fxl_point_in_range(point));
     /* Both within FXL_COORDINATE_MAX, so each difference is below 2^30. */
-    const fxl_point *eye = &camera->position;
-    fxl_point difference = {point->x - eye->x, point->y - eye->y, point->z - eye->z};
+    fxl_point difference;
+    fxl_subtract(point, &camera->position, &difference);
     const fxl_view_point eye_itself = {0, 0, 0};
     fxl_rotate(&camera->axes, &difference, &eye_itself, view);
 }
