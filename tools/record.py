@@ -19,11 +19,11 @@ from fixel.errors import ToolError, run_main
 from fixel.progress import steps
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
-SHOWN = 720                 # pixels of the recording's width
-COLOURS, REFINED = 256, 3   # of the palette; turns of its refinement
+SHOWN = 540                 # pixels of the recording's width
+COLOURS, REFINED = 128, 3   # of the palette; turns of its refinement
 MILLISECONDS = 120          # between two pictures, and what taking one takes
 LAST = 1.0                  # seconds that the last picture stands
-SIZE_MAX = 1_500_000        # bytes
+SIZE_MAX = 700_000          # bytes
 # For each picture: what is pressed and what is let go before it ("1".."3" choose what is shown beside).
 SCRIPT = [[], ["+w"], [], [], [], [], ["+d"], [], ["-d", "+a"], [], ["-a"], [], [], ["-w", "1"], [], ["+q"], [],
           ["-q", "+e"], [], ["-e", "3"], [], ["+a"], [], [], ["-a", "+w"], [], [], ["-w", "2"], [], ["+d"], [], [],
