@@ -19,8 +19,8 @@ from fixel.errors import ToolError, run_main
 from fixel.progress import steps
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
-SHOWN = 540                 # pixels of the recording's width
-COLOURS, REFINED = 128, 3   # of the palette; turns of its refinement
+FORMATS = [(540, 128), (540, 96), (500, 96), (460, 64), (400, 64)]  # pixels across, colours; the first that fits
+REFINED = 3                 # turns of the palette's refinement
 MILLISECONDS = 120          # between two pictures, and what taking one takes
 LAST = 1.0                  # seconds that the last picture stands
 SIZE_MAX = 700_000          # bytes
@@ -41,7 +41,7 @@ def play(page, actions):
 
 
 def pictures(page, script):
-    """Pictures of the page as it plays, and for how many milliseconds it looked so."""
+    """Pictures of the page as it plays, as PNG, and for how many milliseconds it looked so."""
     shots, times = [], []
     for actions in steps("recording", script):
         play(page, actions)
@@ -49,25 +49,35 @@ def pictures(page, script):
         times.append(time.monotonic())
         shots.append(page.screenshot())
     times.append(times[-1] + LAST)
-    return [scaled(shot) for shot in shots], [round(1000 * (end - start)) for start, end in itertools.pairwise(times)]
+    return shots, [round(1000 * (end - start)) for start, end in itertools.pairwise(times)]
 
 
-def scaled(shot):
+def scaled(shot, width):
     with Image.open(io.BytesIO(shot)) as picture:
-        size = SHOWN, round(SHOWN * picture.height / picture.width)
+        size = width, round(width * picture.height / picture.width)
         return picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
 
 
-def animation(taken, lasting):
+def animation(taken, lasting, colours):
     """An endless GIF of pictures, with one palette for all."""
     sheet = Image.new("RGB", (taken[0].width, sum(each.height for each in taken[::6])))
     for place, each in enumerate(taken[::6]):
         sheet.paste(each, (0, place * each.height))
-    palette = sheet.quantize(COLOURS, Image.Quantize.MEDIANCUT, kmeans=REFINED)
+    palette = sheet.quantize(colours, Image.Quantize.MEDIANCUT, kmeans=REFINED)
     small = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in taken]
     block = io.BytesIO()
     small[0].save(block, "GIF", save_all=True, append_images=small[1:], loop=0, duration=lasting)
     return block.getvalue()
+
+
+def fitting(shots, lasting):
+    """The largest animation that SIZE_MAX has room for: how much changes between two pictures is the machine's
+    speed, so one format can't fit every recording."""
+    for width, colours in FORMATS:
+        data = animation([scaled(shot, width) for shot in shots], lasting, colours)
+        if len(data) <= SIZE_MAX:
+            return data
+    raise ToolError(f"the smallest recording takes {len(data):,} bytes; {SIZE_MAX:,} are allowed", exit_code=1)
 
 
 def record(options):
@@ -78,10 +88,7 @@ def record(options):
         taken, lasting = pictures(page, SCRIPT)
         if page.complaints:
             raise ToolError(f"the page complains: {page.complaints[0]}", exit_code=1)
-    data = animation(taken, lasting)
-    if len(data) > SIZE_MAX:
-        raise ToolError(f"the recording takes {len(data):,} bytes; {SIZE_MAX:,} are allowed", exit_code=1)
-    return data
+    return fitting(taken, lasting)
 
 
 def main(argv):

@@ -12,10 +12,12 @@ import socket
 
 import numpy
 import pytest
+import record
 from PIL import Image
 from conftest import assert_one_sentence, run_cli
 
 from fixel import browser
+from fixel.errors import ToolError
 from viewers import BOARDS, HEIGHT, WIDTH, left, own_build, plaza, port_of, ready
 
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
@@ -255,3 +257,24 @@ def test_the_recording(scene, build, tmp_path):
     assert len(frames) >= 30 and file.stat().st_size < 1.5e6
     changes = [numpy.mean((one != other).any(axis=2)) for one, other in zip(frames, frames[1:])]
     assert numpy.mean(numpy.array(changes) > 0.01) > 0.7    # it walks most of the time
+
+
+def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
+    monkeypatch.setattr(record, "FORMATS", [(60, 128), (40, 64), (20, 16)])
+    monkeypatch.setattr(record, "SIZE_MAX", 4000)
+    noise = numpy.random.default_rng(1)
+
+    def width(side, count):
+        shots = []
+        for _ in range(count):
+            block = io.BytesIO()
+            Image.fromarray(noise.integers(0, 256, (side, side, 3), dtype=numpy.uint8)).save(block, "PNG")
+            shots.append(block.getvalue())
+        data = record.fitting(shots, [100] * count)
+        with Image.open(io.BytesIO(data)) as animation:
+            assert len(data) <= record.SIZE_MAX
+            return animation.width
+
+    assert width(1, 2) == 60 and width(60, 2) < 60
+    with pytest.raises(ToolError, match="the smallest recording takes .* bytes; 4,000 are allowed"):
+        width(60, 40)
