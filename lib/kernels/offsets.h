@@ -7,8 +7,10 @@
 
 /* fxl_band */
 #define BAND_PIXELS    0
+#define BAND_WIDTH     4
 #define BAND_STRIDE    6
 #define BAND_FIRST_ROW 8
+#define BAND_ROWS      10
 
 /* fxl_edge */
 #define EDGE_X             0
@@ -34,6 +36,7 @@
 #define SCAN_BY_CHAINS 5
 #define SCAN_END_ROW   6
 #define SCAN_CHAINS    8
+#define SCAN_COLOUR    18
 #define SCAN_TRAPEZOID 20
 
 /* fxl_view_point */
