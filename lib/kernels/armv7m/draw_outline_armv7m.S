@@ -30,12 +30,14 @@
  * highest vertex, r10: the next vertex. */
 fxl_draw_outline:
     push    {r4-r11, lr}
-    sub     sp, sp, #FRAME_SIZE
-    add     r1, r0, r1, lsl #3
     ldrh    r4, [r2, #BAND_WIDTH]
+    sub     sp, sp, #FRAME_SIZE
     movw    r11, #32767
     add     r4, r4, #1
     lsl     r4, r4, #16
+    cmp     r1, #3
+    add     r1, r0, r1, lsl #3
+    beq     .Ltriangle
     ldr     r5, [r1, #SCREEN_POINT_Y - 8]
     add     r5, r5, r11
     asr     r5, r5, #16
@@ -73,6 +75,7 @@ fxl_draw_outline:
     sub     lr, r7, r6
     cmp     lr, r8
     bne     .Lother /* bug: v7m-two-chains */
+.Ltwo_chains:
     movw    lr, #1023               /* FXL_EDGE_HEIGHT_MAX >> 16 */
     cmp     r8, lr
     bge     .Lother
@@ -123,6 +126,40 @@ fxl_draw_outline:
     strd    r2, r0, [sp, #FRAME_LEFT]
     mov     r3, sp
     b       .Lset_edge
+
+    /* A triangle goes down once. */
+.Ltriangle:
+    ldm     r0, {r5-r10}            /* x, y of each */
+    add     r5, r5, r11
+    add     r7, r7, r11
+    add     r9, r9, r11
+    cmp     r5, r4
+    itt     lo
+    cmplo   r7, r4
+    cmplo   r9, r4
+    bhs     .Lother
+    mov     r12, r6                 /* the greatest y */
+    cmp     r8, r12
+    it      gt
+    movgt   r12, r8
+    cmp     r10, r12
+    it      gt
+    movgt   r12, r10
+    add     r9, r0, #8
+    cmp     r8, r6                  /* r6: the least y */
+    itt     lt
+    movlt   r6, r8
+    addlt   r9, r0, #16
+    cmp     r10, r6
+    itt     lt
+    movlt   r6, r10
+    movlt   r9, r1
+    add     r6, r6, r11
+    add     r7, r12, r11
+    asr     r6, r6, #16
+    asr     r7, r7, #16
+    sub     r8, r7, r6
+    b       .Ltwo_chains
 
 .Lno_row:
     movs    r0, #0

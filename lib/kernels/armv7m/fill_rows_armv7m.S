@@ -30,6 +30,8 @@ right_step          .req r10    /* with the stride */
 right_step_fraction .req r11
 rows        .req r12    /* rows still to be filled, less 1 */
 
+#define NARROW_ROWS 16      /* from here on the test for narrow rows pays */
+
     .section .text.fxl_fill_trapezoid, "ax", %progbits
     .global fxl_fill_trapezoid
     .type fxl_fill_trapezoid, %function
@@ -72,15 +74,21 @@ fxl_fill_rows:
 .Lslanted:
 #ifdef FXL_ROWS_BY_VECTORS
     vdup.8  q0, colour
+#else
+    cmp     rows, #NARROW_ROWS
+    bhs     .Ltest_narrow
 #endif
 
-    .macro next_row
-.Lnext:
+    .macro step_edges
     adds    left_fraction, left_fraction, left_step_fraction
     adc     left, left, left_step
     adds    right_fraction, right_fraction, right_step_fraction
     adc     right, right, right_step
     subs    rows, rows, #1
+    .endm
+
+    .macro next_row
+    step_edges
     bcs     .Lrow
     b.w     fxl_draw_rows_below
     .endm
@@ -96,6 +104,7 @@ fxl_fill_rows:
 .Lvector:
     vstrb.8 q0, [pixel], #16
     letp    lr, .Lvector
+.Lnext:
     next_row
 #else
     cmp     bytes, #8
@@ -149,7 +158,7 @@ fxl_fill_rows:
     .if     \length & 1
     strb    colour, [right, #-1] /* bug: v7m-span-tail */
     .endif
-    b       .Lnext
+    next_row
     .endm
 
     .macro words_and_tail length
@@ -196,8 +205,46 @@ fxl_fill_rows:
     strb    colour, [left, #1]
 .Lshort1:
     strb    colour, [left]
-
+.Lnext:
     next_row
+
+    /* Many rows, each of fewer than 8 bytes. The distance of the edges changes evenly from row to
+     * row: where it is -1 or more and below 7 on the first and on the last row, every row has -1 to
+     * 7 bytes. */
+.Ltest_narrow:
+    subs    r0, right_fraction, left_fraction
+    sbc     r1, right, left
+    adds    r1, r1, #1
+    cmp     r1, #8
+    bhs     .Lrow
+    subs    spare, right_step_fraction, left_step_fraction
+    sbc     lr, right_step, left_step
+    umlal   r0, r1, spare, rows
+    mla     r1, lr, rows, r1
+    cmp     r1, #8
+    bhs     .Lrow
+    adds    right, right, #1
+.Lnarrow_row:
+    sub     bytes, right, left
+    tbb     [pc, bytes]
+.Lnarrows:
+    .byte   (.Lnarrow_crossed - .Lnarrows) / 2, (.Lnarrow_next - .Lnarrows) / 2
+    .irp    length, 1, 2, 3, 4, 5, 6, 7
+    .byte   (.Lnarrow\length - .Lnarrows) / 2
+    .endr
+    .align  1
+    .irp    length, 7, 6, 5, 4, 3, 2, 1
+.Lnarrow\length:
+    strb    colour, [left, #\length - 1]
+    .endr
+.Lnarrow_next:
+    step_edges
+    bcs     .Lnarrow_row
+    subs    right, right, #1
+    b.w     fxl_draw_rows_below
+.Lnarrow_crossed:
+    subs    right, right, #1
+    b       .Lcrossed
 #endif
 
     /* 64 bytes and more: eight registers at a time. */
