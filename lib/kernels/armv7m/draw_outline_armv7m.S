@@ -222,16 +222,18 @@ fxl_draw_rows_below:
     beq     .Lone_row
     lsrs    r8, r8, r1              /* not 0: more rows than the edge holds for */
     bne     .Lset_far
-    uxth    r8, r5
+    /* The sum of fxl_edge_dividend times 2^16, so that its upper word is the dividend: 4 dx, below
+     * 2^29, by 2^14 t, and the height by 2^16 part. */
+    lsl     r6, r6, #2
+    lsl     r8, r5, #16
+    lsrs    r8, r8, #2
     smull   r10, r11, r6, r8
     sub     r4, r4, #32768          /* start */
-    uxth    r7, r4
+    lsl     r7, r4, #16
     umlal   r10, r11, r7, r9
-    subs    r10, r10, #1
-    sbc     r11, r11, #0
-    lsrs    r10, r10, #16
-    lsls    r10, r10, #2
-    orr     r10, r10, r11, lsl #18  /* the first row's dividend times four */
+    cmp     r10, #1
+    sbc     r10, r11, #0
+    lsl     r10, r10, #2            /* the first row's dividend times four */
 
     lsl     r7, r9, r1
     mvn     r8, #0x8000
@@ -242,9 +244,8 @@ fxl_draw_rows_below:
     negs    r2, r2
     umull   r8, r0, r0, r2          /* the reciprocal */
     rsb     r2, r1, #32
-    mov     r7, #0x80000000
-    lsr     r7, r7, r2
-    sub     r7, r7, #1              /* 2^(shift - 1) - 1 */
+    mvn     r7, #0x80000000
+    lsr     r7, r7, r2              /* 2^(shift - 1) - 1 */
 
 /* Input: \whole: the dividend times four. Results: \whole, and r8: the fraction, whose carry the
  * caller adds to \whole. */
@@ -268,7 +269,6 @@ fxl_draw_rows_below:
     mla     r4, r11, lr, r4
     add     r4, r4, r10             /* the address of the first pixel: the base has the 1 */
     strd    r4, r8, [r3]
-    lsl     r6, r6, #2
     divide  r6
     adc     r6, r6, lr              /* the step, with the stride */
     strd    r6, r8, [r3, #STEP]

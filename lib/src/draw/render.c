@@ -160,42 +160,42 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
 
 /* The polygon on the screen straight into the band. One that has no row there may have one on the
  * rest of the screen. */
-static void draw_at_once(const fxl_traversal *on)
+static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspace,
+                                fxl_counters *counters)
 {
-    fxl_workspace *workspace = on->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
     workspace->work.scan.colour = screen->colour;
     if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan)) {
-        on->counters->spilled += 1;
+        counters->spilled += 1;
     } else {
         const fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
-        on->counters->spilled += rows.first != rows.end;
+        counters->spilled += rows.first != rows.end;
     }
 }
 
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on)
 {
-    fxl_counters *counters = on->counters;
     if (model_view->beam_light != NULL) {
         return model_view->beam_light->face(model_view, face, on);
     }
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
-    if (!FXL_IS_SMALL && cut == FXL_CLIP_BETWEEN) {
-        counters->drawn += 1;
-        return true;
-    }
-    if (FXL_IS_SMALL || on->way == FXL_SUBMIT_ANY || cut > FXL_CLIP_CUT) {
-        const uint32_t used = on->renderer->frame.display_list.used;
-        return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
-    }
-    if (on->way == FXL_SUBMIT_DRAW) {
-        draw_at_once(on);
-    } else if (deliver(on) != 0) {
-        return false;
+    fxl_counters *counters = on->counters;
+    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
+        draw_at_once(on, on->workspace, counters);
+    } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
+        if (FXL_IS_SMALL || on->way == FXL_SUBMIT_ANY || cut > FXL_CLIP_CUT) {
+            const uint32_t used = on->renderer->frame.display_list.used;
+            return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
+        }
+        if (deliver(on) != 0) {
+            return false;
+        }
     }
     counters->drawn += 1;
-    counters->clipped += cut == FXL_CLIP_CUT;
+    if (cut == FXL_CLIP_CUT) {
+        counters->clipped += 1;
+    }
     return true;
 }
 

@@ -17,9 +17,13 @@ extern "C" {
 bool fxl_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan);
 
-/* The same for an outline that is not scanned between two chains. A kernel calls it. */
+/* The same by active edges, for an outline that is not scanned between two chains, or with
+ * FXL_SMALL. A kernel calls it. */
 bool fxl_draw_by_active_edges(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                               fxl_scan *scan);
+
+/* fxl_scan_rows of count points. */
+fxl_rows fxl_rows_of_points(const fxl_screen_point *points, uint32_t count, uint16_t height);
 
 #ifdef __cplusplus
 }
