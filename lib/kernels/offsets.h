@@ -115,9 +115,11 @@
 #define PROJECTION_CENTRE_X      20
 #define PROJECTION_CENTRE_Y      24
 
-/* FXL_VERTEX_UNPROJECTED, FXL_CLIP_INSIDE, FXL_CLIP_RANGE, FXL_CLIP_BETWEEN */
+/* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL and some of fxl_clip_result */
+#define PLANES_ALL         0x3F
 #define VERTEX_UNPROJECTED 0x80
 #define CLIP_INSIDE        0
+#define CLIP_OUTSIDE       2
 #define CLIP_RANGE         5
 #define CLIP_BETWEEN       6
 

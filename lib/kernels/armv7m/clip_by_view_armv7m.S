@@ -103,9 +103,39 @@ fxl_clip_by_view:
     str     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
     b       .Lready
 
+    /* A face is outside if its first vertex is outside of a plane, and with it all others. */
 .Loutside:
+    adds    r0, of_all, #1
+    bne     .Lassembled
+    mov     of_all, flags
+.Lcommon:
+    subs    count, count, #1
+    beq     .Lall_outside
+    ldrh    r1, [index], #2
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2
+    add     vertex, entries, r2, lsl #3
+    ldrd    r0, flags, [vertex]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lcommon_miss
+.Lcommon_flags:
+    and     of_all, of_all, flags
+    tst     of_all, #PLANES_ALL
+    bne     .Lcommon
+.Lassembled:
     pop     {r0-r12, lr}
     b.w     fxl_clip_assembled
+
+.Lcommon_miss:
+    ldr     r0, [sp]
+    bl      fxl_transform_vertex
+    mov     flags, r1
+    b       .Lcommon_flags
+
+.Lall_outside:
+    movs    r0, #CLIP_OUTSIDE
+    b       .Ldone
 
 .Lrange:
     movs    r0, #CLIP_RANGE

@@ -18,22 +18,11 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     const fxl_view *view = model_view->view;
     fxl_view_polygon *assembled = &work->polygons[0];
     const fxl_view_polygon *clipped;
-    unsigned of_any = 0, of_all = FXL_PLANES_ALL; /* bug: unprojected-out */
-    if (!FXL_IS_SMALL) { /* a face outside of a plane is left before its vertices are copied */
-        const uint16_t *index = indices;
-        do {
-            if (index == indices + face->count) {
-                return FXL_CLIP_OUTSIDE;
-            }
-            of_all &= fxl_fetch_vertex(model_view, *index++)->clip_flags;
-        } while (of_all != 0);
-    }
+    unsigned of_any = 0, of_all = FXL_PLANES_ALL;
     for (uint32_t i = 0; i < face->count; i++) {
         const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
         of_any |= vertex->clip_flags;
-        if (FXL_IS_SMALL) {
-            of_all &= vertex->clip_flags;
-        }
+        of_all &= vertex->clip_flags;
         fxl_copy_point(&vertex->position, &assembled->vertices[i].position);
     }
     if (FXL_IS_SMALL && of_all != 0) {
