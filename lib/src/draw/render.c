@@ -12,6 +12,7 @@
  * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "../raster/draw_outline.h"
 #include "reach.h"
 #include "renderer.h"
 #include "submit.h"
@@ -177,59 +178,44 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
     return true;
 }
 
-/* scan -> fill, for a scan that was begun. */
-static void fill(fxl_scan *scan, uint8_t colour, const fxl_band *band)
+/* The polygon on the screen straight into the band. One that has no row there may have one on the
+ * rest of the screen. */
+static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspace,
+                                fxl_counters *counters)
 {
-    if (FXL_IS_SMALL) {
-        fxl_span span;
-        while (fxl_scan_next(scan, &span)) {
-            fxl_fill_span(band, &span, colour);
-        }
-        return;
-    }
-    const fxl_trapezoid *trapezoid = fxl_scan_next_trapezoid(scan);
-    while (trapezoid != NULL) {
-        fxl_fill_trapezoid(band, trapezoid, colour);
-        trapezoid = fxl_scan_is_over(scan) ? NULL : fxl_scan_next_trapezoid(scan);
-    }
-}
-
-/* The polygon on the screen straight into the band: its rows are found once, for scanning and
- * for counting. */
-static void draw_at_once(const fxl_traversal *on)
-{
-    const fxl_screen_polygon *screen = &on->workspace->screen;
-    fxl_scan *scan = &on->workspace->work.scan;
-    fxl_scan_outline(screen->points, screen->count, on->band, scan);
-    if (fxl_scan_is_on_screen(scan, on->renderer->frame.view.lens.height)) {
-        on->counters->spilled += 1;
-        fill(scan, screen->colour, on->band);
+    const fxl_screen_polygon *screen = &workspace->screen;
+    workspace->work.scan.colour = screen->colour;
+    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan)) {
+        counters->spilled += 1;
+    } else {
+        const fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
+        counters->spilled += rows.first != rows.end;
     }
 }
 
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on)
 {
-    fxl_counters *counters = on->counters;
     if (model_view->beam_light != NULL) {
         return model_view->beam_light->face(model_view, face, on);
     }
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
-    if (!FXL_IS_SMALL && cut == FXL_CLIP_BETWEEN) {
-        counters->drawn += 1;
-        return true;
-    }
-    if (FXL_IS_SMALL || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
-        const uint32_t used = on->renderer->frame.display_list.used;
-        return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
-    }
-    if (on->way == FXL_SUBMIT_DRAW) {
-        draw_at_once(on);
-    } else if (deliver(on) != 0) {
-        return false;
+    fxl_counters *counters = on->counters;
+    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
+        draw_at_once(on, on->workspace, counters);
+    } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
+        if (FXL_IS_SMALL || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
+            const uint32_t used = on->renderer->frame.display_list.used;
+            return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
+        }
+        if (deliver(on) != 0) {
+            return false;
+        }
     }
     counters->drawn += 1;
-    counters->clipped += cut == FXL_CLIP_CUT;
+    if (cut == FXL_CLIP_CUT) {
+        counters->clipped += 1;
+    }
     return true;
 }
 
@@ -238,8 +224,8 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
 static bool draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                       uint8_t colour, const fxl_band *band)
 {
-    fxl_scan_outline(points, count, band, &workspace->work.scan);
-    fill(&workspace->work.scan, colour, band);
+    workspace->work.scan.colour = colour;
+    (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
     return true;
 }
 
