@@ -208,50 +208,6 @@ void test_a_scene_as_tables(void)
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
 }
 
-void test_the_fault_names_the_element(void)
-{
-    tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault;
-    tiny->faces[7].count = 2;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(7, fault.index);
-    tiny = tiny_make();
-    tiny->instances[2].model = 9;
-    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(2, fault.index);
-}
-
-/* What fxl_scene_open names of an image with one word that is something else. */
-static void expect_name(fxl_status status, const char *what, uint32_t index, uint32_t at,
-                        uint32_t value)
-{
-    tiny_image *image = tiny_image_make(false);
-    fxl_scene_image opened;
-    fxl_scene_fault fault = {"nothing", 99};
-    tiny_put32(tiny_at(image, at), value);
-    tiny_seal(image);
-    TEST_ASSERT_EQUAL(status, fxl_scene_open(image->words, image->size, &opened, &fault));
-    TEST_ASSERT_EQUAL_STRING(what, fault.what);
-    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
-}
-
-void test_the_fault_names_the_part(void)
-{
-    tiny_image *image = tiny_image_make(false);
-    expect_name(FXL_E_SIZE, "header", 0, AT_VERSION, 2 | (HEADER_SIZE + 16) << 16);
-    expect_name(FXL_E_SIZE, "image", 0, AT_SIZE, image->size + 4);
-    expect_name(FXL_E_COUNT, "face bounds table", 0, AT_KEYS + 4, 0);
-    expect_name(FXL_E_COUNT, "vertex table", 0, AT_VERTICES + 4,
-                17); /* more than the models take */
-    expect_name(FXL_E_INDEX, "model", 1, AT_VERTICES + 4, 15);
-    tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault = {"nothing", 99};
-    tiny->scene.face_bounds_count = 7; /* one more than the models take */
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_STRING("face bounds table", fault.what);
-    TEST_ASSERT_EQUAL_UINT32(0, fault.index);
-}
-
 static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, uint32_t expected)
 {
     tiny_scene *tiny = tiny_make();
