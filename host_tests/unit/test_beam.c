@@ -81,6 +81,34 @@ void test_what_a_lamp_shines_on(void)
     }
 }
 
+/* The least that a face may be turned to the light is one unit of 2^-46. */
+void test_a_face_that_is_barely_turned_to_the_light(void)
+{
+    const fxl_direction normal = {FXL_Q2_30_ONE, 1,
+                                  0}; /* of unit length, as far as that is asked */
+    const fxl_point vertex = {0, 0, 0};
+    for (int unit = -1; unit <= 1; unit++) {
+        const fxl_beam lamp_beside = {.kind = FXL_BEAM_POINT, .from = {0, unit, 0}};
+        const fxl_beam sun = {.kind = FXL_BEAM_DIRECTION, .from = {0, -unit, FXL_Q2_30_ONE}};
+        TEST_ASSERT_EQUAL(unit > 0, fxl_beam_shines_on(&lamp_beside, &vertex, &normal));
+        TEST_ASSERT_EQUAL(unit > 0, fxl_beam_shines_on(&sun, &vertex, &normal));
+    }
+}
+
+/* The margin is 4 units of 2^-16, for normals that are a little too long. */
+void test_the_margin_of_a_sphere_beside_a_beam(void)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const fxl_beam beam = {.kind = FXL_BEAM_DIRECTION,
+                               .plane_count = 1,
+                               .from = {0, -FXL_Q2_30_ONE, 0},
+                               .planes = {{.normal = {sign * FXL_Q2_30_ONE, 0, 0}}}};
+        const fxl_point near = {-sign * (Q16(2) + 4), 0, 0}, far = {-sign * (Q16(2) + 5), 0, 0};
+        TEST_ASSERT_TRUE(fxl_beam_reaches(&beam, &near, Q16(2)));
+        TEST_ASSERT_FALSE(fxl_beam_reaches(&beam, &far, Q16(2)));
+    }
+}
+
 void test_a_direction_makes_a_shaft(void)
 {
     const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};

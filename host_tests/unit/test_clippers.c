@@ -376,3 +376,35 @@ void test_the_guard_band_is_counted(void)
         TEST_ASSERT_EQUAL_UINT32(left ? 2 : 0, stats->intersections);
     }
 }
+
+/* The straight corner of a quadrangle makes a triangle of no area, which is left out. The two
+ * others are given. */
+void test_a_triangle_without_area_is_left_out(void)
+{
+    fxl_view view;
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_clip_result result;
+    static const fxl_point across[] = {
+        {0, Q16(1), 0}, {Q16(1), Q16(1), 0}, {Q16(2), Q16(1), 0}, {Q16(2), 0, 0}, {0, 0, 0}};
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    for (int first = 0; first < 5; first++) {
+        fxl_polygon polygon = {.colour = 3, .count = 5};
+        for (int i = 0; i < 5; i++) {
+            polygon.vertices[i].position = across[(first + i) % 5];
+            polygon.vertices[i].position.z = Q16(8);
+        }
+        const int count = take(&fxl_clipper_triangles, &polygon, &view, &result);
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, result);
+        /* About any corner but those of the straight side's ends, all three have an area. */
+        TEST_ASSERT_EQUAL(first == 0 || first == 2 ? 2 : 3, count);
+        int64_t area = 0;
+        for (int i = 0; i < count; i++) {
+            TEST_ASSERT_TRUE(area_of(&got[i]) != 0);
+            area += area_of(&got[i]);
+        }
+        /* 6 by 3 pixels: 24 pixels of focal length, 8 units away. */
+        TEST_ASSERT_TRUE(area == (int64_t)2 * 6 * 3 * 65536 * 65536);
+    }
+}

@@ -71,3 +71,27 @@ void test_any_fraction(void)
         expect_fraction(whole - 1 - part % (whole < 4 ? whole : 4), whole);
     }
 }
+
+static void expect_quotient(uint32_t quotient, uint32_t rest, uint32_t denominator)
+{
+    uint32_t left = 12345;
+    TEST_ASSERT_EQUAL_HEX32(
+        quotient, fxl_divide_u64((uint64_t)quotient * denominator + rest, denominator, &left));
+    TEST_ASSERT_EQUAL_HEX32(rest, left);
+}
+
+/* Any quotient and remainder come back from what they were made of; the largest remainder is where
+ * an estimate that is too large by one is hardest to tell. */
+void test_quotients_and_remainders(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint32_t denominator = (unit_random() >> unit_random() % 32) | 1u;
+        const uint32_t quotient = unit_random() >> unit_random() % 32;
+        expect_quotient(quotient, denominator - 1, denominator);
+        expect_quotient(quotient, 0, denominator);
+        expect_quotient(quotient, unit_random() % denominator, denominator);
+        expect_quotient(quotient | 0xFFFFu, denominator - 1, denominator);
+        expect_quotient(quotient, UINT32_MAX - 1, UINT32_MAX);
+        expect_quotient(quotient, 0x80000000u, 0x80000001u);
+    }
+}

@@ -228,12 +228,16 @@ void test_too_little_room_is_said(void)
     const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
     const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
     const fxl_beam beam = shaft(window, 4);
-    bool done = false;
+    bool done = false, before;
     uint32_t needed = fxl_lit_corners_needed(&beam, 1);
     for (uint32_t size = 0; size <= needed; size++) {
         fxl_lit_pieces small = {corners, nexts, table, size, PIECES, 0, 0};
         memset(corners, 0x5A, sizeof corners);
+        before = done;
         done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
+        TEST_ASSERT_TRUE(done || !before); /* more room is never too little */
+        TEST_ASSERT_TRUE(!done || small.piece_count == 5);
+        TEST_ASSERT_TRUE(!done || size >= 5 * 4); /* each piece has four corners at least */
         TEST_ASSERT_EQUAL_HEX32(0x5A5A5A5A, (uint32_t)corners[size].x);
     }
     TEST_ASSERT_TRUE(done);
@@ -241,6 +245,7 @@ void test_too_little_room_is_said(void)
         fxl_lit_pieces small = {corners, nexts, table, CORNERS, size, 0, 0};
         memset(table, 0x5A, sizeof table);
         done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
+        TEST_ASSERT_EQUAL(size >= 5, done);
         TEST_ASSERT_EQUAL_HEX16(0x5A5A, table[size].count);
     }
     TEST_ASSERT_TRUE(done);

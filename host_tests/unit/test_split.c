@@ -172,6 +172,21 @@ void test_halves_go_away_from_the_front(void)
     }
 }
 
+/* Less than half a unit is nothing, though only by 1.5 units of 2^-25; a half is a unit. */
+void test_barely_less_than_half_a_unit(void)
+{
+    const fxl_q18_46 half = (fxl_q18_46)1 << 27;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const fxl_point ahead = {0, 0, 0}, behind = {sign, -sign, 0};
+        fxl_point at = fxl_split_edge(&ahead, &behind, half - 12, -half - 12);
+        TEST_ASSERT_EQUAL_INT32(0, at.x);
+        TEST_ASSERT_EQUAL_INT32(0, at.y);
+        at = fxl_split_edge(&ahead, &behind, half, -half);
+        TEST_ASSERT_EQUAL_INT32(sign, at.x);
+        TEST_ASSERT_EQUAL_INT32(-sign, at.y);
+    }
+}
+
 /* Of both triangles beside an edge too, whichever way they walk it. */
 void test_halves_are_the_same_for_both_sides(void)
 {

@@ -81,6 +81,29 @@ void test_corners_on_the_plane(void)
     TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
 }
 
+/* A corner that is a single unit of 2^-46 inside is inside. */
+void test_the_least_distance_counts(void)
+{
+    fxl_clip_triangle out[2], in = solid(0, 0, -4, 8, -4, -8);
+    in.corners[0].position.x = 1;
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    for (int i = 0; i < 3; i++) { /* the two corners inside, by a unit or by 4, and one outside */
+        in = solid(i == 0 ? -4 : 0, 0, i == 1 ? -4 : 0, 8, i == 2 ? -4 : 0, -8);
+        in.corners[(i + 1) % 3].position.x = 1;
+        in.corners[(i + 2) % 3].position.x = V(4);
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        in.corners[(i + 1) % 3].position.x = V(4);
+        in.corners[(i + 2) % 3].position.x = 1;
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        /* On the plane instead, it leaves one triangle. */
+        in.corners[(i + 2) % 3].position.x = 0;
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        in.corners[(i + 1) % 3].position.x = 0;
+        in.corners[(i + 2) % 3].position.x = V(4);
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    }
+}
+
 void test_a_sliver_is_refused_where_asked(void)
 {
     fxl_clip_triangle out[2], in = solid(-4, 8, 1, 0, -4, -8);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* How memory for a workspace, or for a visibility method, is divided into parts. */
-#include "fixel/all.h"
+#include "../../lib/src/draw/renderer.h"
 #include "tiny.h"
 
 enum {
@@ -142,5 +142,43 @@ void test_the_rest_is_the_raster_backend_s(void)
         TEST_ASSERT_EQUAL_PTR(n > 0 ? rooms[1] + order_bytes : NULL, second.cache.entries);
         TEST_ASSERT_EQUAL_PTR(after, second.raster_workspace);
         TEST_ASSERT_EQUAL_UINT32(rooms[1] + size - after, second.raster_workspace_size);
+    }
+}
+
+/* A single byte is memory too: it must be there, and be aligned. */
+void test_a_workspace_of_one_byte(void)
+{
+    start();
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 1));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_visibility(
+                                           &renderer, &fxl_visibility_sorted, rooms[0] + 4, 1));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, rooms[0], 1));
+    for (uint32_t off = 1; off < 8; off++) {
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                          fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, rooms[0] + off,
+                                                   sizeof(fxl_clip_stats)));
+    }
+}
+
+/* A power of two of entries, enough for the largest of all models and for no more, as far as the
+ * bytes go. */
+void test_entries_for_the_largest_model(void)
+{
+    static const uint32_t counts[][2] = {{3, 4}, {4, 4}, {5, 8}, {8, 8}, {9, 16}, {65535, 65536}};
+    const size_t entry = sizeof(fxl_cached_vertex);
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        for (uint32_t largest = 0; largest < 3; largest++) {
+            fxl_model models[3] = {{.vertex_count = 3}, {.vertex_count = 3}, {.vertex_count = 3}};
+            const fxl_scene scene = {.models = models, .model_count = 3};
+            const uint32_t enough = counts[i][1];
+            models[largest].vertex_count = counts[i][0];
+            TEST_ASSERT_EQUAL_UINT32(enough, fxl_cache_entries(&scene, SIZE_MAX));
+            TEST_ASSERT_EQUAL_UINT32(enough, fxl_cache_entries(&scene, enough * entry));
+            TEST_ASSERT_EQUAL_UINT32(enough / 2, fxl_cache_entries(&scene, enough * entry - 1));
+            TEST_ASSERT_EQUAL_UINT32(1, fxl_cache_entries(&scene, entry));
+            TEST_ASSERT_EQUAL_UINT32(0, fxl_cache_entries(&scene, entry - 1));
+        }
     }
 }

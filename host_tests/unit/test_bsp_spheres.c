@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* A tree whose nodes have spheres of their own, and nodes on both sides: what is out of sight is
+ * left out and counted, and all else is drawn as without a tree. */
+#include "bsp_scene.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    BACKGROUND = 200,
+    NODES = 7,
+    WORDS = 12 * FXL_DISPLAY_LIST_WORDS(5)
+};
+
+static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
+static uint32_t list[WORDS];
+static uint64_t workspace[64], pieces[2048 / 8];
+static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_bsp_node nodes[NODES];
+static fxl_renderer renderer;
+static tiny_scene *tiny;
+
+static fxl_bsp_node node(uint32_t face, uint16_t front, uint16_t back, uint16_t parent)
+{
+    const uint64_t distance = (uint64_t)FXL_Q2_30_ONE * 65536u;
+    return (fxl_bsp_node){.normal = tiny->faces[6 + face].normal,
+                          .distance_low = (uint32_t)distance,
+                          .distance_high = (uint32_t)(distance >> 32),
+                          .front = front,
+                          .back = back,
+                          .parent = parent,
+                          .first_face = (uint16_t)face,
+                          .face_count = 1,
+                          .radius = Q16(2.5)};
+}
+
+/* Object 1 is a cube, so its faces hide none of each other, whatever their order. The root halves
+ * it at x = 0 and has no face. The faces -x +x -y are below its front side, the faces +y -z +z
+ * below its back side. The last node of either side has a sphere about its face alone, whose
+ * corners are sqrt(2) from the middle. Those above hold that sphere, which reaches 1 + sqrt(2) from
+ * the centre. */
+static void make(void)
+{
+    tiny = bsp_make()->tiny;
+    nodes[0] = node(1, 1, 4, FXL_BSP_NONE);
+    nodes[0].distance_low = nodes[0].distance_high = 0;
+    nodes[0].first_face = nodes[0].face_count = 0;
+    nodes[1] = node(0, FXL_BSP_NONE, 2, 0);
+    nodes[2] = node(1, FXL_BSP_NONE, 3, 1);
+    nodes[3] = node(2, FXL_BSP_NONE, FXL_BSP_NONE, 2);
+    nodes[4] = node(3, FXL_BSP_NONE, 5, 0);
+    nodes[5] = node(4, FXL_BSP_NONE, 6, 4);
+    nodes[6] = node(5, FXL_BSP_NONE, FXL_BSP_NONE, 5);
+    nodes[3].centre = (fxl_point){0, Q16(-1), 0};
+    nodes[6].centre = (fxl_point){0, 0, Q16(1)};
+    nodes[3].radius = nodes[6].radius = Q16(1.4143);
+    tiny->scene.bsp_nodes = nodes;
+    tiny->scene.bsp_node_count = NODES;
+}
+
+static void start(const fxl_visibility *visibility, const fxl_lens *lens, uint32_t words)
+{
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, list, words, NULL, 0};
+    fxl_scene_fault fault = {"", 0};
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, lens, &memory));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_visibility(&renderer, visibility, workspace, sizeof workspace));
+    if (visibility->submit_workspace_size != NULL) {
+        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        tree->pieces = pieces;
+        tree->pieces_size = sizeof pieces;
+    }
+}
+
+static fxl_counters draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        const uint32_t left = HEIGHT - row;
+        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                         (uint16_t)(left < rows ? left : rows)};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+    return renderer.workspace.counters;
+}
+
+static fxl_angle any_angle(int32_t degrees)
+{
+    return (fxl_angle)(unit_between(-degrees, degrees) * (int32_t)DEGREES(1));
+}
+
+/* Before the cube at (0, 0, 10) or within it, so near that some of it is often beside the screen.
+ */
+static fxl_pose any_pose(void)
+{
+    return (fxl_pose){{unit_between(Q16(-3), Q16(3)), unit_between(Q16(-3), Q16(3)),
+                       unit_between(Q16(6), Q16(10))},
+                      any_angle(50),
+                      any_angle(40),
+                      unit_random()};
+}
+
+/* A lens whose near and far planes often lie within the cube. */
+static fxl_lens any_lens(void)
+{
+    fxl_lens lens;
+    const fxl_q16_16 near = unit_between(Q16(0.1), Q16(5));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(WIDTH, HEIGHT, DEGREES(60), near,
+                                                near + unit_between(Q16(0.5), Q16(10)), 0, &lens));
+    return lens;
+}
+
+static uint32_t drawn, clipped, unturned;
+
+static void expect_as_without_a_tree(bool moving)
+{
+    make();
+    for (int i = 0; i < TINY_INSTANCES; i += 2) {
+        tiny->instances[i].centre = (fxl_point){0, 0, Q16(-1000)};
+        tiny->instances[i].layer = !moving;
+    }
+    if (moving) { /* beside the cube, and never over it */
+        tiny->instances[0].centre = (fxl_point){Q16(100), 0, Q16(10)};
+    }
+    const fxl_pose pose = any_pose();
+    const fxl_lens lens = any_lens();
+    start(&fxl_visibility_sorted, &lens, 0);
+    const fxl_counters expected = draw(whole, &pose, HEIGHT);
+    start(&fxl_visibility_bsp, &lens, unit_random() % 3 * (uint32_t)unit_between(0, WORDS / 2));
+    const fxl_counters counters = draw(other, &pose, (uint32_t)unit_between(1, HEIGHT));
+    TEST_ASSERT_EQUAL_UINT32(18, counters.in);
+    TEST_ASSERT_EQUAL_UINT32(expected.drawn, counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(expected.clipped, counters.clipped);
+    TEST_ASSERT_EQUAL_UINT32(0, counters.refused);
+    TEST_ASSERT_TRUE(counters.outside >= expected.outside);
+    TEST_ASSERT_EQUAL_UINT32(18, counters.backfacing + counters.outside + counters.degenerate +
+                                     counters.drawn);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    drawn += counters.drawn;
+    clipped += counters.clipped;
+    unturned += counters.outside > expected.outside;
+}
+
+/* A face of a node out of sight counts as outside, whichever way it is turned. Without a tree a
+ * face that is turned away counts as that. */
+void test_a_tree_with_spheres_draws_the_same(void)
+{
+    drawn = clipped = unturned = 0;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 50; round++) {
+        expect_as_without_a_tree(round % 4 == 0);
+    }
+    TEST_ASSERT_TRUE(drawn > UNIT_REPEAT / 200 && clipped > UNIT_REPEAT / 200 &&
+                     unturned > UNIT_REPEAT / 1000);
+}
