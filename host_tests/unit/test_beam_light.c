@@ -280,3 +280,23 @@ void test_a_face_of_too_many_corners_is_refused(void)
     }
 #endif
 }
+
+/* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each
+ * plane of the first beam adds a vertex at most, each plane of the other beams two. */
+void test_beams_that_leave_no_room_for_a_triangle(void)
+{
+    static fxl_beam several[3];
+    for (uint8_t first = 1; first <= FXL_BEAM_PLANES_MAX; first++) {
+        for (uint8_t second = 1; second <= FXL_BEAM_PLANES_MAX; second++) {
+            several[0].plane_count = first;
+            several[1].plane_count = second;
+            several[2].plane_count = 1;
+            TEST_ASSERT_EQUAL(3 + first + 2 * second <= FXL_FACE_VERTICES_MAX,
+                              fxl_beam_light_workspace_size(several, 2) > 0);
+            TEST_ASSERT_EQUAL(3 + first + 2 * (second + 1) <= FXL_FACE_VERTICES_MAX,
+                              fxl_beam_light_workspace_size(several, 3) > 0);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, 0));
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, FXL_BEAMS_MAX + 1));
+}

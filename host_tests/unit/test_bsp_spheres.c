@@ -153,3 +153,97 @@ void test_a_tree_with_spheres_draws_the_same(void)
     TEST_ASSERT_TRUE(drawn > UNIT_REPEAT / 200 && clipped > UNIT_REPEAT / 200 &&
                      unturned > UNIT_REPEAT / 1000);
 }
+
+static void shift(fxl_point *point, const fxl_point *way)
+{
+    point->x += way->x;
+    point->y += way->y;
+    point->z += way->z;
+}
+
+/* Everything in its place, and the eye, moved by the same way: the same picture, whether what
+ * moves is cut into pieces or is whole. */
+void test_a_scene_moved_as_a_whole_looks_the_same(void)
+{
+    uint32_t cubes[2] = {0, 0};
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
+        const uint32_t pieces_size = round % 2 ? sizeof pieces : 0;
+        const fxl_point way = unit_point(Q16(4000));
+        const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+        fxl_pose pose = any_pose();
+        make();
+        for (int i = 0; i < TINY_INSTANCES; i += 2) { /* beside the tree's cube, or within it */
+            tiny->instances[i].centre =
+                (fxl_point){unit_between(Q16(-3), Q16(3)), unit_between(Q16(-3), Q16(3)),
+                            unit_between(Q16(8), Q16(13))};
+        }
+        pose.position.z -= Q16(3);
+        for (int moved = 0; moved < 2; moved++) {
+            start(&fxl_visibility_bsp, &lens, 0);
+            ((fxl_bsp_workspace *)renderer.submit_workspace)->pieces_size = pieces_size;
+            draw(moved ? other : whole, &pose, HEIGHT);
+            for (int i = 0; i < TINY_INSTANCES; i++) {
+                shift(&tiny->instances[i].centre, &way);
+            }
+            shift(&pose.position, &way);
+        }
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            cubes[0] += whole[i] <= 6;
+            cubes[1] += whole[i] >= 11 && whole[i] <= 16;
+        }
+    }
+    TEST_ASSERT_TRUE(cubes[0] > UNIT_REPEAT / 10 && cubes[1] > UNIT_REPEAT / 10);
+}
+
+/* Whatever comes first keeps its pixels. */
+static bool paint_under(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
+                        uint8_t colour, const fxl_band *band)
+{
+    fxl_scan_box scan;
+    fxl_span span;
+    (void)by;
+    fxl_scan_box_begin(points, count, band, &scan);
+    while (fxl_scan_box_next(&scan, &span)) {
+        for (int32_t x = span.x0; x < span.x1; x++) {
+            uint8_t *pixel = &band->pixels[(span.y - band->first_row) * band->stride + x];
+            *pixel = *pixel == BACKGROUND ? colour : *pixel;
+        }
+    }
+    return true;
+}
+
+/* The first node of the tree has three faces: the whole side -x in two colours, one over the other,
+ * and a third over both. The last of them is seen, far to near as near to far. */
+void test_a_node_of_several_faces(void)
+{
+    static const fxl_raster_backend under = {.draw_polygon = paint_under};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{Q16(-5), 0, Q16(10)}, DEGREES(90), 0, 0};
+    fxl_visibility reverse = fxl_visibility_bsp;
+    reverse.front_to_back = true;
+    reverse.backend = &under;
+    for (int near_first = 0; near_first < 2; near_first++) {
+        tiny = bsp_make()->tiny;
+        for (uint32_t i = 1; i < 3; i++) {
+            const uint8_t colour = tiny->faces[6 + i].material;
+            tiny->faces[6 + i] = tiny->faces[6];
+            tiny->faces[6 + i].material = colour;
+        }
+        tiny->scene.face_bounds = NULL;
+        tiny->scene.face_bounds_count = 0;
+        nodes[0] = node(0, FXL_BSP_NONE, 1, FXL_BSP_NONE);
+        nodes[0].face_count = 3;
+        nodes[1] = node(3, FXL_BSP_NONE, 2, 0);
+        nodes[2] = node(4, FXL_BSP_NONE, 3, 1);
+        nodes[3] = node(5, FXL_BSP_NONE, FXL_BSP_NONE, 2);
+        tiny->scene.bsp_nodes = nodes;
+        tiny->scene.bsp_node_count = 4;
+        start(near_first ? &reverse : &fxl_visibility_bsp, &lens, 0);
+        const fxl_counters counters = draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT8(13, whole[HEIGHT / 2 * WIDTH + WIDTH / 2]);
+        TEST_ASSERT_NULL(memchr(whole, 11, sizeof whole));
+        TEST_ASSERT_NULL(memchr(whole, 12, sizeof whole));
+        TEST_ASSERT_EQUAL_UINT32(18, counters.in);
+    }
+}

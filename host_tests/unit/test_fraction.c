@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
+#include "kernels/edge_divide.h"
 #include "src/math/divide_wide.h"
 #include "unit.h"
 #include "wide.h"
@@ -94,4 +95,40 @@ void test_quotients_and_remainders(void)
         expect_quotient(quotient, UINT32_MAX - 1, UINT32_MAX);
         expect_quotient(quotient, 0x80000000u, 0x80000001u);
     }
+}
+
+/* whole.fraction is floor(2^32 dividend / height) + 1: more than the exact quotient, by 2^-32 at
+ * most. In 64 bits: height whole.fraction is more than 2^32 dividend, by height at most. */
+static void expect_edge_quotient(int32_t dividend, uint32_t height)
+{
+    const fxl_edge_divider divider = fxl_edge_divider_of(height);
+    int32_t whole;
+    uint32_t fraction;
+    fxl_edge_divide(&divider, dividend, &whole, &fraction);
+    const int64_t quotient = (int64_t)whole * ((int64_t)1 << 32) + fraction;
+    const wide over = wide_difference(wide_product(quotient, (int64_t)height),
+                                      wide_product(dividend, (int64_t)1 << 32));
+    int64_t more;
+    TEST_ASSERT_TRUE(wide_narrow(over, &more));
+    TEST_ASSERT_TRUE(more > 0 && more <= (int64_t)height);
+    /* The largest power of two that is not above 2^32 / height, or where that is one, its half. */
+    const uint64_t power = (uint64_t)1 << fxl_edge_divider_shift(&divider), all = (uint64_t)1 << 32;
+    TEST_ASSERT_TRUE(power * height <= all && 2 * power * height >= all);
+}
+
+void test_quotients_of_edges(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint32_t height =
+            (uint32_t)unit_between(1, FXL_EDGE_HEIGHT_MAX) >> unit_random() % 26;
+        const int32_t dividend = unit_between(-FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_DIVIDEND_MAX);
+        const uint32_t divisor = height > 0 ? height : 1;
+        const int32_t times = dividend / (int32_t)divisor * (int32_t)divisor;
+        expect_edge_quotient(dividend, divisor);
+        expect_edge_quotient(times, divisor); /* no remainder */
+        expect_edge_quotient(times - (times > 0), divisor);
+    }
+    expect_edge_quotient(FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_HEIGHT_MAX);
+    expect_edge_quotient(-FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_HEIGHT_MAX);
+    expect_edge_quotient(0, 1);
 }

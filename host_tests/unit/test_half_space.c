@@ -150,6 +150,21 @@ void test_points(void)
     }
 }
 
+/* The planes near and far stand straight: how far a point lies to the side is all the same. */
+void test_depths_alone_decide_near_and_far(void)
+{
+    const fxl_volume volume = aside(); /* depths 1 to 100 */
+    const int64_t end = ((int64_t)1 << 61) - 1;
+    for (int i = 0; i < 9; i++) {
+        const fxl_view_point near = {end * (i % 3 - 1), end * (i / 3 - 1), V(1)};
+        const fxl_view_point far = {near.x, near.y, V(100)};
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_NEAR], &near) == 0);
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_FAR], &near) == V(99));
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_NEAR], &far) == V(99));
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_FAR], &far) == 0);
+    }
+}
+
 void test_polygons(void)
 {
     fxl_volume volume = aside();

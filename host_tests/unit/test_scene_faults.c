@@ -121,6 +121,20 @@ void test_a_table(void)
     expect_name(FXL_E_COUNT, "path table", 0, AT_FRAMES, TINY_POSES + 1);
 }
 
+/* A path must be there, though it says that it has no frames. */
+void test_an_image_without_a_path(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    tiny_put32(tiny_at(image, AT_PATH), 0);
+    tiny_put32(tiny_at(image, AT_PATH + 4), 0);
+    tiny_put32(tiny_at(image, AT_FRAMES), 0);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("path table", fault.what);
+}
+
 void test_an_entry_of_a_table(void)
 {
     expect_entry_name(FXL_E_RESERVED, "face", AT_FACES, 4, FACE, 16, 1u << 16 | 4);
