@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the clippers count, and faces that need no plane. */
 #include "clip_views.h"
+#include "clippers_list.h"
 #include "polygon_face.h"
 
 enum {
@@ -120,6 +121,49 @@ void test_a_face_without_planes_is_projected_or_refused(void)
             TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
             TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen,
                                      sizeof screen.points[i]);
+        }
+    }
+}
+
+/* Spoils the planes that a clipper has in its workspace, so that every point is outside. */
+static void spoil(const fxl_clipper *clipper)
+{
+    const fxl_half_space nothing = {{0, 0, 0}, -1};
+    fxl_volume *volume =
+        clipper == &fxl_clipper_triangles ? &workspace.fan.volume : &workspace.volume.volume;
+    if (clipper == &fxl_clipper_once) {
+        workspace.once.frustum.near_z = INT64_MAX / 4;
+    } else if (clipper == &fxl_clipper_normalised) {
+        workspace.normalised.frustum.near_z = INT64_MAX / 4;
+    } else {
+        for (int i = 0; i < FXL_PLANE_COUNT; i++) {
+            volume->planes[i] = nothing;
+        }
+    }
+}
+
+/* A clipper makes its planes for the first face of a frame, and uses them for the others: spoilt,
+ * they leave nothing of a face that crosses near, until the next frame. */
+void test_planes_are_made_once_a_frame(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    for (int which = 0; which < CLIPPERS; which++) {
+        const fxl_clipper *clipper = clippers[which];
+        memset(&workspace, 0, clipper->workspace_size);
+        for (int time = 0; time < 3; time++) {
+            polygon_face_set(&face, &polygon, &view, 4);
+            face.model_view.clipper_workspace = &workspace;
+            view.frame += time == 2;
+            TEST_ASSERT_EQUAL(time == 1 ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT,
+                              clipper->clip(&face.model_view, &face.face, &work, &screen));
+            spoil(clipper);
         }
     }
 }
