@@ -247,3 +247,38 @@ void test_a_node_of_several_faces(void)
         TEST_ASSERT_EQUAL_UINT32(18, counters.in);
     }
 }
+
+/* From each of the six sides, a cube that is not cut lies between the eye and the tree's cube, and
+ * hides it; then beyond it, and is hidden. All its faces are drawn beside the list. */
+void test_a_whole_cube_before_and_behind(void)
+{
+    static const struct {
+        int x, y, z; /* out of a side */
+        int32_t yaw, pitch;
+    } sides[] = {{-1, 0, 0, 90, 0}, {1, 0, 0, -90, 0}, {0, -1, 0, 0, 90},
+                 {0, 1, 0, 0, -90}, {0, 0, -1, 0, 0},  {0, 0, 1, 180, 0}};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
+        const fxl_pose pose = {
+            {sides[i].x * Q16(8), sides[i].y * Q16(8), Q16(10) + sides[i].z * Q16(8)},
+            (fxl_angle)(sides[i].yaw * (int32_t)DEGREES(1)),
+            (fxl_angle)(sides[i].pitch * (int32_t)DEGREES(1)),
+            0};
+        for (int before = 0; before < 2; before++) {
+            const int32_t out = before ? 3 : -3;
+            tiny = bsp_make()->tiny; /* whose tree keeps the sides apart */
+            tiny->instances[0].centre =
+                (fxl_point){sides[i].x * Q16(1) * out, sides[i].y * Q16(1) * out,
+                            Q16(10) + sides[i].z * Q16(1) * out};
+            tiny->instances[2].layer = 1; /* behind the eye, or beside it */
+            tiny->instances[2].centre = (fxl_point){Q16(1000), Q16(1000), Q16(1000)};
+            start(&fxl_visibility_bsp, &lens, 0);
+            ((fxl_bsp_workspace *)renderer.submit_workspace)->pieces_size = 0;
+            const fxl_counters counters = draw(whole, &pose, HEIGHT);
+            const uint8_t seen = whole[HEIGHT / 2 * WIDTH + WIDTH / 2];
+            TEST_ASSERT_TRUE(before ? seen <= 6 : seen >= 11 && seen <= 16);
+            TEST_ASSERT_EQUAL_UINT32(2, counters.drawn);
+            TEST_ASSERT_EQUAL_UINT32(2, counters.spilled);
+        }
+    }
+}

@@ -2,6 +2,7 @@
 /* A part of a whole, to the last of 64 bits. */
 #include "kernels/edge_divide.h"
 #include "src/math/divide_wide.h"
+#include "src/math/square_root.h"
 #include "unit.h"
 #include "wide.h"
 
@@ -131,4 +132,16 @@ void test_quotients_of_edges(void)
     expect_edge_quotient(FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_HEIGHT_MAX);
     expect_edge_quotient(-FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_HEIGHT_MAX);
     expect_edge_quotient(0, 1);
+}
+
+/* The nearest whole number: from n n - n + 1 to n n + n it is n. */
+void test_square_roots(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint64_t n = i < 100 ? (uint64_t)i : (unit_random() >> unit_random() % 32) & ~1u;
+        TEST_ASSERT_EQUAL_HEX32(n, fxl_square_root(n * n));
+        TEST_ASSERT_EQUAL_HEX32(n, fxl_square_root(n * n + n));
+        TEST_ASSERT_EQUAL_HEX32(n + 1, fxl_square_root(n * n + n + 1));
+        TEST_ASSERT_EQUAL_HEX32(n, fxl_square_root(n == 0 ? 0 : n * n - n + 1));
+    }
 }

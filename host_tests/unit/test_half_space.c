@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Volumes of half-spaces: their distances against exact numbers, points and
  * polygons. */
+#include <stdlib.h>
+
 #include "clip_shapes.h"
 #include "wide.h"
 
@@ -147,6 +149,28 @@ void test_points(void)
         const uint32_t expected = points[i].outside;
         TEST_ASSERT_EQUAL(expected, fxl_volume_code(&volume, &at));
         TEST_ASSERT_EQUAL(expected == 0, fxl_volume_holds(&volume, &at));
+    }
+}
+
+/* The larger number of a side's normal has 30 bits, so that no bit of a distance is lost. */
+void test_normals_of_a_window_have_all_bits(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        const fxl_q16_16 left = -unit_between(1, FXL_COORDINATE_MAX),
+                         right = unit_between(0, -left);
+        const fxl_q16_16 near = unit_between(FXL_NEAR_MIN, Q16(100)) >> unit_random() % 8;
+        fxl_volume volume;
+        if (near < FXL_NEAR_MIN) {
+            continue;
+        }
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_volume_from_window(left, right, left, right, near, Q16(200), &volume));
+        for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
+            const fxl_direction *normal = &volume.planes[plane].normal;
+            const int32_t across = abs(normal->x + normal->y), along = abs(normal->z);
+            const int32_t larger = across > along ? across : along;
+            TEST_ASSERT_TRUE(larger >= 1 << 29 && larger < 1 << 30);
+        }
     }
 }
 

@@ -219,6 +219,23 @@ void test_neighbours_fit_anywhere(void)
     any_faces(2, 31 * 65536 + 12345);
 }
 
+/* A plane cuts a piece through two points, and each may be a corner of three pieces: six corners a
+ * cut at most, beside those of the face and 16 for edges that lie in a plane. */
+void test_room_is_not_wasted(void)
+{
+    for (uint8_t planes = 1; planes <= FXL_BEAM_PLANES_MAX; planes++) {
+        const fxl_beam beams[2] = {{.plane_count = planes}, {.plane_count = 1}};
+        const uint32_t face = FXL_FACE_VERTICES_MAX - planes; /* the most vertices that fit */
+        TEST_ASSERT_EQUAL_UINT32(planes + 1, fxl_lit_pieces_needed(beams, 1));
+        TEST_ASSERT_TRUE(fxl_lit_corners_needed(beams, 1) <= face + 16 + 6 * planes);
+        TEST_ASSERT_TRUE(fxl_lit_corners_needed(beams, 1) >= face + 4 * planes);
+        /* Another plane may cut each of the pieces, and adds a vertex to either part. */
+        TEST_ASSERT_EQUAL_UINT32(2 * (planes + 1), fxl_lit_pieces_needed(beams, 2));
+        TEST_ASSERT_TRUE(fxl_lit_corners_needed(beams, 2) <=
+                         face - 2 + 16 + 6 * (2 * (planes + 1u) - 1));
+    }
+}
+
 void test_too_little_room_is_said(void)
 {
     const fxl_point window[] = {{Q16(-1), Q16(-1), Q16(3)},

@@ -217,6 +217,11 @@ static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, u
     tiny->models[1].kind = kind1;
     tiny->models[1].face_count = faces1;
     tiny->scene.face_count = 6 + faces1;
+    /* A model behind the table's end does not count. */
+    fxl_model models[3] = {tiny->models[0], tiny->models[1], tiny->models[1]};
+    models[2].kind = FXL_MODEL_SORTED;
+    models[2].face_count = 1000;
+    tiny->scene.models = models;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL_UINT32(expected, tiny->scene.order_needed);
 }

@@ -221,8 +221,17 @@ void test_what_is_no_wireframe_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_begin(NULL, &pose));
     pose.position.x = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
-    band.rows = HEIGHT + 1;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &band));
+    const fxl_band bad[] = {
+        {whole, WIDTH, WIDTH, 0, HEIGHT + 1}, {whole, WIDTH, WIDTH, 0, 0},
+        {whole, WIDTH, WIDTH, 1, HEIGHT},     {whole, WIDTH, WIDTH, HEIGHT, 1},
+        {whole, WIDTH - 1, WIDTH, 0, 1},      {whole, WIDTH + 1, WIDTH + 1, 0, 1},
+        {whole, WIDTH, WIDTH - 1, 0, 1}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &bad[i]));
+    }
+    const fxl_band last = {whole, WIDTH, WIDTH, HEIGHT - 1, 1}, none = {NULL, WIDTH, WIDTH, 0, 1};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &last));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, &none));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(NULL, &band));
 }
