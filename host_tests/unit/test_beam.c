@@ -211,6 +211,12 @@ void test_what_makes_no_beam_is_refused(void)
     expect_refused(FXL_E_DEGENERATE, &lamp, line, 3);
     expect_refused(FXL_E_DEGENERATE, &lamp, star, 4);
     expect_refused(FXL_E_DEGENERATE, &window[0], window, 4);
+    for (int i = 0; i < 8; i++) { /* the largest numbers, whose squares must not wrap */
+        const fxl_direction huge = {i & 1 ? INT32_MIN : 0, i & 2 ? INT32_MIN : 0,
+                                    i & 4 ? INT32_MIN : 0};
+        fxl_beam none;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_from_direction(&huge, window, 4, &none));
+    }
     const fxl_direction crooked = {Q30(0.6), Q30(-0.7), 0};
     fxl_beam beam;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_from_direction(&crooked, window, 4, &beam));

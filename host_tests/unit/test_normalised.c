@@ -96,6 +96,14 @@ void test_simple_factors_are_exact(void)
     TEST_ASSERT_EQUAL(0, frustum.x.shift);
     TEST_ASSERT_EQUAL(0, frustum.y.shift);
     TEST_ASSERT_EQUAL(1, frustum.z.shift);
+    /* Turned round, right and forward are negative: no rounding moves them either. */
+    const fxl_pose behind = {{0, 0, 0}, 2 * FXL_ANGLE_QUARTER, 0, 0};
+    fxl_camera turned;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&behind, &turned));
+    fxl_normalised_from_camera(&turned, &lens, &frustum);
+    TEST_ASSERT_EQUAL_INT32(-right.x, frustum.x.direction.x);
+    TEST_ASSERT_EQUAL_INT32(up.y, frustum.y.direction.y);
+    TEST_ASSERT_EQUAL_INT32(-forward.z, frustum.z.direction.z);
     lens.focal = Q16(24); /* 3/4 and 1: nothing is made smaller but across */
     fxl_normalised_from_camera(&camera, &lens, &frustum);
     TEST_ASSERT_EQUAL_MEMORY(&right, &frustum.x.direction, sizeof right);

@@ -143,6 +143,29 @@ void test_lines_are_what_the_rule_says(void)
     }
 }
 
+/* Lines that pass exactly between two pixels, or a unit beside that, over the centre of a column:
+ * with a slope of odd / 2^k and a first end 2^k u before the centre, the line rises by odd u. */
+void test_lines_between_two_pixels(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 300; i++) {
+        const int k = unit_between(1, 5), odd = 2 * unit_between(0, (1 << k) / 2 - 1) + 1;
+        const int32_t u = unit_between(1, Q16(40) >> k), more = unit_between(1, Q16(50) >> k);
+        const int32_t centre = Q16(0.5) + Q16(1) * unit_between(0, WIDTH - 1);
+        const int32_t level = Q16(1) * unit_between(1, HEIGHT - 1) + unit_between(-1, 1);
+        const int sign = unit_random() % 2 ? 1 : -1;
+        fxl_screen_point a = {centre - (u << k), level - sign * odd * u};
+        fxl_screen_point b = {a.x + ((u + more) << k), a.y + sign * odd * (u + more)};
+        if (unit_random() % 2) { /* upright */
+            a = (fxl_screen_point){a.y, a.x};
+            b = (fxl_screen_point){b.y, b.x};
+        }
+        draw(whole, a, b);
+        for (int n = 0; n < WIDTH * HEIGHT; n++) {
+            TEST_ASSERT_EQUAL(covers(&a, &b, n % WIDTH, n / WIDTH), whole[n]);
+        }
+    }
+}
+
 static fxl_wire wire;
 
 static void draw_frame(uint8_t *pixels, uint32_t rows)
