@@ -204,6 +204,19 @@ void test_depth(void)
 #endif
 }
 
+/* A tree of one node, for a model of one face. */
+void test_the_smallest_tree(void)
+{
+    fxl_scene *scene = &made->tiny->scene;
+    made->tiny->models[1].face_count = 1;
+    scene->face_count = 7;
+    scene->face_bounds = NULL;
+    scene->face_bounds_count = 0;
+    scene->bsp_node_count = 1;
+    made->nodes[0].back = FXL_BSP_NONE;
+    expect(FXL_OK, NULL, 0);
+}
+
 /* A sphere need not hold the faces of the nodes beside its own. The second node is a leaf in front
  * of the first, and all others are behind that. */
 void test_a_sphere_is_of_its_own_faces_alone(void)

@@ -293,6 +293,26 @@ void test_light_splits_the_faces_that_it_reaches(void)
     TEST_ASSERT_TRUE(lit > UNIT_REPEAT / 50 && dark > UNIT_REPEAT / 50 && asked > 0);
 }
 
+/* A piece's planes are those of its face: where the face's sphere is inside all planes, no vertex
+ * is measured. */
+void test_pieces_need_the_planes_of_their_face(void)
+{
+    static FXL_ALIGN_8 fxl_clip_stats counts;
+    const fxl_beam_light light = {reaches, fxl_submit_lit_face, split};
+    const fxl_pose inside = {{0, 0, Q16(-6)}, 0, 0, 0},
+                   across = {{0, 0, Q16(-3)}, DEGREES(45), 0, 0};
+    for (int i = 0; i < 2; i++) {
+        start(LIST_WORDS);
+        renderer.beam_light = &light;
+        counts = (fxl_clip_stats){0, 0, 0};
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, &counts, sizeof counts));
+        const fxl_counters found = draw(i == 0 ? &inside : &across, frames[1], HEIGHT);
+        TEST_ASSERT_TRUE(found.drawn > 0);
+        TEST_ASSERT_EQUAL(i == 0, counts.distances == 0);
+    }
+}
+
 /* A clipper with room: zeroed when it is set, reached by the view, in the frame's number. */
 static fxl_clip_result clip_with_workspace(const fxl_model_view *model_view, const fxl_face *face,
                                            fxl_clipper_work *work, fxl_screen_polygon *screen)

@@ -187,6 +187,16 @@ void test_barely_less_than_half_a_unit(void)
     }
 }
 
+/* A point that is one unit of 2^-46 off the plane is off the plane, on either side. */
+void test_the_least_distance_divides(void)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const fxl_plane plane = {{FXL_Q2_30_ONE, 0, 0}, -sign};
+        const fxl_piece piece = {3, {{0, 0, 0}, {0, Q16(1), 0}, {-sign * Q16(1), 0, 0}}};
+        TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&piece, &plane, &front, &back));
+    }
+}
+
 /* Of both triangles beside an edge too, whichever way they walk it. */
 void test_halves_are_the_same_for_both_sides(void)
 {

@@ -114,6 +114,29 @@ void test_a_sliver_is_refused_where_asked(void)
     stats.sliver = 0;
 }
 
+/* By the sliver rule a corner on the plane, after one outside, is outside. It stands for the
+ * intersection. */
+void test_a_corner_on_the_plane_by_the_sliver_rule(void)
+{
+    for (int turn = 0; turn < 3; turn++) {
+        static const int x[3] = {-4, 0, 4}, y[3] = {0, 4, 0};
+        fxl_clip_triangle out[2];
+        const int a = turn, b = (turn + 1) % 3, c = (turn + 2) % 3;
+        const fxl_clip_triangle in = solid(x[a], y[a], x[b], y[b], x[c], y[c]);
+        stats = (fxl_clip_stats){.sliver = V(1)};
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        TEST_ASSERT_EQUAL(1, stats.intersections);
+        int64_t most = 0;
+        for (int i = 0; i < 3; i++) {
+            const fxl_view_point *at = &out[0].corners[i].position;
+            TEST_ASSERT_TRUE(at->x == 0 || at->x == V(4));
+            most = at->y > most ? at->y : most;
+        }
+        TEST_ASSERT_TRUE(most == V(4));
+        stats.sliver = 0;
+    }
+}
+
 static fxl_screen_triangle flat(int x0, int y0, int x1, int y1, int x2, int y2)
 {
     fxl_screen_triangle triangle;
