@@ -173,6 +173,8 @@ void test_normals_are_right_to_two_units(void)
             }
             TEST_ASSERT_EQUAL_INT64(0, fxl_plane_distance(&plane, a));
         }
+        const fxl_plane own = fxl_beam_plane_at(&beam, 3); /* the window's */
+        TEST_ASSERT_EQUAL_INT64(0, fxl_plane_distance(&own, &corners[0]));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
     }
     TEST_ASSERT_TRUE(made > UNIT_REPEAT);

@@ -143,6 +143,28 @@ void test_a_sphere_holds_every_corner(void)
     }
 }
 
+/* A sphere about one corner of the last node's face that leaves out the opposite one alone: the
+ * face is a square of side 2. */
+void test_a_sphere_that_lacks_one_corner(void)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        const fxl_face *face = &made->tiny->faces[11];
+        const uint16_t corner = made->tiny->corners[face->first_index + (i + 2) % 4];
+        for (uint32_t k = 0; k < 5; k++) {
+            made->nodes[k].radius = Q16(9);
+        }
+        made->nodes[5].centre = made->tiny->vertices[8 + corner];
+        made->nodes[5].radius = Q16(2.8);
+        expect(FXL_E_RADIUS, "BSP node", 5);
+        for (uint32_t k = 0; k < 5; k++) {
+            made->nodes[k].radius = Q16(9);
+        }
+        made->nodes[5].centre = made->tiny->vertices[8 + corner];
+        made->nodes[5].radius = Q16(2.83); /* sqrt(8) is 2.8284 */
+        expect(FXL_OK, NULL, 0);
+    }
+}
+
 void test_every_face_has_one_node(void)
 {
     made->nodes[1].first_face = 2;

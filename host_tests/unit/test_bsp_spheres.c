@@ -282,3 +282,23 @@ void test_a_whole_cube_before_and_behind(void)
         }
     }
 }
+
+/* Where the whole tree is inside all planes, no vertex of it is measured. */
+void test_nothing_is_measured_inside(void)
+{
+    static FXL_ALIGN_8 fxl_clip_stats counts;
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose inside = {{0, 0, Q16(2)}, 0, 0, 0}, across = {{0, 0, Q16(8)}, 0, 0, 0};
+    for (int i = 0; i < 2; i++) {
+        make();
+        tiny->instances[0].layer = tiny->instances[2].layer = 1;
+        tiny->instances[0].centre = tiny->instances[2].centre = (fxl_point){0, 0, Q16(-100)};
+        start(&fxl_visibility_bsp, &lens, 0);
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, &counts, sizeof counts));
+        counts = (fxl_clip_stats){0, 0, 0};
+        const fxl_counters counters = draw(whole, i == 0 ? &inside : &across, HEIGHT);
+        TEST_ASSERT_TRUE(counters.drawn > 0);
+        TEST_ASSERT_EQUAL(i == 0, counts.distances == 0);
+    }
+}

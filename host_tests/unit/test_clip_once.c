@@ -41,6 +41,11 @@ static void expect_shape(const fxl_varying_polygon *polygon, const fxl_varying_p
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(polygon, &result));
     TEST_ASSERT_EQUAL(wanted->count, result->count);
     TEST_ASSERT_EQUAL(polygon->colour, result->colour);
+    TEST_ASSERT_EQUAL(polygon->carried, result->carried);
+    for (int i = 0; i < result->count; i++) { /* x rides along, in units of 2^-16 */
+        TEST_ASSERT_NEAR(result->vertices[i].carried[0],
+                         (double)result->vertices[i].position.x / (1 << 30), 2);
+    }
     bool found = false;
     for (int first = 0; first < wanted->count; first++) {
         bool same = true;

@@ -257,3 +257,37 @@ void test_a_beam(void)
         beams[i].kind = FXL_BEAM_POINT;
     }
 }
+
+/* Beams of 5 and 8 planes fit a face of 3 vertices and none of 4, whichever face that is. */
+void test_a_face_that_does_not_fit_the_beams(void)
+{
+    static const fxl_point four[] = {{Q16(-1), Q16(5), Q16(-1)},
+                                     {Q16(1), Q16(5), Q16(-1)},
+                                     {Q16(1), Q16(5), Q16(1)},
+                                     {Q16(-1), Q16(5), Q16(1)}};
+    static const fxl_point seven[] = {{Q16(8), Q16(5), 0},        {Q16(5), Q16(5), Q16(6)},
+                                      {Q16(-2), Q16(5), Q16(8)},  {Q16(-7), Q16(5), Q16(3)},
+                                      {Q16(-7), Q16(5), Q16(-3)}, {Q16(-2), Q16(5), Q16(-8)},
+                                      {Q16(5), Q16(5), Q16(-6)}};
+    static const uint8_t lit[256];
+    const fxl_point lamp = {0, Q16(9), 0};
+    fxl_beam beams[2];
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, four, 4, &beams[0]));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, seven, 7, &beams[1]));
+    for (uint32_t large = 0; large <= 12 && FXL_FACE_VERTICES_MAX == 24; large++) {
+        tiny_scene *tiny = tiny_make();
+        tiny->scene.face_bounds = NULL;
+        tiny->scene.face_bounds_count = 0;
+        for (uint32_t i = 0; i < 12; i++) {
+            tiny->faces[i].count = i == large ? 4 : 3;
+        }
+        tiny->scene.beams = beams;
+        tiny->scene.lit = lit;
+        tiny->scene.beam_count = 2;
+        if (large < 12) {
+            expect_fault(FXL_E_CAPACITY, "face", large, &tiny->scene, fxl_scene_check_all);
+        } else {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
+        }
+    }
+}

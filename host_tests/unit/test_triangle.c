@@ -245,13 +245,16 @@ void test_what_rides_along_is_cut_as_in_space(void)
     fxl_screen_triangle out[2], in = flat(4, 0, -4, 0, 4, 8);
     in.corners[1].depth = V(30);
     in.corners[1].carried[0] = Q16(100);
-    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
+    in.corners[1].carried[1] = Q16(-200);
+    memset(out, 0x5A, sizeof out);
+    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 2, &stats, out));
     bool found = false;
     for (int i = 0; i < 6; i++) {
         const fxl_screen_corner *at = &out[i / 3].corners[i % 3];
         if (at->at.x == 0 && at->at.y == 0) {
             TEST_ASSERT_NEAR(at->depth, V(15), 2);
             TEST_ASSERT_NEAR(at->carried[0], Q16(25), 1);
+            TEST_ASSERT_NEAR(at->carried[1], Q16(-50), 1);
             found = true;
         }
     }

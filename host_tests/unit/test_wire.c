@@ -227,6 +227,33 @@ void test_a_cube_from_the_front(void)
     TEST_ASSERT_EQUAL(0, whole[14 * WIDTH + 18]);
 }
 
+/* From each side of a cube: the edges of the side that is turned to the eye, in its colour, and no
+ * other's. */
+void test_every_side_of_a_cube(void)
+{
+    static const struct {
+        int x, y, z;
+        int32_t yaw, pitch;
+    } sides[] = {{-4, 0, 0, 90, 0}, {4, 0, 0, -90, 0}, {0, -4, 0, 0, 90},
+                 {0, 4, 0, 0, -90}, {0, 0, -4, 0, 0},  {0, 0, 4, 180, 0}};
+    for (uint8_t side = 0; side < 6; side++) {
+        const fxl_pose pose = {
+            {Q16(1) * sides[side].x, Q16(1) * sides[side].y, Q16(1) * sides[side].z},
+            (fxl_angle)(sides[side].yaw * (int32_t)DEGREES(1)),
+            (fxl_angle)(sides[side].pitch * (int32_t)DEGREES(1)),
+            0};
+        make(fxl_line_by_codes);
+        tiny_scene *tiny = tiny_make();
+        tiny->instances[1].centre = tiny->instances[2].centre = (fxl_point){Q16(500), 0, 0};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+        draw_frame(whole, HEIGHT);
+        for (uint8_t colour = 1; colour <= 6; colour++) {
+            TEST_ASSERT_EQUAL(colour == side + 1,
+                              memchr(whole + 7 * WIDTH + 12, colour, 18 * WIDTH) != NULL);
+        }
+    }
+}
+
 void test_what_is_no_wireframe_is_refused(void)
 {
     fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};

@@ -191,9 +191,10 @@ void test_counts_want_a_workspace_that_holds_them(void)
         start();
         memset(&room, 0x5A, sizeof room);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], &room, 0));
-        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          fxl_renderer_set_clipper(&renderer, clippers[i], &room,
-                                                   (uint32_t)sizeof(fxl_clip_stats) - 1));
+        for (uint32_t size = 1; size < sizeof(fxl_clip_stats); size++) {
+            TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                              fxl_renderer_set_clipper(&renderer, clippers[i], &room, size));
+        }
         TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_clipper(&renderer, clippers[i],
                                                                     (uint8_t *)&room + 4, 64));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));

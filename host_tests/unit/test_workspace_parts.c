@@ -93,6 +93,7 @@ void test_a_method_with_two_workspaces(void)
  * bytes; only the clipper's is zeroed. */
 void test_the_parts_of_a_workspace_follow_each_other(void)
 {
+    static const fxl_clipper one = {.clip = fxl_clip_by_view, .workspace_size = 1};
     static const fxl_clipper nine = {.clip = fxl_clip_by_view, .workspace_size = 9};
     static fxl_raster_backend backend;
     static fxl_visibility method;
@@ -102,6 +103,10 @@ void test_the_parts_of_a_workspace_follow_each_other(void)
     method.backend = &backend;
     start();
     const size_t faces = fxl_workspace_size(&renderer), vertices = 2 * sizeof(fxl_cached_vertex);
+    memset(rooms[0], 0x5A, ROOM);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &one, rooms[0], 1));
+    TEST_ASSERT_EQUAL_HEX8(0, rooms[0][0]);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[0][1]);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &nine, rooms[0], 9));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, rooms[0] + 16, 40));
     const size_t least = faces + 16 + 40, size = least + 4 * vertices;
