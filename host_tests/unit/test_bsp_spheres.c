@@ -283,6 +283,30 @@ void test_a_whole_cube_before_and_behind(void)
     }
 }
 
+/* On whichever layer the tree is, what moves there is cut by it, and nothing else is. */
+void test_what_moves_is_cut_on_any_layer(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{Q16(0.5), Q16(1), Q16(4)}, 0, 0, 0};
+    for (uint8_t layer = 0; layer < 3; layer++) {
+        for (int with = 0; with < 2; with++) {
+            tiny = bsp_make()->tiny;
+            tiny->instances[1].layer = layer;
+            tiny->instances[0].layer = with ? layer : (uint8_t)(layer + 1);
+            tiny->instances[2].layer = 1; /* beside the two, and in sight */
+            tiny->instances[0].centre = (fxl_point){Q16(0.5), Q16(0.75), Q16(9.5)};
+            tiny->instances[2].centre = (fxl_point){Q16(4), 0, Q16(12)};
+            start(&fxl_visibility_bsp, &lens, 0);
+            const fxl_counters counters = draw(whole, &pose, HEIGHT);
+            const fxl_bsp_workspace *tree = renderer.submit_workspace;
+            TEST_ASSERT_EQUAL_UINT32(18, counters.in);
+            TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
+            /* A face takes 12 bytes and 16 for each of its vertices; parts take more. */
+            TEST_ASSERT_EQUAL(with, tree->used > 3 * (12 + 4 * 16));
+        }
+    }
+}
+
 /* Where the whole tree is inside all planes, no vertex of it is measured. */
 void test_nothing_is_measured_inside(void)
 {

@@ -163,6 +163,22 @@ void test_planarity(void)
     expect_entry_word(FXL_E_PLANARITY, AT_VERTICES, 5, VERTEX, 0, x - 5);
 }
 
+/* Any vertex of a cube, off the plane of one of its three faces and along those of the others. */
+void test_planarity_of_every_vertex(void)
+{
+    for (uint32_t vertex = 0; vertex < 8; vertex++) {
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            const uint32_t place = vertex >> (2 - axis) & 1u ? (uint32_t)Q16(1) : (uint32_t)Q16(-1);
+            for (uint32_t off = 0; off < 2; off++) {
+                expect_entry_word(FXL_E_PLANARITY, AT_VERTICES, vertex, VERTEX, 4 * axis,
+                                  off ? place + 5 : place - 5);
+                expect_entry_word(FXL_OK, AT_VERTICES, vertex, VERTEX, 4 * axis,
+                                  off ? place + 4 : place - 4);
+            }
+        }
+    }
+}
+
 void test_path_of_poses(void)
 {
     uint32_t end = (uint32_t)FXL_COORDINATE_MAX;
