@@ -167,3 +167,29 @@ void test_planes_are_made_once_a_frame(void)
         }
     }
 }
+
+/* The near plane alone, which a face crosses: all clippers cut it there. */
+void test_the_near_plane_alone(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, 0, 0, Q16(0.03));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    fxl_view_set_world_frustum(&view);
+    for (int which = 0; which < CLIPPERS + 2; which++) {
+        const fxl_clipper *clipper = which < CLIPPERS    ? clippers[which]
+                                     : which == CLIPPERS ? &fxl_clipper_view
+                                                         : &fxl_clipper_world;
+        memset(&workspace, 0, sizeof workspace);
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &workspace;
+        face.model_view.planes = 1u << FXL_PLANE_NEAR;
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                          clipper->clip(&face.model_view, &face.face, &work, &screen));
+        TEST_ASSERT_TRUE(workspace.stats.intersections >= 2);
+    }
+}

@@ -267,3 +267,41 @@ void test_too_little_room_is_said(void)
     }
     TEST_ASSERT_TRUE(done);
 }
+
+/* As many corners and pieces as a face took are enough for it, and one less is not. */
+static void expect_exact_room(const fxl_beam *beam, const fxl_point *face, uint32_t count)
+{
+    const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
+    TEST_ASSERT_TRUE(fxl_lit_split(&workspace, beam, 1, &normal, face, count));
+    const uint32_t used = workspace.corner_count, made = workspace.piece_count;
+    for (uint32_t less = 0; less <= used; less++) {
+        fxl_lit_pieces small = {corners, nexts, table, used - less, PIECES, 0, 0};
+        TEST_ASSERT_EQUAL(less == 0, fxl_lit_split(&small, beam, 1, &normal, face, count));
+    }
+    for (uint32_t less = 0; less <= made; less++) {
+        fxl_lit_pieces small = {corners, nexts, table, CORNERS, made - less, 0, 0};
+        TEST_ASSERT_EQUAL(less == 0, fxl_lit_split(&small, beam, 1, &normal, face, count));
+    }
+}
+
+void test_the_room_that_a_face_took_is_the_least(void)
+{
+    const fxl_point window[] = {{Q16(0), Q16(-1), Q16(3)},
+                                {Q16(2), Q16(-1), Q16(3)},
+                                {Q16(2), Q16(1), Q16(3)},
+                                {Q16(0), Q16(1), Q16(3)}};
+    const fxl_point behind[] = {at(-4, -4), at(-4, 4), at(0, 4),
+                                at(0, -4)}; /* an edge in a plane */
+    const fxl_point around[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
+    const fxl_point across[] = {at(-3, 0), at(1, 3), at(3, -3)};
+    for (uint32_t turn = 0; turn < 4; turn++) {
+        fxl_point turned[4];
+        for (uint32_t i = 0; i < 4; i++) {
+            turned[i] = window[(i + turn) % 4];
+        }
+        const fxl_beam beam = shaft(turned, 4);
+        expect_exact_room(&beam, behind, 4);
+        expect_exact_room(&beam, around, 4);
+        expect_exact_room(&beam, across, 3);
+    }
+}

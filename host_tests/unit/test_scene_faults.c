@@ -248,6 +248,8 @@ void test_a_beam(void)
     scene->beams = NULL;
     expect_fault(FXL_E_ARGUMENT, "beam table", 0, scene, fxl_scene_check_all);
     scene->beams = beams;
+    scene->beam_count = FXL_BEAMS_MAX; /* so many may be, but not for a face of 4 vertices */
+    expect_fault(FXL_E_CAPACITY, "face", 0, scene, fxl_scene_check_all);
     scene->beam_count = FXL_BEAMS_MAX + 1;
     expect_fault(FXL_E_COUNT, "beam table", 0, scene, fxl_scene_check_all);
     scene->beam_count = 2;
