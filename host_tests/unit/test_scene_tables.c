@@ -80,3 +80,47 @@ void test_frames_read_no_more_than_the_tables(void)
         }
     }
 }
+
+/* A triangle is the least scene: the counts may be no smaller. */
+void test_the_smallest_scene(void)
+{
+    for (int less = 0; less <= 7; less++) {
+        make(false, false);
+        vertices[0] = (fxl_point){0, 0, 0};
+        vertices[1] = (fxl_point){0, Q16(1), 0};
+        vertices[2] = (fxl_point){Q16(1), 0, 0};
+        memcpy(corners, (const uint16_t[]){0, 1, 2}, 3 * sizeof corners[0]);
+        faces[0] = (fxl_face){.normal = {0, 0, -FXL_Q2_30_ONE}, .count = 3};
+        models[0] = (fxl_model){.vertex_count = 3, .face_count = 1, .radius = Q16(1)};
+        instances[0] = (fxl_instance){.model = 0};
+        uint32_t *const counts[] = {&scene.vertex_count,   &scene.index_count,
+                                    &scene.face_count,     &scene.model_count,
+                                    &scene.instance_count, &models[0].vertex_count,
+                                    &models[0].face_count};
+        const uint32_t least[] = {3, 3, 1, 1, 1, 3, 1};
+        for (int i = 0; i < 7; i++) {
+            *counts[i] = least[i] - (i == less);
+        }
+        TEST_ASSERT_EQUAL(less == 7 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&scene, NULL));
+    }
+    TEST_ASSERT_EQUAL_UINT32(1, scene.order_needed);
+}
+
+/* A sphere of a node without faces may be a point. */
+void test_the_smallest_sphere(void)
+{
+    static fxl_bsp_node more[BSP_NODES + 1];
+    make(true, true);
+    memcpy(more, nodes, sizeof nodes);
+    more[BSP_NODES - 1].back = BSP_NODES;
+    more[BSP_NODES] = nodes[BSP_NODES - 1];
+    more[BSP_NODES].parent = BSP_NODES - 1;
+    more[BSP_NODES].first_face = BSP_NODES;
+    more[BSP_NODES].face_count = 0;
+    scene.bsp_nodes = more;
+    scene.bsp_node_count = BSP_NODES + 1;
+    for (fxl_q16_16 radius = -1; radius <= 0; radius++) {
+        more[BSP_NODES].radius = radius;
+        TEST_ASSERT_EQUAL(radius < 0 ? FXL_E_RANGE : FXL_OK, fxl_scene_check_all(&scene, NULL));
+    }
+}
