@@ -226,6 +226,31 @@ void test_depth(void)
 #endif
 }
 
+/* As many nodes as may be: chains of front nodes, hung behind each other. */
+void test_the_largest_tree(void)
+{
+#ifndef UNIT_ON_TARGET
+    enum {
+        CHAIN = 700
+    };
+    static fxl_bsp_node many[FXL_BSP_NODES_MAX];
+    for (uint32_t i = 0; i < FXL_BSP_NODES_MAX; i++) {
+        const bool ends = i % CHAIN == CHAIN - 1 || i + 1 == FXL_BSP_NODES_MAX;
+        const uint32_t behind = i + CHAIN, above = i % CHAIN == 0 ? i - CHAIN : i - 1;
+        many[i] = made->nodes[i < BSP_NODES ? i : BSP_NODES - 1];
+        many[i].parent = (uint16_t)(i == 0 ? FXL_BSP_NONE : above);
+        many[i].front = (uint16_t)(ends ? FXL_BSP_NONE : i + 1);
+        many[i].back =
+            (uint16_t)(i % CHAIN == 0 && behind < FXL_BSP_NODES_MAX ? behind : FXL_BSP_NONE);
+        many[i].first_face = (uint16_t)(i < BSP_NODES ? i : BSP_NODES);
+        many[i].face_count = i < BSP_NODES;
+    }
+    made->tiny->scene.bsp_nodes = many;
+    made->tiny->scene.bsp_node_count = FXL_BSP_NODES_MAX;
+    expect(FXL_OK, NULL, 0);
+#endif
+}
+
 /* A tree of one node, for a model of one face. */
 void test_the_smallest_tree(void)
 {

@@ -326,3 +326,33 @@ void test_nothing_is_measured_inside(void)
         TEST_ASSERT_EQUAL(i == 0, counts.distances == 0);
     }
 }
+
+static uint32_t faces_seen, planes_seen;
+
+static fxl_clip_result note_planes(const fxl_model_view *model_view, const fxl_face *face,
+                                   fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    faces_seen++;
+    planes_seen |= model_view->planes;
+    return fxl_clip_by_view(model_view, face, work, screen);
+}
+
+/* The sphere of the tree's object crosses planes, and those of the nodes do not: then their faces
+ * need none. Nearer by, some nodes' spheres do. */
+void test_faces_need_the_planes_of_their_node(void)
+{
+    static const fxl_clipper noting = {.clip = note_planes};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    for (int near_by = 0; near_by < 2; near_by++) {
+        const fxl_pose pose = {{0, 0, near_by ? Q16(8) : 0}, 0, 0, 0};
+        make();
+        tiny->models[1].radius = Q16(20);
+        tiny->instances[0].centre = tiny->instances[2].centre = (fxl_point){0, 0, Q16(-100)};
+        start(&fxl_visibility_bsp, &lens, 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &noting, NULL, 0));
+        faces_seen = planes_seen = 0;
+        (void)draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_TRUE(faces_seen > 0);
+        TEST_ASSERT_EQUAL(near_by, planes_seen != 0);
+    }
+}

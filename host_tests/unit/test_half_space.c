@@ -29,6 +29,10 @@ void test_distances_are_exact_but_for_the_last_unit(void)
     for (int i = 0; i < UNIT_REPEAT; i++) {
         fxl_half_space plane = {{component(), component(), component()}, unit_wide(61)};
         fxl_view_point point = {unit_wide(61), unit_wide(61), unit_wide(61)};
+        if (i % 8 == 1) { /* the smallest numbers */
+            plane.normal =
+                (fxl_direction){unit_between(-1, 1), unit_between(-1, 1), unit_between(-1, 1)};
+        }
         if (i % 8 == 0) { /* the largest sums */
             plane.normal = (fxl_direction){715827882, -715827882, 715827882};
             point.x = point.z = ((int64_t)1 << 61) - 1;
