@@ -7,8 +7,8 @@
 #include "text.h"
 
 #define OBJECTS_MAX  200u
-#define FACES_MAX    1300u
-#define VERTICES_MAX 5000u /* corners of all faces: each face has its own points */
+#define FACES_MAX    2100u
+#define VERTICES_MAX 6400u /* corners of all faces: each face has its own points */
 
 static listing_object objects[OBJECTS_MAX];
 static listing_face faces[FACES_MAX];

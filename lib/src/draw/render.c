@@ -12,6 +12,7 @@
  * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "reach.h"
 #include "renderer.h"
 #include "submit.h"
 
@@ -46,6 +47,14 @@ static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
                                                        : FXL_SUBMIT_ANY;
 }
 
+/* Whether bands that pass over what does not reach them are worth a traversal more. Without a
+ * display list the frame is drawn in one band, or in few. */
+static bool measures_rows(const fxl_renderer *renderer)
+{
+    return !FXL_IS_SMALL && renderer->frame.display_list.capacity > 0 &&
+           renderer->visibility->submit == fxl_submit_by_distance;
+}
+
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 {
     if (renderer == NULL) {
@@ -67,6 +76,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     if (renderer->clipper->begin != NULL) {
         renderer->clipper->begin(&frame->view);
     }
+    if (!FXL_IS_SMALL) {
+        fxl_reach_take_back(renderer, workspace);
+    }
     /* cull and sort */
     uint32_t culled;
     frame->visible_count = (uint16_t)fxl_order_instances(
@@ -85,8 +97,11 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                               .resume = &frame->resume,
                               .counters = &workspace->counters,
                               .way = way_of(renderer, true)};
-    (void)renderer->visibility->submit(&on);
-    frame->ready = true;
+    frame->state = FXL_FRAME_BEGUN;
+    if (!renderer->visibility->submit(&on) && measures_rows(renderer)) {
+        fxl_reach_measure(&on, frame);
+        workspace->rest_counted = true;
+    }
     return FXL_OK;
 }
 
@@ -105,6 +120,11 @@ static fxl_outcome deliver(const fxl_traversal *on)
     if (on->display_list != NULL) {
         /* bug: list-drop */
         return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+    }
+    if (!FXL_IS_SMALL && on->way == FXL_SUBMIT_MEASURE) {
+        on->reached->first = rows.first < on->reached->first ? rows.first : on->reached->first;
+        on->reached->end = rows.end > on->reached->end ? rows.end : on->reached->end;
+        return FXL_OUTCOME_SPILLED;
     }
     return on->renderer->visibility->backend->draw_polygon(workspace, screen->points, screen->count,
                                                            screen->colour, on->band)
@@ -199,7 +219,7 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
         counters->drawn += 1;
         return true;
     }
-    if (FXL_IS_SMALL || on->way == FXL_SUBMIT_ANY || cut > FXL_CLIP_CUT) {
+    if (FXL_IS_SMALL || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
         const uint32_t used = on->renderer->frame.display_list.used;
         return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
     }
@@ -252,6 +272,15 @@ static bool draw_display_list(const fxl_traversal *on)
     return true;
 }
 
+/* What the display list had no room for. */
+static bool submit_rest(const fxl_traversal *on)
+{
+    const fxl_renderer *renderer = on->renderer;
+    return !FXL_IS_SMALL && renderer->frame.state == FXL_FRAME_MEASURED
+               ? fxl_reach_submit(on)
+               : renderer->visibility->submit(on);
+}
+
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     const fxl_visibility *visibility = renderer->visibility;
@@ -270,7 +299,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     if (backend->begin_band != NULL) {
         backend->begin_band(renderer, workspace, band);
     }
-    if (!draw_display_list(&on) || !visibility->submit(&on)) {
+    if (!draw_display_list(&on) || !submit_rest(&on)) {
         return false;
     }
     workspace->rest_counted = true; /* bug: counted-again */
@@ -293,7 +322,8 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
-    if (!frame->ready || workspace->settings_version != renderer->workspace.settings_version) {
+    if (frame->state == FXL_FRAME_NONE ||
+        workspace->settings_version != renderer->workspace.settings_version) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     if (!is_band_of(&frame->view.lens, band)) {

@@ -7,20 +7,24 @@
 
 /* What becomes of a face of which the clipper gives one polygon at most. */
 typedef enum {
-    FXL_SUBMIT_ANY,    /* nothing is known: the clipper may give several, any backend draws */
-    FXL_SUBMIT_APPEND, /* it is appended to the display list */
-    FXL_SUBMIT_DRAW    /* it is drawn at once, over what is there */
+    FXL_SUBMIT_ANY,     /* nothing is known: the clipper may give several, any backend draws */
+    FXL_SUBMIT_MEASURE, /* the same; it is only asked which rows it reaches */
+    FXL_SUBMIT_APPEND,  /* it is appended to the display list */
+    FXL_SUBMIT_DRAW     /* it is drawn at once, over what is there */
 } fxl_submit_way;
 
-/* A traversal fills the display list (fxl_frame_begin), or draws into a band what the list had
- * no room for (fxl_frame_draw). */
+/* A traversal fills the display list (fxl_frame_begin), measures what the list had no room for, or
+ * draws it into a band (fxl_frame_draw). */
 struct fxl_traversal {
     const fxl_renderer *renderer;
     const fxl_clipper *clipper; /* the renderer's */
     fxl_workspace *workspace;
     fxl_display_list *display_list; /* the frame's, to be filled; null: a band is drawn */
-    const fxl_band *band;           /* null: the display list is filled */
-    fxl_resume_point *resume;       /* where to go on; kept where the traversal is stopped */
+    union {
+        const fxl_band *band; /* to be drawn into, where there is no display list */
+        fxl_rows *reached;    /* FXL_SUBMIT_MEASURE: grows by the rows that a face reaches */
+    };
+    fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
     fxl_submit_way way;
 };
@@ -31,6 +35,12 @@ struct fxl_traversal {
  * the list is as it was. */
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on);
+
+/* Puts the faces of a sorted model that face the eye into workspace->face_order, in the order of
+ * drawing, and sets the workspace's two counts of them. Faces that the clipper would find outside
+ * may be left out of the order. */
+void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
+                     const fxl_model *model);
 
 /* The faces of an instance that are left, from on->resume->faces on: all of them counted, by
  * number or by distance, in the order of the method. False where the traversal was stopped. */
