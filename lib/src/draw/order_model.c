@@ -27,7 +27,9 @@ void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
         count = fxl_order_drop_outside(model_view, &scene->faces[model->first_face],
                                        workspace->face_order, count);
     }
-    workspace->sorted_count = (uint16_t)count;
-    workspace->face_rows_known = false;
+    if (!FXL_IS_SMALL) {
+        workspace->sorted_count = (uint16_t)count;
+        workspace->face_rows_known = false;
+    }
     fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
 }

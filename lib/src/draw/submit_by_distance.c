@@ -60,7 +60,8 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
         fxl_order_model(on, model_view, model);
     }
     const fxl_face *faces = &scene->faces[model->first_face];
-    const uint32_t first = on->resume->faces, front = workspace->sorted_count;
+    const uint32_t first = on->resume->faces,
+                   front = FXL_IS_SMALL ? workspace->front_count : workspace->sorted_count;
     const bool reverse = on->renderer->visibility->front_to_back;
     /* Where no face is left, the last instance's entry is before the first face's. */
     const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
@@ -77,7 +78,9 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
     }
     on->counters->in += model->face_count - front;
     on->counters->backfacing += model->face_count - workspace->front_count;
-    on->counters->outside += workspace->front_count - front;
+    if (!FXL_IS_SMALL) {
+        on->counters->outside += workspace->front_count - front;
+    }
     return true;
 }
 
