@@ -20,9 +20,6 @@ static bool is_outside(const fxl_model_view *model_view, const fxl_face *face)
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    if (FXL_IS_SMALL) {
-        return fxl_clip_assembled(model_view, face, work, screen);
-    }
     const uint16_t *index = model_view->indices + face->first_index;
     fxl_screen_point *point = screen->points;
     uint32_t of_any = 0, of_all = UINT32_MAX;

@@ -15,9 +15,7 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
     entry->tag = model_view->tag + number;
     unsigned outside = 0;
     if (model_view->planes != 0) {
-        outside = FXL_IS_SMALL
-                      ? fxl_outcode(&view->view_frustum, model_view->planes, &entry->position)
-                      : fxl_outside(&view->view_frustum, model_view->planes, &entry->position);
+        outside = fxl_outside(&view->view_frustum, model_view->planes, &entry->position);
     }
     entry->clip_flags = outside | FXL_VERTEX_UNPROJECTED;
 }

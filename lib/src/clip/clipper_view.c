@@ -18,15 +18,11 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     const fxl_view *view = model_view->view;
     fxl_view_polygon *assembled = &work->polygons[0];
     const fxl_view_polygon *clipped;
-    unsigned of_any = 0, of_all = FXL_PLANES_ALL;
+    unsigned of_any = 0;
     for (uint32_t i = 0; i < face->count; i++) {
         const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
         of_any |= vertex->clip_flags;
-        of_all &= vertex->clip_flags;
         fxl_copy_point(&vertex->position, &assembled->vertices[i].position);
-    }
-    if (FXL_IS_SMALL && of_all != 0) {
-        return FXL_CLIP_OUTSIDE;
     }
     assembled->colour = face->material;
     assembled->count = face->count;
@@ -38,18 +34,14 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     }
     screen->colour = clipped->colour;
     screen->count = clipped->count;
-    int32_t columns = 0; /* the bits in which any vertex's column differs from the first's */
     for (uint32_t i = 0; i < clipped->count; i++) {
         fxl_screen_point *point = &screen->points[i];
         if (fxl_project_inside(&view->projection, &clipped->vertices[i].position, point) !=
             FXL_OK) {
             return FXL_CLIP_RANGE;
         }
-        columns |= fxl_first_centre_from(point->x) ^ fxl_first_centre_from(screen->points[0].x);
     }
-    /* With FXL_SMALL, faces that no plane cuts come here too. A face whose vertices have the same
-     * row is found later, as any polygon that reaches no row. */
-    return FXL_IS_SMALL && result == FXL_CLIP_INSIDE && columns == 0 ? FXL_CLIP_BETWEEN : result;
+    return result;
 }
 
 const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view, .by_clip_flags = true};

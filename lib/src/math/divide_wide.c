@@ -4,53 +4,6 @@
 #include "arith.h"
 #include "../../kernels/divide.h"
 
-#if FXL_IS_SMALL
-
-/* Long division, a bit at a time: 268 bytes less on a Cortex-M3. The bits of the quotient enter the
- * lower word as those of the numerator leave it. */
-uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
-{
-    uint32_t left = (uint32_t)(numerator >> 32), lower = (uint32_t)numerator;
-    FXL_ASSERT(left < denominator);
-    if (left == 0) {
-        return fxl_divide_u32(lower, denominator, rest);
-    }
-    /* The quotient's bits are 0 while the remainder is shorter than the denominator. These bits
-     * except the last are skipped. */
-    unsigned bits = fxl_leading_zeros(left) - fxl_leading_zeros(denominator);
-    bits -= bits != 0; /* bug: small-skip */
-    left = left << bits | lower >> 1 >> (31 - bits);
-    lower <<= bits;
-    for (bits = 32 - bits; bits != 0; bits--) {
-        bool carry = left >> 31 != 0;
-        left = left << 1 | lower >> 31;
-        lower <<= 1;
-        if (carry || left >= denominator) { /* bug: small-carry */
-            left -= denominator;
-            lower |= 1u;
-        }
-    }
-    *rest = left;
-    return lower;
-}
-
-uint64_t fxl_fraction(uint64_t part, uint64_t whole)
-{
-    FXL_ASSERT(part < whole && whole >> 63 == 0);
-    uint64_t fraction = 0;
-    for (unsigned bits = 64; bits != 0; bits--) {
-        part <<= 1;
-        fraction <<= 1;
-        if (part >= whole) {
-            part -= whole;
-            fraction |= 1u;
-        }
-    }
-    return fraction;
-}
-
-#else
-
 /* A digit of 16 bits: floor((2^16 rest + half) / whole), where half is the numerator's
  * next 16 bits; *rest becomes the remainder (Knuth, algorithm D).
  * Requires rest < whole and 2^31 <= whole < 2^32. The estimate from the upper half of
@@ -132,5 +85,3 @@ uint64_t fxl_fraction(uint64_t part, uint64_t whole)
     uint32_t lower = fraction_digit(&rest, whole, reciprocal, 21);
     return upper << 42 | (uint64_t)middle << 21 | lower;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* On a row where an edge begins or ends, the edges that cross the row are found and divided. On the
- * rows from there to the next such row they are the same edges, and each takes a step. FXL_SMALL
- * has no steps: there the edges are found and divided on every row. */
+ * rows from there to the next such row they are the same edges, and each takes a step. */
 #include "active_edges.h"
 
 #include "edge.h"
@@ -19,12 +18,7 @@ static void find_edges(fxl_active_edges *edges)
         /* The signs differ if one end is below the row's centre. */
         if (((centre - from->y) ^ (centre - to->y)) < 0) {
             const fxl_screen_point *top = down ? from : to, *bottom = down ? to : from;
-            if (FXL_IS_SMALL) {
-                uint32_t unused;
-                found->slope.x = fxl_edge_first_pixel(top, bottom, centre, &unused);
-            } else {
-                fxl_slope_set(top, bottom, centre, &found->slope);
-            }
+            fxl_slope_set(top, bottom, centre, &found->slope);
             found->winding = down ? 1 : -1;
             edges->x = found->slope.x < edges->x ? found->slope.x : edges->x;
             edges->found_count++;
@@ -82,13 +76,11 @@ static bool next_row(fxl_active_edges *edges)
         return false; /* an empty scan has no points */
     }
     edges->row = (int16_t)(edges->row + 1);
-    if (!FXL_IS_SMALL && edges->row < edges->steady_end) {
+    if (edges->row < edges->steady_end) {
         step_edges(edges);
     } else {
         find_edges(edges);
-        if (!FXL_IS_SMALL) {
-            edges->steady_end = (int16_t)next_vertex_row(edges);
-        }
+        edges->steady_end = (int16_t)next_vertex_row(edges);
     }
     return true;
 }
@@ -112,18 +104,35 @@ static int32_t winding_after(const fxl_active_edges *edges, int32_t x, int32_t *
     return winding;
 }
 
+/* The end of the stretch that begins at edges->x, where two edges cross the row: their windings are
+ * opposite, so it is all that the row has. */
+static int32_t end_of_two(fxl_active_edges *edges)
+{
+    const int32_t end = edges->found[0].slope.x + edges->found[1].slope.x - edges->x;
+    edges->x = FXL_NO_CROSSING;
+    return end;
+}
+
+/* The end of the stretch that begins at edges->x, which becomes the place of the next. */
+static int32_t end_of_stretch(fxl_active_edges *edges)
+{
+    int32_t end = edges->x, next;
+    while (winding_after(edges, end, &next) != 0) { /* bug: even-odd */
+        FXL_ASSERT(next != FXL_NO_CROSSING);
+        end = next;
+    }
+    edges->x = next;
+    return end;
+}
+
 /* Until a row's end, edges->x is where the next stretch may begin. A stretch of pixels with a
  * winding number other than 0 begins and ends at a crossing. The windings of a closed outline add
  * up to 0 on every row. */
 bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span)
 {
     while (edges->x != FXL_NO_CROSSING || next_row(edges)) {
-        int32_t x0 = edges->x, x1 = x0, next;
-        while (winding_after(edges, x1, &next) != 0) { /* bug: even-odd */
-            FXL_ASSERT(next != FXL_NO_CROSSING);
-            x1 = next;
-        }
-        edges->x = next;
+        int32_t x0 = edges->x;
+        int32_t x1 = edges->found_count == 2 ? end_of_two(edges) : end_of_stretch(edges);
         x0 = x0 < 0 ? 0 : x0;
         x1 = x1 > edges->width ? edges->width : x1;
         if (x0 < x1) {

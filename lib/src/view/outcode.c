@@ -15,15 +15,5 @@ unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
 fxl_planes fxl_outcode(const fxl_view_frustum *frustum, fxl_planes planes,
                        const fxl_view_point *point)
 {
-    if (!FXL_IS_SMALL) {
-        return fxl_outside(frustum, planes, point);
-    }
-    const unsigned wanted = planes;
-    unsigned outside = 0;
-    for (int plane = 0; wanted >> plane != 0; plane++) {
-        if ((wanted >> plane & 1u) != 0 && fxl_view_distance(frustum, plane, point) < 0) {
-            outside |= 1u << plane;
-        }
-    }
-    return (fxl_planes)outside;
+    return fxl_outside(frustum, planes, point);
 }
