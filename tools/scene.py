@@ -19,7 +19,7 @@ import re
 import sys
 import time
 
-from fixel import c_scene, framing, image, output, path, toml_scene, tree
+from fixel import c_scene, framing, image, image_lens, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 from fixel.reading import quoted
 
@@ -42,8 +42,8 @@ def parse_screen(text):
     """Width and height from "128x64"."""
     match = re.fullmatch(r"([0-9]{1,4})x([0-9]{1,4})", text)
     screen = tuple(map(int, match.groups())) if match else ()
-    if not screen or not all(1 <= side <= image.SCREEN_MAX for side in screen):
-        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image.SCREEN_MAX}")
+    if not screen or not all(1 <= side <= image_lens.SCREEN_MAX for side in screen):
+        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image_lens.SCREEN_MAX}")
     return screen
 
 

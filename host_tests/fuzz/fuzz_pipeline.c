@@ -51,7 +51,7 @@ static void fuzz_placed_limit(fuzz_input *in)
     static const uint16_t corners[3] = {0, 1, 2};
     static const fxl_face face = {{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0};
     static const fxl_instance instances[FXL_SCENE_INSTANCES_MAX];
-    fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, {0}, 0, 0};
+    fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, 0, 0, 0, 0};
     fxl_scene scene = {.vertices = vertices,
                        .indices = corners,
                        .faces = &face,

@@ -15,14 +15,14 @@ from fixel.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
 SCENES = (("tiny", None), ("cube", None), ("w2", None), ("beam", None), ("knot", None), ("knot", "all"),
-          ("beam", "all"))
-TABLES = [*range(80, 136, 8), 140, 148, 160]
+          ("beam", "all"), ("f32", None))
+TABLES = [*range(80, 136, 8), 140, 148, 160, 176]
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
                            "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
-                           "face bounds", "bsp"]))
+                           "face bounds", "bsp", "cluster"]))
 # Entry sizes of the tables, in the order of TABLES; of the path it is that of poses.
-ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176)
+ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176, 48)
 
 
 def sealed(blob):
@@ -49,7 +49,7 @@ def mutant(blob, chance, changes=1):
     for _ in range(changes):
         where = chance.random()
         if where < 0.25:
-            put(blob, chance.randrange(16, 176), chance)
+            put(blob, chance.randrange(16, 184), chance)
             continue
         number = chance.randrange(len(TABLES))
         offset, count = struct.unpack_from("<II", blob, TABLES[number])

@@ -17,7 +17,7 @@ from fixel.toml_table import Table
 KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves", "two_sided"}
+        "moves", "two_sided", "clusters"}
 _RING = {"count", "radius", "start", "turn"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
@@ -34,6 +34,7 @@ class Placement:
     centre: tuple
     layer: int
     moves: bool
+    clusters: bool
     where: str
 
 
@@ -288,6 +289,7 @@ class Objects:
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table)
+        clusters = table.switch("clusters", False)
         places = _places(table, PLACEMENTS_MAX - self.count)
         self.count += len(places)
         if len(places) > 1:
@@ -303,8 +305,11 @@ class Objects:
                 known[key] = made, moved, self._kind(table, convex), self._colours(made, wish, i, place), _ends(made, moved)
             made, moved, kind, colours, ends = known[key]
             self._count_placed(len(made.vertices), place)
+            if clusters and kind != image.SORTED:
+                raise ToolError(f"{table.at('clusters')}: the faces of a convex model have no clusters; leave clusters "
+                                "away or say kind = \"sorted\"")
             centre = _centre(position, made.half_height if anchor == "base" else 0, ends, place)
-            result.append(Placement((made, moved), colours, kind, centre, layer, moves, place))
+            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place))
         return result
 
 
