@@ -44,7 +44,7 @@ fxl_status portable_project_inside(const fxl_projection *projection, const fxl_v
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */
-void portable_order_sort_faces(fxl_order_entry *entries, uint32_t count);
+void portable_order_sort_faces(fxl_order_entry *entries, uint32_t count, fxl_order_work *work);
 void portable_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                            fxl_scan *scan);
 bool portable_scan_next(fxl_scan *scan, fxl_span *span);

@@ -197,7 +197,10 @@ bool spy_begin(fxl_renderer *renderer, spy_sides sides)
     wanted = wanted > sizeof(fxl_clip_stats) ? wanted : (uint32_t)sizeof(fxl_clip_stats);
     cut_to = sides;
     asked = renderer->clipper;
-    spy = (fxl_clipper){ask, asked->next != NULL ? ask_next : NULL, wanted, asked->begin};
+    spy = (fxl_clipper){.clip = ask,
+                        .next = asked->next != NULL ? ask_next : NULL,
+                        .workspace_size = wanted,
+                        .begin = asked->begin};
     found = (spy_findings){.error = 0};
     return fxl_renderer_set_clipper(renderer, &spy, workspace, sizeof workspace) == FXL_OK;
 }

@@ -82,7 +82,7 @@ static fxl_clip_result checked_next(const fxl_model_view *model_view, fxl_clippe
 /* One at a time. */
 static const fxl_clipper *checked(uint32_t number)
 {
-    static const fxl_clipper checked_view = {.clip = checked_by_view};
+    static const fxl_clipper checked_view = {.clip = checked_by_view, .by_clip_flags = true};
     static const fxl_clipper checked_world = {.clip = checked_by_world,
                                               .begin = fxl_view_set_world_frustum};
     static const fxl_clipper *const family[DRAW_CLIPPERS - 2] = {
@@ -93,8 +93,11 @@ static const fxl_clipper *checked(uint32_t number)
         return number == 1 ? &checked_world : &checked_view;
     }
     of_family = family[number - 2];
-    made = (fxl_clipper){checked_clip, of_family->next != NULL ? checked_next : NULL,
-                         of_family->workspace_size, of_family->begin};
+    made = (fxl_clipper){.clip = checked_clip,
+                         .next = of_family->next != NULL ? checked_next : NULL,
+                         .workspace_size = of_family->workspace_size,
+                         .begin = of_family->begin,
+                         .by_clip_flags = of_family->by_clip_flags};
     return &made;
 }
 

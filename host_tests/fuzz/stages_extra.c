@@ -23,6 +23,7 @@ void fuzz_sort(fuzz_input *in)
 {
     static fxl_order_entry entries[ENTRIES];
     static uint64_t distances[ENTRIES];
+    static fxl_order_work work;
     uint32_t count = fuzz_below(in, ENTRIES), kind = fuzz_below(in, 6);
     uint64_t mask = kind < 3 ? 0xFFu >> kind : UINT64_MAX >> fuzz_below(in, 64);
     uint64_t at = 0;
@@ -32,7 +33,7 @@ void fuzz_sort(fuzz_input *in)
         distances[i] = at >> 2;
         entries[i] = fxl_order_entry_of(distances[i], (uint16_t)i, 0);
     }
-    fxl_order_sort_faces(entries, count);
+    fxl_order_sort_faces(entries, count, &work);
     for (uint32_t i = 1; i < count; i++) {
         uint32_t before = entries[i - 1].face, after = entries[i].face;
         DEMAND(before < count && after < count);

@@ -46,7 +46,19 @@ def left(build):
 
 
 def children(process):
-    """{number: command} of all that a process started, and what those started."""
+    """{number: command} of all that a process started, and what those started. A process that is about to
+    become another program has no command for a moment: that moment is waited out."""
+    found = processes_below(process)
+    for _ in range(100):
+        if all(found.values()):
+            break
+        time.sleep(0.02)
+        found = processes_below(process)
+    return found
+
+
+def processes_below(process):
+    """The same, as it is at this moment."""
     parents, commands = {}, {}
     for path in pathlib.Path("/proc").glob("[0-9]*"):
         try:

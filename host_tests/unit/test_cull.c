@@ -67,9 +67,11 @@ void test_an_eye_in_the_plane_of_a_face(void)
         tiny->scene.face_bounds = bounds ? tiny->keys : NULL;
         for (int unit = -1; unit <= 1; unit++) {
             const fxl_point eye = {0, Q16(1) + unit, cube->centre.z};
-            const uint32_t count = fxl_order_faces(&tiny->scene, cube, &eye, entries);
+            const fxl_point from = {eye.x, eye.y, 0};
+            const uint32_t count = fxl_order_front_faces(
+                &tiny->scene, &tiny->scene.models[cube->model], &from, entries);
             TEST_ASSERT_EQUAL_UINT32(unit > 0, count);
-            TEST_ASSERT_TRUE(count == 0 || entries[0].face == 3);
+            TEST_ASSERT_TRUE(count == 0 || entries[0].index == 3);
             TEST_ASSERT_EQUAL(unit > 0,
                               fxl_face_is_front(&tiny->scene, cube, &tiny->faces[9], &eye));
         }

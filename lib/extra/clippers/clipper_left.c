@@ -13,4 +13,4 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return fxl_clip_with_guard_band(model_view, face, SCREEN, screen);
 }
 
-const fxl_clipper fxl_clipper_left = {clip, NULL, sizeof(fxl_volume_workspace), NULL};
+const fxl_clipper fxl_clipper_left = {.clip = clip, .workspace_size = sizeof(fxl_volume_workspace)};

@@ -25,4 +25,4 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return clip_in_frustum(model_view, face, screen, &steps);
 }
 
-const fxl_clipper fxl_clipper_once = {clip, NULL, sizeof(fxl_once_workspace), NULL};
+const fxl_clipper fxl_clipper_once = {.clip = clip, .workspace_size = sizeof(fxl_once_workspace)};

@@ -150,4 +150,5 @@ static fxl_clip_result next(const fxl_model_view *model_view, fxl_clipper_work *
     return next_of_fan(model_view, screen) ? FXL_CLIP_INSIDE : FXL_CLIP_OUTSIDE;
 }
 
-const fxl_clipper fxl_clipper_triangles = {clip, next, sizeof(fxl_fan_workspace), NULL};
+const fxl_clipper fxl_clipper_triangles = {
+    .clip = clip, .next = next, .workspace_size = sizeof(fxl_fan_workspace)};

@@ -68,14 +68,16 @@ typedef struct fxl_workspace {
     uint32_t frame_number;       /* fxl_view.frame of the frame that this workspace last drew */
     fxl_order_entry *face_order; /* front faces of one sorted model, in the order of drawing */
     uint16_t sorted_instance;    /* whose they are, as fxl_resume_point counts instances */
-    uint16_t front_count;        /* how many */
-    bool rest_counted;           /* faces that are not in the display list have been counted */
+    uint16_t front_count;        /* how many of its faces face the eye */
+    uint16_t sorted_count;       /* how many are in the order: fewer, where some were dropped */
     uint16_t settings_version;   /* of the renderer when this was set up */
     fxl_vertex_cache cache;
     void *raster_workspace; /* the raster backend's, of the caller's memory; or null */
     uint32_t raster_workspace_size;
     fxl_screen_polygon screen;
-    union { /* a polygon's clipping is over when it is scanned */
+    bool rest_counted; /* faces that are not in the display list have been counted */
+    union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
+        fxl_order_work order;
         fxl_clipper_work clip;
         fxl_scan scan;
     } work;

@@ -51,4 +51,4 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     return FXL_IS_SMALL && result == FXL_CLIP_INSIDE && columns == 0 ? FXL_CLIP_BETWEEN : result;
 }
 
-const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view};
+const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view, .by_clip_flags = true};

@@ -32,6 +32,12 @@ struct fxl_traversal {
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on);
 
+/* Puts the faces of a sorted model that face the eye into workspace->face_order, in the order of
+ * drawing, and sets the workspace's two counts of them. Faces that the clipper would find outside
+ * may be left out of the order. */
+void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
+                     const fxl_model *model);
+
 /* The faces of an instance that are left, from on->resume->faces on: all of them counted, by
  * number or by distance, in the order of the method. False where the traversal was stopped. */
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry);

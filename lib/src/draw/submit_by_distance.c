@@ -50,18 +50,17 @@ static bool submit_convex(const fxl_traversal *on, const fxl_model_view *model_v
 
 /* The faces that face the eye, in their order; then the others are counted. */
 static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_instance *instance, const fxl_model *model)
+                          const fxl_model *model)
 {
     const fxl_scene *scene = on->renderer->scene;
     fxl_workspace *workspace = on->workspace;
     fxl_order_entry *order = workspace->face_order;
     if (workspace->sorted_instance != on->resume->instances) {
         workspace->sorted_instance = on->resume->instances;
-        workspace->front_count = (uint16_t)fxl_order_faces(
-            scene, instance, &on->renderer->frame.view.camera.position, order);
+        fxl_order_model(on, model_view, model);
     }
     const fxl_face *faces = &scene->faces[model->first_face];
-    const uint32_t first = on->resume->faces, front = workspace->front_count;
+    const uint32_t first = on->resume->faces, front = workspace->sorted_count;
     const bool reverse = on->renderer->visibility->front_to_back;
     /* Where no face is left, the last instance's entry is before the first face's. */
     const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
@@ -77,7 +76,8 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
         return false;
     }
     on->counters->in += model->face_count - front;
-    on->counters->backfacing += model->face_count - front;
+    on->counters->backfacing += model->face_count - workspace->front_count;
+    on->counters->outside += workspace->front_count - front;
     return true;
 }
 
@@ -86,7 +86,7 @@ bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = view_instance(on, entry, &model_view);
     const fxl_model *model = &on->renderer->scene->models[instance->model];
-    return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, instance, model)
+    return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, model)
                                            : submit_convex(on, &model_view, model);
 }
 

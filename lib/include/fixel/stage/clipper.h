@@ -46,6 +46,9 @@ typedef struct {
     uint32_t workspace_size; /* bytes of the caller's memory that it needs, aligned to 8 */
     /* Sets up what the clipper needs of a frame, once the view has its pose. Null: nothing. */
     void (*begin)(fxl_view *view);
+    /* clip answers FXL_CLIP_OUTSIDE for each face whose vertices, as fxl_fetch_vertex gives them,
+     * all have the clip flag of one plane. Then the renderer may leave such faces out. */
+    bool by_clip_flags;
 } fxl_clipper;
 
 /* These two need no workspace. If the caller gives them an fxl_clip_stats, and its

@@ -4,6 +4,7 @@
 #define FXL_ORDER_H
 
 #include "fixel/scene.h"
+#include "fixel/stage/model_view.h"
 #include "fixel/stage/sphere.h"
 
 #ifdef __cplusplus
@@ -66,12 +67,20 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
  * downward, then index upward. It is a total order, so the result is unique. */
 void fxl_order_sort(fxl_order_entry *entries, uint32_t count);
 
+/* A scratch area of fxl_order_sort_faces: of the number of chains, less than what the scratch area
+ * of a clipper takes. It keeps nothing from one call to the next. */
+#define FXL_ORDER_CHAINS (FXL_POLYGON_CAPACITY >= 19 ? 512 : FXL_POLYGON_CAPACITY >= 9 ? 256 : 128)
+typedef struct {
+    uint16_t chains[FXL_ORDER_CHAINS];
+} fxl_order_work;
+
 /* Sorts faces in place: distance downward, then index upward. Then `face` of entry n is
  * the n-th face of the order; all other members have no meaning.
  * Requires entries by rising index, and count <= FXL_MODEL_FACES_MAX.
  * It is fastest if the distances are spread evenly, or rise or fall in long runs. Its
- * time is at most of order count * log(count); with FXL_SMALL, of order count^(4/3). */
-void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count);
+ * time is at most of order count * log(count), or count^2 / FXL_ORDER_CHAINS where that is less;
+ * with FXL_SMALL, of order count^(4/3). */
+void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count, fxl_order_work *work);
 
 /* Fills entries with the scene's instances in the order of drawing, without those that the
  * sphere test rejects. Returns their number. *left_out becomes the number of faces of the
@@ -83,12 +92,18 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
                              const fxl_view_frustum *frustum, fxl_order_entry *entries,
                              uint32_t *left_out);
 
-/* Fills entries with those faces of an instance that face the eye, in the order of drawing. Returns
- * their number. Only the member `face` of the entries has a meaning.
- * Requires a checked scene, an eye within FXL_COORDINATE_MAX, and as many entries as the model has
- * faces. Exact. */
-uint32_t fxl_order_faces(const fxl_scene *scene, const fxl_instance *instance, const fxl_point *eye,
-                         fxl_order_entry *entries);
+/* Fills entries with those faces of a model that face the eye, by rising index and with their
+ * distances. Returns their number.
+ * Requires a checked scene, an eye relative to the instance's centre, each coordinate below 2^30,
+ * and as many entries as the model has faces. Exact. */
+uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
+                               fxl_order_entry *entries);
+
+/* Takes those faces out of count entries whose vertices all lie outside one of the model view's
+ * planes: it fetches the vertices. Returns the number of entries that are left, in their order.
+ * faces are the model's. Exact. */
+uint32_t fxl_order_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
+                                fxl_order_entry *entries, uint32_t count);
 
 #ifdef __cplusplus
 }
