@@ -24,7 +24,8 @@ static bool check_scene(fxl_scene *scene)
     DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
     DEMAND(fxl_scene_check_all(scene, NULL) == status);
     bool bare = scene->bsp_nodes == NULL && scene->bsp_node_count == 0 &&
-                scene->bsp_instance == 0 && scene->beam_count == 0;
+                scene->bsp_instance == 0 && scene->beam_count == 0 && scene->clusters == NULL &&
+                scene->cluster_count == 0;
     DEMAND(bare ? fxl_scene_check(scene, NULL) == status : fxl_scene_check(scene, NULL) != FXL_OK);
     return status == FXL_OK;
 }

@@ -14,8 +14,8 @@ from fixel import image
 from fixel.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
-SCENES = (("tiny", None), ("cube", None), ("w2", None), ("beam", None), ("knot", None), ("knot", "all"),
-          ("beam", "all"), ("f32", None))
+SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None), ("scenes/knot", None),
+          ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None))
 TABLES = [*range(80, 136, 8), 140, 148, 160, 176]
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
@@ -93,12 +93,12 @@ def loader_says(build, blobs, folder):
     return [STATUSES[int(line.split()[0])] for line in done.stdout.splitlines()]
 
 
-@pytest.fixture(scope="module", params=SCENES, ids=lambda item: item[0] + ("-tree" if item[1] else ""), name="blob")
+@pytest.fixture(scope="module", params=SCENES, ids=lambda item: item[0].split("/")[-1] + ("-tree" if item[1] else ""), name="blob")
 def fixture_blob(request, tmp_path_factory):
     """A scene's image."""
     name, layers = request.param
     file = tmp_path_factory.mktemp("image") / "scene.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes" / f"{name}.toml"), str(file), layers=layers)
+    scene_tool.build(str(CHECKOUT / f"{name}.toml"), str(file), layers=layers)
     return file.read_bytes()
 
 

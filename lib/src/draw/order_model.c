@@ -3,10 +3,8 @@
  * outside -> sort. */
 #include "submit.h"
 
-/* Whether it pays to take out, before the sort, faces that lie outside: they have to be counted
- * as the clipper and the beams would count them, and their vertices are looked at twice. */
-static bool drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_model *model)
+bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model)
 {
     return !FXL_IS_SMALL && on->clipper->by_clip_flags && model_view->planes != 0 &&
            model_view->beam_light == NULL &&
@@ -19,11 +17,15 @@ void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
 {
     const fxl_scene *scene = on->renderer->scene;
     fxl_workspace *workspace = on->workspace;
+    if (model->first_cluster != 0) {
+        scene->cluster_code->order_model(on, model_view, model);
+        return;
+    }
     const fxl_point *offset = &model_view->offset;
     const fxl_point eye = {-offset->x, -offset->y, -offset->z};
     uint32_t count = fxl_order_front_faces(scene, model, &eye, workspace->face_order);
     workspace->front_count = (uint16_t)count;
-    if (drops_outside(on, model_view, model)) {
+    if (fxl_drops_outside(on, model_view, model)) {
         count = fxl_order_drop_outside(model_view, &scene->faces[model->first_face],
                                        workspace->face_order, count);
     }

@@ -32,6 +32,12 @@ struct fxl_traversal {
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on);
 
+/* Whether it pays to take out, before the sort, faces of a sorted model that lie outside: they have
+ * to be counted as the clipper and the beams would count them, and their vertices are looked at
+ * twice. */
+bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model);
+
 /* Puts the faces of a sorted model that face the eye into workspace->face_order, in the order of
  * drawing, and sets the workspace's two counts of them. Faces that the clipper would find outside
  * may be left out of the order. */
@@ -58,6 +64,14 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
  * and so on; counted in split_bands. Requires a workspace for any one row. */
 void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_band *band);
+
+/* What draws models with clusters. */
+struct fxl_cluster_code {
+    /* fxl_order_model for a model with clusters. Clusters outside the frustum, and clusters turned
+     * away from the eye, are left out with all their faces. */
+    void (*order_model)(const fxl_traversal *on, const fxl_model_view *model_view,
+                        const fxl_model *model);
+};
 
 /* --- a face in several pieces ---------------------------------------------- */
 

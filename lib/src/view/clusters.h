@@ -4,23 +4,20 @@
 #define FXL_CLUSTERS_H
 
 #include "fixel/stage/order.h"
-#include "fixel/stage/outcode.h"
-#include "fixel/stage/view.h"
 
-struct fxl_cluster_code {
-    /* Appends an entry, with squared distance and number, for each face of an instance that faces
-     * the eye and lies in no cluster outside the frustum. Returns the address behind the last entry.
-     * *outside becomes the number of faces in the clusters that are outside.
-     * Requires a checked scene, an instance whose model has clusters, the planes that the instance
-     * may cross, and as many entries as the model has faces. */
-    fxl_order_entry *(*find_front)(const fxl_scene *scene, const fxl_instance *instance,
-                                   const fxl_view *view, fxl_planes planes, fxl_order_entry *entry,
-                                   uint32_t *outside);
-};
+/* fxl_order_front_faces for a model with clusters, without the faces of clusters outside the
+ * frustum. If drops is true, it also takes out faces as fxl_order_drop_outside does. Returns the
+ * number of entries. *front becomes the number of faces that do not count as backfacing: those that
+ * face the eye, and all faces of clusters outside.
+ * Requires a checked scene, the model view of an instance of the model, and as many entries as the
+ * model has faces. */
+uint32_t fxl_order_clusters(const fxl_scene *scene, const fxl_model *model,
+                            const fxl_model_view *model_view, bool drops, fxl_order_entry *entries,
+                            uint32_t *front);
 
-/* Whether an eye lies in the cone of a cluster, so that it sees the front of no face. The eye is
- * relative to the instance's centre, and each coordinate is below 2^30. An eye near the cone's
- * border may count as outside: within 2^-13 world unit along the axis, or 2^-31 of the distance. */
+/* Whether an eye lies in the cone of a cluster, so that no face shows its front to the eye. The eye
+ * is relative to the instance's centre; each coordinate is within 2 FXL_COORDINATE_MAX. The result
+ * may be false for an eye that lies in the cone, near its border. */
 bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye);
 
 #endif

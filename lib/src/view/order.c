@@ -115,7 +115,7 @@ uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, c
     const fxl_order_entry *end = FXL_IS_SMALL || bounds == NULL
                                      ? find_front(scene, model, bounds, eye, entries)
                                      : fxl_front_faces(&scene->faces[model->first_face], bounds,
-                                                       eye, entries, model->face_count);
+                                                       eye, entries, model->face_count, model->face_count);
     return (uint32_t)(end - entries);
 }
 

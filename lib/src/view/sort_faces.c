@@ -3,12 +3,9 @@
 
 #include "../math/arith.h"
 
-/* Sorts faces as instances of one layer. */
+/* Sorts faces as instances of one layer, 0. */
 static void sort_as_instances(fxl_order_entry *entries, uint32_t count)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        entries[i].next = 0;
-    }
     fxl_order_sort(entries, count);
     for (uint32_t i = 0; i < count; i++) {
         entries[i].face = entries[i].index;
