@@ -133,6 +133,7 @@ def summary(scene):
         "vertices": sum(len(model.vertices) for model in scene.models),
         "faces": sum(len(model.faces) for model in scene.models),
         "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
+        "clusters": sum(len(model.clusters) for model in scene.models),
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
         "path": "poses" if scene.path_kind == image.POSES else "strides",
@@ -153,6 +154,8 @@ def info(file, as_json):
           f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")
     print(f"  models   {data['models']}: {data['vertices']:,} vertices, {data['faces']:,} faces "
           f"({data['faces_placed']:,} placed), {data['colours']} colours")
+    if data["clusters"]:
+        print(f"  clusters {data['clusters']:,} of faces")
     if data["tree_nodes"]:
         print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
     print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")

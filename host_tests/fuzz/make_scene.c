@@ -313,11 +313,8 @@ static void spoil(made_scene *made, fuzz_input *in)
                                &node->first_face, &node->face_count, &node->reserved};
     int32_t *const planes[] = {&node->normal.x, &node->normal.y, &node->normal.z, &node->centre.x,
                                &node->centre.y, &node->centre.z, &node->radius};
-    int32_t *const shapes[] = {&cluster->centre.x,
-                               &cluster->radius,
-                               &cluster->axis.y,
-                               &cluster->apex.z,
-                               (int32_t *)(void *)&cluster->cutoff};
+    int32_t *const shapes[] = {&cluster->centre.x, &cluster->radius, &cluster->axis.y,
+                               &cluster->apex.z, (int32_t *)(void *)&cluster->cutoff};
     uint32_t which = fuzz_below(in, 58);
     if (which == 57) {
         scene->cluster_count = spoilt_count(scene->cluster_count, in);

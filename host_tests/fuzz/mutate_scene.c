@@ -12,7 +12,8 @@ enum {
     AT_SIZE = 8,
     AT_CRC = 12,
     AT_TABLES = 80,
-    TABLES = 11, /* the last four, of keys, nodes, beams and clusters, stand behind the frame count */
+    TABLES =
+        11, /* the last four, of keys, nodes, beams and clusters, stand behind the frame count */
     AT_KEYS = 140,
     AT_BEAMS = 160,   /* in the larger header alone: else what comes there is no table */
     AT_CLUSTERS = 176 /* in the largest header alone */

@@ -118,9 +118,8 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const uint8_t *p = models + 28 * (size_t)i;
-        scene->models[i] =
-            (ref_model){ref_u32(p),      ref_u32(p + 4), ref_u32(p + 8),
-                        ref_u32(p + 12), p[16],          ref_i32(p + 20), ref_u16(p + 18)};
+        scene->models[i] = (ref_model){ref_u32(p), ref_u32(p + 4),  ref_u32(p + 8), ref_u32(p + 12),
+                                       p[16],      ref_i32(p + 20), ref_u16(p + 18)};
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const uint8_t *p = instances + 16 * (size_t)i;

@@ -14,8 +14,8 @@ from fixel import image
 from fixel.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
-SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None), ("scenes/knot", None),
-          ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None))
+SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
+          ("scenes/knot", None), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None))
 TABLES = [*range(80, 136, 8), 140, 148, 160, 176]
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",

@@ -81,7 +81,7 @@ def check_cluster(cluster, model, first, what):
     faces = model.faces[first:first + cluster.face_count]
     if not cluster.face_count or len(faces) < cluster.face_count:
         fail("count", f"{what} has {cluster.face_count} faces, and {len(faces)} are left of its model")
-    _check_sphere(cluster, [model.vertices[corner] for face in faces for corner in face.corners], what)
+    _check_sphere(cluster, [model.vertices[c] for c in {corner for face in faces for corner in face.corners}], what)
     _check_cone(cluster, model, faces, what)
 
 

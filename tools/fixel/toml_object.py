@@ -248,13 +248,14 @@ class Objects:
             bases = (palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour")),)
         return "shaded" if table.switch("shade", True) else "plain", bases
 
-    def _colours(self, made, wish, copy, where):
+    def _colours(self, made, wish, copy, clusters, where):
         """What colour each face of a shape wishes for; the same object for the same wish."""
-        key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0
+        key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0, clusters
         if key in self.coloured:
             return self.coloured[key]
-        self._check_made(len(made.faces), where)
-        self.made += len(made.faces)
+        faces = len(made.faces) * 3 // 2 if clusters else len(made.faces)
+        self._check_made(faces, where)
+        self.made += faces
         if wish[0] == "index":
             _, first, then, step = wish
             colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
@@ -271,7 +272,8 @@ class Objects:
         most = MADE_MAX + sum(len(mesh.faces) for mesh in self.files.values())
         if self.made + faces > most:
             raise ToolError(f"{where}: the scene's models have more than the limit of {most:,} faces together ("
-                            f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts")
+                            f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts, and with "
+                            "clusters half as much again")
 
     def _count_placed(self, vertices, where):
         self.placed += vertices
@@ -302,7 +304,8 @@ class Objects:
             if key not in known:
                 made, convex = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
-                known[key] = made, moved, self._kind(table, convex), self._colours(made, wish, i, place), _ends(made, moved)
+                known[key] = (made, moved, self._kind(table, convex), self._colours(made, wish, i, clusters, place),
+                              _ends(made, moved))
             made, moved, kind, colours, ends = known[key]
             self._count_placed(len(made.vertices), place)
             if clusters and kind != image.SORTED:

@@ -8,9 +8,9 @@ static void order_model(const fxl_traversal *on, const fxl_model_view *model_vie
 {
     fxl_workspace *workspace = on->workspace;
     uint32_t front;
-    const uint32_t count = fxl_order_clusters(on->renderer->scene, model, model_view,
-                                              fxl_drops_outside(on, model_view, model),
-                                              workspace->face_order, &front);
+    const uint32_t count =
+        fxl_order_clusters(on->renderer->scene, model, model_view,
+                           fxl_drops_outside(on, model_view, model), workspace->face_order, &front);
     workspace->front_count = (uint16_t)front;
     workspace->sorted_count = (uint16_t)count;
     fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);

@@ -63,7 +63,7 @@ FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
-#define MAGIC           0x534C5846u /* "FXLS" */
+#define MAGIC            0x534C5846u /* "FXLS" */
 #define VERSION          2u
 #define VERSION_MORE     3u /* has a BSP tree, or beams, or both */
 #define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */

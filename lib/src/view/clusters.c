@@ -14,17 +14,16 @@ bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye
 {
     const int32_t x = cluster->apex.x - eye->x, y = cluster->apex.y - eye->y,
                   z = cluster->apex.z - eye->z;
-    const int32_t along = (int32_t)((fxl_multiply_s32(cluster->axis.x, x) +
-                                     fxl_multiply_s32(cluster->axis.y, y) +
-                                     fxl_multiply_s32(cluster->axis.z, z)) >>
-                                    32);
+    const int32_t along =
+        (int32_t)((fxl_multiply_s32(cluster->axis.x, x) + fxl_multiply_s32(cluster->axis.y, y) +
+                   fxl_multiply_s32(cluster->axis.z, z)) >>
+                  32);
     if (along <= 0) { /* bug: cluster-behind */
         return false;
     }
     const uint64_t square = fxl_square(x) + fxl_square(y) + fxl_square(z);
-    const uint64_t limit =
-        fxl_multiply_u32((uint32_t)(square >> 32), cluster->cutoff) +
-        (fxl_multiply_u32((uint32_t)square, cluster->cutoff) >> 32);
+    const uint64_t limit = fxl_multiply_u32((uint32_t)(square >> 32), cluster->cutoff) +
+                           (fxl_multiply_u32((uint32_t)square, cluster->cutoff) >> 32);
     return fxl_square(along) << 4 > limit; /* bug: cluster-cutoff */
 }
 
@@ -34,15 +33,14 @@ static uint32_t planes_of(const fxl_cluster *cluster, const fxl_model_view *mode
     const fxl_camera *camera = &model_view->view->camera;
     /* Within FXL_COORDINATE_MAX, because the cluster's vertices are, and its centre lies in their
      * bounding box. */
-    const fxl_point centre = {
-        cluster->centre.x + model_view->offset.x + camera->position.x,
-        cluster->centre.y + model_view->offset.y + camera->position.y,
-        cluster->centre.z + model_view->offset.z + camera->position.z};
+    const fxl_point centre = {cluster->centre.x + model_view->offset.x + camera->position.x,
+                              cluster->centre.y + model_view->offset.y + camera->position.y,
+                              cluster->centre.z + model_view->offset.z + camera->position.z};
     if (model_view->planes == 0) {
         return 0;
     }
-    const uint32_t planes = fxl_sphere_planes(camera, &model_view->view->view_frustum, &centre,
-                                              cluster->radius);
+    const uint32_t planes =
+        fxl_sphere_planes(camera, &model_view->view->view_frustum, &centre, cluster->radius);
     return planes == FXL_SPHERE_OUTSIDE ? planes : planes & model_view->planes;
 }
 

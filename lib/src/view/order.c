@@ -112,10 +112,11 @@ uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, c
 {
     const fxl_face_bounds *bounds =
         scene->face_bounds != NULL ? &scene->face_bounds[model->first_face_bounds] : NULL;
-    const fxl_order_entry *end = FXL_IS_SMALL || bounds == NULL
-                                     ? find_front(scene, model, bounds, eye, entries)
-                                     : fxl_front_faces(&scene->faces[model->first_face], bounds,
-                                                       eye, entries, model->face_count, model->face_count);
+    const fxl_order_entry *end =
+        FXL_IS_SMALL || bounds == NULL
+            ? find_front(scene, model, bounds, eye, entries)
+            : fxl_front_faces(&scene->faces[model->first_face], bounds, eye, entries,
+                              model->face_count, model->face_count);
     return (uint32_t)(end - entries);
 }
 
