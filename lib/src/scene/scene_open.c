@@ -184,50 +184,70 @@ static fxl_status check_table(const header *head, const table *entry, uint32_t e
     return FXL_OK;
 }
 
+/* The tables whose offset and count the header states, in their order there. An entry size of 0 is
+ * that of the path's kind. */
+static const struct {
+    uint16_t at, entry_size; /* at: where in the header */
+    uint32_t count_max;
+    const char *what;
+} tables[] = {
+    {offsetof(header, palette), 3, PALETTE_ENTRIES, "palette table"},
+    {offsetof(header, vertices), sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
+    {offsetof(header, indices), sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
+    {offsetof(header, faces), sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
+    {offsetof(header, models), sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
+    {offsetof(header, instances), sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table"},
+    {offsetof(header, path), 0, FXL_SCENE_PATH_MAX, "path table"},
+    {offsetof(header, face_bounds), sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX,
+     "face bounds table"},
+    {offsetof(header, bsp_nodes), sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
+    {sizeof(header) + offsetof(beam_header, beams), sizeof(fxl_beam), FXL_BEAMS_MAX, "beam table"},
+    {BEAM_HEADER_SIZE, sizeof(fxl_cluster), FXL_SCENE_CLUSTERS_MAX, "cluster table"},
+};
+
+enum {
+    PATH_TABLE = 6,
+    BEAM_TABLE = 9,
+    CLUSTER_TABLE = 10
+};
+
+/* Of the tables behind that of the path, a header of its own size needs the last. */
+static bool is_needed(const header *head, size_t number)
+{
+    return number <= PATH_TABLE || number == CLUSTER_TABLE ||
+           (number == BEAM_TABLE && cluster_header_of(head) == NULL);
+}
+
+/* The lit colours are there if beams are. */
+static fxl_status check_lit(const header *head, fxl_scene_fault *fault)
+{
+    const table lit = {beam_header_of(head)->lit, PALETTE_ENTRIES};
+    if (beam_header_of(head)->beams.count == 0) {
+        return lit.offset == 0 ? FXL_OK : fxl_fault_at(fault, "lit table", 0, FXL_E_COUNT);
+    }
+    return check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault);
+}
+
 static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
 {
-    static const table none = {0, 0};
-    const beam_header *more = beam_header_of(head);
-    const cluster_header *last = cluster_header_of(head);
-    const bool needs_beams = more != NULL && last == NULL;
-    const table lit = {more != NULL ? more->lit : 0,
-                       more != NULL && more->beams.count > 0 ? PALETTE_ENTRIES : 0};
-    uint32_t path_entry =
+    const uint32_t path_entry =
         head->path_kind == PATH_POSES ? sizeof(fxl_pose) : sizeof(fxl_path_segment);
-    const struct {
-        const table *entry;
-        uint32_t entry_size, count_max;
-        const char *what;
-        bool needed;
-    } tables[] = {
-        {&head->palette, 3, PALETTE_ENTRIES, "palette table", true},
-        {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table", true},
-        {&head->indices, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table", true},
-        {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table", true},
-        {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table", true},
-        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table", true},
-        {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table", true},
-        {&head->face_bounds, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "face bounds table",
-         false},
-        {&head->bsp_nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table", false},
-        {more != NULL ? &more->beams : &none, sizeof(fxl_beam), FXL_BEAMS_MAX, "beam table",
-         needs_beams},
-        {&lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", needs_beams},
-        {last != NULL ? &last->clusters : &none, sizeof(fxl_cluster), FXL_SCENE_CLUSTERS_MAX,
-         "cluster table", last != NULL},
-    };
     if (head->palette.count != PALETTE_ENTRIES) {
         return fxl_fault_at(fault, "palette table", 0, FXL_E_COUNT);
     }
-    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
-        if (!tables[i].needed && tables[i].entry->count == 0) {
-            if (tables[i].entry->offset != 0) {
-                return fxl_fault_at(fault, tables[i].what, 0, FXL_E_COUNT);
-            }
-            continue;
+    for (size_t i = 0; i <= CLUSTER_TABLE && tables[i].at < head->header_size; i++) {
+        const table *entry = (const table *)(const void *)((const uint8_t *)head + tables[i].at);
+        const uint32_t entry_size = i == PATH_TABLE ? path_entry : tables[i].entry_size;
+        fxl_status status = FXL_OK;
+        if (is_needed(head, i) || entry->count != 0) {
+            status =
+                check_table(head, entry, entry_size, tables[i].count_max, tables[i].what, fault);
+        } else if (entry->offset != 0) {
+            status = fxl_fault_at(fault, tables[i].what, 0, FXL_E_COUNT);
         }
-        fxl_status status = check_table(head, tables[i].entry, tables[i].entry_size,
-                                        tables[i].count_max, tables[i].what, fault);
+        if (status == FXL_OK && i == BEAM_TABLE) {
+            status = check_lit(head, fault);
+        }
         if (status != FXL_OK) {
             return status;
         }
