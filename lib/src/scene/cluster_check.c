@@ -61,8 +61,9 @@ static bool sphere_holds(const cluster_faces *in)
             const fxl_point *vertex = &in->vertices[in->indices[in->faces[i].first_index + corner]];
             const int64_t x = (int64_t)vertex->x - centre->x, y = (int64_t)vertex->y - centre->y,
                           z = (int64_t)vertex->z - centre->z;
+            /* bug: cluster-radius */
             if ((uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z) > most) {
-                return false; /* bug: cluster-radius */
+                return false;
             }
         }
     }
@@ -137,8 +138,9 @@ static fxl_status check_cluster(const fxl_scene *scene, const fxl_model *model, 
     if (cluster->reserved != 0) {
         return FXL_E_RESERVED;
     }
+    /* bug: cluster-faces */
     if (cluster->face_count == 0 || cluster->face_count > model->face_count - first) {
-        return FXL_E_COUNT; /* bug: cluster-faces */
+        return FXL_E_COUNT;
     }
     fxl_status status = check_sphere(&in);
     return status == FXL_OK ? check_cone(&in) : status;

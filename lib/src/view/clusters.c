@@ -79,7 +79,7 @@ uint32_t fxl_order_clusters(const fxl_scene *scene, const fxl_model *model,
     for (uint32_t first = 0; first < model->face_count; first += (cluster++)->face_count) {
         const uint32_t planes = planes_of(cluster, model_view);
         if (planes == FXL_SPHERE_OUTSIDE) {
-            *front += cluster->face_count;
+            *front += cluster->face_count; /* bug: cluster-outside */
         } else if (!fxl_cluster_is_turned_away(cluster, &eye)) {
             uint32_t found =
                 order_run(scene, model, first, cluster->face_count, &eye, entries + count);
