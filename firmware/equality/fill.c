@@ -110,3 +110,56 @@ void test_fill(uint32_t rounds)
         compare(&any, &trapezoid);
     }
 }
+
+/* Within 0..end, or up to two pixels beside; on a centre or beside one every other time. */
+static fxl_q16_16 any_place(uint32_t end)
+{
+    const uint32_t choice = any_32() >> 9 & 15u;
+    int32_t place = (int32_t)((any_32() >> 2) % ((end << 16) + 1u));
+    if (choice < 8) {
+        place = (int32_t)(((uint32_t)place & 0xFFFF0000u) + 0x8000u) + (int32_t)(choice % 3u) - 1;
+    } else if (choice == 8) {
+        place = (int32_t)((any_32() & 1u) * (end << 16));
+    } else if (choice == 9) {
+        place += (int32_t)(any_32() >> 14) - (1 << 17);
+    }
+    return place;
+}
+
+/* Points in any order, so many outlines cross themselves, and go either way around. */
+static void compare_outline(const shape *of, uint32_t first_row, uint32_t tall)
+{
+    static fxl_scan scan;
+    fxl_screen_point points[6];
+    const uint32_t count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
+    const int32_t top = (int32_t)(first_row << 16) - (int32_t)((any_32() >> 8) % (tall << 15));
+    for (uint32_t i = 0; i < count; i++) {
+        points[i].x = any_place(of->width);
+        points[i].y = top + any_place(tall);
+    }
+    fxl_band band = {(uint8_t *)by_core + 4 + of->offset, (uint16_t)of->width, (uint16_t)of->stride,
+                     (uint16_t)first_row, (uint16_t)of->rows};
+    scan.colour = (uint8_t)(any_32() >> 7);
+    const bool core_reaches = fxl_draw_outline(points, count, &band, &scan);
+    band.pixels = (uint8_t *)by_portable + 4 + of->offset;
+    const bool portable_reaches = portable_draw_outline(points, count, &band, &scan);
+    bool same = core_reaches == (FXL_IS_SMALL || portable_reaches);
+    for (uint32_t i = 0; i < WORDS; i++) {
+        same &= by_core[i] == by_portable[i];
+        by_core[i] = by_portable[i] = 0;
+    }
+    equality_case(same);
+}
+
+void test_draw_outline(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds / 4; i++) {
+        const uint32_t kind = any_32() >> 6 & 7u;
+        const uint32_t rows = 1u + (any_32() >> 5) % (kind < 2 ? 4u : kind < 6 ? 25u : 800u);
+        const uint32_t width = 1u + (any_32() >> 8) % (4000u / rows > 1000 ? 1000u : 4000u / rows - 3);
+        const shape any = {width, width + (any_32() >> 9 & 3u), any_32() >> 11 & 3u, rows};
+        const uint32_t first_row = (any_32() >> 8) % (FXL_SCREEN_MAX - rows + 1u);
+        const uint32_t tall = (any_32() & 15u) == 0 ? 1020u : 1u + (any_32() >> 9) % (2 * rows);
+        compare_outline(&any, (any_32() & 1u) != 0 ? 0 : first_row, tall > 1020 ? 1020 : tall);
+    }
+}

@@ -5,5 +5,6 @@
 #include <stdint.h>
 
 void test_fill(uint32_t rounds);
+void test_draw_outline(uint32_t rounds);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "fixel/stage/clipper.h"
 #include "fixel/stage/scan.h"
+#include "src/raster/draw_outline.h"
 #include "src/view/front_faces.h"
 
 #define SIDES(side) \
@@ -30,6 +31,8 @@ SIDES(portable_)
 uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
 const fxl_trapezoid *portable_scan_next_trapezoid(fxl_scan *scan);
+bool portable_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                           fxl_scan *scan);
 void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 void portable_transform_vertex(const fxl_model_view *placed, uint32_t number,
                                fxl_cached_vertex *entry);

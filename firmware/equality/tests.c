@@ -27,5 +27,6 @@ const equality_test equality_tests[] = {
     {"clip-by-view", test_clip_by_view},
     {"chains", test_chains},
     {"fill", test_fill},
+    {"draw-outline", test_draw_outline},
     {NULL, NULL},
 };

@@ -18,5 +18,6 @@ const equality_test equality_tests[] = {
     {"order", test_order},
     {"outlines", test_outlines},
     {"fill", test_fill},
+    {"draw-outline", test_draw_outline},
     {NULL, NULL},
 };

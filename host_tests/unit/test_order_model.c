@@ -26,7 +26,7 @@ static fxl_clip_result counting(const fxl_model_view *model_view, const fxl_face
 static const fxl_clipper dropping = {.clip = counting, .by_clip_flags = true};
 static const fxl_clipper keeping = {.clip = counting};
 
-/* All three cubes sorted; the model's vertices are as many as its faces at most. */
+/* All three cubes sorted: their faces share vertices. */
 static tiny_scene *start(uint32_t list_words)
 {
     tiny_scene *tiny = tiny_make();

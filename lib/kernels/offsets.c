@@ -13,8 +13,10 @@
 #define VALUE(name, value) FXL_STATIC_ASSERT((name) == (value), #name)
 
 AT(fxl_band, pixels, BAND_PIXELS);
+AT(fxl_band, width, BAND_WIDTH);
 AT(fxl_band, stride, BAND_STRIDE);
 AT(fxl_band, first_row, BAND_FIRST_ROW);
+AT(fxl_band, rows, BAND_ROWS);
 
 AT(fxl_edge, x, EDGE_X);
 AT(fxl_edge, fraction, EDGE_FRACTION);
@@ -36,6 +38,7 @@ AT(fxl_scan, count, SCAN_COUNT);
 AT(fxl_scan, by_chains, SCAN_BY_CHAINS);
 AT(fxl_scan, end_row, SCAN_END_ROW);
 AT(fxl_scan, chains, SCAN_CHAINS);
+AT(fxl_scan, colour, SCAN_COLOUR);
 AT(fxl_scan, trapezoid, SCAN_TRAPEZOID);
 
 AT(fxl_view_point, x, VIEW_POINT_X);
@@ -104,6 +107,8 @@ AT(fxl_projection, centre_y, PROJECTION_CENTRE_Y);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_CLIP_INSIDE, CLIP_INSIDE);
+VALUE(FXL_PLANES_ALL, PLANES_ALL);
+VALUE(FXL_CLIP_OUTSIDE, CLIP_OUTSIDE);
 VALUE(FXL_CLIP_RANGE, CLIP_RANGE);
 VALUE(FXL_CLIP_BETWEEN, CLIP_BETWEEN);
 

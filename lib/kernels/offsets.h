@@ -7,8 +7,10 @@
 
 /* fxl_band */
 #define BAND_PIXELS    0
+#define BAND_WIDTH     4
 #define BAND_STRIDE    6
 #define BAND_FIRST_ROW 8
+#define BAND_ROWS      10
 
 /* fxl_edge */
 #define EDGE_X             0
@@ -34,6 +36,7 @@
 #define SCAN_BY_CHAINS 5
 #define SCAN_END_ROW   6
 #define SCAN_CHAINS    8
+#define SCAN_COLOUR    18
 #define SCAN_TRAPEZOID 20
 
 /* fxl_view_point */
@@ -112,9 +115,11 @@
 #define PROJECTION_CENTRE_X      20
 #define PROJECTION_CENTRE_Y      24
 
-/* FXL_VERTEX_UNPROJECTED, FXL_CLIP_INSIDE, FXL_CLIP_RANGE, FXL_CLIP_BETWEEN */
+/* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL and some of fxl_clip_result */
+#define PLANES_ALL         0x3F
 #define VERTEX_UNPROJECTED 0x80
 #define CLIP_INSIDE        0
+#define CLIP_OUTSIDE       2
 #define CLIP_RANGE         5
 #define CLIP_BETWEEN       6
 

@@ -145,6 +145,6 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
     }
     renderer->beam_light =
         beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace) : NULL;
-    renderer->frame.ready = false;
+    renderer->frame.state = FXL_FRAME_NONE;
     return FXL_OK;
 }

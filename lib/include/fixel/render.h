@@ -50,6 +50,13 @@ typedef struct {
 FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535,
                   "fxl_resume_point");
 
+enum {
+    FXL_FRAME_NONE = 0, /* no frame has begun */
+    FXL_FRAME_BEGUN = 1,
+    FXL_FRAME_MEASURED = 2 /* it has begun, and the order has the rows that each instance from
+                              resume on reaches */
+};
+
 /* What fxl_frame_begin works out, and drawing only reads. */
 typedef struct {
     fxl_view view;
@@ -58,7 +65,7 @@ typedef struct {
     fxl_resume_point resume; /* the first face that the display list had no room for */
     uint16_t visible_count;  /* instances in sight */
     uint8_t background;      /* palette index that fxl_render clears to */
-    bool ready;              /* the frame has begun */
+    uint8_t state;           /* FXL_FRAME_... */
 } fxl_frame;
 
 /* What drawing works in, and may change: each core that draws has its own. The renderer's own is
@@ -75,7 +82,8 @@ typedef struct fxl_workspace {
     void *raster_workspace; /* the raster backend's, of the caller's memory; or null */
     uint32_t raster_workspace_size;
     fxl_screen_polygon screen;
-    bool rest_counted; /* faces that are not in the display list have been counted */
+    bool face_rows_known; /* face_order has the rows that the faces reach */
+    bool rest_counted;    /* faces that are not in the display list have been counted */
     union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
         fxl_order_work order;
         fxl_clipper_work clip;
@@ -141,8 +149,9 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
 
 /* The same with a lens made by its function and tables of the caller's own. Zeroes the counters.
  * A display list that holds every polygon of a frame lets bands be drawn without a look
- * at the scene. One that is full leaves the rest to every band; without one every band
- * traverses the scene. The pixels are the same.
+ * at the scene. If it is full, each band computes anew those of the others that reach it. Without
+ * one every band traverses the scene, which is best where a frame is one band. The pixels are the
+ * same.
  * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (order and display list to 4 bytes, cache to 8), FXL_E_RANGE
  * (a lens that is not valid), FXL_E_ORDER (the scene was not checked: its order_needed is 0),
  * FXL_E_CAPACITY (order; or an instance_count that was raised after the check): renderer

@@ -268,6 +268,13 @@ typedef struct {
     uint16_t first, end;
 } fxl_rows;
 
+/* Whether two ranges have a row in common. Requires that neither is empty, or that first is not
+ * below the other's end where one is. */
+static inline bool fxl_rows_meet(fxl_rows a, fxl_rows b)
+{
+    return a.first < b.end && b.first < a.end; /* bug: list-last-row */
+}
+
 /* An edge on a row's line of pixel centres, and its step to the next row. Both are
  * 32.32 numbers. x is the row's first pixel whose centre is not left of the edge.
  * The record holds for the rows of its trapezoid, and x is exact on each of them. */

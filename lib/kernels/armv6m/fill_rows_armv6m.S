@@ -93,10 +93,10 @@ fxl_fill_trapezoid:
 
 .Lrow:
     subs    bytes, right, left
-    cmp     bytes, #64
-    bhs     .Llong
     cmp     bytes, #8
     blo     .Lshort
+    cmp     bytes, #64
+    bhs     .Llong
     align_pixel
     /* The tail of 0 to 3 bytes, from the right end back; then all words. */
 .Lrest:

@@ -11,10 +11,10 @@
     .syntax unified
     .thumb
 
-/* On the stack: model_view, face, work, screen, r4-r11, the vertex, lr. */
+/* On the stack: model_view, face, work, screen, r4-r11, the projection, lr. */
 #define AT_FACE     4
 #define AT_SCREEN   12
-#define AT_VERTEX   48
+#define AT_PROJECTION 48
 
 vertex  .req r2
 of_all  .req r4
@@ -35,9 +35,11 @@ flags   .req r12
 /* r0: model_view, r1: face, r2: work, r3: screen */
 fxl_clip_by_view:
     push    {r0-r12, lr}
-    ldm     r0, {r4-r9}                     /* -, entries, mask, tag, -, indices */
+    ldm     r0, {r4-r9}                     /* view, entries, mask, tag, -, indices */
     ldr     r2, [r1, #FACE_FIRST_INDEX]
     ldrb    count, [r1, #FACE_COUNT]
+    adds    r4, r4, #VIEW_PROJECTION
+    str     r4, [sp, #AT_PROJECTION]
     add     index, index, r2, lsl #1
     add     point, r3, #SCREEN_POLYGON_POINTS
     mov     of_any, #0
@@ -51,7 +53,6 @@ fxl_clip_by_view:
     add     r3, r1, tag
     cmp     r0, r3
     bne     .Lmiss
-.Lcached:
     lsls    r0, flags, #24
     bne     .Lunprojected
 .Lready:
@@ -78,40 +79,63 @@ fxl_clip_by_view:
     add     sp, sp, #16
     pop     {r4-r12, pc}
 
+    /* r0-r3 after both calls: as transform_vertex_armv7m.S and project_inside_armv7m.S say. */
 .Lmiss:
     ldr     r0, [sp]
-    str     vertex, [sp, #AT_VERTEX]
     bl      fxl_transform_vertex
-    ldr     vertex, [sp, #AT_VERTEX]
-    ldr     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
-    b       .Lcached
-
+    mov     flags, r1
 .Lunprojected:
     cmp     flags, #VERTEX_UNPROJECTED
     bne     .Loutside
-    str     vertex, [sp, #AT_VERTEX]
-    ldr     r0, [sp]
-    ldr     r0, [r0]
+    ldr     r0, [sp, #AT_PROJECTION]
     add     r1, vertex, #CACHED_VERTEX_POSITION
-    adds    r2, vertex, #CACHED_VERTEX_SCREEN
-    adds    r0, r0, #VIEW_PROJECTION
+    adds    r2, r2, #CACHED_VERTEX_SCREEN
     bl      fxl_project_inside
     cbnz    r0, .Lrange
-    ldr     vertex, [sp, #AT_VERTEX]
-    ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
-    movw    r3, #0x7FFF
-    add     r0, r0, r3
-    add     r1, r1, r3
-    asrs    r0, r0, #16
-    asrs    r1, r1, #16
-    lsls    r1, r1, #20
-    orr     flags, r1, r0, lsl #8
+    movw    r0, #0x7FFF
+    subs    r2, r2, #CACHED_VERTEX_SCREEN
+    add     r1, r1, r0
+    add     r3, r3, r0
+    lsrs    r1, r1, #16
+    lsrs    r3, r3, #16
+    lsls    r3, r3, #20
+    orr     flags, r3, r1, lsl #8
     str     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
     b       .Lready
 
+    /* A face is outside if its first vertex is outside of a plane, and with it all others. */
 .Loutside:
+    adds    r0, of_all, #1
+    bne     .Lassembled
+    mov     of_all, flags
+.Lcommon:
+    subs    count, count, #1
+    beq     .Lall_outside
+    ldrh    r1, [index], #2
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2
+    add     vertex, entries, r2, lsl #3
+    ldrd    r0, flags, [vertex]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lcommon_miss
+.Lcommon_flags:
+    and     of_all, of_all, flags
+    tst     of_all, #PLANES_ALL
+    bne     .Lcommon
+.Lassembled:
     pop     {r0-r12, lr}
     b.w     fxl_clip_assembled
+
+.Lcommon_miss:
+    ldr     r0, [sp]
+    bl      fxl_transform_vertex
+    mov     flags, r1
+    b       .Lcommon_flags
+
+.Lall_outside:
+    movs    r0, #CLIP_OUTSIDE
+    b       .Ldone
 
 .Lrange:
     movs    r0, #CLIP_RANGE

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_fill_trapezoid for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/fill.h states
- * what it requires and does; it writes the same bytes as lib/kernels/portable/fill_rows.c.
+ * what it requires and does; it writes the same bytes as lib/kernels/portable/fill_rows.c. The
+ * rows are fxl_fill_rows, which fxl_draw_outline uses too.
  *
  * Both edges are kept as addresses: the row's address is added to x, and the stride is added
  * to the step. So a row's span goes from one address to the other, and a step is two
  * additions an edge. Every store is aligned. */
 #include "../family.h"
 #include "../offsets.h"
+#include "draw_frame.h"
 
 #if FXL_KERNELS_ARMV7M && (!FXL_KERNELS_MVE || defined FXL_ROWS_BY_VECTORS)
 
@@ -16,7 +18,7 @@
 
 pixel       .req r0     /* the next address to store to, aligned to four */
 bytes       .req r1     /* bytes still to be stored */
-colour      .req r2     /* in each of four bytes, after four_times */
+colour      .req r2     /* in each of four bytes */
 spare       .req r3
 left        .req r4     /* address of the left edge's pixel */
 left_fraction       .req r5
@@ -26,20 +28,9 @@ right       .req r8     /* address of the right edge's pixel: one past the span 
 right_fraction      .req r9
 right_step          .req r10    /* with the stride */
 right_step_fraction .req r11
-rows        .req r12    /* rows still to be filled */
+rows        .req r12    /* rows still to be filled, less 1 */
 
-    /* Copies the colour into all four bytes: at the beginning, or, with vectors, only where a
-     * row is long. */
-    .macro  four_times where
-#ifdef FXL_ROWS_BY_VECTORS
-    .ifc    \where, colour_late
-#else
-    .ifc    \where, colour_first
-#endif
-    orr     colour, colour, colour, lsl #8
-    orr     colour, colour, colour, lsl #16
-    .endif
-    .endm
+#define NARROW_ROWS 16      /* from here on the test for narrow rows pays */
 
     .section .text.fxl_fill_trapezoid, "ax", %progbits
     .global fxl_fill_trapezoid
@@ -49,53 +40,77 @@ rows        .req r12    /* rows still to be filled */
 /* r0: band, r1: trapezoid, r2: colour */
 fxl_fill_trapezoid:
     push    {r4-r11, lr}
+    sub     sp, sp, #FRAME_SIZE
     ldrsh   rows, [r1, #TRAPEZOID_END_ROW]
     ldrsh   r4, [r1], #TRAPEZOID_EDGES
     ldrh    r5, [r0, #BAND_FIRST_ROW]
     ldrh    lr, [r0, #BAND_STRIDE]
     ldr     r3, [r0, #BAND_PIXELS]
     sub     rows, rows, r4
+    sub     rows, rows, #1
     subs    r4, r4, r5
     mla     r0, r4, lr, r3
-    four_times colour_first
+    orr     colour, colour, colour, lsl #8
+    orr     colour, colour, colour, lsl #16
     ldm     r1, {r4-r11}
     add     left, left, r0
     add     right, right, r0
-    orrs    spare, left_step, right_step
-    beq     .Ltest_upright
-.Lslanted:
     add     left_step, left_step, lr
     add     right_step, right_step, lr
+    str     lr, [sp, #FRAME_STRIDE]
+    strd    rows, rows, [sp, #FRAME_LAST] /* equal, so no other trapezoid follows */
+
+    .global fxl_fill_rows
+    .hidden fxl_fill_rows
+    .type fxl_fill_rows, %function
+    .thumb_func
+
+/* Fills rows with the registers above and the frame of draw_frame.h, and continues at
+ * fxl_draw_rows_below. There r4-r11 are those of the row below. It keeps none of the other
+ * registers. */
+fxl_fill_rows:
+    cmp     left_step, right_step
+    beq     .Ltest_upright
+.Lslanted:
 #ifdef FXL_ROWS_BY_VECTORS
     vdup.8  q0, colour
+#else
+    cmp     rows, #NARROW_ROWS
+    bhs     .Ltest_narrow
 #endif
 
-    .macro next_row
-.Lnext:
+    .macro step_edges
     adds    left_fraction, left_fraction, left_step_fraction
     adc     left, left, left_step
     adds    right_fraction, right_fraction, right_step_fraction
     adc     right, right, right_step
     subs    rows, rows, #1
-    bne     .Lrow
-    pop     {r4-r11, pc}
+    .endm
+
+    .macro next_row
+    step_edges
+    bcs     .Lrow
+    b.w     fxl_draw_rows_below
     .endm
 
 .Lrow:
     sub     bytes, right, left
+#ifdef FXL_ROWS_BY_VECTORS
     cmp     bytes, #64
     bhs     .Llong
-#ifdef FXL_ROWS_BY_VECTORS
     /* 16 bytes at a time, the last time only the bytes that remain. lr is free. */
     mov     pixel, left
     wlstp.8 lr, bytes, .Lnext
 .Lvector:
     vstrb.8 q0, [pixel], #16
     letp    lr, .Lvector
+.Lnext:
     next_row
 #else
     cmp     bytes, #8
     blo     .Lshort
+    cmp     bytes, #64
+    bhs     .Llong
 
     /* Store up to a multiple of four: 0 to 3 bytes, of at least 8. */
     and     spare, left, #3
@@ -143,7 +158,7 @@ fxl_fill_trapezoid:
     .if     \length & 1
     strb    colour, [right, #-1] /* bug: v7m-span-tail */
     .endif
-    b       .Lnext
+    next_row
     .endm
 
     .macro words_and_tail length
@@ -190,15 +205,52 @@ fxl_fill_trapezoid:
     strb    colour, [left, #1]
 .Lshort1:
     strb    colour, [left]
-
+.Lnext:
     next_row
+
+    /* Many rows, each of fewer than 8 bytes. The distance of the edges changes evenly from row to
+     * row: where it is -1 or more and below 7 on the first and on the last row, every row has -1 to
+     * 7 bytes. */
+.Ltest_narrow:
+    subs    r0, right_fraction, left_fraction
+    sbc     r1, right, left
+    adds    r1, r1, #1
+    cmp     r1, #8
+    bhs     .Lrow
+    subs    spare, right_step_fraction, left_step_fraction
+    sbc     lr, right_step, left_step
+    umlal   r0, r1, spare, rows
+    mla     r1, lr, rows, r1
+    cmp     r1, #8
+    bhs     .Lrow
+    adds    right, right, #1
+.Lnarrow_row:
+    sub     bytes, right, left
+    tbb     [pc, bytes]
+.Lnarrows:
+    .byte   (.Lnarrow_crossed - .Lnarrows) / 2, (.Lnarrow_next - .Lnarrows) / 2
+    .irp    length, 1, 2, 3, 4, 5, 6, 7
+    .byte   (.Lnarrow\length - .Lnarrows) / 2
+    .endr
+    .align  1
+    .irp    length, 7, 6, 5, 4, 3, 2, 1
+.Lnarrow\length:
+    strb    colour, [left, #\length - 1]
+    .endr
+.Lnarrow_next:
+    step_edges
+    bcs     .Lnarrow_row
+    subs    right, right, #1
+    b.w     fxl_draw_rows_below
+.Lnarrow_crossed:
+    subs    right, right, #1
+    b       .Lcrossed
 #endif
 
     /* 64 bytes and more: eight registers at a time. */
 .Llong:
     cmp     bytes, #0
     blt     .Lcrossed
-    four_times colour_late
     mov     pixel, left
     tst     left, #1
     it      ne
@@ -209,7 +261,7 @@ fxl_fill_trapezoid:
     sub     bytes, right, pixel
     subs    bytes, #64
     blo     .Llong_end
-    push    {r4-r11}
+    stm     sp, {r4-r11}
     mov     r4, colour
     mov     r5, colour
     mov     r6, colour
@@ -223,25 +275,32 @@ fxl_fill_trapezoid:
     stm     pixel!, {r4-r11}
     subs    bytes, #64
     bhs     .Llong_block
-    pop     {r4-r11}
+    ldm     sp, {r4-r11}
 .Llong_end:
     adds    bytes, #64
     b       .Lrest
 
-    /* The edges crossed: exchange them. Straight edges do not cross a second time. */
+    /* The edges crossed: exchange them. Edges that are crossed on the first row may be exchanged
+     * once more. */
 .Lcrossed:
-    push    {r4-r7}
+    ldr     r0, [sp, #FRAME_UNTIL]
+    eor     r0, r0, #FRAME_EXCHANGED
+    str     r0, [sp, #FRAME_UNTIL]
+    stm     sp, {r4-r11}
     mov     r4, r8
     mov     r5, r9
     mov     r6, r10
     mov     r7, r11
-    pop     {r8-r11}
+    ldm     sp, {r8-r11}
     b       .Lrow
 
     /* If both whole steps are 0 and no fraction will carry, every row has the same span. The
      * test pays from 32 bytes on. The step of an upright edge is 2^-32
      * (lib/kernels/portable/edge_divide.h). */
 .Ltest_upright:
+    ldr     lr, [sp, #FRAME_STRIDE]
+    cmp     left_step, lr
+    bne     .Lslanted
     orr     spare, left_step_fraction, right_step_fraction
     cmp     spare, #1
     bhi     .Lslanted
@@ -253,17 +312,17 @@ fxl_fill_trapezoid:
     adds    spare, right_fraction, rows
     bcs     .Lslanted
 
-    /* r4-r11: colour, lr: rows still to be filled. */
-    four_times colour_late
+    /* r4-r11: colour, lr: rows still to be filled. The edges stay in the frame. */
 start   .req r3     /* of the row's span */
 rest    .req r12    /* bytes of the row still to be stored */
 stride  .req r2
+    stm     sp, {r4-r11}
     mov     start, left
     .irp    register, r4, r5, r6, r7, r8, r9, r10, r11
     mov     \register, colour
     .endr
     mov     stride, lr
-    mov     lr, rows
+    add     lr, rows, #1
 
 .Lupright_row:
     ands    rest, start, #3
@@ -292,7 +351,10 @@ stride  .req r2
     add     start, start, stride
     subs    lr, lr, #1
     bne     .Lupright_row
-    pop     {r4-r11, pc}
+    ldm     sp, {r4-r11}
+    mov     left, start
+    add     right, start, bytes
+    b.w     fxl_draw_rows_below
 
 .Lupright_head:
     tst     rest, #1

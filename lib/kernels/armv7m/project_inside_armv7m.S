@@ -31,6 +31,7 @@ factor_17   .req lr     /* 2^17 F, modulo 2^32; later P + h */
     .type fxl_project_inside, %function
     .thumb_func
 
+/* For fxl_clip_by_view r1 and r3 return x and y, and r2 is kept. */
 fxl_project_inside:
     push    {r4-r11, lr}
     ldm     view, {r4-r9}
@@ -75,12 +76,19 @@ fxl_project_inside:
     cmp     depth, lr                       /* no carry: one less */
     sbc     r8, r8, r7
     strd    r5, r8, [screen]
+    mov     r1, r5
+    mov     r3, r8
     movs    r0, #0                          /* FXL_OK */
     pop     {r4-r11, pc}
 
 slow_path:
-    pop     {r4-r11, lr}
-    b.w     fxl_project_any
+    mov     r4, screen
+    sub     sp, sp, #4                      /* a call wants a multiple of 8 */
+    bl      fxl_project_any
+    add     sp, sp, #4
+    mov     screen, r4
+    ldrd    r1, r3, [screen]
+    pop     {r4-r11, pc}
 
     .size fxl_project_inside, . - fxl_project_inside
 

@@ -32,7 +32,8 @@ planes      .req lr         /* in the lowest byte */
     .type fxl_transform_vertex, %function
     .thumb_func
 
-/* r0: model_view, r1: number, r2: entry */
+/* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view r1 returns the clip flags, and r2 is
+ * kept. */
 fxl_transform_vertex:
     push    {r3-r11, lr}
     ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
@@ -102,8 +103,9 @@ undecided:
     uxtb    r1, planes
     add     r2, entry, #CACHED_VERTEX_POSITION
     bl      fxl_outcode
-    orr     r0, r0, #VERTEX_UNPROJECTED
-    str     r0, [r4, #CACHED_VERTEX_CLIP_FLAGS]
+    mov     entry, r4
+    orr     r1, r0, #VERTEX_UNPROJECTED
+    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
     pop     {r3-r11, pc}
 
     .size fxl_transform_vertex, . - fxl_transform_vertex

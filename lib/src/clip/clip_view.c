@@ -3,6 +3,7 @@
 
 #include "../math/arith.h"
 #include "clip_stats.h"
+#include "copy_point.h"
 #include "cut_polygon.h"
 #include "../math/divide_wide.h"
 
@@ -66,7 +67,7 @@ static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
     const fxl_view_polygon *in = (const fxl_view_polygon *)cut->in;
     fxl_view_polygon *out = (fxl_view_polygon *)cut->out;
-    out->vertices[to] = in->vertices[from];
+    fxl_copy_point(&in->vertices[from].position, &out->vertices[to].position);
 }
 
 static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)

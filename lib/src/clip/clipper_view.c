@@ -3,6 +3,7 @@
 #include "fixel/stage/project.h"
 
 #include "clip_stats.h"
+#include "copy_point.h"
 #include "vertex_flags.h"
 
 FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
@@ -17,14 +18,14 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
     const fxl_view *view = model_view->view;
     fxl_view_polygon *assembled = &work->polygons[0];
     const fxl_view_polygon *clipped;
-    unsigned of_any = 0, of_all = FXL_PLANES_ALL; /* bug: unprojected-out */
+    unsigned of_any = 0, of_all = FXL_PLANES_ALL;
     for (uint32_t i = 0; i < face->count; i++) {
         const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
         of_any |= vertex->clip_flags;
         of_all &= vertex->clip_flags;
-        assembled->vertices[i].position = vertex->position;
+        fxl_copy_point(&vertex->position, &assembled->vertices[i].position);
     }
-    if (of_all != 0) {
+    if (FXL_IS_SMALL && of_all != 0) {
         return FXL_CLIP_OUTSIDE;
     }
     assembled->colour = face->material;

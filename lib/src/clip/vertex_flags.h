@@ -12,7 +12,8 @@ extern "C" {
 #endif
 
 /* Assembles a face, cuts it by the planes that a vertex is outside of, and projects it. It serves
- * the faces with a vertex that is outside a plane; with FXL_SMALL, all faces. */
+ * the faces with a vertex that is outside a plane, but not all with the same one; with FXL_SMALL,
+ * all faces. */
 fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
                                    fxl_clipper_work *work, fxl_screen_polygon *screen);
 

@@ -11,11 +11,6 @@ FXL_STATIC_ASSERT(offsetof(fxl_screen_polygon, points) == sizeof(uint32_t),
                   "a word before the points");
 FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
 
-static bool meet(fxl_rows a, fxl_rows b)
-{
-    return a.first < b.end && b.first < a.end; /* bug: list-last-row */
-}
-
 bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *polygon,
                              fxl_rows rows)
 {
@@ -40,7 +35,7 @@ bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t
         fxl_rows reached = {(uint16_t)from[0], (uint16_t)(from[0] >> 16)};
         const uint8_t *head = (const uint8_t *)(from + 1); /* colour, count, kind */
         *place += FXL_DISPLAY_LIST_WORDS((uint32_t)head[1]);
-        if (meet(reached, rows)) {
+        if (fxl_rows_meet(reached, rows)) {
             record->rows = reached;
             record->colour = head[0];
             record->count = head[1];

@@ -13,6 +13,7 @@ static void order_model(const fxl_traversal *on, const fxl_model_view *model_vie
                            fxl_drops_outside(on, model_view, model), workspace->face_order, &front);
     workspace->front_count = (uint16_t)front;
     workspace->sorted_count = (uint16_t)count;
+    workspace->face_rows_known = false;
     fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
 }
 

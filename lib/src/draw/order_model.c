@@ -7,9 +7,7 @@ bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view
                        const fxl_model *model)
 {
     return !FXL_IS_SMALL && on->clipper->by_clip_flags && model_view->planes != 0 &&
-           model_view->beam_light == NULL &&
-           (model->vertex_count <= model->face_count ||
-            model->vertex_count <= model_view->mask + 1);
+           model_view->beam_light == NULL && model->vertex_count < 2 * model->face_count;
 }
 
 void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
@@ -30,5 +28,6 @@ void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
                                        workspace->face_order, count);
     }
     workspace->sorted_count = (uint16_t)count;
+    workspace->face_rows_known = false;
     fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
 }

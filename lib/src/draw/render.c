@@ -12,6 +12,8 @@
  * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "../raster/draw_outline.h"
+#include "reach.h"
 #include "renderer.h"
 #include "submit.h"
 
@@ -46,6 +48,14 @@ static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
                                                        : FXL_SUBMIT_ANY;
 }
 
+/* Whether bands that pass over what does not reach them are worth a traversal more. Without a
+ * display list the frame is drawn in one band, or in few. */
+static bool measures_rows(const fxl_renderer *renderer)
+{
+    return !FXL_IS_SMALL && renderer->frame.display_list.capacity > 0 &&
+           renderer->visibility->submit == fxl_submit_by_distance;
+}
+
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 {
     if (renderer == NULL) {
@@ -67,6 +77,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     if (renderer->clipper->begin != NULL) {
         renderer->clipper->begin(&frame->view);
     }
+    if (!FXL_IS_SMALL) {
+        fxl_reach_take_back(renderer, workspace);
+    }
     /* cull and sort */
     uint32_t culled;
     frame->visible_count = (uint16_t)fxl_order_instances(
@@ -85,8 +98,11 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                               .resume = &frame->resume,
                               .counters = &workspace->counters,
                               .way = way_of(renderer, true)};
-    (void)renderer->visibility->submit(&on);
-    frame->ready = true;
+    frame->state = FXL_FRAME_BEGUN;
+    if (!renderer->visibility->submit(&on) && measures_rows(renderer)) {
+        fxl_reach_measure(&on, frame);
+        workspace->rest_counted = true;
+    }
     return FXL_OK;
 }
 
@@ -105,6 +121,11 @@ static fxl_outcome deliver(const fxl_traversal *on)
     if (on->display_list != NULL) {
         /* bug: list-drop */
         return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+    }
+    if (!FXL_IS_SMALL && on->way == FXL_SUBMIT_MEASURE) {
+        on->reached->first = rows.first < on->reached->first ? rows.first : on->reached->first;
+        on->reached->end = rows.end > on->reached->end ? rows.end : on->reached->end;
+        return FXL_OUTCOME_SPILLED;
     }
     return on->renderer->visibility->backend->draw_polygon(workspace, screen->points, screen->count,
                                                            screen->colour, on->band)
@@ -157,59 +178,44 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
     return true;
 }
 
-/* scan -> fill, for a scan that was begun. */
-static void fill(fxl_scan *scan, uint8_t colour, const fxl_band *band)
+/* The polygon on the screen straight into the band. One that has no row there may have one on the
+ * rest of the screen. */
+static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspace,
+                                fxl_counters *counters)
 {
-    if (FXL_IS_SMALL) {
-        fxl_span span;
-        while (fxl_scan_next(scan, &span)) {
-            fxl_fill_span(band, &span, colour);
-        }
-        return;
-    }
-    const fxl_trapezoid *trapezoid = fxl_scan_next_trapezoid(scan);
-    while (trapezoid != NULL) {
-        fxl_fill_trapezoid(band, trapezoid, colour);
-        trapezoid = fxl_scan_is_over(scan) ? NULL : fxl_scan_next_trapezoid(scan);
-    }
-}
-
-/* The polygon on the screen straight into the band: its rows are found once, for scanning and
- * for counting. */
-static void draw_at_once(const fxl_traversal *on)
-{
-    const fxl_screen_polygon *screen = &on->workspace->screen;
-    fxl_scan *scan = &on->workspace->work.scan;
-    fxl_scan_outline(screen->points, screen->count, on->band, scan);
-    if (fxl_scan_is_on_screen(scan, on->renderer->frame.view.lens.height)) {
-        on->counters->spilled += 1;
-        fill(scan, screen->colour, on->band);
+    const fxl_screen_polygon *screen = &workspace->screen;
+    workspace->work.scan.colour = screen->colour;
+    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan)) {
+        counters->spilled += 1;
+    } else {
+        const fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
+        counters->spilled += rows.first != rows.end;
     }
 }
 
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on)
 {
-    fxl_counters *counters = on->counters;
     if (model_view->beam_light != NULL) {
         return model_view->beam_light->face(model_view, face, on);
     }
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
-    if (!FXL_IS_SMALL && cut == FXL_CLIP_BETWEEN) {
-        counters->drawn += 1;
-        return true;
-    }
-    if (FXL_IS_SMALL || on->way == FXL_SUBMIT_ANY || cut > FXL_CLIP_CUT) {
-        const uint32_t used = on->renderer->frame.display_list.used;
-        return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
-    }
-    if (on->way == FXL_SUBMIT_DRAW) {
-        draw_at_once(on);
-    } else if (deliver(on) != 0) {
-        return false;
+    fxl_counters *counters = on->counters;
+    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
+        draw_at_once(on, on->workspace, counters);
+    } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
+        if (FXL_IS_SMALL || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
+            const uint32_t used = on->renderer->frame.display_list.used;
+            return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
+        }
+        if (deliver(on) != 0) {
+            return false;
+        }
     }
     counters->drawn += 1;
-    counters->clipped += cut == FXL_CLIP_CUT;
+    if (cut == FXL_CLIP_CUT) {
+        counters->clipped += 1;
+    }
     return true;
 }
 
@@ -218,8 +224,8 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
 static bool draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                       uint8_t colour, const fxl_band *band)
 {
-    fxl_scan_outline(points, count, band, &workspace->work.scan);
-    fill(&workspace->work.scan, colour, band);
+    workspace->work.scan.colour = colour;
+    (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
     return true;
 }
 
@@ -252,6 +258,15 @@ static bool draw_display_list(const fxl_traversal *on)
     return true;
 }
 
+/* What the display list had no room for. */
+static bool submit_rest(const fxl_traversal *on)
+{
+    const fxl_renderer *renderer = on->renderer;
+    return !FXL_IS_SMALL && renderer->frame.state == FXL_FRAME_MEASURED
+               ? fxl_reach_submit(on)
+               : renderer->visibility->submit(on);
+}
+
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     const fxl_visibility *visibility = renderer->visibility;
@@ -270,7 +285,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     if (backend->begin_band != NULL) {
         backend->begin_band(renderer, workspace, band);
     }
-    if (!draw_display_list(&on) || !visibility->submit(&on)) {
+    if (!draw_display_list(&on) || !submit_rest(&on)) {
         return false;
     }
     workspace->rest_counted = true; /* bug: counted-again */
@@ -293,7 +308,8 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
-    if (!frame->ready || workspace->settings_version != renderer->workspace.settings_version) {
+    if (frame->state == FXL_FRAME_NONE ||
+        workspace->settings_version != renderer->workspace.settings_version) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     if (!is_band_of(&frame->view.lens, band)) {

@@ -83,7 +83,7 @@ static fxl_status check_workspace(const fxl_renderer *renderer, const void *work
 /* What drawing keeps of the settings is of no use any more. */
 static void settings_changed(fxl_renderer *renderer)
 {
-    renderer->frame.ready = false;
+    renderer->frame.state = FXL_FRAME_NONE;
     renderer->workspace.settings_version += 1;
 }
 

@@ -7,20 +7,24 @@
 
 /* What becomes of a face of which the clipper gives one polygon at most. */
 typedef enum {
-    FXL_SUBMIT_ANY,    /* nothing is known: the clipper may give several, any backend draws */
-    FXL_SUBMIT_APPEND, /* it is appended to the display list */
-    FXL_SUBMIT_DRAW    /* it is drawn at once, over what is there */
+    FXL_SUBMIT_ANY,     /* nothing is known: the clipper may give several, any backend draws */
+    FXL_SUBMIT_MEASURE, /* the same; it is only asked which rows it reaches */
+    FXL_SUBMIT_APPEND,  /* it is appended to the display list */
+    FXL_SUBMIT_DRAW     /* it is drawn at once, over what is there */
 } fxl_submit_way;
 
-/* A traversal fills the display list (fxl_frame_begin), or draws into a band what the list had
- * no room for (fxl_frame_draw). */
+/* A traversal fills the display list (fxl_frame_begin), measures what the list had no room for, or
+ * draws it into a band (fxl_frame_draw). */
 struct fxl_traversal {
     const fxl_renderer *renderer;
     const fxl_clipper *clipper; /* the renderer's */
     fxl_workspace *workspace;
     fxl_display_list *display_list; /* the frame's, to be filled; null: a band is drawn */
-    const fxl_band *band;           /* null: the display list is filled */
-    fxl_resume_point *resume;       /* where to go on; kept where the traversal is stopped */
+    union {
+        const fxl_band *band; /* to be drawn into, where there is no display list */
+        fxl_rows *reached;    /* FXL_SUBMIT_MEASURE: grows by the rows that a face reaches */
+    };
+    fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
     fxl_submit_way way;
 };
@@ -32,9 +36,10 @@ struct fxl_traversal {
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on);
 
-/* Whether it pays to take out, before the sort, faces of a sorted model that lie outside: they have
- * to be counted as the clipper and the beams would count them, and their vertices are looked at
- * twice. */
+/* Whether faces of a sorted model that lie outside are taken out before the sort. They have to be
+ * counted as the clipper and the beams would count them. It pays where faces share vertices, since
+ * those of the others are looked at twice. The answer is the same for every workspace: a frame's
+ * resume point is a place in the order. */
 bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
                        const fxl_model *model);
 

@@ -4,6 +4,7 @@
 #include "chains.h"
 #include "edge.h"
 #include "active_edges.h"
+#include "draw_outline.h"
 
 /* The result of one pass over the vertices of an outline. */
 typedef struct {
@@ -143,17 +144,22 @@ static uint16_t clamp_row(int32_t row, uint16_t height)
     return row < 0 ? 0 : row > height ? height : (uint16_t)row;
 }
 
-fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
+fxl_rows fxl_rows_of_points(const fxl_screen_point *points, uint32_t count, uint16_t height)
 {
-    fxl_q16_16 top = polygon->points[0].y, bottom = top;
-    for (uint32_t i = 1; i < polygon->count; i++) {
-        fxl_q16_16 y = polygon->points[i].y;
+    fxl_q16_16 top = points[0].y, bottom = top;
+    for (uint32_t i = 1; i < count; i++) {
+        fxl_q16_16 y = points[i].y;
         top = y < top ? y : top;
         bottom = y > bottom ? y : bottom;
     }
     fxl_rows rows = {clamp_row(fxl_first_centre_from(top), height),
                      clamp_row(fxl_first_centre_from(bottom), height)};
     return rows;
+}
+
+fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
+{
+    return fxl_rows_of_points(polygon->points, polygon->count, height);
 }
 
 const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)

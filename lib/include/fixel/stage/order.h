@@ -23,9 +23,13 @@ typedef struct {
 typedef struct {
     union {
         uint32_t distance_low;
-        uint32_t face; /* after fxl_order_sort_faces: the face at this place of the order */
+        uint32_t face;  /* after fxl_order_sort_faces: the face at this place of the order */
+        uint32_t faces; /* of an instance, once a frame has begun: lib/src/draw/reach.c */
     };
-    uint32_t distance_high;
+    union {
+        uint32_t distance_high;
+        fxl_rows rows; /* once a frame has begun: those of the screen that it reaches */
+    };
     uint16_t index; /* of an instance of the scene, or of a face of its model */
     union {
         fxl_order_instance instance;

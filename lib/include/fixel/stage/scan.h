@@ -60,7 +60,8 @@ typedef struct {
     bool by_chains;  /* if false, by active edges */
     int16_t end_row; /* one past the last row by chains; above all rows by active edges */
     fxl_chain chains[2];
-    int16_t row; /* of the next span */
+    int16_t row;    /* of the next span */
+    uint8_t colour; /* for a caller that fills */
     fxl_trapezoid trapezoid;
     int16_t outline_first, outline_end; /* rows of the whole outline, as fxl_scan_rows says */
     fxl_active_edges active_edges;
@@ -80,12 +81,12 @@ fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *ban
 void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan);
 
-/* Whether the outline reaches a row of a screen of height rows. The band may hold none
- * of these rows. Requires a scan that was begun without an error. Exact. */
-static inline bool fxl_scan_is_on_screen(const fxl_scan *scan, uint16_t height)
+/* Whether the outline reaches a row of the band that the scan was begun with. Requires a scan that
+ * was begun without an error. Exact. */
+static inline bool fxl_scan_reaches(const fxl_scan *scan, const fxl_band *band)
 {
-    return scan->outline_first < scan->outline_end && scan->outline_end > 0 &&
-           scan->outline_first < height;
+    return scan->outline_first < scan->outline_end && scan->outline_end > band->first_row &&
+           scan->outline_first < band->first_row + band->rows;
 }
 
 /* The rows, of a screen of height rows, that the polygon reaches: the rows whose
