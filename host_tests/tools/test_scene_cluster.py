@@ -10,9 +10,11 @@ import struct
 import pytest
 
 import frame_hashes as hashes_tool
+import scene as scene_tool
 from conftest import CHECKOUT, run_cli
-from fixel import clusters, image, image_cluster, toml_scene
+from fixel import clusters, dump, image, image_cluster, toml_scene
 from fixel.errors import ToolError
+from fixel.programs import run_program
 from test_scene_image import patched
 
 GLOBE = """
@@ -211,3 +213,17 @@ def test_a_terrain_draws_the_same_pixels_without_clusters(build, tmp_path):
         for name in ("in", "drawn", "clipped", "degenerate", "refused"):
             assert one.counters[name] == other.counters[name]
         assert one.counters["backfacing"] <= other.counters["backfacing"]
+
+
+@pytest.mark.parametrize("file", ["scenes/f32.toml", "host_tests/fuzz/scenes/clusters.toml"])
+def test_the_reference_renderer_counts_the_same(build, tmp_path, file):
+    """It applies the sphere test to clusters by its definition, in double."""
+    scene, frames, twin = (tmp_path / name for name in ("scene.fxls", "frames.fxld", "double.fxld"))
+    scene_tool.build(str(CHECKOUT / file), str(scene))
+    run_program([build / "host" / "frames", scene, frames])
+    run_program([build / "host" / "judge", scene, frames, "--json", tmp_path / "report.json", "--twin", twin])
+    ours, theirs = dump.read_dump(frames).frames, dump.read_dump(twin).frames
+    assert [frame.counters["outside"] for frame in ours] == [frame.counters["outside"] for frame in theirs]
+    for name in ("in", "backfacing", "degenerate", "refused", "drawn", "clipped"):
+        assert [frame.counters[name] for frame in ours] == [frame.counters[name] for frame in theirs]
+    assert json.loads((tmp_path / "report.json").read_text())["pixels_unexplained"] == 0
