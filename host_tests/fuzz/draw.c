@@ -197,11 +197,21 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     return renderer;
 }
 
+/* Without a cache of the caller's a frame may use what is left of the order as one. */
+static bool has_own_cache(const fxl_renderer *renderer)
+{
+    const uintptr_t at = (uintptr_t)renderer->workspace.cache.entries;
+    return at < (uintptr_t)renderer->frame.order ||
+           at >= (uintptr_t)(renderer->frame.order + renderer->scene->order_needed);
+}
+
 static void free_renderer(fxl_renderer *renderer)
 {
     free(renderer->workspace.cache.clipper_workspace);
     free(renderer->frame.display_list.words);
-    free(renderer->workspace.cache.entries);
+    if (has_own_cache(renderer)) {
+        free(renderer->workspace.cache.entries);
+    }
     free(renderer->frame.order);
     free((void *)(uintptr_t)renderer->beam_light); /* it lies at the beginning of its room */
     free(renderer);

@@ -81,6 +81,34 @@ void test_what_a_lamp_shines_on(void)
     }
 }
 
+/* The least that a face may be turned to the light is one unit of 2^-46. */
+void test_a_face_that_is_barely_turned_to_the_light(void)
+{
+    const fxl_direction normal = {FXL_Q2_30_ONE, 1,
+                                  0}; /* of unit length, as far as that is asked */
+    const fxl_point vertex = {0, 0, 0};
+    for (int unit = -1; unit <= 1; unit++) {
+        const fxl_beam lamp_beside = {.kind = FXL_BEAM_POINT, .from = {0, unit, 0}};
+        const fxl_beam sun = {.kind = FXL_BEAM_DIRECTION, .from = {0, -unit, FXL_Q2_30_ONE}};
+        TEST_ASSERT_EQUAL(unit > 0, fxl_beam_shines_on(&lamp_beside, &vertex, &normal));
+        TEST_ASSERT_EQUAL(unit > 0, fxl_beam_shines_on(&sun, &vertex, &normal));
+    }
+}
+
+/* The margin is 4 units of 2^-16, for normals that are a little too long. */
+void test_the_margin_of_a_sphere_beside_a_beam(void)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const fxl_beam beam = {.kind = FXL_BEAM_DIRECTION,
+                               .plane_count = 1,
+                               .from = {0, -FXL_Q2_30_ONE, 0},
+                               .planes = {{.normal = {sign * FXL_Q2_30_ONE, 0, 0}}}};
+        const fxl_point near = {-sign * (Q16(2) + 4), 0, 0}, far = {-sign * (Q16(2) + 5), 0, 0};
+        TEST_ASSERT_TRUE(fxl_beam_reaches(&beam, &near, Q16(2)));
+        TEST_ASSERT_FALSE(fxl_beam_reaches(&beam, &far, Q16(2)));
+    }
+}
+
 void test_a_direction_makes_a_shaft(void)
 {
     const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};
@@ -114,7 +142,9 @@ void test_normals_are_right_to_two_units(void)
 {
     int made = 0;
     for (int i = 0; i < UNIT_REPEAT; i++) {
-        fxl_q16_16 limit = unit_random() % 2 ? FXL_COORDINATE_MAX : Q16(10);
+        static const fxl_q16_16 limits[] = {FXL_COORDINATE_MAX, Q16(10), 200, 20};
+        fxl_q16_16 limit =
+            limits[i % 4]; /* the last two: a few units, whose normals are made longer */
         fxl_point light = unit_point(limit), corners[3];
         fxl_beam beam;
         for (int k = 0; k < 3; k++) {
@@ -143,6 +173,8 @@ void test_normals_are_right_to_two_units(void)
             }
             TEST_ASSERT_EQUAL_INT64(0, fxl_plane_distance(&plane, a));
         }
+        const fxl_plane own = fxl_beam_plane_at(&beam, 3); /* the window's */
+        TEST_ASSERT_EQUAL_INT64(0, fxl_plane_distance(&own, &corners[0]));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
     }
     TEST_ASSERT_TRUE(made > UNIT_REPEAT);
@@ -181,6 +213,12 @@ void test_what_makes_no_beam_is_refused(void)
     expect_refused(FXL_E_DEGENERATE, &lamp, line, 3);
     expect_refused(FXL_E_DEGENERATE, &lamp, star, 4);
     expect_refused(FXL_E_DEGENERATE, &window[0], window, 4);
+    for (int i = 0; i < 8; i++) { /* the largest numbers, whose squares must not wrap */
+        const fxl_direction huge = {i & 1 ? INT32_MIN : 0, i & 2 ? INT32_MIN : 0,
+                                    i & 4 ? INT32_MIN : 0};
+        fxl_beam none;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_from_direction(&huge, window, 4, &none));
+    }
     const fxl_direction crooked = {Q30(0.6), Q30(-0.7), 0};
     fxl_beam beam;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_from_direction(&crooked, window, 4, &beam));

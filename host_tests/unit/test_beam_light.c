@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A renderer with a light: what lies in the beam is lit, all else is as before, in bands as
  * whole, and no pixel between lit and dark is left out or drawn twice. */
+#include "../../lib/extra/beams/lit_pieces.h"
 #include "tiny.h"
 
 enum {
@@ -279,4 +280,40 @@ void test_a_face_of_too_many_corners_is_refused(void)
         TEST_ASSERT_EQUAL_UINT32(rooms[i], fxl_beam_light_workspace_size(beams, 1));
     }
 #endif
+}
+
+/* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each
+ * plane of the first beam adds a vertex at most, each plane of the other beams two. */
+void test_beams_that_leave_no_room_for_a_triangle(void)
+{
+    static fxl_beam several[3];
+    for (uint8_t first = 1; first <= FXL_BEAM_PLANES_MAX; first++) {
+        for (uint8_t second = 1; second <= FXL_BEAM_PLANES_MAX; second++) {
+            several[0].plane_count = first;
+            several[1].plane_count = second;
+            several[2].plane_count = 1;
+            TEST_ASSERT_EQUAL(3 + first + 2 * second <= FXL_FACE_VERTICES_MAX,
+                              fxl_beam_light_workspace_size(several, 2) > 0);
+            TEST_ASSERT_EQUAL(3 + first + 2 * (second + 1) <= FXL_FACE_VERTICES_MAX,
+                              fxl_beam_light_workspace_size(several, 3) > 0);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, 0));
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, FXL_BEAMS_MAX + 1));
+}
+
+/* The workspace holds the tables of a face's pieces and one outline, each rounded up to 8 bytes,
+ * and the records beside them. */
+void test_the_workspace_holds_the_tables(void)
+{
+    make(0);
+    for (uint32_t count = 1; count <= 2; count++) {
+        const size_t corners = fxl_lit_corners_needed(beams, count);
+        const size_t tables = corners * (sizeof(fxl_point) + sizeof(uint16_t)) +
+                              fxl_lit_pieces_needed(beams, count) * sizeof(fxl_lit_piece) +
+                              FXL_POLYGON_CAPACITY * sizeof(fxl_point) + sizeof(fxl_lit_pieces);
+        const size_t size = fxl_beam_light_workspace_size(beams, count);
+        TEST_ASSERT_TRUE(size > tables && size <= tables + 16 * sizeof(void *) + 6 * 7);
+        TEST_ASSERT_EQUAL(0, size % 8);
+    }
 }

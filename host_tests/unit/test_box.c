@@ -146,3 +146,23 @@ void test_the_box_of_an_object(void)
     const fxl_box wanted = {{Q16(7), Q16(18), Q16(24)}, {Q16(11), Q16(24), Q16(35)}};
     TEST_ASSERT_EQUAL_MEMORY(&wanted, &box, sizeof box);
 }
+
+/* A box whose farthest corner is 2^-9 outside a plane, which is 128 units, may still be seen; one
+ * whose nearest corner is 2^-9 inside does not cross the plane. One unit more or less decides. */
+void test_the_margin_is_exact(void)
+{
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(48, 32);
+    const fxl_q16_16 near = lens.near_z + lens.inset, far = lens.far_z - lens.inset;
+    look(&pose, &lens);
+    for (int unit = -1; unit <= 1; unit++) {
+        fxl_box box = {{-64, -64, near - 2000}, {64, 64, near - 128 + unit}};
+        TEST_ASSERT_EQUAL(unit < 0, fxl_box_planes(&world, &box) == FXL_SPHERE_OUTSIDE);
+        box = (fxl_box){{-64, -64, near + 128 + unit}, {64, 64, Q16(9)}};
+        TEST_ASSERT_EQUAL(unit < 0, fxl_box_planes(&world, &box) >> FXL_PLANE_NEAR & 1u);
+        box = (fxl_box){{-64, -64, far + 128 + unit}, {64, 64, far + 2000}};
+        TEST_ASSERT_EQUAL(unit > 0, fxl_box_planes(&world, &box) == FXL_SPHERE_OUTSIDE);
+        box = (fxl_box){{-64, -64, Q16(9)}, {64, 64, far - 128 + unit}};
+        TEST_ASSERT_EQUAL(unit > 0, fxl_box_planes(&world, &box) >> FXL_PLANE_FAR & 1u);
+    }
+}

@@ -86,6 +86,34 @@ void test_what_a_ray_sees_first_is_seen(void)
     TEST_ASSERT_TRUE(moved > rounds && through > rounds);
 }
 
+/* Two cubes that move lie behind the tree's, in one of its leaves, apart from each other: the
+ * nearer hides the farther, in pieces or whole. */
+void test_two_cubes_in_one_leaf(void)
+{
+    const uint32_t rounds = UNIT_REPEAT / 500;
+    uint32_t judged = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        fxl_pose pose = shuffle();
+        for (uint32_t i = 0; i < TINY_INSTANCES; i += 2) {
+            const bool nearer = i == round % 2 * 2;
+            made->tiny->instances[i].centre =
+                (fxl_point){unit_between(-Q16(3), Q16(3)), unit_between(-Q16(3), Q16(3)),
+                            nearer ? Q16(13) : Q16(17)};
+        }
+        start_with(0, &fxl_visibility_bsp, sizeof pieces);
+        draw(whole, &pose);
+        TEST_ASSERT_EQUAL_UINT32(0, bsp_workspace()->unsplit);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            bsp_sight seen = bsp_look(made, &pose, i % WIDTH, i / WIDTH);
+            if (seen.margin > 1e-3) {
+                TEST_ASSERT_EQUAL_UINT8(seen.colour, whole[i]);
+                judged += seen.colour <= 6;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(judged > 10 * rounds);
+}
+
 /* Vertices, edges and faces on the planes of the tree: cubes that stand straight, or on an
  * edge, on a grid. A plane then goes through vertices that it does not add. */
 void test_cubes_that_touch_the_planes(void)
@@ -208,7 +236,8 @@ void test_pieces_leave_no_gap_and_do_not_overlap(void)
         memset(times, 0, sizeof times);
         draw(other, &pose);
         memcpy(whole, times, sizeof times);
-        start_with(0, &count_all, sizeof pieces);
+        /* What the list holds is not drawn again with the rest. */
+        start_with((uint32_t)unit_between(0, WORDS / 4), &count_all, sizeof pieces);
         memset(times, 0, sizeof times);
         draw(other, &pose);
         most = bsp_workspace()->used > most ? bsp_workspace()->used : most;
@@ -255,6 +284,11 @@ void test_any_room_for_pieces(void)
         }
     }
     TEST_ASSERT_EQUAL_UINT32(0, last);
+    for (uint32_t less = 0; less < 2; less++) { /* what was used is the least that will do */
+        start_with(0, &fxl_visibility_bsp, used - less);
+        draw(other, &pose);
+        TEST_ASSERT_EQUAL(less, bsp_workspace()->unsplit > 0);
+    }
     start_with(0, &fxl_visibility_bsp, 0);
     draw(other, &pose);
     TEST_ASSERT_EQUAL_UINT32(2, bsp_workspace()->unsplit);

@@ -143,6 +143,28 @@ void test_a_sphere_holds_every_corner(void)
     }
 }
 
+/* A sphere about one corner of the last node's face that leaves out the opposite one alone: the
+ * face is a square of side 2. */
+void test_a_sphere_that_lacks_one_corner(void)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        const fxl_face *face = &made->tiny->faces[11];
+        const uint16_t corner = made->tiny->corners[face->first_index + (i + 2) % 4];
+        for (uint32_t k = 0; k < 5; k++) {
+            made->nodes[k].radius = Q16(9);
+        }
+        made->nodes[5].centre = made->tiny->vertices[8 + corner];
+        made->nodes[5].radius = Q16(2.8);
+        expect(FXL_E_RADIUS, "BSP node", 5);
+        for (uint32_t k = 0; k < 5; k++) {
+            made->nodes[k].radius = Q16(9);
+        }
+        made->nodes[5].centre = made->tiny->vertices[8 + corner];
+        made->nodes[5].radius = Q16(2.83); /* sqrt(8) is 2.8284 */
+        expect(FXL_OK, NULL, 0);
+    }
+}
+
 void test_every_face_has_one_node(void)
 {
     made->nodes[1].first_face = 2;
@@ -202,6 +224,44 @@ void test_depth(void)
         expect(count == FXL_BSP_DEPTH_MAX + 1 ? FXL_OK : FXL_E_BSP, "BSP node", FXL_BSP_DEPTH_MAX);
     }
 #endif
+}
+
+/* As many nodes as may be: chains of front nodes, hung behind each other. */
+void test_the_largest_tree(void)
+{
+#ifndef UNIT_ON_TARGET
+    enum {
+        CHAIN = 700
+    };
+    static fxl_bsp_node many[FXL_BSP_NODES_MAX];
+    for (uint32_t i = 0; i < FXL_BSP_NODES_MAX; i++) {
+        const bool ends = i % CHAIN == CHAIN - 1 || i + 1 == FXL_BSP_NODES_MAX;
+        const uint32_t behind = i + CHAIN, above = i % CHAIN == 0 ? i - CHAIN : i - 1;
+        many[i] = made->nodes[i < BSP_NODES ? i : BSP_NODES - 1];
+        many[i].parent = (uint16_t)(i == 0 ? FXL_BSP_NONE : above);
+        many[i].front = (uint16_t)(ends ? FXL_BSP_NONE : i + 1);
+        many[i].back =
+            (uint16_t)(i % CHAIN == 0 && behind < FXL_BSP_NODES_MAX ? behind : FXL_BSP_NONE);
+        many[i].first_face = (uint16_t)(i < BSP_NODES ? i : BSP_NODES);
+        many[i].face_count = i < BSP_NODES;
+    }
+    made->tiny->scene.bsp_nodes = many;
+    made->tiny->scene.bsp_node_count = FXL_BSP_NODES_MAX;
+    expect(FXL_OK, NULL, 0);
+#endif
+}
+
+/* A tree of one node, for a model of one face. */
+void test_the_smallest_tree(void)
+{
+    fxl_scene *scene = &made->tiny->scene;
+    made->tiny->models[1].face_count = 1;
+    scene->face_count = 7;
+    scene->face_bounds = NULL;
+    scene->face_bounds_count = 0;
+    scene->bsp_node_count = 1;
+    made->nodes[0].back = FXL_BSP_NONE;
+    expect(FXL_OK, NULL, 0);
 }
 
 /* A sphere need not hold the faces of the nodes beside its own. The second node is a leaf in front

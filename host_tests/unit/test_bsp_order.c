@@ -287,22 +287,27 @@ static fxl_bsp_node deep[DEEP];
 
 /* Hangs the tree below nodes that have no faces. Everything is behind their planes, 1000 units off,
  * and each sphere is a little larger than the one below. */
-static void deepen(void)
+static void deepen_to(uint32_t count)
 {
-    const uint32_t above = DEEP - BSP_NODES;
-    for (uint32_t i = 0; i < DEEP; i++) {
+    const uint32_t above = count - BSP_NODES;
+    for (uint32_t i = 0; i < count; i++) {
         deep[i] = made->nodes[i < above ? 0 : i - above];
         deep[i].front = FXL_BSP_NONE;
-        deep[i].back = (uint16_t)(i + 1 < DEEP ? i + 1 : FXL_BSP_NONE);
+        deep[i].back = (uint16_t)(i + 1 < count ? i + 1 : FXL_BSP_NONE);
         deep[i].parent = (uint16_t)(i > 0 ? i - 1 : FXL_BSP_NONE);
-        deep[i].radius += (fxl_q16_16)(DEEP - i);
+        deep[i].radius += (fxl_q16_16)(count - i);
         if (i < above) {
             deep[i].distance_high = 1000 << 14;
             deep[i].face_count = 0;
         }
     }
     made->tiny->scene.bsp_nodes = deep;
-    made->tiny->scene.bsp_node_count = DEEP;
+    made->tiny->scene.bsp_node_count = count;
+}
+
+static void deepen(void)
+{
+    deepen_to(DEEP);
 }
 
 void test_nodes_without_faces_change_nothing(void)
@@ -342,5 +347,40 @@ void test_what_moves_is_drawn_where_the_tree_is_not(void)
         TEST_ASSERT_EQUAL_UINT8(BACKGROUND, whole[0]);
         TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.drawn);
         TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
+    }
+}
+
+/* The workspace is as large as the method says, and not a byte of what follows is written, for
+ * trees whose bits fill a word or not. */
+void test_the_workspace_is_large_enough(void)
+{
+    static FXL_ALIGN_8 uint8_t room[sizeof(fxl_bsp_workspace) + 16 + 4 * DEEP + 24 + 64];
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
+    static const uint32_t counts[] = {30, 31, 32, 33, 62, 63, 64, 65, 70};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        make_crossing();
+        const fxl_pose pose = {{Q16(2.5), Q16(2), Q16(7)}, DEGREES(-40), DEGREES(-30), 0};
+        start(&fxl_visibility_bsp, &lens);
+        draw(whole, &pose, HEIGHT);
+        deepen_to(counts[i]);
+        fxl_scene *scene = &made->tiny->scene;
+        const uint32_t size = fxl_visibility_bsp.submit_workspace_size(scene);
+        const uint32_t rounded = (size + 7) / 8 * 8;
+        TEST_ASSERT_TRUE(rounded + 32 <= sizeof room);
+        memset(room, 0x5A, sizeof room);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, rounded));
+        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        memset(room + sizeof *tree, 0x5A, sizeof room - sizeof *tree);
+        tree->pieces = pieces;
+        tree->pieces_size = i % 2 ? sizeof pieces : 0;
+        draw(other, &pose, HEIGHT);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room + size, sizeof room - size);
+        if (i % 2) {
+            TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        }
     }
 }

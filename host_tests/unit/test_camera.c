@@ -91,6 +91,27 @@ void test_every_entry_is_within_two_units(void)
     }
 }
 
+/* A view's frames have numbers one after the other. 0 is the number of none: after 2^32 - 1 comes
+ * 1. A pose that is refused begins no frame. */
+void test_frames_are_numbered_from_one(void)
+{
+    const fxl_lens lens = unit_lens(48, 32);
+    fxl_pose pose = {origin, 1, 2, 3};
+    fxl_view view;
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL_UINT32(0, view.frame);
+    for (uint32_t frame = 1; frame < 4; frame++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+        TEST_ASSERT_EQUAL_UINT32(frame, view.frame);
+    }
+    view.frame = UINT32_MAX;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    TEST_ASSERT_EQUAL_UINT32(1, view.frame);
+    pose.position.y = FXL_COORDINATE_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_view_set_pose(&view, &pose));
+    TEST_ASSERT_EQUAL_UINT32(1, view.frame);
+}
+
 void test_a_position_out_of_range_is_refused(void)
 {
     for (int axis = 0; axis < 3; axis++) {

@@ -378,3 +378,21 @@ void test_the_sides_of_the_band_are_where_they_are_said_to_be(void)
     TEST_ASSERT_FALSE(scan.by_chains);
     check_polygon(&polygon, &band, false);
 }
+
+/* Every vertex of an outline must be in range, in x and in y. */
+void test_outlines_out_of_range(void)
+{
+    static uint8_t frame[64];
+    const fxl_band band = {frame, 8, 8, 0, 8};
+    fxl_scan scan;
+    for (int i = 0; i < 16; i++) {
+        fxl_screen_polygon polygon = {
+            .count = 4, .points = {{0, 0}, {Q16(8), 0}, {Q16(8), Q16(8)}, {0, Q16(8)}}};
+        fxl_q16_16 *const number = i & 1 ? &polygon.points[i / 4].x : &polygon.points[i / 4].y;
+        const int sign = i & 2 ? 1 : -1;
+        *number = sign * FXL_SCREEN_COORDINATE_MAX;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
+        *number += sign;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scan_begin(&polygon, &band, &scan));
+    }
+}

@@ -41,6 +41,11 @@ static void expect_shape(const fxl_varying_polygon *polygon, const fxl_varying_p
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(polygon, &result));
     TEST_ASSERT_EQUAL(wanted->count, result->count);
     TEST_ASSERT_EQUAL(polygon->colour, result->colour);
+    TEST_ASSERT_EQUAL(polygon->carried, result->carried);
+    for (int i = 0; i < result->count; i++) { /* x rides along, in units of 2^-16 */
+        TEST_ASSERT_NEAR(result->vertices[i].carried[0],
+                         (double)result->vertices[i].position.x / (1 << 30), 2);
+    }
     bool found = false;
     for (int first = 0; first < wanted->count; first++) {
         bool same = true;
@@ -213,6 +218,72 @@ static double twice_area(const fxl_normalised *frustum, const fxl_varying_polygo
         twice += (double)a->x * b->y - (double)b->x * a->y;
     }
     return twice;
+}
+
+/* Swaps and negates coordinates: one of the 8 ways in which the square screen falls on itself. */
+static void turn(fxl_varying_polygon *polygon, int way)
+{
+    for (int i = 0; i < polygon->count; i++) {
+        fxl_view_point *at = &polygon->vertices[i].position;
+        const fxl_view_point was = *at;
+        at->x = way & 4 ? was.y : was.x;
+        at->y = way & 4 ? was.x : was.y;
+        at->x = way & 1 ? -at->x : at->x;
+        at->y = way & 2 ? -at->y : at->y;
+    }
+}
+
+/* Edges from the middle of the screen leave exactly through its corners: an end of the line in
+ * which a plane cuts the polygon then lies on the next plane. What is seen is a quarter of the
+ * screen, 64 by 64 pixels. */
+void test_edges_that_leave_through_corners(void)
+{
+    const fxl_normalised frustum = square();
+    const double quarter = 64.0 * 64 / 4 * 65536 * 65536;
+    for (int way = 0; way < 8; way++) {
+        for (int reversed = 0; reversed < 2; reversed++) {
+            const fxl_varying_polygon *result;
+            fxl_varying_polygon polygon = reversed ? SHAPE(0, 0, 10, -20, 20, 10, 20, 20, 10)
+                                                   : SHAPE(0, 0, 10, 20, 20, 10, -20, 20, 10);
+            turn(&polygon, way);
+            TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+            const double twice = twice_area(&frustum, result);
+            TEST_ASSERT_NEAR(twice < 0 ? -twice : twice, 2 * quarter, 64 * 65536.0 * 8);
+        }
+    }
+}
+
+static bool has_vertex(const fxl_varying_polygon *polygon, const fxl_view_point *at)
+{
+    bool found = false;
+    for (int i = 0; i < polygon->count; i++) {
+        const fxl_view_point *vertex = &polygon->vertices[i].position;
+        found = found || (vertex->x == at->x && vertex->y == at->y && vertex->z == at->z);
+    }
+    return found;
+}
+
+/* A quadrangle that is not flat has no one point at a corner of the screen. Whichever way round,
+ * the clipper takes the same one: that on the line in which the plane of the lower number cuts. */
+void test_a_corner_is_the_same_either_way_round(void)
+{
+    static fxl_varying_polygon forward;
+    for (int way = 0; way < 8; way++) {
+        const fxl_varying_polygon *result;
+        fxl_varying_polygon polygon = SHAPE(1, 2, 10, 1, 40, 16, 40, 42, 10, 42, 1, 17);
+        turn(&polygon, way);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+        forward = *result;
+        const fxl_varying_vertex second = polygon.vertices[1];
+        polygon.vertices[1] = polygon.vertices[3];
+        polygon.vertices[3] = second;
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip(&polygon, &result));
+        TEST_ASSERT_EQUAL(4, result->count);
+        TEST_ASSERT_EQUAL(4, forward.count);
+        for (int i = 0; i < 4; i++) {
+            TEST_ASSERT_TRUE(has_vertex(&forward, &result->vertices[i].position));
+        }
+    }
 }
 
 /* The same piece as plane by plane: the same number of corners, and the same area

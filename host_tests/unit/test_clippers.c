@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clip_views.h"
 #include "clippers_list.h"
 #include "polygon_face.h"
 #include "unit.h"
@@ -27,27 +28,7 @@ static bool is_kept(fxl_clip_result result)
 
 static fxl_view random_view(void)
 {
-    fxl_view view;
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(100));
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    fxl_view_set_lens(&view, &lens);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
-    return view;
-}
-
-/* A point of the view as one of the world, to within a unit or two. */
-static fxl_point at(const fxl_view *view, fxl_q16_16 x, fxl_q16_16 y, fxl_q16_16 z)
-{
-    const fxl_camera *camera = &view->camera;
-    const fxl_direction *r = &camera->axes.right, *u = &camera->axes.up, *f = &camera->axes.forward;
-    return (fxl_point){
-        camera->position.x +
-            (fxl_q16_16)(((int64_t)r->x * x + (int64_t)u->x * y + (int64_t)f->x * z) >> 30),
-        camera->position.y +
-            (fxl_q16_16)(((int64_t)r->y * x + (int64_t)u->y * y + (int64_t)f->y * z) >> 30),
-        camera->position.z +
-            (fxl_q16_16)(((int64_t)r->z * x + (int64_t)u->z * y + (int64_t)f->z * z) >> 30)};
+    return clip_random_view(WIDTH, HEIGHT);
 }
 
 /* Flat, convex, of 3 to 6 vertices; before the eye, or partly behind it. */
@@ -61,8 +42,8 @@ static fxl_polygon random_face(const fxl_view *view)
     int lean = unit_between(-2, 2);
     for (int i = 0; i < polygon.count; i++) {
         int across = ring[i * step][0], up = ring[i * step][1];
-        polygon.vertices[i].position =
-            at(view, x + across * size, y + up * size, depth + lean * (across + up) * (size / 2));
+        polygon.vertices[i].position = clip_place(view, x + across * size, y + up * size,
+                                                  depth + lean * (across + up) * (size / 2));
     }
     return polygon;
 }
@@ -205,9 +186,9 @@ void test_near_leaves_the_sides_alone(void)
     fxl_view view = random_view();
     fxl_clip_result result;
     fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = at(&view, Q16(-40), 0, Q16(10));
-    polygon.vertices[1].position = at(&view, 0, Q16(40), Q16(10));
-    polygon.vertices[2].position = at(&view, Q16(40), Q16(-1), Q16(10));
+    polygon.vertices[0].position = clip_place(&view, Q16(-40), 0, Q16(10));
+    polygon.vertices[1].position = clip_place(&view, 0, Q16(40), Q16(10));
+    polygon.vertices[2].position = clip_place(&view, Q16(40), Q16(-1), Q16(10));
     take(&fxl_clipper_near, &polygon, &view, &result);
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, result);
     TEST_ASSERT_EQUAL(3, got[0].count);
@@ -219,7 +200,7 @@ void test_near_leaves_the_sides_alone(void)
         TEST_ASSERT_TRUE(got[0].points[i].x >= 0);
     }
     /* As far off as the world reaches, beside the eye: what a screen could not hold. */
-    polygon.vertices[2].position = at(&view, Q16(4000), Q16(-1), Q16(0.25));
+    polygon.vertices[2].position = clip_place(&view, Q16(4000), Q16(-1), Q16(0.25));
     for (int which = 0; which < CLIPPERS; which++) {
         int count = take(clippers[which], &polygon, &view, &result);
         TEST_ASSERT_TRUE(count > 0);
@@ -238,9 +219,9 @@ void test_near_is_always_cut(void)
     fxl_view view = random_view();
     fxl_clip_result result;
     fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = at(&view, 0, 0, view.lens.near_z * 3 / 4);
-    polygon.vertices[1].position = at(&view, Q16(0.5), Q16(-0.5), Q16(2));
-    polygon.vertices[2].position = at(&view, Q16(-0.5), Q16(-0.5), Q16(2));
+    polygon.vertices[0].position = clip_place(&view, 0, 0, view.lens.near_z * 3 / 4);
+    polygon.vertices[1].position = clip_place(&view, Q16(0.5), Q16(-0.5), Q16(2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.5), Q16(-0.5), Q16(2));
     for (int which = 0; which < CLIPPERS; which++) {
         int count = take(clippers[which], &polygon, &view, &result);
         bool fan = clippers[which] == &fxl_clipper_triangles;
@@ -256,7 +237,8 @@ void test_the_capacity_is_never_overrun(void)
     fxl_view view = random_view();
     fxl_polygon polygon = {.colour = 3, .count = FXL_POLYGON_CAPACITY};
     for (int i = 0; i < FXL_POLYGON_CAPACITY; i++) {
-        polygon.vertices[i].position = at(&view, Q16(0.01) * i, 0, i % 2 ? Q16(-1) : Q16(2));
+        polygon.vertices[i].position =
+            clip_place(&view, Q16(0.01) * i, 0, i % 2 ? Q16(-1) : Q16(2));
     }
     for (int which = 0; which < CLIPPERS; which++) {
         fxl_clip_result result;
@@ -281,9 +263,9 @@ void test_the_sliver_rule_is_an_option(void)
     fxl_screen_polygon screen;
     fxl_q16_16 near = view.lens.near_z + view.lens.inset;
     fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = at(&view, 0, Q16(0.01), near + Q16(0.01));
-    polygon.vertices[1].position = at(&view, Q16(0.01), Q16(-0.01), near - Q16(0.5));
-    polygon.vertices[2].position = at(&view, Q16(-0.01), Q16(-0.01), near - Q16(0.5));
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.01), near + Q16(0.01));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.01), Q16(-0.01), near - Q16(0.5));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.01), Q16(-0.01), near - Q16(0.5));
     for (int which = 0; which < CLIPPERS; which++) {
         for (int on = 0; on < 2; on++) {
             fxl_clip_stats *account = &guarded.workspace.stats;
@@ -299,80 +281,34 @@ void test_the_sliver_rule_is_an_option(void)
     }
 }
 
-/* The clippers of the view and of the world count where they are given an account. */
-void test_all_count_what_they_work_out(void)
+/* The straight corner of a quadrangle makes a triangle of no area, which is left out. The two
+ * others are given. */
+void test_a_triangle_without_area_is_left_out(void)
 {
-    fxl_view view = random_view();
-    static fxl_clipper_work work;
-    static polygon_face face;
-    fxl_screen_polygon screen;
-    fxl_clip_stats account = {0, 0, 0};
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = at(&view, 0, Q16(0.25), Q16(2));
-    polygon.vertices[1].position = at(&view, Q16(0.25), Q16(-0.25), Q16(-2));
-    polygon.vertices[2].position = at(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
-    fxl_view_set_world_frustum(&view);
-    for (int which = 0; which < 2; which++) {
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &account;
-        fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(
-            &face.model_view, &face.face, &work, &screen);
-        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
-        TEST_ASSERT_TRUE(account.intersections >= 2 && account.distances >= 3);
-        account = (fxl_clip_stats){0, 0, 0};
-    }
-}
-
-/* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
-void test_half_spaces_measure_a_vertex_once(void)
-{
-    static fxl_clipper_work work;
-    static polygon_face face;
-    fxl_view view = random_view();
-    fxl_screen_polygon screen;
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = at(&view, 0, Q16(0.25), Q16(2));
-    polygon.vertices[1].position = at(&view, Q16(0.25), Q16(-0.25), Q16(2));
-    polygon.vertices[2].position = at(&view, Q16(-0.25), Q16(-0.25), Q16(2));
-    memset(&guarded.workspace, 0, fxl_clipper_half_spaces.workspace_size);
-    for (int planes = 1; planes >= 0; planes--) {
-        guarded.workspace.stats = (fxl_clip_stats){0, 0, 0};
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &guarded.workspace;
-        face.model_view.planes = planes ? FXL_PLANES_ALL : 0;
-        for (int again = 0; again < 2; again++) {
-            TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clipper_half_spaces.clip(
-                                                   &face.model_view, &face.face, &work, &screen));
-            TEST_ASSERT_EQUAL_UINT32(planes ? 3 * FXL_PLANE_COUNT : 0,
-                                     guarded.workspace.stats.distances);
-            TEST_ASSERT_EQUAL_UINT32(0, guarded.workspace.stats.intersections);
+    fxl_view view;
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_clip_result result;
+    static const fxl_point across[] = {
+        {0, Q16(1), 0}, {Q16(1), Q16(1), 0}, {Q16(2), Q16(1), 0}, {Q16(2), 0, 0}, {0, 0, 0}};
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    for (int first = 0; first < 5; first++) {
+        fxl_polygon polygon = {.colour = 3, .count = 5};
+        for (int i = 0; i < 5; i++) {
+            polygon.vertices[i].position = across[(first + i) % 5];
+            polygon.vertices[i].position.z = Q16(8);
         }
-    }
-}
-
-/* Each vertex beside the screen is tried against the guard band. For the clipper that cuts by the
- * left side too, one beyond that side alone is not tried; then the left plane measures all three.
- */
-void test_the_guard_band_is_counted(void)
-{
-    static fxl_clipper_work work;
-    static polygon_face face;
-    fxl_view view = random_view();
-    fxl_screen_polygon screen;
-    const fxl_clip_stats *stats = &guarded.workspace.stats;
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = at(&view, Q16(-40), 0, Q16(10));
-    polygon.vertices[1].position = at(&view, 0, Q16(40), Q16(10));
-    polygon.vertices[2].position = at(&view, Q16(40), Q16(-1), Q16(10));
-    for (int left = 0; left < 2; left++) {
-        const fxl_clipper *clipper = left ? &fxl_clipper_left : &fxl_clipper_near;
-        memset(&guarded.workspace, 0, clipper->workspace_size);
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &guarded.workspace;
-        TEST_ASSERT_EQUAL(left ? FXL_CLIP_CUT : FXL_CLIP_INSIDE,
-                          clipper->clip(&face.model_view, &face.face, &work, &screen));
-        TEST_ASSERT_EQUAL_UINT32(left ? 2 * FXL_PLANE_COUNT + 3 : 3 * FXL_PLANE_COUNT,
-                                 stats->distances);
-        TEST_ASSERT_EQUAL_UINT32(left ? 2 : 0, stats->intersections);
+        const int count = take(&fxl_clipper_triangles, &polygon, &view, &result);
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, result);
+        /* About any corner but those of the straight side's ends, all three have an area. */
+        TEST_ASSERT_EQUAL(first == 0 || first == 2 ? 2 : 3, count);
+        int64_t area = 0;
+        for (int i = 0; i < count; i++) {
+            TEST_ASSERT_TRUE(area_of(&got[i]) != 0);
+            area += area_of(&got[i]);
+        }
+        /* 6 by 3 pixels: 24 pixels of focal length, 8 units away. */
+        TEST_ASSERT_TRUE(area == (int64_t)2 * 6 * 3 * 65536 * 65536);
     }
 }

@@ -21,6 +21,8 @@ static sample make_sample(uint32_t number, uint32_t round)
     sample made;
     uint32_t bits = (number + 1) * 2654435761u ^ round * 40503u;
     made.polygon.colour = (uint8_t)bits;
+    made.polygon.kind = (uint8_t)(bits >> 16);
+    made.polygon.reserved = 0;
     made.polygon.count = (uint8_t)(3 + (bits >> 8) % (FXL_POLYGON_CAPACITY - 2));
     for (uint32_t i = 0; i < made.polygon.count; i++) {
         int32_t spread = (int32_t)(bits * (2 * i + 1));
@@ -65,6 +67,7 @@ static void expect_record(const sample *want, const fxl_display_list_record *got
     TEST_ASSERT_EQUAL(want->rows.end, got->rows.end);
     TEST_ASSERT_EQUAL(want->polygon.colour, got->colour);
     TEST_ASSERT_EQUAL(want->polygon.count, got->count);
+    TEST_ASSERT_EQUAL(want->polygon.kind, got->kind);
     TEST_ASSERT_EQUAL_MEMORY(want->polygon.points, got->points,
                              want->polygon.count * sizeof want->polygon.points[0]);
 }

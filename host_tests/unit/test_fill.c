@@ -74,3 +74,22 @@ void test_every_start_and_length(void)
         }
     }
 }
+
+/* A row lies between the smaller x and the larger one, whichever edge has which: edges may cross.
+ */
+void test_edges_that_cross(void)
+{
+    for (int first = 0; first < 2; first++) {
+        fxl_band band = band_of_memory();
+        fxl_trapezoid trapezoid = {.first_row = FIRST, .end_row = FIRST + ROWS_OF_BAND};
+        trapezoid.edges[first] = (fxl_edge){1, 0, 2, 0};                /* 1 3 5 7 */
+        trapezoid.edges[1 - first] = (fxl_edge){7, 0, -2, 0x80000000u}; /* 7 5.5 4 2.5 */
+        fxl_fill_trapezoid(&band, &trapezoid, '#');
+        expect_memory(".........."
+                      ".######..."
+                      "...##....."
+                      "....#....."
+                      "..#####..."
+                      "..........");
+    }
+}

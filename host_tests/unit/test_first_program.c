@@ -60,6 +60,12 @@ void test_the_default_configuration_is_in_range(void)
     fxl_config config = fxl_config_default(320, 240);
     TEST_ASSERT_EQUAL_UINT16(320, config.width);
     TEST_ASSERT_EQUAL_UINT16(240, config.height);
+    /* 60 degrees are a sixth of 2^32. The rest is what render.h promises. */
+    TEST_ASSERT_EQUAL_HEX32(715827883, config.fov);
+    TEST_ASSERT_EQUAL_INT32(65536 / 4, config.near_z);
+    TEST_ASSERT_EQUAL_INT32(65536 * 256, config.far_z);
+    TEST_ASSERT_EQUAL_INT32(0, config.inset);
+    TEST_ASSERT_EQUAL_UINT8(0, config.background);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
 }
 
@@ -74,8 +80,10 @@ void test_what_cannot_be_is_refused_and_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, NULL, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, NULL, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, &config, NULL, LARGE));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_init(&renderer, &scene, &config,
-                                                         (uint8_t *)block + 4, LARGE - 8));
+    for (uint32_t off = 1; off < 8; off++) {
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_init(&renderer, &scene, &config,
+                                                             (uint8_t *)block + off, LARGE - 8));
+    }
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init(&renderer, &unchecked, &config, block, LARGE));
     config.near_z = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
@@ -92,6 +100,16 @@ void test_a_block_that_is_too_small_says_by_how_much(void)
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_init(&renderer, &scene, &config, block, 0));
     TEST_ASSERT_EQUAL_UINT32(least, renderer.memory_missing);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, least));
+}
+
+/* The order of one instance of a convex model has one entry. */
+void test_the_smallest_scene(void)
+{
+    const fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    scene.instance_count = 1;
+    scene.order_needed = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
+    TEST_ASSERT_EQUAL_UINT32(1, renderer.instance_capacity);
 }
 
 /* No table reaches into another or beyond the block, whatever its size. */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
+#include "kernels/edge_divide.h"
 #include "src/math/divide_wide.h"
+#include "src/math/square_root.h"
 #include "unit.h"
 #include "wide.h"
 
@@ -69,5 +71,77 @@ void test_any_fraction(void)
         uint64_t part = ((uint64_t)unit_random() << 32 | unit_random()) % whole;
         expect_fraction(part, whole);
         expect_fraction(whole - 1 - part % (whole < 4 ? whole : 4), whole);
+    }
+}
+
+static void expect_quotient(uint32_t quotient, uint32_t rest, uint32_t denominator)
+{
+    uint32_t left = 12345;
+    TEST_ASSERT_EQUAL_HEX32(
+        quotient, fxl_divide_u64((uint64_t)quotient * denominator + rest, denominator, &left));
+    TEST_ASSERT_EQUAL_HEX32(rest, left);
+}
+
+/* Any quotient and remainder come back from what they were made of; the largest remainder is where
+ * an estimate that is too large by one is hardest to tell. */
+void test_quotients_and_remainders(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint32_t denominator = (unit_random() >> unit_random() % 32) | 1u;
+        const uint32_t quotient = unit_random() >> unit_random() % 32;
+        expect_quotient(quotient, denominator - 1, denominator);
+        expect_quotient(quotient, 0, denominator);
+        expect_quotient(quotient, unit_random() % denominator, denominator);
+        expect_quotient(quotient | 0xFFFFu, denominator - 1, denominator);
+        expect_quotient(quotient, UINT32_MAX - 1, UINT32_MAX);
+        expect_quotient(quotient, 0x80000000u, 0x80000001u);
+    }
+}
+
+/* whole.fraction is floor(2^32 dividend / height) + 1: more than the exact quotient, by 2^-32 at
+ * most. In 64 bits: height whole.fraction is more than 2^32 dividend, by height at most. */
+static void expect_edge_quotient(int32_t dividend, uint32_t height)
+{
+    const fxl_edge_divider divider = fxl_edge_divider_of(height);
+    int32_t whole;
+    uint32_t fraction;
+    fxl_edge_divide(&divider, dividend, &whole, &fraction);
+    const int64_t quotient = (int64_t)whole * ((int64_t)1 << 32) + fraction;
+    const wide over = wide_difference(wide_product(quotient, (int64_t)height),
+                                      wide_product(dividend, (int64_t)1 << 32));
+    int64_t more;
+    TEST_ASSERT_TRUE(wide_narrow(over, &more));
+    TEST_ASSERT_TRUE(more > 0 && more <= (int64_t)height);
+    /* The largest power of two that is not above 2^32 / height, or where that is one, its half. */
+    const uint64_t power = (uint64_t)1 << fxl_edge_divider_shift(&divider), all = (uint64_t)1 << 32;
+    TEST_ASSERT_TRUE(power * height <= all && 2 * power * height >= all);
+}
+
+void test_quotients_of_edges(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint32_t height =
+            (uint32_t)unit_between(1, FXL_EDGE_HEIGHT_MAX) >> unit_random() % 26;
+        const int32_t dividend = unit_between(-FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_DIVIDEND_MAX);
+        const uint32_t divisor = height > 0 ? height : 1;
+        const int32_t times = dividend / (int32_t)divisor * (int32_t)divisor;
+        expect_edge_quotient(dividend, divisor);
+        expect_edge_quotient(times, divisor); /* no remainder */
+        expect_edge_quotient(times - (times > 0), divisor);
+    }
+    expect_edge_quotient(FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_HEIGHT_MAX);
+    expect_edge_quotient(-FXL_EDGE_DIVIDEND_MAX, FXL_EDGE_HEIGHT_MAX);
+    expect_edge_quotient(0, 1);
+}
+
+/* The nearest whole number: from n n - n + 1 to n n + n it is n. */
+void test_square_roots(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint64_t n = i < 100 ? (uint64_t)i : (unit_random() >> unit_random() % 32) & ~1u;
+        TEST_ASSERT_EQUAL_HEX32(n, fxl_square_root(n * n));
+        TEST_ASSERT_EQUAL_HEX32(n, fxl_square_root(n * n + n));
+        TEST_ASSERT_EQUAL_HEX32(n + 1, fxl_square_root(n * n + n + 1));
+        TEST_ASSERT_EQUAL_HEX32(n, fxl_square_root(n == 0 ? 0 : n * n - n + 1));
     }
 }

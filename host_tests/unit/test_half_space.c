@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Volumes of half-spaces: their distances against exact numbers, points and
  * polygons. */
+#include <stdlib.h>
+
 #include "clip_shapes.h"
 #include "wide.h"
 
@@ -27,6 +29,10 @@ void test_distances_are_exact_but_for_the_last_unit(void)
     for (int i = 0; i < UNIT_REPEAT; i++) {
         fxl_half_space plane = {{component(), component(), component()}, unit_wide(61)};
         fxl_view_point point = {unit_wide(61), unit_wide(61), unit_wide(61)};
+        if (i % 8 == 1) { /* the smallest numbers */
+            plane.normal =
+                (fxl_direction){unit_between(-1, 1), unit_between(-1, 1), unit_between(-1, 1)};
+        }
         if (i % 8 == 0) { /* the largest sums */
             plane.normal = (fxl_direction){715827882, -715827882, 715827882};
             point.x = point.z = ((int64_t)1 << 61) - 1;
@@ -147,6 +153,43 @@ void test_points(void)
         const uint32_t expected = points[i].outside;
         TEST_ASSERT_EQUAL(expected, fxl_volume_code(&volume, &at));
         TEST_ASSERT_EQUAL(expected == 0, fxl_volume_holds(&volume, &at));
+    }
+}
+
+/* The larger number of a side's normal has 30 bits, so that no bit of a distance is lost. */
+void test_normals_of_a_window_have_all_bits(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        const fxl_q16_16 left = -unit_between(1, FXL_COORDINATE_MAX),
+                         right = unit_between(0, -left);
+        const fxl_q16_16 near = unit_between(FXL_NEAR_MIN, Q16(100)) >> unit_random() % 8;
+        fxl_volume volume;
+        if (near < FXL_NEAR_MIN) {
+            continue;
+        }
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_volume_from_window(left, right, left, right, near, Q16(200), &volume));
+        for (int plane = FXL_PLANE_LEFT; plane <= FXL_PLANE_TOP; plane++) {
+            const fxl_direction *normal = &volume.planes[plane].normal;
+            const int32_t across = abs(normal->x + normal->y), along = abs(normal->z);
+            const int32_t larger = across > along ? across : along;
+            TEST_ASSERT_TRUE(larger >= 1 << 29 && larger < 1 << 30);
+        }
+    }
+}
+
+/* The planes near and far stand straight: how far a point lies to the side is all the same. */
+void test_depths_alone_decide_near_and_far(void)
+{
+    const fxl_volume volume = aside(); /* depths 1 to 100 */
+    const int64_t end = ((int64_t)1 << 61) - 1;
+    for (int i = 0; i < 9; i++) {
+        const fxl_view_point near = {end * (i % 3 - 1), end * (i / 3 - 1), V(1)};
+        const fxl_view_point far = {near.x, near.y, V(100)};
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_NEAR], &near) == 0);
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_FAR], &near) == V(99));
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_NEAR], &far) == V(99));
+        TEST_ASSERT_TRUE(fxl_half_space_distance(&volume.planes[FXL_PLANE_FAR], &far) == 0);
     }
 }
 

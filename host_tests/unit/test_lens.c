@@ -59,6 +59,8 @@ void test_what_is_out_of_range_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(9, 0, fov, 999, 99999, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(FXL_SCREEN_MAX + 1, 9, fov, 999, 99999, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(9, FXL_SCREEN_MAX + 1, fov, 999, 99999, 0));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(FXL_SCREEN_MAX + 1, 1, fov, 999, 99999, 0));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(1, FXL_SCREEN_MAX + 1, fov, 999, 99999, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(9, 9, FXL_FOV_MIN - 1, 999, 99999, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(9, 9, FXL_FOV_MAX + 1, 999, 99999, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, try_lens(9, 9, fov, FXL_NEAR_MIN - 1, 99999, 0));

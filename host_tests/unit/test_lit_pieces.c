@@ -219,6 +219,23 @@ void test_neighbours_fit_anywhere(void)
     any_faces(2, 31 * 65536 + 12345);
 }
 
+/* A plane cuts a piece through two points, and each may be a corner of three pieces: six corners a
+ * cut at most, beside those of the face and 16 for edges that lie in a plane. */
+void test_room_is_not_wasted(void)
+{
+    for (uint8_t planes = 1; planes <= FXL_BEAM_PLANES_MAX; planes++) {
+        const fxl_beam beams[2] = {{.plane_count = planes}, {.plane_count = 1}};
+        const uint32_t face = FXL_FACE_VERTICES_MAX - planes; /* the most vertices that fit */
+        TEST_ASSERT_EQUAL_UINT32(planes + 1, fxl_lit_pieces_needed(beams, 1));
+        TEST_ASSERT_TRUE(fxl_lit_corners_needed(beams, 1) <= face + 16 + 6 * planes);
+        TEST_ASSERT_TRUE(fxl_lit_corners_needed(beams, 1) >= face + 4 * planes);
+        /* Another plane may cut each of the pieces, and adds a vertex to either part. */
+        TEST_ASSERT_EQUAL_UINT32(2 * (planes + 1), fxl_lit_pieces_needed(beams, 2));
+        TEST_ASSERT_TRUE(fxl_lit_corners_needed(beams, 2) <=
+                         face - 2 + 16 + 6 * (2 * (planes + 1u) - 1));
+    }
+}
+
 void test_too_little_room_is_said(void)
 {
     const fxl_point window[] = {{Q16(-1), Q16(-1), Q16(3)},
@@ -228,12 +245,16 @@ void test_too_little_room_is_said(void)
     const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
     const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
     const fxl_beam beam = shaft(window, 4);
-    bool done = false;
+    bool done = false, before;
     uint32_t needed = fxl_lit_corners_needed(&beam, 1);
     for (uint32_t size = 0; size <= needed; size++) {
         fxl_lit_pieces small = {corners, nexts, table, size, PIECES, 0, 0};
         memset(corners, 0x5A, sizeof corners);
+        before = done;
         done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
+        TEST_ASSERT_TRUE(done || !before); /* more room is never too little */
+        TEST_ASSERT_TRUE(!done || small.piece_count == 5);
+        TEST_ASSERT_TRUE(!done || size >= 5 * 4); /* each piece has four corners at least */
         TEST_ASSERT_EQUAL_HEX32(0x5A5A5A5A, (uint32_t)corners[size].x);
     }
     TEST_ASSERT_TRUE(done);
@@ -241,7 +262,46 @@ void test_too_little_room_is_said(void)
         fxl_lit_pieces small = {corners, nexts, table, CORNERS, size, 0, 0};
         memset(table, 0x5A, sizeof table);
         done = fxl_lit_split(&small, &beam, 1, &normal, face, 4);
+        TEST_ASSERT_EQUAL(size >= 5, done);
         TEST_ASSERT_EQUAL_HEX16(0x5A5A, table[size].count);
     }
     TEST_ASSERT_TRUE(done);
+}
+
+/* As many corners and pieces as a face took are enough for it, and one less is not. */
+static void expect_exact_room(const fxl_beam *beam, const fxl_point *face, uint32_t count)
+{
+    const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
+    TEST_ASSERT_TRUE(fxl_lit_split(&workspace, beam, 1, &normal, face, count));
+    const uint32_t used = workspace.corner_count, made = workspace.piece_count;
+    for (uint32_t less = 0; less <= used; less++) {
+        fxl_lit_pieces small = {corners, nexts, table, used - less, PIECES, 0, 0};
+        TEST_ASSERT_EQUAL(less == 0, fxl_lit_split(&small, beam, 1, &normal, face, count));
+    }
+    for (uint32_t less = 0; less <= made; less++) {
+        fxl_lit_pieces small = {corners, nexts, table, CORNERS, made - less, 0, 0};
+        TEST_ASSERT_EQUAL(less == 0, fxl_lit_split(&small, beam, 1, &normal, face, count));
+    }
+}
+
+void test_the_room_that_a_face_took_is_the_least(void)
+{
+    const fxl_point window[] = {{Q16(0), Q16(-1), Q16(3)},
+                                {Q16(2), Q16(-1), Q16(3)},
+                                {Q16(2), Q16(1), Q16(3)},
+                                {Q16(0), Q16(1), Q16(3)}};
+    const fxl_point behind[] = {at(-4, -4), at(-4, 4), at(0, 4),
+                                at(0, -4)}; /* an edge in a plane */
+    const fxl_point around[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
+    const fxl_point across[] = {at(-3, 0), at(1, 3), at(3, -3)};
+    for (uint32_t turn = 0; turn < 4; turn++) {
+        fxl_point turned[4];
+        for (uint32_t i = 0; i < 4; i++) {
+            turned[i] = window[(i + turn) % 4];
+        }
+        const fxl_beam beam = shaft(turned, 4);
+        expect_exact_room(&beam, behind, 4);
+        expect_exact_room(&beam, around, 4);
+        expect_exact_room(&beam, across, 3);
+    }
 }

@@ -80,6 +80,38 @@ void test_rows_are_the_definition(void)
     }
 }
 
+/* Factors of few bits are exact: 3/4 and 1/2 for a focal length of 3/4 of the screen's width. */
+void test_simple_factors_are_exact(void)
+{
+    const fxl_camera camera = straight();
+    const fxl_direction right = {FXL_Q2_30_ONE / 4 * 3, 0, 0}, up = {0, FXL_Q2_30_ONE / 4 * 3, 0};
+    const fxl_direction forward = {0, 0, FXL_Q2_30_ONE};
+    fxl_lens lens = unit_lens(64, 64);
+    fxl_normalised frustum;
+    lens.focal = Q16(48);
+    fxl_normalised_from_camera(&camera, &lens, &frustum);
+    TEST_ASSERT_EQUAL_MEMORY(&right, &frustum.x.direction, sizeof right);
+    TEST_ASSERT_EQUAL_MEMORY(&up, &frustum.y.direction, sizeof up);
+    TEST_ASSERT_EQUAL_MEMORY(&forward, &frustum.z.direction, sizeof forward);
+    TEST_ASSERT_EQUAL(0, frustum.x.shift);
+    TEST_ASSERT_EQUAL(0, frustum.y.shift);
+    TEST_ASSERT_EQUAL(1, frustum.z.shift);
+    /* Turned round, right and forward are negative: no rounding moves them either. */
+    const fxl_pose behind = {{0, 0, 0}, 2 * FXL_ANGLE_QUARTER, 0, 0};
+    fxl_camera turned;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&behind, &turned));
+    fxl_normalised_from_camera(&turned, &lens, &frustum);
+    TEST_ASSERT_EQUAL_INT32(-right.x, frustum.x.direction.x);
+    TEST_ASSERT_EQUAL_INT32(up.y, frustum.y.direction.y);
+    TEST_ASSERT_EQUAL_INT32(-forward.z, frustum.z.direction.z);
+    lens.focal = Q16(24); /* 3/4 and 1: nothing is made smaller but across */
+    fxl_normalised_from_camera(&camera, &lens, &frustum);
+    TEST_ASSERT_EQUAL_MEMORY(&right, &frustum.x.direction, sizeof right);
+    TEST_ASSERT_EQUAL_MEMORY(&up, &frustum.y.direction, sizeof up);
+    TEST_ASSERT_EQUAL_MEMORY(&forward, &frustum.z.direction, sizeof forward);
+    TEST_ASSERT_EQUAL(0, frustum.x.shift + frustum.y.shift + frustum.z.shift);
+}
+
 /* A point that lies the inset inside the plane by the unit vectors of the view. */
 void test_insets_are_distances_along_the_normal(void)
 {
@@ -322,6 +354,14 @@ void test_projection_spans_the_screen(void)
     point = (fxl_view_point){((int64_t)1 << 61) - 1, 0, 1};
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
     point = (fxl_view_point){0, 1 - ((int64_t)1 << 61), 1};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
+    /* 32 pixels and 32 x / z are 4095 where x is 4063 for a depth of 32. */
+    point = (fxl_view_point){V(4063), V(-4063), V(32)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_normalised_project(&frustum, &point, &at));
+    TEST_ASSERT_TRUE(at.x == FXL_SCREEN_COORDINATE_MAX && at.y == FXL_SCREEN_COORDINATE_MAX);
+    point.x = V(4063) + V(1) / 256;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
+    point = (fxl_view_point){V(4063), V(-4063) - V(1) / 256, V(32)};
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_normalised_project(&frustum, &point, &at));
     point = (fxl_view_point){1, -1, 1}; /* depths below 31 bits */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_normalised_project(&frustum, &point, &at));

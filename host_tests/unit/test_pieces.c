@@ -293,6 +293,39 @@ void test_light_splits_the_faces_that_it_reaches(void)
     TEST_ASSERT_TRUE(lit > UNIT_REPEAT / 50 && dark > UNIT_REPEAT / 50 && asked > 0);
 }
 
+/* A clipper that notes the planes of the pieces: their vertices are not the scene's. */
+static uint32_t pieces_seen, planes_seen;
+
+static fxl_clip_result note_planes(const fxl_model_view *model_view, const fxl_face *face,
+                                   fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    const fxl_point *scene = renderer.scene->vertices;
+    if (model_view->vertices != scene && model_view->vertices != scene + 8) {
+        pieces_seen++;
+        planes_seen |= model_view->planes;
+    }
+    return fxl_clip_by_view(model_view, face, work, screen);
+}
+
+/* A piece needs the planes of its face: none where the instance's sphere is inside all of them. */
+void test_pieces_need_the_planes_of_their_face(void)
+{
+    static const fxl_clipper noting = {.clip = note_planes};
+    const fxl_beam_light light = {reaches, fxl_submit_lit_face, split};
+    const fxl_pose inside = {{0, 0, Q16(-6)}, 0, 0, 0},
+                   across = {{0, 0, Q16(-3)}, DEGREES(45), 0, 0};
+    for (int i = 0; i < 2; i++) {
+        start(LIST_WORDS);
+        renderer.beam_light = &light;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &noting, NULL, 0));
+        pieces_seen = planes_seen = 0;
+        (void)draw(i == 0 ? &inside : &across, frames[1], HEIGHT);
+        TEST_ASSERT_TRUE(pieces_seen > 0);
+        TEST_ASSERT_EQUAL(i == 0, planes_seen == 0);
+        TEST_ASSERT_TRUE(planes_seen != FXL_PLANES_ALL);
+    }
+}
+
 /* A clipper with room: zeroed when it is set, reached by the view, in the frame's number. */
 static fxl_clip_result clip_with_workspace(const fxl_model_view *model_view, const fxl_face *face,
                                            fxl_clipper_work *work, fxl_screen_polygon *screen)

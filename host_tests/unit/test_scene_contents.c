@@ -163,6 +163,22 @@ void test_planarity(void)
     expect_entry_word(FXL_E_PLANARITY, AT_VERTICES, 5, VERTEX, 0, x - 5);
 }
 
+/* Any vertex of a cube, off the plane of one of its three faces and along those of the others. */
+void test_planarity_of_every_vertex(void)
+{
+    for (uint32_t vertex = 0; vertex < 8; vertex++) {
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            const uint32_t place = vertex >> (2 - axis) & 1u ? (uint32_t)Q16(1) : (uint32_t)Q16(-1);
+            for (uint32_t off = 0; off < 2; off++) {
+                expect_entry_word(FXL_E_PLANARITY, AT_VERTICES, vertex, VERTEX, 4 * axis,
+                                  off ? place + 5 : place - 5);
+                expect_entry_word(FXL_OK, AT_VERTICES, vertex, VERTEX, 4 * axis,
+                                  off ? place + 4 : place - 4);
+            }
+        }
+    }
+}
+
 void test_path_of_poses(void)
 {
     uint32_t end = (uint32_t)FXL_COORDINATE_MAX;
@@ -208,50 +224,6 @@ void test_a_scene_as_tables(void)
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
 }
 
-void test_the_fault_names_the_element(void)
-{
-    tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault;
-    tiny->faces[7].count = 2;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(7, fault.index);
-    tiny = tiny_make();
-    tiny->instances[2].model = 9;
-    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(2, fault.index);
-}
-
-/* What fxl_scene_open names of an image with one word that is something else. */
-static void expect_name(fxl_status status, const char *what, uint32_t index, uint32_t at,
-                        uint32_t value)
-{
-    tiny_image *image = tiny_image_make(false);
-    fxl_scene_image opened;
-    fxl_scene_fault fault = {"nothing", 99};
-    tiny_put32(tiny_at(image, at), value);
-    tiny_seal(image);
-    TEST_ASSERT_EQUAL(status, fxl_scene_open(image->words, image->size, &opened, &fault));
-    TEST_ASSERT_EQUAL_STRING(what, fault.what);
-    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
-}
-
-void test_the_fault_names_the_part(void)
-{
-    tiny_image *image = tiny_image_make(false);
-    expect_name(FXL_E_SIZE, "header", 0, AT_VERSION, 2 | (HEADER_SIZE + 16) << 16);
-    expect_name(FXL_E_SIZE, "image", 0, AT_SIZE, image->size + 4);
-    expect_name(FXL_E_COUNT, "face bounds table", 0, AT_KEYS + 4, 0);
-    expect_name(FXL_E_COUNT, "vertex table", 0, AT_VERTICES + 4,
-                17); /* more than the models take */
-    expect_name(FXL_E_INDEX, "model", 1, AT_VERTICES + 4, 15);
-    tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault = {"nothing", 99};
-    tiny->scene.face_bounds_count = 7; /* one more than the models take */
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_STRING("face bounds table", fault.what);
-    TEST_ASSERT_EQUAL_UINT32(0, fault.index);
-}
-
 static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, uint32_t expected)
 {
     tiny_scene *tiny = tiny_make();
@@ -261,6 +233,11 @@ static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, u
     tiny->models[1].kind = kind1;
     tiny->models[1].face_count = faces1;
     tiny->scene.face_count = 6 + faces1;
+    /* A model behind the table's end does not count. */
+    fxl_model models[3] = {tiny->models[0], tiny->models[1], tiny->models[1]};
+    models[2].kind = FXL_MODEL_SORTED;
+    models[2].face_count = 1000;
+    tiny->scene.models = models;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL_UINT32(expected, tiny->scene.order_needed);
 }

@@ -11,25 +11,66 @@ enum {
 };
 
 static uint64_t workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
-static uint8_t pixels[HEIGHT][WIDTH], writes[HEIGHT][WIDTH];
+static uint8_t pixels[HEIGHT][WIDTH];
 static const fxl_band whole = {&pixels[0][0], WIDTH, WIDTH, 0, HEIGHT};
 static fxl_span_buffer *buffer;
 
+/* The same source with its fill counted: it does whatever the library's does. */
+static uint64_t twin_workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
+static uint8_t twin_pixels[HEIGHT][WIDTH], writes[HEIGHT][WIDTH];
+static fxl_span_buffer *twin;
+
+static fxl_band twin_of(const fxl_band *band)
+{
+    fxl_band other = *band;
+    other.pixels = &twin_pixels[0][0] + (band->pixels - &pixels[0][0]);
+    return other;
+}
+
+static void make(uint32_t size, uint16_t height)
+{
+    buffer = fxl_span_buffer_make(workspace, size, height);
+    twin = counted_span_buffer_make(twin_workspace, size, height);
+    TEST_ASSERT_EQUAL_PTR(workspace, buffer);
+    TEST_ASSERT_EQUAL_PTR(twin_workspace, twin);
+    TEST_ASSERT_EQUAL_UINT16(0, buffer->row_count);
+}
+
+static void begin(const fxl_band *band)
+{
+    const fxl_band other = twin_of(band);
+    fxl_span_buffer_begin(buffer, band);
+    counted_span_buffer_begin(twin, &other);
+}
+
+static bool draw_trapezoid(const fxl_trapezoid *trapezoid, char colour, const fxl_band *band)
+{
+    const fxl_band other = twin_of(band);
+    const bool drawn = fxl_span_buffer_draw(buffer, trapezoid, (uint8_t)colour, band);
+    TEST_ASSERT_EQUAL(drawn, counted_span_buffer_draw(twin, trapezoid, (uint8_t)colour, &other));
+    TEST_ASSERT_EQUAL_MEMORY(twin_pixels, pixels, sizeof pixels);
+    TEST_ASSERT_EQUAL_UINT16(twin->used, buffer->used);
+    TEST_ASSERT_EQUAL_UINT16(twin->unused, buffer->unused);
+    TEST_ASSERT_EQUAL_UINT16(twin->open_rows, buffer->open_rows);
+    TEST_ASSERT_EQUAL(0, memcmp(twin->pool, buffer->pool, buffer->used * sizeof *buffer->pool));
+    return drawn;
+}
+
 static void start(uint32_t intervals)
 {
-    buffer = counted_span_buffer_make(workspace, FXL_SPAN_BUFFER_BYTES(HEIGHT, intervals), HEIGHT);
-    TEST_ASSERT_EQUAL_PTR(workspace, buffer);
+    make(FXL_SPAN_BUFFER_BYTES(HEIGHT, intervals), HEIGHT);
     TEST_ASSERT_EQUAL(intervals, buffer->capacity);
-    counted_span_buffer_begin(buffer, &whole);
-    (void)counted_begin(&writes[0][0], &pixels[0][0], sizeof writes);
+    begin(&whole);
+    (void)counted_begin(&writes[0][0], &twin_pixels[0][0], sizeof writes);
     memset(pixels, NOTHING, sizeof pixels);
+    memset(twin_pixels, NOTHING, sizeof twin_pixels);
 }
 
 static bool draw_span(int y, int x0, int x1, char colour, const fxl_band *band)
 {
     const fxl_span span = {(int16_t)y, (int16_t)x0, (int16_t)x1};
     const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
-    return counted_span_buffer_draw(buffer, &row, (uint8_t)colour, band);
+    return draw_trapezoid(&row, colour, band);
 }
 
 static bool draw(int y, int x0, int x1, char colour)
@@ -150,8 +191,8 @@ void test_an_odd_width(void)
         ODD = 7
     };
     const fxl_band band = {&pixels[0][0], ODD, WIDTH, 0, 1};
-    buffer = counted_span_buffer_make(workspace, FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
-    counted_span_buffer_begin(buffer, &band);
+    make(FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
+    begin(&band);
     for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
         TEST_ASSERT_TRUE(draw_span(0, x, x + 1, 'a', &band));
     }
@@ -165,7 +206,7 @@ void test_a_new_band_finds_nothing_covered(void)
     start(INTERVALS);
     TEST_ASSERT_TRUE(draw(0, 0, WIDTH, 'a') && draw(3, 2, 8, 'a'));
     const fxl_band lower = {&pixels[2][0], WIDTH, WIDTH, 2, 2};
-    counted_span_buffer_begin(buffer, &lower);
+    begin(&lower);
     TEST_ASSERT_EQUAL(2, buffer->open_rows);
     TEST_ASSERT_TRUE(draw_span(3, 4, 12, 'b', &lower));
     TEST_ASSERT_EQUAL_STRING_LEN("..aabbbbbbbb............", &pixels[3][0], WIDTH);
@@ -196,19 +237,19 @@ void test_a_trapezoid(void)
 {
     const fxl_trapezoid crossed = {0, 4, {{4, 0, 2, 0}, {10, 0x80000000u, -2, 0x80000000u}}};
     start(INTERVALS);
-    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &crossed, 'a', &whole));
+    TEST_ASSERT_TRUE(draw_trapezoid(&crossed, 'a', &whole));
     expect_row(0, "....aaaaaa..............", "4-10");
     expect_row(1, "......aaa...............", "6-9");
     expect_row(2, ".......a................", "7-8");
     expect_row(3, "......aaaa..............", "6-10");
     start(2);
-    TEST_ASSERT_FALSE(counted_span_buffer_draw(buffer, &crossed, 'a', &whole));
+    TEST_ASSERT_FALSE(draw_trapezoid(&crossed, 'a', &whole));
     expect_row(1, "......aaa...............", "6-9");
     expect_row(2, "........................", "");
     TEST_ASSERT_EACH_EQUAL_HEX8(0, writes[3], WIDTH);
     start(1);
     const fxl_trapezoid empty = {0, 4, {{7, 0, 0, 0}, {7, 0, 0, 0}}};
-    TEST_ASSERT_TRUE(counted_span_buffer_draw(buffer, &empty, 'a', &whole));
+    TEST_ASSERT_TRUE(draw_trapezoid(&empty, 'a', &whole));
     expect_row(3, "........................", "");
 }
 

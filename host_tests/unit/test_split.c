@@ -172,6 +172,31 @@ void test_halves_go_away_from_the_front(void)
     }
 }
 
+/* Less than half a unit is nothing, though only by 1.5 units of 2^-25; a half is a unit. */
+void test_barely_less_than_half_a_unit(void)
+{
+    const fxl_q18_46 half = (fxl_q18_46)1 << 27;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const fxl_point ahead = {0, 0, 0}, behind = {sign, -sign, 0};
+        fxl_point at = fxl_split_edge(&ahead, &behind, half - 12, -half - 12);
+        TEST_ASSERT_EQUAL_INT32(0, at.x);
+        TEST_ASSERT_EQUAL_INT32(0, at.y);
+        at = fxl_split_edge(&ahead, &behind, half, -half);
+        TEST_ASSERT_EQUAL_INT32(sign, at.x);
+        TEST_ASSERT_EQUAL_INT32(-sign, at.y);
+    }
+}
+
+/* A point that is one unit of 2^-46 off the plane is off the plane, on either side. */
+void test_the_least_distance_divides(void)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const fxl_plane plane = {{FXL_Q2_30_ONE, 0, 0}, -sign};
+        const fxl_piece piece = {3, {{0, 0, 0}, {0, Q16(1), 0}, {-sign * Q16(1), 0, 0}}};
+        TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&piece, &plane, &front, &back));
+    }
+}
+
 /* Of both triangles beside an edge too, whichever way they walk it. */
 void test_halves_are_the_same_for_both_sides(void)
 {

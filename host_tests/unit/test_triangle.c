@@ -81,6 +81,29 @@ void test_corners_on_the_plane(void)
     TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
 }
 
+/* A corner that is a single unit of 2^-46 inside is inside. */
+void test_the_least_distance_counts(void)
+{
+    fxl_clip_triangle out[2], in = solid(0, 0, -4, 8, -4, -8);
+    in.corners[0].position.x = 1;
+    TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    for (int i = 0; i < 3; i++) { /* the two corners inside, by a unit or by 4, and one outside */
+        in = solid(i == 0 ? -4 : 0, 0, i == 1 ? -4 : 0, 8, i == 2 ? -4 : 0, -8);
+        in.corners[(i + 1) % 3].position.x = 1;
+        in.corners[(i + 2) % 3].position.x = V(4);
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        in.corners[(i + 1) % 3].position.x = V(4);
+        in.corners[(i + 2) % 3].position.x = 1;
+        TEST_ASSERT_EQUAL(2, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        /* On the plane instead, it leaves one triangle. */
+        in.corners[(i + 2) % 3].position.x = 0;
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        in.corners[(i + 1) % 3].position.x = 0;
+        in.corners[(i + 2) % 3].position.x = V(4);
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+    }
+}
+
 void test_a_sliver_is_refused_where_asked(void)
 {
     fxl_clip_triangle out[2], in = solid(-4, 8, 1, 0, -4, -8);
@@ -89,6 +112,29 @@ void test_a_sliver_is_refused_where_asked(void)
     stats.sliver = V(1);
     TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
     stats.sliver = 0;
+}
+
+/* By the sliver rule a corner on the plane, after one outside, is outside. It stands for the
+ * intersection. */
+void test_a_corner_on_the_plane_by_the_sliver_rule(void)
+{
+    for (int turn = 0; turn < 3; turn++) {
+        static const int x[3] = {-4, 0, 4}, y[3] = {0, 4, 0};
+        fxl_clip_triangle out[2];
+        const int a = turn, b = (turn + 1) % 3, c = (turn + 2) % 3;
+        const fxl_clip_triangle in = solid(x[a], y[a], x[b], y[b], x[c], y[c]);
+        stats = (fxl_clip_stats){.sliver = V(1)};
+        TEST_ASSERT_EQUAL(1, fxl_triangle_cut(&in, &wall, 2, &stats, out));
+        TEST_ASSERT_EQUAL(1, stats.intersections);
+        int64_t most = 0;
+        for (int i = 0; i < 3; i++) {
+            const fxl_view_point *at = &out[0].corners[i].position;
+            TEST_ASSERT_TRUE(at->x == 0 || at->x == V(4));
+            most = at->y > most ? at->y : most;
+        }
+        TEST_ASSERT_TRUE(most == V(4));
+        stats.sliver = 0;
+    }
 }
 
 static fxl_screen_triangle flat(int x0, int y0, int x1, int y1, int x2, int y2)
@@ -199,13 +245,16 @@ void test_what_rides_along_is_cut_as_in_space(void)
     fxl_screen_triangle out[2], in = flat(4, 0, -4, 0, 4, 8);
     in.corners[1].depth = V(30);
     in.corners[1].carried[0] = Q16(100);
-    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 1, &stats, out));
+    in.corners[1].carried[1] = Q16(-200);
+    memset(out, 0x5A, sizeof out);
+    TEST_ASSERT_EQUAL(2, fxl_triangle_cut_screen(&in, FXL_BORDER_LEFT, 64, 2, &stats, out));
     bool found = false;
     for (int i = 0; i < 6; i++) {
         const fxl_screen_corner *at = &out[i / 3].corners[i % 3];
         if (at->at.x == 0 && at->at.y == 0) {
             TEST_ASSERT_NEAR(at->depth, V(15), 2);
             TEST_ASSERT_NEAR(at->carried[0], Q16(25), 1);
+            TEST_ASSERT_NEAR(at->carried[1], Q16(-50), 1);
             found = true;
         }
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What hides what: front to back is back to front turned round, and the picture the same. */
+#include "../../lib/src/draw/submit.h"
 #include "counted_spans.h"
 #include "tiny.h"
 
@@ -254,5 +255,63 @@ void test_boxes_draw_the_same_picture(void)
         fxl_counters counters = draw(&boxes, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
         expect_counters(&expected, &counters);
+    }
+}
+
+/* The rows of each band, or part of one, that was begun. */
+static uint32_t begun[64], begun_count, rows_at_most;
+
+static void note_rows(const fxl_renderer *of, fxl_workspace *workspace, const fxl_band *band)
+{
+    (void)of;
+    (void)workspace;
+    begun[begun_count++ % 64] = band->rows;
+}
+
+static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
+                          uint8_t colour, const fxl_band *band)
+{
+    (void)by;
+    (void)points;
+    (void)count;
+    (void)colour;
+    return band->rows <= rows_at_most;
+}
+
+/* A backend without room halves what is left of the band's part until there is room, the upper half
+ * the larger. Each halving is counted. */
+void test_how_a_band_is_halved(void)
+{
+    static const fxl_raster_backend picky = {
+        .draw_band = fxl_band_split_draw, .begin_band = note_rows, .draw_polygon = is_low_enough};
+    static fxl_visibility method;
+    static const uint32_t rows[][20] = {
+        {16, 8, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+        {16, 8, 4, 2, 2, 2, 2, 2, 2, 2, 2},
+        {15, 8, 4, 4, 4, 3},
+        {7, 4, 2, 2, 2, 1},
+        {3, 2, 1, 1, 1},
+        {3}};
+    static const uint32_t most[] = {1, 2, 4, 2, 1, 3}, halvings[] = {4, 3, 2, 2, 2, 0};
+    const way sorted = {&fxl_visibility_sorted, 0, 0};
+    const fxl_pose pose = {{0, 0, Q16(-1.5)}, 0, 0, 0}; /* a face over all of the screen */
+    method = fxl_visibility_sorted;
+    method.backend = &picky;
+    for (int i = 0; i < 6; i++) {
+        start(&sorted);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        begun_count = 0;
+        rows_at_most = most[i];
+        const fxl_band band = {frames[1], WIDTH, WIDTH, 1, (uint16_t)rows[i][0]};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_EQUAL_UINT32(halvings[i], renderer.workspace.counters.split_bands);
+        uint32_t done = 0;
+        for (uint32_t k = 0; k < begun_count; k++) {
+            TEST_ASSERT_TRUE(k < 20);
+            TEST_ASSERT_EQUAL_UINT32(rows[i][k], begun[k]);
+            done += begun[k] <= rows_at_most ? begun[k] : 0;
+        }
+        TEST_ASSERT_EQUAL_UINT32(rows[i][0], done);
     }
 }

@@ -143,6 +143,29 @@ void test_lines_are_what_the_rule_says(void)
     }
 }
 
+/* Lines that pass exactly between two pixels, or a unit beside that, over the centre of a column:
+ * with a slope of odd / 2^k and a first end 2^k u before the centre, the line rises by odd u. */
+void test_lines_between_two_pixels(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 300; i++) {
+        const int k = unit_between(1, 5), odd = 2 * unit_between(0, (1 << k) / 2 - 1) + 1;
+        const int32_t u = unit_between(1, Q16(40) >> k), more = unit_between(1, Q16(50) >> k);
+        const int32_t centre = Q16(0.5) + Q16(1) * unit_between(0, WIDTH - 1);
+        const int32_t level = Q16(1) * unit_between(1, HEIGHT - 1) + unit_between(-1, 1);
+        const int sign = unit_random() % 2 ? 1 : -1;
+        fxl_screen_point a = {centre - (u << k), level - sign * odd * u};
+        fxl_screen_point b = {a.x + ((u + more) << k), a.y + sign * odd * (u + more)};
+        if (unit_random() % 2) { /* upright */
+            a = (fxl_screen_point){a.y, a.x};
+            b = (fxl_screen_point){b.y, b.x};
+        }
+        draw(whole, a, b);
+        for (int n = 0; n < WIDTH * HEIGHT; n++) {
+            TEST_ASSERT_EQUAL(covers(&a, &b, n % WIDTH, n / WIDTH), whole[n]);
+        }
+    }
+}
+
 static fxl_wire wire;
 
 static void draw_frame(uint8_t *pixels, uint32_t rows)
@@ -204,6 +227,33 @@ void test_a_cube_from_the_front(void)
     TEST_ASSERT_EQUAL(0, whole[14 * WIDTH + 18]);
 }
 
+/* From each side of a cube: the edges of the side that is turned to the eye, in its colour, and no
+ * other's. */
+void test_every_side_of_a_cube(void)
+{
+    static const struct {
+        int x, y, z;
+        int32_t yaw, pitch;
+    } sides[] = {{-4, 0, 0, 90, 0}, {4, 0, 0, -90, 0}, {0, -4, 0, 0, 90},
+                 {0, 4, 0, 0, -90}, {0, 0, -4, 0, 0},  {0, 0, 4, 180, 0}};
+    for (uint8_t side = 0; side < 6; side++) {
+        const fxl_pose pose = {
+            {Q16(1) * sides[side].x, Q16(1) * sides[side].y, Q16(1) * sides[side].z},
+            (fxl_angle)(sides[side].yaw * (int32_t)DEGREES(1)),
+            (fxl_angle)(sides[side].pitch * (int32_t)DEGREES(1)),
+            0};
+        make(fxl_line_by_codes);
+        tiny_scene *tiny = tiny_make();
+        tiny->instances[1].centre = tiny->instances[2].centre = (fxl_point){Q16(500), 0, 0};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+        draw_frame(whole, HEIGHT);
+        for (uint8_t colour = 1; colour <= 6; colour++) {
+            TEST_ASSERT_EQUAL(colour == side + 1,
+                              memchr(whole + 7 * WIDTH + 12, colour, 18 * WIDTH) != NULL);
+        }
+    }
+}
+
 void test_what_is_no_wireframe_is_refused(void)
 {
     fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
@@ -221,8 +271,17 @@ void test_what_is_no_wireframe_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_begin(NULL, &pose));
     pose.position.x = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
-    band.rows = HEIGHT + 1;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &band));
+    const fxl_band bad[] = {
+        {whole, WIDTH, WIDTH, 0, HEIGHT + 1}, {whole, WIDTH, WIDTH, 0, 0},
+        {whole, WIDTH, WIDTH, 1, HEIGHT},     {whole, WIDTH, WIDTH, HEIGHT, 1},
+        {whole, WIDTH - 1, WIDTH, 0, 1},      {whole, WIDTH + 1, WIDTH + 1, 0, 1},
+        {whole, WIDTH, WIDTH - 1, 0, 1}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &bad[i]));
+    }
+    const fxl_band last = {whole, WIDTH, WIDTH, HEIGHT - 1, 1}, none = {NULL, WIDTH, WIDTH, 0, 1};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &last));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, &none));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(NULL, &band));
 }

@@ -108,6 +108,8 @@ void test_a_second_workspace_has_memory_of_its_own(void)
     const size_t least = fxl_workspace_size(&renderer);
     TEST_ASSERT_TRUE(least > counting.workspace_size && least <= ROOM);
     memset(rooms[1], 0x5A, ROOM);
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_workspace_init(&second, &renderer, rooms[1], least - 1));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[1], ROOM);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], least));
     const fxl_clip_stats *others = (const fxl_clip_stats *)second.cache.clipper_workspace;
     TEST_ASSERT_TRUE(others != &counts && others->distances == 0);
@@ -189,9 +191,10 @@ void test_counts_want_a_workspace_that_holds_them(void)
         start();
         memset(&room, 0x5A, sizeof room);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], &room, 0));
-        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          fxl_renderer_set_clipper(&renderer, clippers[i], &room,
-                                                   (uint32_t)sizeof(fxl_clip_stats) - 1));
+        for (uint32_t size = 1; size < sizeof(fxl_clip_stats); size++) {
+            TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                              fxl_renderer_set_clipper(&renderer, clippers[i], &room, size));
+        }
         TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_clipper(&renderer, clippers[i],
                                                                     (uint8_t *)&room + 4, 64));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
@@ -246,15 +249,19 @@ void test_tables_that_are_not_aligned_are_refused(void)
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_memory tables = memory();
     memset(&renderer, 0x5A, sizeof renderer);
-    tables.order = (fxl_order_entry *)(void *)((uint8_t *)order + 2);
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
-    tables = memory();
-    tables.display_list = (uint32_t *)(void *)((uint8_t *)list + 1);
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
-    tables = memory();
-    tables.cache = (fxl_cached_vertex *)(void *)(rooms[0] + 4);
+    for (uint32_t off = 1; off < 4; off++) {
+        tables.order = (fxl_order_entry *)(void *)((uint8_t *)order + off);
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+        tables = memory();
+        tables.display_list = (uint32_t *)(void *)((uint8_t *)list + off);
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+        tables = memory();
+    }
     tables.cache_capacity = 4;
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+    for (uint32_t off = 1; off < 8; off++) {
+        tables.cache = (fxl_cached_vertex *)(void *)(rooms[0] + off);
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
+    }
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
 }
 
@@ -285,46 +292,6 @@ void test_face_bounds_without_a_table_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
     tiny->scene.face_bounds_count = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
-}
-
-/* What is over beyond the least keeps vertices: a power of two of them, and no more than the
- * largest model has. Each part follows the one before. */
-void test_what_is_over_keeps_vertices(void)
-{
-    static const uint8_t kept[] = {0, 1, 2, 2, 4, 4, 4, 4, 8, 8};
-    start();
-    const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
-    for (size_t n = 0; n < sizeof kept; n++) {
-        const size_t sizes[] = {least + n * vertex, least + (n + 1) * vertex - 1};
-        for (int i = 0; i < 2; i++) {
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], sizes[i]));
-            TEST_ASSERT_EQUAL_PTR(kept[n] > 0 ? rooms[1] + least : NULL, second.cache.entries);
-            TEST_ASSERT_EQUAL_UINT32(kept[n] > 0 ? kept[n] - 1u : 0, second.cache.mask);
-        }
-        TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
-        TEST_ASSERT_NULL(second.cache.clipper_workspace);
-        TEST_ASSERT_NULL(second.raster_workspace);
-        TEST_ASSERT_EQUAL_UINT32(0, second.raster_workspace_size);
-    }
-}
-
-/* Of what is over, a raster backend gets what the vertices do not take of a quarter. */
-void test_the_rest_is_the_raster_backend_s(void)
-{
-    start();
-    const size_t order_bytes = fxl_workspace_size(&renderer);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
-    const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
-    TEST_ASSERT_TRUE(least > order_bytes && least + 8 * vertex <= ROOM);
-    for (size_t n = 0; n <= 2; n++) {
-        const size_t size = least + 4 * n * vertex;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
-        uint8_t *const after = rooms[1] + order_bytes + n * vertex;
-        TEST_ASSERT_EQUAL_PTR(n > 0 ? rooms[1] + order_bytes : NULL, second.cache.entries);
-        TEST_ASSERT_EQUAL_PTR(after, second.raster_workspace);
-        TEST_ASSERT_EQUAL_UINT32(rooms[1] + size - after, second.raster_workspace_size);
-    }
 }
 
 /* A workspace needs a renderer with both settings, and memory at eight bytes. */

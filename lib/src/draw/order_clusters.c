@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The order of the faces of a sorted model with clusters. Only a scene with clusters names it. */
+/* The faces of a sorted model with clusters that are to be sorted. Only a scene with clusters names
+ * this file's record. */
 #include "../view/clusters.h"
 #include "submit.h"
 
-static void order_model(const fxl_traversal *on, const fxl_model_view *model_view,
-                        const fxl_model *model)
+static void find_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model)
 {
     fxl_workspace *workspace = on->workspace;
     uint32_t front;
@@ -13,8 +14,6 @@ static void order_model(const fxl_traversal *on, const fxl_model_view *model_vie
                            fxl_drops_outside(on, model_view, model), workspace->face_order, &front);
     workspace->front_count = (uint16_t)front;
     workspace->sorted_count = (uint16_t)count;
-    workspace->face_rows_known = false;
-    fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
 }
 
-const fxl_cluster_code fxl_clusters = {order_model};
+const fxl_cluster_code fxl_clusters = {find_faces};

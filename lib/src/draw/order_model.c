@@ -10,15 +10,11 @@ bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view
            model_view->beam_light == NULL && model->vertex_count < 2 * model->face_count;
 }
 
-void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
-                     const fxl_model *model)
+static void find_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model)
 {
-    const fxl_scene *scene = on->renderer->scene;
     fxl_workspace *workspace = on->workspace;
-    if (model->first_cluster != 0) {
-        scene->cluster_code->order_model(on, model_view, model);
-        return;
-    }
+    const fxl_scene *scene = on->renderer->scene;
     const fxl_point *offset = &model_view->offset;
     const fxl_point eye = {-offset->x, -offset->y, -offset->z};
     uint32_t count = fxl_order_front_faces(scene, model, &eye, workspace->face_order);
@@ -28,6 +24,19 @@ void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
                                        workspace->face_order, count);
     }
     workspace->sorted_count = (uint16_t)count;
-    workspace->face_rows_known = false;
-    fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
+}
+
+void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
+                     const fxl_model *model)
+{
+    fxl_workspace *workspace = on->workspace;
+    if (model->first_cluster != 0) {
+        on->renderer->scene->cluster_code->find_faces(on, model_view, model);
+    } else {
+        find_faces(on, model_view, model);
+    }
+    if (!FXL_IS_SMALL) {
+        workspace->face_rows_known = false;
+    }
+    fxl_order_sort_faces(workspace->face_order, workspace->sorted_count, &workspace->work.order);
 }

@@ -72,10 +72,10 @@ void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {
-    /* fxl_order_model for a model with clusters. Clusters outside the frustum, and clusters turned
-     * away from the eye, are left out with all their faces. */
-    void (*order_model)(const fxl_traversal *on, const fxl_model_view *model_view,
-                        const fxl_model *model);
+    /* What fxl_order_model does before the sort, for a model with clusters. Clusters outside the
+     * frustum, and clusters turned away from the eye, are left out with all their faces. */
+    void (*find_faces)(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model);
 };
 
 /* --- a face in several pieces ---------------------------------------------- */

@@ -71,11 +71,10 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
         number++;
     }
     on->resume->faces = (uint16_t)number;
-    on->counters->in += number - first;
+    on->counters->in += (number < front ? number : model->face_count) - first;
     if (number < front) {
         return false;
     }
-    on->counters->in += model->face_count - front;
     on->counters->backfacing += model->face_count - workspace->front_count;
     on->counters->outside += workspace->front_count - front;
     return true;

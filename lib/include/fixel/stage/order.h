@@ -80,7 +80,7 @@ typedef struct {
 
 /* Sorts faces in place: distance downward, then index upward. Then `face` of entry n is
  * the n-th face of the order; all other members have no meaning.
- * Requires entries by rising index, made with layer 0, and count <= FXL_MODEL_FACES_MAX.
+ * Requires entries by rising index and of layer 0, and count <= FXL_MODEL_FACES_MAX.
  * It is fastest if the distances are spread evenly, or rise or fall in long runs. Its
  * time is at most of order count * log(count), or count^2 / FXL_ORDER_CHAINS where that is less;
  * with FXL_SMALL, of order count^(4/3). */

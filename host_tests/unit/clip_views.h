@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* Views from anywhere, and the points of the world that lie at given places of a view. */
+#ifndef CLIP_VIEWS_H
+#define CLIP_VIEWS_H
+
+#include "unit.h"
+
+/* Any pose within 100 units, with the tests' standard lens. */
+fxl_view clip_random_view(uint16_t width, uint16_t height);
+
+/* A point so far to the right, up and ahead, to within a unit or two. */
+fxl_point clip_place(const fxl_view *view, fxl_q16_16 x, fxl_q16_16 y, fxl_q16_16 z);
+
+#endif

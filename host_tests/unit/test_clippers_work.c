@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: MIT */
+/* What the clippers count, and faces that need no plane. */
+#include "clip_views.h"
+#include "clippers_list.h"
+#include "polygon_face.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32
+};
+
+static fxl_clipper_workspace workspace;
+
+/* The clippers of the view and of the world count where they are given an account. */
+void test_all_count_what_they_work_out(void)
+{
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon screen;
+    fxl_clip_stats account = {0, 0, 0};
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    fxl_view_set_world_frustum(&view);
+    for (int which = 0; which < 2; which++) {
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &account;
+        fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(
+            &face.model_view, &face.face, &work, &screen);
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+        TEST_ASSERT_TRUE(account.intersections >= 2 && account.distances >= 3);
+        account = (fxl_clip_stats){0, 0, 0};
+    }
+}
+
+/* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
+void test_half_spaces_measure_a_vertex_once(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    memset(&workspace, 0, fxl_clipper_half_spaces.workspace_size);
+    for (int planes = 1; planes >= 0; planes--) {
+        workspace.stats = (fxl_clip_stats){0, 0, 0};
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &workspace;
+        face.model_view.planes = planes ? FXL_PLANES_ALL : 0;
+        for (int again = 0; again < 2; again++) {
+            TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clipper_half_spaces.clip(
+                                                   &face.model_view, &face.face, &work, &screen));
+            TEST_ASSERT_EQUAL_UINT32(planes ? 3 * FXL_PLANE_COUNT : 0, workspace.stats.distances);
+            TEST_ASSERT_EQUAL_UINT32(0, workspace.stats.intersections);
+        }
+    }
+}
+
+/* Each vertex beside the screen is tried against the guard band. For the clipper that cuts by the
+ * left side too, one beyond that side alone is not tried; then the left plane measures all three.
+ */
+void test_the_guard_band_is_counted(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    const fxl_clip_stats *stats = &workspace.stats;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, Q16(-40), 0, Q16(10));
+    polygon.vertices[1].position = clip_place(&view, 0, Q16(40), Q16(10));
+    polygon.vertices[2].position = clip_place(&view, Q16(40), Q16(-1), Q16(10));
+    for (int left = 0; left < 2; left++) {
+        const fxl_clipper *clipper = left ? &fxl_clipper_left : &fxl_clipper_near;
+        memset(&workspace, 0, clipper->workspace_size);
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &workspace;
+        TEST_ASSERT_EQUAL(left ? FXL_CLIP_CUT : FXL_CLIP_INSIDE,
+                          clipper->clip(&face.model_view, &face.face, &work, &screen));
+        TEST_ASSERT_EQUAL_UINT32(left ? 2 * FXL_PLANE_COUNT + 3 : 3 * FXL_PLANE_COUNT,
+                                 stats->distances);
+        TEST_ASSERT_EQUAL_UINT32(left ? 2 : 0, stats->intersections);
+    }
+}
+
+/* A face that claims to need no plane is projected as it is. With a vertex behind the eye it cannot
+ * be, and is refused; before the eye it is kept, and then each vertex of the cache holds its place
+ * on the screen. */
+void test_a_face_without_planes_is_projected_or_refused(void)
+{
+    static const fxl_clipper *const whole[] = {&fxl_clipper_world, &fxl_clipper_half_spaces,
+                                               &fxl_clipper_normalised, &fxl_clipper_once};
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_view_set_world_frustum(&view);
+    for (int which = 0; which < 4; which++) {
+        for (int behind = 0; behind <= 3; behind++) { /* the last of the cases: none is behind */
+            fxl_polygon polygon = {.colour = 3, .count = 3};
+            polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+            polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(2));
+            polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+            if (behind < 3) {
+                polygon.vertices[behind].position = clip_place(&view, 0, 0, Q16(-2));
+            }
+            memset(&workspace, 0, whole[which]->workspace_size);
+            polygon_face_set(&face, &polygon, &view, 4);
+            face.model_view.clipper_workspace =
+                whole[which]->workspace_size > 0 ? &workspace : NULL;
+            face.model_view.planes = 0;
+            TEST_ASSERT_EQUAL(behind < 3 ? FXL_CLIP_RANGE : FXL_CLIP_INSIDE,
+                              whole[which]->clip(&face.model_view, &face.face, &work, &screen));
+        }
+        for (uint32_t i = 0; i < 3; i++) {
+            TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
+            TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen,
+                                     sizeof screen.points[i]);
+        }
+    }
+}
+
+/* Spoils the planes that a clipper has in its workspace, so that every point is outside. */
+static void spoil(const fxl_clipper *clipper)
+{
+    const fxl_half_space nothing = {{0, 0, 0}, -1};
+    fxl_volume *volume =
+        clipper == &fxl_clipper_triangles ? &workspace.fan.volume : &workspace.volume.volume;
+    if (clipper == &fxl_clipper_once) {
+        workspace.once.frustum.near_z = INT64_MAX / 4;
+    } else if (clipper == &fxl_clipper_normalised) {
+        workspace.normalised.frustum.near_z = INT64_MAX / 4;
+    } else {
+        for (int i = 0; i < FXL_PLANE_COUNT; i++) {
+            volume->planes[i] = nothing;
+        }
+    }
+}
+
+/* A clipper makes its planes for the first face of a frame, and uses them for the others: spoilt,
+ * they leave nothing of a face that crosses near, until the next frame. */
+void test_planes_are_made_once_a_frame(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    for (int which = 0; which < CLIPPERS; which++) {
+        const fxl_clipper *clipper = clippers[which];
+        memset(&workspace, 0, clipper->workspace_size);
+        for (int time = 0; time < 3; time++) {
+            polygon_face_set(&face, &polygon, &view, 4);
+            face.model_view.clipper_workspace = &workspace;
+            view.frame += time == 2;
+            TEST_ASSERT_EQUAL(time == 1 ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT,
+                              clipper->clip(&face.model_view, &face.face, &work, &screen));
+            spoil(clipper);
+        }
+    }
+}
+
+/* The near plane alone, which a face crosses: all clippers cut it there. */
+void test_the_near_plane_alone(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, 0, 0, Q16(0.03));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    fxl_view_set_world_frustum(&view);
+    for (int which = 0; which < CLIPPERS + 2; which++) {
+        const fxl_clipper *clipper = which < CLIPPERS    ? clippers[which]
+                                     : which == CLIPPERS ? &fxl_clipper_view
+                                                         : &fxl_clipper_world;
+        memset(&workspace, 0, sizeof workspace);
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &workspace;
+        face.model_view.planes = 1u << FXL_PLANE_NEAR;
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                          clipper->clip(&face.model_view, &face.face, &work, &screen));
+        TEST_ASSERT_TRUE(workspace.stats.intersections >= 2);
+    }
+}

@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: MIT */
+/* What a fault names: the kind of element, and its number. Where a whole table or a setting is at
+ * fault the number is 0. */
+#include "expect_scene.h"
+
+void test_the_fault_names_the_element(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_scene_fault fault;
+    tiny->faces[7].count = 2;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_UINT32(7, fault.index);
+    tiny = tiny_make();
+    tiny->instances[2].model = 9;
+    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_UINT32(2, fault.index);
+}
+
+/* What fxl_scene_open names of an image with one word that is something else. */
+static void expect_name(fxl_status status, const char *what, uint32_t index, uint32_t at,
+                        uint32_t value)
+{
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    tiny_put32(tiny_at(image, at), value);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(status, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+}
+
+void test_the_fault_names_the_part(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    expect_name(FXL_E_SIZE, "header", 0, AT_VERSION, 2 | (HEADER_SIZE + 16) << 16);
+    expect_name(FXL_E_SIZE, "image", 0, AT_SIZE, image->size + 4);
+    expect_name(FXL_E_COUNT, "face bounds table", 0, AT_KEYS + 4, 0);
+    expect_name(FXL_E_COUNT, "vertex table", 0, AT_VERTICES + 4,
+                17); /* more than the models take */
+    expect_name(FXL_E_INDEX, "model", 1, AT_VERTICES + 4, 15);
+    tiny_scene *tiny = tiny_make();
+    fxl_scene_fault fault = {"nothing", 99};
+    tiny->scene.face_bounds_count = 7; /* one more than the models take */
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("face bounds table", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+}
+
+/* The same for a word of an entry of a table, which begins `at` bytes into the entry. */
+static void expect_entry_name(fxl_status status, const char *what, uint32_t table, uint32_t number,
+                              uint32_t size, uint32_t at, uint32_t value)
+{
+    tiny_image *image = tiny_image_make(false);
+    expect_name(status, what, number, tiny_get(image, table) + number * size + at, value);
+}
+
+void test_an_image_as_a_whole(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_open(NULL, 1000, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("image", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+    fault = (fxl_scene_fault){"nothing", 99};
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_open(image->words, image->size, NULL, &fault));
+    TEST_ASSERT_EQUAL_STRING("image", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+    fault = (fxl_scene_fault){"nothing", 99};
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_scene_open(tiny_at(image, 2), image->size - 4, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("image", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+    expect_name(FXL_E_MAGIC, "image", 0, AT_MAGIC, 0);
+    expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, HEADER_SIZE << 16 | 4);
+}
+
+void test_a_setting(void)
+{
+    expect_name(FXL_E_RANGE, "lens", 0, AT_NEAR, 0);
+    for (uint32_t i = 0; i < 12; i += 4) {
+        expect_name(FXL_E_RANGE, "start pose", 0, AT_START + i, 0x80000000u);
+        expect_name(FXL_E_RANGE, "motion limits", 0, AT_MOTION_LIMITS + i, 0x80000000u);
+    }
+    expect_name(FXL_E_RANGE, "motion limits", 0, AT_MOTION_LIMITS + 12, 0x80000000u);
+}
+
+void test_a_table(void)
+{
+    static const struct {
+        uint32_t at;
+        const char *name;
+    } tables[] = {{AT_PALETTE, "palette table"},  {AT_VERTICES, "vertex table"},
+                  {AT_CORNERS, "index table"},    {AT_FACES, "face table"},
+                  {AT_MODELS, "model table"},     {AT_INSTANCES, "instance table"},
+                  {AT_PATH, "path table"},        {AT_KEYS, "face bounds table"},
+                  {AT_RESERVED, "BSP node table"}};
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        tiny_image *image = tiny_image_make(false);
+        const uint32_t offset = tiny_get(image, tables[i].at);
+        if (tables[i].at != AT_RESERVED) {
+            expect_name(FXL_E_COUNT, tables[i].name, 0, tables[i].at + 4, 0);
+            expect_name(FXL_E_COUNT, tables[i].name, 0, tables[i].at + 4, 0xFFFFFFFFu);
+            expect_name(FXL_E_ALIGNMENT, tables[i].name, 0, tables[i].at, offset + 1);
+            expect_name(FXL_E_ALIGNMENT, tables[i].name, 0, tables[i].at, offset + 2);
+            expect_name(FXL_E_OFFSET, tables[i].name, 0, tables[i].at, 0);
+            expect_name(FXL_E_OFFSET, tables[i].name, 0, tables[i].at, image->size);
+        } else { /* an image with a tree has a version of its own */
+            fxl_scene_image opened;
+            fxl_scene_fault fault = {"nothing", 99};
+            tiny_put16(tiny_at(image, AT_VERSION), 3);
+            tiny_put32(tiny_at(image, AT_RESERVED), HEADER_SIZE);
+            tiny_seal(image);
+            TEST_ASSERT_EQUAL(FXL_E_COUNT,
+                              fxl_scene_open(image->words, image->size, &opened, &fault));
+            TEST_ASSERT_EQUAL_STRING(tables[i].name, fault.what);
+            TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+        }
+    }
+    expect_name(FXL_E_COUNT, "path table", 0, AT_FRAMES, TINY_POSES + 1);
+}
+
+/* A path must be there, though it says that it has no frames. */
+void test_an_image_without_a_path(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    tiny_put32(tiny_at(image, AT_PATH), 0);
+    tiny_put32(tiny_at(image, AT_PATH + 4), 0);
+    tiny_put32(tiny_at(image, AT_FRAMES), 0);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("path table", fault.what);
+}
+
+void test_an_entry_of_a_table(void)
+{
+    expect_entry_name(FXL_E_RESERVED, "face", AT_FACES, 4, FACE, 16, 1u << 16 | 4);
+    expect_entry_name(FXL_E_COUNT, "face", AT_FACES, 4, FACE, 16, 2);
+    expect_entry_name(FXL_E_INDEX, "face", AT_FACES, 4, FACE, 12, 46);
+    expect_entry_name(FXL_E_NORMAL, "face", AT_FACES, 4, FACE, 0, 1u << 29);
+    expect_entry_name(FXL_E_RESERVED, "model", AT_MODELS, 1, MODEL, 16, 2);
+    expect_entry_name(FXL_E_RANGE, "model", AT_MODELS, 1, MODEL, 20, 0xFFFFFFFFu);
+    expect_entry_name(FXL_E_COUNT, "model", AT_MODELS, 1, MODEL, 4, 2);
+    expect_entry_name(FXL_E_COUNT, "model", AT_MODELS, 1, MODEL, 12, 0);
+    expect_entry_name(FXL_E_INDEX, "model", AT_MODELS, 1, MODEL, 8, 5);
+    expect_entry_name(FXL_E_RESERVED, "model", AT_MODELS, 0, MODEL, 24, 1);
+    expect_entry_name(FXL_E_INDEX, "model", AT_MODELS, 1, MODEL, 24, 1);
+    expect_entry_name(FXL_E_INDEX, "instance", AT_INSTANCES, 1, INSTANCE, 12, 2);
+    expect_entry_name(FXL_E_RESERVED, "instance", AT_INSTANCES, 1, INSTANCE, 12, 1u << 24);
+    expect_entry_name(FXL_E_RANGE, "instance", AT_INSTANCES, 1, INSTANCE, 8, 0x7FFFFFFFu);
+    expect_entry_name(FXL_E_RADIUS, "vertex", AT_MODELS, 0, MODEL, 20, 0);
+    expect_entry_name(FXL_E_RANGE, "pose", AT_PATH, 1, POSE, 4, 0x7FFFFFFFu);
+}
+
+/* An index out of range is the fault of the face that has it, in whichever model and corner. */
+void test_a_face_with_an_index_out_of_range(void)
+{
+    for (uint32_t corner = 0; corner < 48; corner++) {
+        tiny_scene *tiny = tiny_make();
+        fxl_scene_fault fault = {"nothing", 99};
+        tiny->corners[corner] = 8;
+        TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
+        TEST_ASSERT_EQUAL_STRING("face", fault.what);
+        TEST_ASSERT_EQUAL_UINT32(corner / 4, fault.index);
+    }
+}
+
+void test_a_segment_of_the_path(void)
+{
+    for (uint32_t number = 0; number < TINY_STRIDES; number++) {
+        for (int no_frames = 0; no_frames < 2; no_frames++) {
+            tiny_image *image = tiny_image_make(true);
+            fxl_scene_image opened;
+            fxl_scene_fault fault = {"nothing", 99};
+            tiny_put16(tiny_entry(image, AT_PATH, number, STRIDE) + 2 * no_frames,
+                       no_frames ? 0 : FXL_KEY_ALL + 1);
+            tiny_seal(image);
+            TEST_ASSERT_EQUAL(no_frames ? FXL_E_COUNT : FXL_E_RESERVED,
+                              fxl_scene_open(image->words, image->size, &opened, &fault));
+            TEST_ASSERT_EQUAL_STRING("path segment", fault.what);
+            TEST_ASSERT_EQUAL_UINT32(number, fault.index);
+        }
+    }
+}
+
+/* Each table of a scene must be there. */
+void test_a_scene_without_a_table(void)
+{
+    for (int i = 0; i < 6; i++) {
+        fxl_scene *scene = &tiny_make()->scene;
+        fxl_scene_fault fault = {"nothing", 99};
+        scene->vertices = i == 0 ? NULL : scene->vertices;
+        scene->indices = i == 1 ? NULL : scene->indices;
+        scene->faces = i == 2 ? NULL : scene->faces;
+        scene->models = i == 3 ? NULL : scene->models;
+        scene->instances = i == 4 ? NULL : scene->instances;
+        TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(i == 5 ? NULL : scene, &fault));
+        TEST_ASSERT_EQUAL_STRING("scene", fault.what);
+        TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+    }
+}
+
+static void expect_fault(fxl_status status, const char *what, uint32_t index, fxl_scene *scene,
+                         fxl_status (*check)(fxl_scene *scene, fxl_scene_fault *fault))
+{
+    fxl_scene_fault fault = {"nothing", 99};
+    TEST_ASSERT_EQUAL(status, check(scene, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+}
+
+/* fxl_scene_check takes no scene of which any word says that it has a tree or beams. */
+void test_trees_and_beams_need_the_other_check(void)
+{
+    static const fxl_bsp_node node;
+    for (int i = 0; i < 4; i++) {
+        fxl_scene *scene = &tiny_make()->scene;
+        scene->bsp_nodes = i == 0 ? &node : NULL;
+        scene->bsp_node_count = i == 1;
+        scene->bsp_instance = i == 2;
+        scene->beam_count = i == 3;
+        expect_fault(FXL_E_ARGUMENT, i < 3 ? "BSP node table" : "beam table", 0, scene,
+                     fxl_scene_check);
+    }
+}
+
+void test_a_beam(void)
+{
+    static const fxl_point window[] = {
+        {Q16(-1), Q16(5), Q16(-1)}, {Q16(1), Q16(5), Q16(-1)}, {0, Q16(5), Q16(1)}};
+    static const uint8_t lit[256];
+    static fxl_beam beams[FXL_BEAMS_MAX + 1];
+    const fxl_point lamp = {0, Q16(9), 0};
+    for (int i = 0; i <= FXL_BEAMS_MAX; i++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 3, &beams[i]));
+    }
+    fxl_scene *scene = &tiny_make()->scene;
+    scene->beams = beams;
+    scene->lit = lit;
+    scene->beam_count = 2;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
+    scene->lit = NULL;
+    expect_fault(FXL_E_ARGUMENT, "beam table", 0, scene, fxl_scene_check_all);
+    scene->lit = lit;
+    scene->beams = NULL;
+    expect_fault(FXL_E_ARGUMENT, "beam table", 0, scene, fxl_scene_check_all);
+    scene->beams = beams;
+    scene->beam_count = FXL_BEAMS_MAX; /* so many may be, but not for a face of 4 vertices */
+    expect_fault(FXL_E_CAPACITY, "face", 0, scene, fxl_scene_check_all);
+    scene->beam_count = FXL_BEAMS_MAX + 1;
+    expect_fault(FXL_E_COUNT, "beam table", 0, scene, fxl_scene_check_all);
+    scene->beam_count = 2;
+    for (uint32_t i = 0; i < 2; i++) {
+        beams[i].kind = 2;
+        expect_fault(FXL_E_RESERVED, "beam", i, scene, fxl_scene_check_all);
+        beams[i].kind = FXL_BEAM_POINT;
+    }
+}
+
+/* Beams of 5 and 8 planes fit a face of 3 vertices and none of 4, whichever face that is. */
+void test_a_face_that_does_not_fit_the_beams(void)
+{
+    static const fxl_point four[] = {{Q16(-1), Q16(5), Q16(-1)},
+                                     {Q16(1), Q16(5), Q16(-1)},
+                                     {Q16(1), Q16(5), Q16(1)},
+                                     {Q16(-1), Q16(5), Q16(1)}};
+    static const fxl_point seven[] = {{Q16(8), Q16(5), 0},        {Q16(5), Q16(5), Q16(6)},
+                                      {Q16(-2), Q16(5), Q16(8)},  {Q16(-7), Q16(5), Q16(3)},
+                                      {Q16(-7), Q16(5), Q16(-3)}, {Q16(-2), Q16(5), Q16(-8)},
+                                      {Q16(5), Q16(5), Q16(-6)}};
+    static const uint8_t lit[256];
+    const fxl_point lamp = {0, Q16(9), 0};
+    fxl_beam beams[2];
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, four, 4, &beams[0]));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, seven, 7, &beams[1]));
+    for (uint32_t large = 0; large <= 12 && FXL_FACE_VERTICES_MAX == 24; large++) {
+        tiny_scene *tiny = tiny_make();
+        tiny->scene.face_bounds = NULL;
+        tiny->scene.face_bounds_count = 0;
+        for (uint32_t i = 0; i < 12; i++) {
+            tiny->faces[i].count = i == large ? 4 : 3;
+        }
+        tiny->scene.beams = beams;
+        tiny->scene.lit = lit;
+        tiny->scene.beam_count = 2;
+        if (large < 12) {
+            expect_fault(FXL_E_CAPACITY, "face", large, &tiny->scene, fxl_scene_check_all);
+        } else {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
+        }
+    }
+}

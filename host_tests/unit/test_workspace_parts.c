@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* How memory for a workspace, or for a visibility method, is divided into parts. */
+#include "../../lib/src/draw/renderer.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    ROOM = 1600
+};
+
+static fxl_order_entry order[TINY_INSTANCES + 6];
+static FXL_ALIGN_8 uint8_t rooms[2][ROOM];
+static fxl_renderer renderer;
+static fxl_workspace second;
+
+static void start(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory tables = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
+    tiny_scene *tiny = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &tables));
+}
+
+/* What is over beyond the least keeps vertices: a power of two of them, and no more than the
+ * largest model has. Each part follows the one before. */
+void test_what_is_over_keeps_vertices(void)
+{
+    static const uint8_t kept[] = {0, 1, 2, 2, 4, 4, 4, 4, 8, 8};
+    start();
+    const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
+    for (size_t n = 0; n < sizeof kept; n++) {
+        const size_t sizes[] = {least + n * vertex, least + (n + 1) * vertex - 1};
+        for (int i = 0; i < 2; i++) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], sizes[i]));
+            TEST_ASSERT_EQUAL_PTR(kept[n] > 0 ? rooms[1] + least : NULL, second.cache.entries);
+            TEST_ASSERT_EQUAL_UINT32(kept[n] > 0 ? kept[n] - 1u : 0, second.cache.mask);
+        }
+        TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
+        TEST_ASSERT_NULL(second.cache.clipper_workspace);
+        TEST_ASSERT_NULL(second.raster_workspace);
+        TEST_ASSERT_EQUAL_UINT32(0, second.raster_workspace_size);
+    }
+}
+
+/* The bytes that a method's submit function asks for in the test below; not a multiple of 8. */
+static uint32_t eleven_bytes(const fxl_scene *scene)
+{
+    (void)scene;
+    return 11;
+}
+
+static uint32_t forty_bytes(const fxl_lens *lens)
+{
+    TEST_ASSERT_EQUAL_UINT16(WIDTH, lens->width);
+    return 40;
+}
+
+/* The submit function's part of the memory comes first, rounded up to a multiple of 8, and is
+ * zeroed. The rest is the raster backend's. */
+void test_a_method_with_two_workspaces(void)
+{
+    static fxl_raster_backend backend;
+    static fxl_visibility both;
+    backend = fxl_raster_over;
+    backend.workspace_size = forty_bytes;
+    both = fxl_visibility_sorted;
+    both.submit_workspace_size = eleven_bytes;
+    both.backend = &backend;
+    start();
+    memset(rooms[0], 0x5A, ROOM);
+    for (uint32_t size = 0; size < 56; size++) {
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                          fxl_renderer_set_visibility(&renderer, &both, rooms[0], size));
+    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0], ROOM);
+    for (uint32_t size = 56; size < 64; size++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &both, rooms[0], size));
+        TEST_ASSERT_EQUAL_PTR(rooms[0], renderer.submit_workspace);
+        TEST_ASSERT_EQUAL_PTR(rooms[0] + 16, renderer.workspace.raster_workspace);
+        TEST_ASSERT_EQUAL_UINT32(size - 16, renderer.workspace.raster_workspace_size);
+    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[0], 16);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0] + 16, ROOM - 16);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
+    TEST_ASSERT_NULL(renderer.workspace.raster_workspace);
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.raster_workspace_size);
+}
+
+/* The order of the parts: faces, clipper, vertices, raster backend. Each begins at a multiple of 8
+ * bytes; only the clipper's is zeroed. */
+void test_the_parts_of_a_workspace_follow_each_other(void)
+{
+    static const fxl_clipper one = {.clip = fxl_clip_by_view, .workspace_size = 1};
+    static const fxl_clipper nine = {.clip = fxl_clip_by_view, .workspace_size = 9};
+    static fxl_raster_backend backend;
+    static fxl_visibility method;
+    backend = fxl_raster_over;
+    backend.workspace_size = forty_bytes;
+    method = fxl_visibility_sorted;
+    method.backend = &backend;
+    start();
+    const size_t faces = fxl_workspace_size(&renderer), vertices = 2 * sizeof(fxl_cached_vertex);
+    memset(rooms[0], 0x5A, ROOM);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &one, rooms[0], 1));
+    TEST_ASSERT_EQUAL_HEX8(0, rooms[0][0]);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[0][1]);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &nine, rooms[0], 9));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, rooms[0] + 16, 40));
+    const size_t least = faces + 16 + 40, size = least + 4 * vertices;
+    TEST_ASSERT_EQUAL(least, fxl_workspace_size(&renderer));
+    TEST_ASSERT_TRUE(size <= ROOM);
+    for (size_t less = 1; less <= least; less++) {
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                          fxl_workspace_init(&second, &renderer, rooms[1], least - less));
+    }
+    memset(rooms[1], 0x5A, ROOM);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
+    TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
+    TEST_ASSERT_EQUAL_PTR(rooms[1] + faces, second.cache.clipper_workspace);
+    TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16, second.cache.entries);
+    TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16 + vertices, second.raster_workspace);
+    TEST_ASSERT_EQUAL_UINT32(40 + 3 * vertices, second.raster_workspace_size);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[1] + faces, 16);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[1] + faces + 16 + vertices, 40 + 3 * vertices);
+    /* A byte less than four times the bytes of two vertices is room for one. */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size - 1));
+    TEST_ASSERT_EQUAL_UINT32(0, second.cache.mask);
+    TEST_ASSERT_EQUAL_UINT32(40 + 4 * vertices - vertices / 2 - 1, second.raster_workspace_size);
+}
+
+/* Of what is over, a raster backend gets what the vertices do not take of a quarter. */
+void test_the_rest_is_the_raster_backend_s(void)
+{
+    start();
+    const size_t order_bytes = fxl_workspace_size(&renderer);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
+    const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
+    TEST_ASSERT_TRUE(least > order_bytes && least + 8 * vertex <= ROOM);
+    for (size_t n = 0; n <= 2; n++) {
+        const size_t size = least + 4 * n * vertex;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
+        uint8_t *const after = rooms[1] + order_bytes + n * vertex;
+        TEST_ASSERT_EQUAL_PTR(n > 0 ? rooms[1] + order_bytes : NULL, second.cache.entries);
+        TEST_ASSERT_EQUAL_PTR(after, second.raster_workspace);
+        TEST_ASSERT_EQUAL_UINT32(rooms[1] + size - after, second.raster_workspace_size);
+    }
+}
+
+/* A single byte is memory too: it must be there, and be aligned. */
+void test_a_workspace_of_one_byte(void)
+{
+    start();
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 1));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_visibility(
+                                           &renderer, &fxl_visibility_sorted, rooms[0] + 4, 1));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, rooms[0], 1));
+    for (uint32_t off = 1; off < 8; off++) {
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                          fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, rooms[0] + off,
+                                                   sizeof(fxl_clip_stats)));
+    }
+}
+
+/* A power of two of entries, enough for the largest of all models and for no more, as far as the
+ * bytes go. */
+void test_entries_for_the_largest_model(void)
+{
+    static const uint32_t counts[][2] = {{3, 4}, {4, 4}, {5, 8}, {8, 8}, {9, 16}, {65535, 65536}};
+    const size_t entry = sizeof(fxl_cached_vertex);
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        for (uint32_t largest = 0; largest < 3; largest++) {
+            fxl_model models[3] = {{.vertex_count = 3}, {.vertex_count = 3}, {.vertex_count = 3}};
+            const fxl_scene scene = {.models = models, .model_count = 3};
+            const uint32_t enough = counts[i][1];
+            models[largest].vertex_count = counts[i][0];
+            TEST_ASSERT_EQUAL_UINT32(enough, fxl_cache_entries(&scene, SIZE_MAX));
+            TEST_ASSERT_EQUAL_UINT32(enough, fxl_cache_entries(&scene, enough * entry));
+            TEST_ASSERT_EQUAL_UINT32(enough / 2, fxl_cache_entries(&scene, enough * entry - 1));
+            TEST_ASSERT_EQUAL_UINT32(1, fxl_cache_entries(&scene, entry));
+            TEST_ASSERT_EQUAL_UINT32(0, fxl_cache_entries(&scene, entry - 1));
+        }
+    }
+}
