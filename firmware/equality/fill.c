@@ -144,7 +144,8 @@ static void compare_outline(const shape *of, uint32_t first_row, uint32_t tall)
     band.pixels = (uint8_t *)by_portable + 4 + of->offset;
     const bool portable_reaches = portable_draw_outline(points, count, &band, &scan);
     bool same = core_reaches == (FXL_IS_SMALL || portable_reaches);
-    for (uint32_t i = 0; i < WORDS; i++) {
+    const uint32_t words = (8 + of->offset + of->stride * of->rows) / 4 + 1;
+    for (uint32_t i = 0; i < words; i++) {
         same &= by_core[i] == by_portable[i];
         by_core[i] = by_portable[i] = 0;
     }
@@ -153,10 +154,11 @@ static void compare_outline(const shape *of, uint32_t first_row, uint32_t tall)
 
 void test_draw_outline(uint32_t rounds)
 {
-    for (uint32_t i = 0; i < rounds / 4; i++) {
+    for (uint32_t i = 0; i < rounds; i++) {
         const uint32_t kind = any_32() >> 6 & 7u;
-        const uint32_t rows = 1u + (any_32() >> 5) % (kind < 2 ? 4u : kind < 6 ? 25u : 800u);
-        const uint32_t width = 1u + (any_32() >> 8) % (4000u / rows > 1000 ? 1000u : 4000u / rows - 3);
+        const uint32_t rows = 1u + (any_32() >> 5) % (kind < 2 ? 4u : kind < 7 ? 25u : 800u);
+        const uint32_t widest = kind < 4 ? 30u : rows < 4 ? 1000u : 4000u / rows - 3;
+        const uint32_t width = 1u + (any_32() >> 8) % widest;
         const shape any = {width, width + (any_32() >> 9 & 3u), any_32() >> 11 & 3u, rows};
         const uint32_t first_row = (any_32() >> 8) % (FXL_SCREEN_MAX - rows + 1u);
         const uint32_t tall = (any_32() & 15u) == 0 ? 1020u : 1u + (any_32() >> 9) % (2 * rows);

@@ -76,6 +76,12 @@ def libraries(tmp_path_factory):
     return {capacity: build(capacity) for capacity in (SMALL, USUAL)}
 
 
+def test_no_two_sources_have_one_name():
+    """A build system that puts all objects into one folder keeps them all."""
+    names = [path.stem for path in SOURCES]
+    assert sorted(names) == sorted(set(names))
+
+
 def link(folder, source, objects, *options):
     (folder / "program.c").write_text(source, encoding="utf-8")
     run_cli("scene", "export", "--c", ROOT / "examples/cube/cube.obj", "-o", folder / "cube_scene.h")

@@ -74,10 +74,9 @@ fxl_fill_rows:
 .Lslanted:
 #ifdef FXL_ROWS_BY_VECTORS
     vdup.8  q0, colour
-#else
+#endif
     cmp     rows, #NARROW_ROWS
     bhs     .Ltest_narrow
-#endif
 
     .macro step_edges
     adds    left_fraction, left_fraction, left_step_fraction
@@ -207,6 +206,7 @@ fxl_fill_rows:
     strb    colour, [left]
 .Lnext:
     next_row
+#endif
 
     /* Many rows, each of fewer than 8 bytes. The distance of the edges changes evenly from row to
      * row: where it is -1 or more and below 7 on the first and on the last row, every row has -1 to
@@ -245,7 +245,6 @@ fxl_fill_rows:
 .Lnarrow_crossed:
     subs    right, right, #1
     b       .Lcrossed
-#endif
 
     /* 64 bytes and more: eight registers at a time. */
 .Llong:

@@ -78,6 +78,13 @@ fxl_transform_vertex:
     sbc     r5, r0, r5
     subs    r6, r6, r10
     sbc     r7, r7, r0
+    orr     r1, r8, r11
+    orr     r1, r1, r12
+    orr     r1, r1, r9
+    orr     r1, r1, r5
+    orrs    r1, r1, r7
+    mov     r1, #0
+    bpl     decided                         /* inside all planes */
     lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
                                                changes no sign that is decided */
     lsrs    r7, r7, #31

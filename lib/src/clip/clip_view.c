@@ -76,7 +76,8 @@ static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, 
     fxl_view_polygon *out = (fxl_view_polygon *)cut->out;
     const fxl_view_point *from = &in->vertices[inside].position;
     const fxl_view_point *end = &in->vertices[outside].position;
-    const uint64_t fraction = intersection_fraction(cut->distances[inside], cut->distances[outside]);
+    const uint64_t fraction =
+        intersection_fraction(cut->distances[inside], cut->distances[outside]);
     fxl_view_point *point = &out->vertices[to].position;
     point->x = interpolate(from->x, end->x, fraction);
     point->y = interpolate(from->y, end->y, fraction);

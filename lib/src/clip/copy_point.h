@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Copying a point of the view by its members: for a whole record the compiler may call memcpy, which
- * takes four times the instructions on Armv6-M. Internal. */
+/* Copying a point of the view by its members: for a whole record the compiler may call memcpy,
+ * which takes four times the instructions on Armv6-M. Internal. */
 #ifndef FXL_COPY_POINT_H
 #define FXL_COPY_POINT_H
 

@@ -12,8 +12,8 @@ extern "C" {
 
 /* Fills the pixels of a band that an outline covers with scan->colour. Returns whether the outline
  * reaches a row of the band; with FXL_SMALL it is always true. Requires what fxl_scan_begin
- * requires of outline and band; the rest of scan is workspace. It is a kernel: each family of cores
- * may have its own (lib/kernels), and all write the same pixels. Exact. */
+ * requires of outline and band; the rest of scan is workspace. It is a kernel: each family of
+ * cores may have its own (lib/kernels), and all write the same pixels. Exact. */
 bool fxl_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan);
 
