@@ -19,7 +19,7 @@ import re
 import sys
 import time
 
-from fixel import c_scene, framing, image, output, path, toml_scene, tree
+from fixel import c_scene, framing, image, image_lens, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 from fixel.reading import quoted
 
@@ -42,8 +42,8 @@ def parse_screen(text):
     """Width and height from "128x64"."""
     match = re.fullmatch(r"([0-9]{1,4})x([0-9]{1,4})", text)
     screen = tuple(map(int, match.groups())) if match else ()
-    if not screen or not all(1 <= side <= image.SCREEN_MAX for side in screen):
-        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image.SCREEN_MAX}")
+    if not screen or not all(1 <= side <= image_lens.SCREEN_MAX for side in screen):
+        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image_lens.SCREEN_MAX}")
     return screen
 
 
@@ -133,6 +133,7 @@ def summary(scene):
         "vertices": sum(len(model.vertices) for model in scene.models),
         "faces": sum(len(model.faces) for model in scene.models),
         "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
+        "clusters": sum(len(model.clusters) for model in scene.models),
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
         "path": "poses" if scene.path_kind == image.POSES else "strides",
@@ -153,6 +154,8 @@ def info(file, as_json):
           f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")
     print(f"  models   {data['models']}: {data['vertices']:,} vertices, {data['faces']:,} faces "
           f"({data['faces_placed']:,} placed), {data['colours']} colours")
+    if data["clusters"]:
+        print(f"  clusters {data['clusters']:,} of faces")
     if data["tree_nodes"]:
         print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
     print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")

@@ -87,10 +87,11 @@ void test_front_faces(uint32_t rounds)
     for (uint32_t i = 0; i < rounds; i++) {
         const fxl_point eye = {coordinate(), coordinate(), coordinate()};
         const uint32_t count = 1u + (any_32() >> 11) % FACES;
+        const uint32_t end = count + (any_32() >> 9) % (FXL_MODEL_FACES_MAX - FACES);
         any_faces(faces, keys, &eye);
-        uint32_t by_core = (uint32_t)(fxl_front_faces(faces, keys, &eye, core, count) - core);
+        uint32_t by_core = (uint32_t)(fxl_front_faces(faces, keys, &eye, core, count, end) - core);
         uint32_t by_portable =
-            (uint32_t)(portable_front_faces(faces, keys, &eye, portable, count) - portable);
+            (uint32_t)(portable_front_faces(faces, keys, &eye, portable, count, end) - portable);
         equality_case(by_core == by_portable && same_entries(core, portable, by_core));
     }
 }

@@ -39,8 +39,8 @@ void portable_transform_vertex(const fxl_model_view *placed, uint32_t number,
 fxl_clip_result portable_clip_by_view(const fxl_model_view *placed, const fxl_face *face,
                                       fxl_clipper_work *work, fxl_screen_polygon *screen);
 fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
-                                      const fxl_point *from, fxl_order_entry *entry,
-                                      uint32_t count);
+                                      const fxl_point *from, fxl_order_entry *entry, uint32_t count,
+                                      uint32_t end);
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                                    fxl_screen_point *screen);
 

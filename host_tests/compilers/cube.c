@@ -16,7 +16,7 @@ static const uint16_t indices[] = {0, 3, 2, 1, 5, 6, 7, 4, 4, 7, 3, 0,
 static const fxl_face faces[] = {{{0, 0, -N}, 0, 4, '.', 0}, {{0, 0, N}, 4, 4, 'b', 0},
                                  {{-N, 0, 0}, 8, 4, 'l', 0}, {{N, 0, 0}, 12, 4, '#', 0},
                                  {{0, N, 0}, 16, 4, '-', 0}, {{0, -N, 0}, 20, 4, 'u', 0}};
-static const fxl_model models[] = {{0, 8, 0, 6, FXL_MODEL_CONVEX, {0, 0, 0}, 2 * U, 0}};
+static const fxl_model models[] = {{0, 8, 0, 6, FXL_MODEL_CONVEX, 0, 0, 2 * U, 0}};
 static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
 
 static fxl_scene scene;

@@ -262,7 +262,7 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     free_renderer(renderer);
 }
 
-/* The same frame with radii so large that no object is left out, and without keys.
+/* The same frame with radii so large that no object is left out, without clusters and without keys.
  * What was drawn was drawn all the same. */
 static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
                                const fxl_band *whole, uint32_t clipper)
@@ -274,6 +274,7 @@ static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
     for (uint32_t i = 0; i < scene.model_count; i++) {
         models[i].radius = FXL_RADIUS_MAX;
         models[i].first_face_bounds = 0;
+        models[i].first_cluster = 0;
     }
     scene.models = models;
     scene.face_bounds = NULL;

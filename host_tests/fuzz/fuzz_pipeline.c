@@ -24,7 +24,8 @@ static bool check_scene(fxl_scene *scene)
     DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
     DEMAND(fxl_scene_check_all(scene, NULL) == status);
     bool bare = scene->bsp_nodes == NULL && scene->bsp_node_count == 0 &&
-                scene->bsp_instance == 0 && scene->beam_count == 0;
+                scene->bsp_instance == 0 && scene->beam_count == 0 && scene->clusters == NULL &&
+                scene->cluster_count == 0;
     DEMAND(bare ? fxl_scene_check(scene, NULL) == status : fxl_scene_check(scene, NULL) != FXL_OK);
     return status == FXL_OK;
 }
@@ -51,7 +52,7 @@ static void fuzz_placed_limit(fuzz_input *in)
     static const uint16_t corners[3] = {0, 1, 2};
     static const fxl_face face = {{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0};
     static const fxl_instance instances[FXL_SCENE_INSTANCES_MAX];
-    fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, {0}, 0, 0};
+    fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, 0, 0, 0, 0};
     fxl_scene scene = {.vertices = vertices,
                        .indices = corners,
                        .faces = &face,

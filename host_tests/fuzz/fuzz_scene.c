@@ -36,6 +36,7 @@ static void read_tables(const fxl_scene_image *opened)
     sum += sum_bytes(scene->lit, scene->beam_count > 0 ? 256 : 0);
     sum += sum_bytes(scene->face_bounds, scene->face_bounds_count * sizeof *scene->face_bounds);
     sum += sum_bytes(scene->bsp_nodes, scene->bsp_node_count * sizeof *scene->bsp_nodes);
+    sum += sum_bytes(scene->clusters, scene->cluster_count * sizeof *scene->clusters);
     DEMAND((opened->poses == NULL) != (opened->segments == NULL));
     if (opened->poses != NULL) {
         sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);

@@ -69,6 +69,19 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     model->vertex_count += face->count;
 }
 
+/* The least radius whose square is not below this. */
+static fxl_q16_16 least_radius(uint64_t most)
+{
+    uint64_t radius = 0;
+    for (uint64_t step = (uint64_t)1 << 31; step > 0; step /= 2) {
+        if ((radius + step) * (radius + step) <= most) {
+            radius += step;
+        }
+    }
+    radius += radius * radius < most;
+    return (fxl_q16_16)(radius < INT32_MAX ? radius : INT32_MAX);
+}
+
 /* The least radius that holds a model. */
 static void set_radius(const made_scene *made, fxl_model *model)
 {
@@ -79,13 +92,7 @@ static void set_radius(const made_scene *made, fxl_model *model)
                           (uint64_t)((int64_t)v->z * v->z);
         most = square > most ? square : most;
     }
-    int64_t radius = 0;
-    for (int64_t step = (int64_t)1 << 30; step > 0; step /= 2) {
-        if ((uint64_t)((radius + step) * (radius + step)) <= most) {
-            radius += step;
-        }
-    }
-    model->radius = (fxl_q16_16)(radius + ((uint64_t)(radius * radius) < most));
+    model->radius = least_radius(most);
 }
 
 /* The keys of a model's faces, from the vertices. */
@@ -224,6 +231,53 @@ static void add_bsp(made_scene *made, fuzz_input *in)
     scene->bsp_instance = owner;
 }
 
+/* The sphere about a face's vertices that has the first one for its centre. */
+static void set_sphere(const made_scene *made, const fxl_model *model, const fxl_face *face,
+                       fxl_cluster *cluster)
+{
+    const fxl_point *vertices = &made->vertices[model->first_vertex];
+    cluster->centre = vertices[made->corners[face->first_index]];
+    uint64_t most = 0;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_point *v = &vertices[made->corners[face->first_index + i]];
+        const int64_t x = (int64_t)v->x - cluster->centre.x, y = (int64_t)v->y - cluster->centre.y,
+                      z = (int64_t)v->z - cluster->centre.z;
+        const uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
+        most = square > most ? square : most;
+    }
+    cluster->radius = least_radius(most);
+}
+
+/* A cluster for each face of a model, with a cone along its normal or with none. */
+static void add_clusters_of(made_scene *made, fxl_model *model, fuzz_input *in)
+{
+    model->first_cluster = (uint16_t)(made->scene.cluster_count + 1);
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        fxl_cluster *cluster = &made->clusters[made->scene.cluster_count++];
+        const fxl_face *face = &made->faces[model->first_face + i];
+        set_sphere(made, model, face, cluster);
+        cluster->face_count = 1;
+        if (fuzz_below(in, 4) != 0) {
+            cluster->axis = face->normal;
+            cluster->apex = cluster->centre;
+            cluster->cutoff = 64 + ((uint32_t)fuzz_bits(in, 2) << fuzz_below(in, 17));
+        }
+    }
+}
+
+/* Clusters for the sorted models, but not for that of the tree. */
+static void add_clusters(made_scene *made, fuzz_input *in)
+{
+    const fxl_scene *scene = &made->scene;
+    const uint32_t of_tree =
+        scene->bsp_node_count > 0 ? made->instances[scene->bsp_instance].model : MADE_MODELS;
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        if (i != of_tree && made->models[i].kind == FXL_MODEL_SORTED) {
+            add_clusters_of(made, &made->models[i], in);
+        }
+    }
+}
+
 /* A count that the tables do not have: lower, or above every limit. */
 static uint32_t spoilt_count(uint32_t count, fuzz_input *in)
 {
@@ -241,6 +295,7 @@ static void spoil(made_scene *made, fuzz_input *in)
     fxl_point *vertex = &made->vertices[fuzz_below(in, scene->vertex_count)];
     uint16_t *corner = &made->corners[fuzz_below(in, scene->index_count)];
     fxl_bsp_node *node = &made->nodes[fuzz_below(in, MADE_NODES)];
+    fxl_cluster *cluster = &made->clusters[fuzz_below(in, MADE_FACES)];
     uint32_t *const counts[] = {&scene->vertex_count,   &scene->index_count,
                                 &scene->face_count,     &scene->model_count,
                                 &scene->instance_count, &scene->face_bounds_count,
@@ -251,15 +306,21 @@ static void spoil(made_scene *made, fuzz_input *in)
                                 &instance->centre.x, &instance->centre.y, &instance->centre.z,
                                 &vertex->x,          &vertex->y,          &vertex->z,
                                 &model->radius};
-    uint8_t *const bytes[] = {&face->count,        &model->kind,        &model->reserved[0],
-                              &model->reserved[1], &model->reserved[2], &instance->reserved};
-    uint16_t *const halves[] = {&face->reserved, &instance->model, corner};
+    uint8_t *const bytes[] = {&face->count, &model->kind, &model->reserved, &instance->reserved};
+    uint16_t *const halves[] = {&face->reserved, &instance->model, corner, &model->first_cluster,
+                                &cluster->face_count};
     uint16_t *const links[] = {&node->front,      &node->back,       &node->parent,
                                &node->first_face, &node->face_count, &node->reserved};
     int32_t *const planes[] = {&node->normal.x, &node->normal.y, &node->normal.z, &node->centre.x,
                                &node->centre.y, &node->centre.z, &node->radius};
-    uint32_t which = fuzz_below(in, 52);
-    if (which >= 32) {
+    int32_t *const shapes[] = {&cluster->centre.x, &cluster->radius, &cluster->axis.y,
+                               &cluster->apex.z, (int32_t *)(void *)&cluster->cutoff};
+    uint32_t which = fuzz_below(in, 58);
+    if (which == 57) {
+        scene->cluster_count = spoilt_count(scene->cluster_count, in);
+    } else if (which >= 52) {
+        *shapes[which - 52] = fuzz_any(in);
+    } else if (which >= 32) {
         uint32_t of_bsp = which - 32;
         if (of_bsp < 2) {
             *counts[6 + of_bsp] = spoilt_count(*counts[6 + of_bsp], in);
@@ -278,10 +339,10 @@ static void spoil(made_scene *made, fuzz_input *in)
         *words[which - 6] = (uint32_t)fuzz_any(in);
     } else if (which < 22) {
         *numbers[which - 12] = fuzz_any(in);
-    } else if (which < 28) {
+    } else if (which < 26) {
         *bytes[which - 22] = (uint8_t)fuzz_bits(in, 1);
     } else if (which < 31) {
-        *halves[which - 28] = (uint16_t)fuzz_bits(in, 2);
+        *halves[which - 26] = (uint16_t)fuzz_bits(in, 2);
     } else {
         made->keys[fuzz_below(in, MADE_FACES)].height_high = (uint32_t)fuzz_any(in);
     }
@@ -309,6 +370,9 @@ static void copy_tables(made_scene *made, fxl_scene sizes)
     scene->bsp_nodes = sizes.bsp_node_count > 0
                            ? copy(made->nodes, sizes.bsp_node_count * sizeof *made->nodes)
                            : NULL;
+    scene->clusters = sizes.cluster_count > 0
+                          ? copy(made->clusters, sizes.cluster_count * sizeof *made->clusters)
+                          : NULL;
 }
 
 made_scene *make_scene(fuzz_input *in)
@@ -327,6 +391,9 @@ made_scene *make_scene(fuzz_input *in)
     if (fuzz_below(in, 2)) {
         add_bsp(made, in);
     }
+    if (fuzz_below(in, 3) == 0) {
+        add_clusters(made, in);
+    }
     fxl_scene sizes = made->scene;
     if (spoiling == 7) {
         spoil(made, in);
@@ -344,5 +411,6 @@ void free_scene(made_scene *made)
     free((void *)(uintptr_t)made->scene.instances);
     free((void *)(uintptr_t)made->scene.face_bounds);
     free((void *)(uintptr_t)made->scene.bsp_nodes);
+    free((void *)(uintptr_t)made->scene.clusters);
     free(made);
 }

@@ -21,6 +21,7 @@ typedef struct {
     fxl_instance instances[MADE_INSTANCES];
     fxl_face_bounds keys[MADE_FACES];
     fxl_bsp_node nodes[MADE_NODES];
+    fxl_cluster clusters[MADE_FACES];
     fxl_scene scene; /* its tables are copies of just the size that it states */
 } made_scene;
 

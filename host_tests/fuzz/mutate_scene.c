@@ -12,9 +12,11 @@ enum {
     AT_SIZE = 8,
     AT_CRC = 12,
     AT_TABLES = 80,
-    TABLES = 10, /* the last three, of keys, nodes and beams, stand behind the frame count */
+    TABLES =
+        11, /* the last four, of keys, nodes, beams and clusters, stand behind the frame count */
     AT_KEYS = 140,
-    AT_BEAMS = 160 /* in the larger header alone: else what comes there is no table */
+    AT_BEAMS = 160,   /* in the larger header alone: else what comes there is no table */
+    AT_CLUSTERS = 176 /* in the largest header alone */
 };
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
@@ -56,17 +58,17 @@ static void mutate_table(uint8_t *data, size_t size, unsigned seed)
     unsigned number = seed % TABLES;
     const uint8_t *table =
         data + (number >= 7 ? AT_KEYS + 8 * (number - 7) : AT_TABLES + 8 * number);
-    if (number == TABLES - 1) {
-        table = data + AT_BEAMS;
+    if (number >= TABLES - 2) {
+        table = data + (number == TABLES - 1 ? AT_CLUSTERS : AT_BEAMS);
     }
-    if (size < AT_BEAMS + 8) {
+    if (size < AT_CLUSTERS + 8) {
         return;
     }
     size_t offset = get32(table), count = get32(table + 4);
     if (offset >= size || count == 0) {
         return;
     }
-    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 48, 176};
+    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 48, 176, 48};
     size_t at = offset + (seed / TABLES % count) * entry_sizes[seed % TABLES];
     size_t workspace = at < size ? size - at : 0;
     size_t piece = entry_sizes[seed % TABLES] < workspace ? entry_sizes[seed % TABLES] : workspace;

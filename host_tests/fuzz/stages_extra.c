@@ -214,7 +214,7 @@ void fuzz_first_program(fuzz_input *in)
         {-65536, -65536, 0}, {-65536, 65536, 0}, {65536, 65536, 0}, {65536, -65536, 0}};
     static const uint16_t corners[] = {0, 1, 2, 3};
     static const fxl_face face = {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 7, 0};
-    static const fxl_model model = {0, 4, 0, 1, FXL_MODEL_CONVEX, {0}, 65536 * 2, 0};
+    static const fxl_model model = {0, 4, 0, 1, FXL_MODEL_CONVEX, 0, 0, 65536 * 2, 0};
     static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
     static uint64_t memory[64];
     static uint8_t pixels[24 * 16];

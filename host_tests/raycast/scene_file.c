@@ -8,6 +8,8 @@
 
 enum {
     HEADER = 160,
+    CLUSTER_HEADER = 184,
+    BEAM_COUNT = 164,
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
@@ -60,7 +62,9 @@ static void open_image(reader *r, const char *path)
     const uint8_t *bytes = r->image.bytes;
     if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
-    if ((get_u16(bytes + 4) != 2 && get_u16(bytes + 4) != 3) || get_u16(bytes + 6) != HEADER)
+    uint16_t version = get_u16(bytes + 4), header = get_u16(bytes + 6);
+    if (!((version == 2 || version == 3) && header == HEADER) &&
+        !(version == 4 && header == CLUSTER_HEADER && get_u32(bytes + BEAM_COUNT) == 0))
         unusable("%s: this version of the scene image is not known", path);
     uint32_t size = get_u32(bytes + 8);
     if (size < HEADER || size > r->image.size)

@@ -75,14 +75,38 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
     return count;
 }
 
+/* Tells whether the sphere test rejects a cluster of an instance. */
+static bool cluster_is_outside(const ref_cluster *cluster, const ref_instance *instance,
+                               const ref_camera *camera, const ref_view_frustum *frustum)
+{
+    ref_lattice_point placed = {instance->centre.x + cluster->centre.x,
+                                instance->centre.y + cluster->centre.y,
+                                instance->centre.z + cluster->centre.z};
+    ref_point centre = ref_point_from_lattice(&placed);
+    ref_sphere_distances distances = ref_sphere_measure(camera, frustum, &centre);
+    return ref_sphere_planes(&distances, cluster->radius / REF_ONE) == REF_SPHERE_OUTSIDE;
+}
+
 uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
-                         const ref_lattice_point *eye, ref_order_entry *entries)
+                         const ref_lattice_point *eye, const ref_camera *camera,
+                         const ref_view_frustum *frustum, ref_order_entry *entries,
+                         uint32_t *left_out)
 {
     const ref_model *model = &scene->models[instance->model];
-    uint32_t count = 0;
+    uint32_t count = 0, cluster = model->first_cluster, left = 0;
+    bool outside = false;
+    *left_out = 0;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
-        if (ref_face_is_front(scene, instance, face, eye)) {
+        if (cluster > 0 && left == 0) {
+            const ref_cluster *next = &scene->clusters[cluster++ - 1];
+            outside = cluster_is_outside(next, instance, camera, frustum);
+            left = next->face_count;
+        }
+        left -= left > 0;
+        if (outside) {
+            *left_out += 1;
+        } else if (ref_face_is_front(scene, instance, face, eye)) {
             entries[count++] =
                 (ref_order_entry){ref_face_distance_squared(eye, scene, instance, face), i, 0};
         }

@@ -21,12 +21,15 @@ ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_sce
 void ref_order_sort(ref_order_entry *entries, uint32_t count);
 
 /* Write the entries of the instances that the sphere test does not reject, and of the faces of
- * an instance that face the eye. entries must have room for all of them. Both return how many
- * they wrote. */
+ * an instance that face the eye and lie in no cluster that the sphere test rejects. entries must
+ * have room for all of them. Both return how many they wrote. *left_out becomes the number of faces
+ * in rejected clusters. */
 uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *eye,
                              const ref_camera *camera, const ref_view_frustum *frustum,
                              ref_order_entry *entries);
 uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
-                         const ref_lattice_point *eye, ref_order_entry *entries);
+                         const ref_lattice_point *eye, const ref_camera *camera,
+                         const ref_view_frustum *frustum, ref_order_entry *entries,
+                         uint32_t *left_out);
 
 #endif

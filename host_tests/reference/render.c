@@ -193,9 +193,10 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[number];
     const ref_model *model = &scene->models[instance->model];
-    uint32_t count = 0;
+    uint32_t count = 0, left_out = 0;
     if (model->kind == REF_MODEL_SORTED) {
-        count = ref_order_faces(scene, instance, &renderer->eye, renderer->faces);
+        count = ref_order_faces(scene, instance, &renderer->eye, &renderer->camera,
+                                &renderer->view_frustum, renderer->faces, &left_out);
     } else {
         for (uint32_t i = 0; i < model->face_count; i++) {
             const ref_face *face = &scene->faces[model->first_face + i];
@@ -205,7 +206,8 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
         }
     }
     renderer->counters.in += model->face_count;
-    renderer->counters.backfacing += model->face_count - count;
+    renderer->counters.outside += left_out;
+    renderer->counters.backfacing += model->face_count - left_out - count;
     for (uint32_t i = 0; i < count; i++) {
         if (!ref_submit_face(renderer, number, renderer->faces[i].index)) {
             return false;

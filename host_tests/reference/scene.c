@@ -118,8 +118,8 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const uint8_t *p = models + 28 * (size_t)i;
-        scene->models[i] = (ref_model){ref_u32(p),      ref_u32(p + 4), ref_u32(p + 8),
-                                       ref_u32(p + 12), p[16],          ref_i32(p + 20)};
+        scene->models[i] = (ref_model){ref_u32(p), ref_u32(p + 4),  ref_u32(p + 8), ref_u32(p + 12),
+                                       p[16],      ref_i32(p + 20), ref_u16(p + 18)};
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const uint8_t *p = instances + 16 * (size_t)i;
@@ -267,6 +267,41 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z;
 }
 
+/* Tells whether the clusters of a model hold all of its faces. */
+static bool clusters_are_sound(const ref_scene *scene, const ref_model *model)
+{
+    uint32_t faces = 0;
+    for (uint32_t i = model->first_cluster; i > 0 && faces < model->face_count; i++) {
+        if (i > scene->cluster_count || scene->clusters[i - 1].face_count == 0) {
+            return false;
+        }
+        faces += scene->clusters[i - 1].face_count;
+    }
+    return model->first_cluster == 0 || faces == model->face_count;
+}
+
+/* Reads the clusters. Returns true also where there are none. */
+static bool read_clusters(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
+    if (ref_u16(bytes + 6) == 184) {
+        const uint8_t *clusters = table_at(bytes, size, 176, 48, 65535, &scene->cluster_count);
+        scene->clusters = clusters ? calloc(scene->cluster_count, sizeof *scene->clusters) : NULL;
+        for (uint32_t i = 0; scene->clusters && i < scene->cluster_count; i++) {
+            const uint8_t *p = clusters + 48 * (size_t)i;
+            scene->clusters[i] = (ref_cluster){point_read(p), ref_i32(p + 12), ref_u16(p + 44)};
+        }
+        if (!scene->clusters) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        if (!clusters_are_sound(scene, &scene->models[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Reads a distance of 18.46, low word first, with all of its bits. */
 static long double distance_read(const uint8_t *bytes)
 {
@@ -290,7 +325,8 @@ static void beam_read(const uint8_t *bytes, ref_beam *beam)
 
 static bool read_beams(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
-    if (ref_u16(bytes + 6) == 160) {
+    /* With clusters the header has the fields of beams also where there are none. */
+    if (ref_u16(bytes + 6) == 160 || (ref_u16(bytes + 6) == 184 && ref_u32(bytes + 164) == 0)) {
         return true;
     }
     const uint8_t *beams = table_at(bytes, size, 160, 176, 4, &scene->beam_count);
@@ -315,8 +351,8 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
-    if ((ref_u16(bytes + 4) != 2 && ref_u16(bytes + 4) != 3) ||
-        (ref_u16(bytes + 6) != 160 && ref_u16(bytes + 6) != 176)) {
+    uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
+    if (version < 2 || version > 4 || (header != 160 && header != 176 && header != 184)) {
         return "this version of the scene image is not known";
     }
     uint32_t stated = ref_u32(bytes + 8);
@@ -347,6 +383,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_bsp(bytes, stated, &image->scene)) {
         return "the scene image's BSP tree is not usable";
     }
+    if (!read_clusters(bytes, stated, &image->scene)) {
+        return "the scene image's clusters are not usable";
+    }
     if (!read_beams(bytes, stated, &image->scene)) {
         return "the scene image's beams are not usable";
     }
@@ -375,6 +414,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.instances);
     free(image->scene.bsp_nodes);
     free(image->scene.beams);
+    free(image->scene.clusters);
     free(image->poses);
     free(image->segments);
     memset(image, 0, sizeof *image);

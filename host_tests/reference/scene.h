@@ -21,8 +21,16 @@ enum {
 typedef struct {
     uint32_t first_vertex, vertex_count, first_face, face_count;
     uint8_t kind;
-    int32_t radius; /* 16.16; no vertex is farther from the instance's centre */
+    int32_t radius;         /* 16.16; no vertex is farther from the instance's centre */
+    uint32_t first_cluster; /* counted from 1; 0: it has no clusters */
 } ref_model;
+
+/* A cluster: faces of a model in turn, in a sphere relative to the instance's centre. */
+typedef struct {
+    ref_lattice_point centre;
+    int32_t radius; /* 16.16 */
+    uint32_t face_count;
+} ref_cluster;
 
 typedef struct {
     ref_lattice_point centre;
@@ -67,7 +75,9 @@ typedef struct {
     uint32_t bsp_node_count, bsp_instance;
     ref_beam *beams; /* null where there are none */
     uint32_t beam_count;
-    uint8_t lit[256]; /* the colour of each colour in a beam */
+    uint8_t lit[256];      /* the colour of each colour in a beam */
+    ref_cluster *clusters; /* null where there are none */
+    uint32_t cluster_count;
 } ref_scene;
 
 typedef struct {

@@ -44,7 +44,7 @@ int main(void)
     static const uint16_t corners[] = {0, 1, 2, 3, 0, 1, 2, 3, 4};
     static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0},
                                      {{0, 0, -FXL_Q2_30_ONE}, 4, 5, 2, 0}};
-    static const fxl_model models[] = {{0, 5, 0, 2, FXL_MODEL_CONVEX, {0, 0, 0}, 3 * 65536, 0}};
+    static const fxl_model models[] = {{0, 5, 0, 2, FXL_MODEL_CONVEX, 0, 0, 3 * 65536, 0}};
     static const fxl_instance objects[] = {{{0, 0, 0}, 0, 0, 0}};
     fxl_scene scene = {vertices, corners, faces, models, objects, 5, 9, 2, 1, 1, 0, 0, 0};
     fxl_scene_fault fault = {"nothing", 0};

@@ -14,15 +14,15 @@ from fixel import image
 from fixel.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
-SCENES = (("tiny", None), ("cube", None), ("w2", None), ("beam", None), ("knot", None), ("knot", "all"),
-          ("beam", "all"))
-TABLES = [*range(80, 136, 8), 140, 148, 160]
+SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
+          ("scenes/knot", None), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None))
+TABLES = [*range(80, 136, 8), 140, 148, 160, 176]
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
                            "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
-                           "face bounds", "bsp"]))
+                           "face bounds", "bsp", "cluster"]))
 # Entry sizes of the tables, in the order of TABLES; of the path it is that of poses.
-ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176)
+ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176, 48)
 
 
 def sealed(blob):
@@ -49,7 +49,7 @@ def mutant(blob, chance, changes=1):
     for _ in range(changes):
         where = chance.random()
         if where < 0.25:
-            put(blob, chance.randrange(16, 176), chance)
+            put(blob, chance.randrange(16, 184), chance)
             continue
         number = chance.randrange(len(TABLES))
         offset, count = struct.unpack_from("<II", blob, TABLES[number])
@@ -93,12 +93,12 @@ def loader_says(build, blobs, folder):
     return [STATUSES[int(line.split()[0])] for line in done.stdout.splitlines()]
 
 
-@pytest.fixture(scope="module", params=SCENES, ids=lambda item: item[0] + ("-tree" if item[1] else ""), name="blob")
+@pytest.fixture(scope="module", params=SCENES, ids=lambda item: item[0].split("/")[-1] + ("-tree" if item[1] else ""), name="blob")
 def fixture_blob(request, tmp_path_factory):
     """A scene's image."""
     name, layers = request.param
     file = tmp_path_factory.mktemp("image") / "scene.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes" / f"{name}.toml"), str(file), layers=layers)
+    scene_tool.build(str(CHECKOUT / f"{name}.toml"), str(file), layers=layers)
     return file.read_bytes()
 
 

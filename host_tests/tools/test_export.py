@@ -17,10 +17,10 @@ CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]
 COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11"], ["g++", "-std=c++11", "-Wold-style-cast"],
              ["g++", "-std=c++20", "-Wold-style-cast"], ["clang++", "-std=c++11", "-Wold-style-cast"]]
-# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree.
+# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters.
 SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
-          "knot": (ROOT / "scenes" / "knot.toml", "all")}
+          "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None)}
 
 
 @functools.cache
@@ -83,7 +83,8 @@ int main(int argc, char **argv)
     if (file == NULL || fxl_scene_open(bytes, fread(bytes, 1, sizeof bytes, file), &image, NULL) != FXL_OK) { return 2; }
     TABLE(vertices, vertex_count) TABLE(indices, index_count) TABLE(faces, face_count)
     TABLE(models, model_count) TABLE(instances, instance_count) TABLE(face_bounds, face_bounds_count)
-    TABLE(bsp_nodes, bsp_node_count) TABLE(beams, beam_count)
+    TABLE(bsp_nodes, bsp_node_count) TABLE(beams, beam_count) TABLE(clusters, cluster_count)
+    if (scene->cluster_code != image.scene.cluster_code) { return 7; }
     compare("lit", scene->lit, image.scene.lit, 256);
     if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
     compare("palette", OF(_palette), image.palette, sizeof OF(_palette));

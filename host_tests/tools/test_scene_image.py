@@ -7,7 +7,7 @@ import zlib
 from hypothesis import given, settings, strategies as st
 import pytest
 
-from fixel import image, image_keys
+from fixel import image, image_keys, image_lens
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
 
@@ -68,7 +68,7 @@ def test_damaged_images_are_refused_with_the_status():
     refused(blob[:-4], "size")
     refused(b"FXLD" + blob[4:], "magic")
     refused(patched(blob, 4, b"\1\0"), "version")
-    refused(patched(blob, 4, b"\4\0"), "version")
+    refused(patched(blob, 4, b"\5\0"), "version")
     refused(patched(blob, 6, b"\0\1"), "size")
     refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
     refused(patched(blob, 38, b"\1"), "reserved")
@@ -86,10 +86,10 @@ def test_any_flipped_bit_breaks_the_checksum(offset, bit):
 
 @pytest.mark.parametrize("offset, data, status", [
     (16, b"\0\0", "range"), (16, struct.pack("<H", 1025), "range"),
-    (20, struct.pack("<I", image.FOV_MIN - 1), "range"),
-    (20, struct.pack("<I", image.FOV_MAX + 1), "range"),
+    (20, struct.pack("<I", image_lens.FOV_MIN - 1), "range"),
+    (20, struct.pack("<I", image_lens.FOV_MAX + 1), "range"),
     (24, struct.pack("<i", 255), "range"), (28, struct.pack("<i", 65536), "range"),
-    (28, struct.pack("<i", image.FAR_MAX + 1), "range"), (32, struct.pack("<i", -1), "range"),
+    (28, struct.pack("<i", image_lens.FAR_MAX + 1), "range"), (32, struct.pack("<i", -1), "range"),
     (40, struct.pack("<i", image.COORDINATE_MAX + 1), "range"),
     (64, struct.pack("<i", -1), "range"), (76, struct.pack("<I", (1 << 30) + 1), "range"),
     (84, struct.pack("<I", 255), "count"), (92, struct.pack("<I", 2), "count"),

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from fixel import image, toml_object, toml_scene
+from fixel import image, image_lens, toml_object, toml_scene
 from fixel.errors import ToolError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -101,8 +101,8 @@ def test_rationals_and_turns_are_exact(tmp_path):
 
 def test_focal_and_range_ends_of_the_field_of_view(tmp_path):
     assert build(tmp_path, "[view]\nfocal = 160\n" + BOX + PATH)[0].fov == 1 << 30
-    assert build(tmp_path, "[view]\nfov = 10\n" + BOX + PATH)[0].fov == image.FOV_MIN
-    assert build(tmp_path, "[view]\nfov = 150\n" + BOX + PATH)[0].fov == image.FOV_MAX
+    assert build(tmp_path, "[view]\nfov = 10\n" + BOX + PATH)[0].fov == image_lens.FOV_MIN
+    assert build(tmp_path, "[view]\nfov = 150\n" + BOX + PATH)[0].fov == image_lens.FOV_MAX
     scene, _ = build(tmp_path, "[view]\nfocal = 277.25\nnear = 1\n" + BOX + PATH)
     assert round(toml_scene.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
 

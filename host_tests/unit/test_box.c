@@ -134,8 +134,8 @@ void test_the_box_of_an_object(void)
 {
     static const fxl_point vertices[] = {
         {9, 9, 9}, {Q16(1), Q16(-2), 0}, {Q16(-3), 0, Q16(5)}, {0, Q16(4), Q16(-6)}};
-    static const fxl_model models[] = {{0, 1, 0, 1, FXL_MODEL_CONVEX, {0, 0, 0}, Q16(9), 0},
-                                       {1, 3, 0, 1, FXL_MODEL_CONVEX, {0, 0, 0}, Q16(9), 0}};
+    static const fxl_model models[] = {{0, 1, 0, 1, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0},
+                                       {1, 3, 0, 1, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0}};
     static const fxl_instance instances[] = {{{Q16(10), Q16(20), Q16(30)}, 1, 0, 0}};
     static fxl_scene scene;
     scene.vertices = vertices;

@@ -61,7 +61,7 @@ static void make_prism(void)
         *index++ = (uint16_t)(SIDES + i);
     }
     models[2] =
-        (fxl_model){16, 2 * SIDES, 12, 2 + SIDES, FXL_MODEL_CONVEX, {0, 0, 0}, TINY_RADIUS, 0};
+        (fxl_model){16, 2 * SIDES, 12, 2 + SIDES, FXL_MODEL_CONVEX, 0, 0, TINY_RADIUS, 0};
 }
 
 static void make_scene(void)

@@ -103,11 +103,12 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     tiny = tiny_make();
     tiny->instances[2].reserved = 1;
     expect_fault(FXL_E_RESERVED, "instance", 2, &tiny->scene);
-    for (int i = 0; i < 3; i++) {
-        tiny = tiny_make();
-        tiny->models[1].reserved[i] = 1;
-        expect_fault(FXL_E_RESERVED, "model", 1, &tiny->scene);
-    }
+    tiny = tiny_make();
+    tiny->models[1].reserved = 1;
+    expect_fault(FXL_E_RESERVED, "model", 1, &tiny->scene);
+    tiny = tiny_make();
+    tiny->models[1].first_cluster = 1;
+    expect_fault(FXL_E_RESERVED, "model", 1, &tiny->scene);
     tiny = tiny_make();
     tiny->faces[10].normal.x = 1 << 20; /* no unit vector any more */
     expect_fault(FXL_E_NORMAL, "face", 10, &tiny->scene);

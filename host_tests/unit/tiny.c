@@ -23,7 +23,7 @@ static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
                        .count = 4,
                        .material = (uint8_t)(colour + f)};
     }
-    tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, {0, 0, 0}, TINY_RADIUS, 0};
+    tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, 0, 0, TINY_RADIUS, 0};
 }
 
 /* A face of the cube lies a unit from the middle, and its box is about that. */
@@ -63,6 +63,9 @@ tiny_scene *tiny_make(void)
                              NULL,
                              0,
                              0,
+                             NULL,
+                             0,
+                             NULL,
                              NULL,
                              0,
                              NULL};

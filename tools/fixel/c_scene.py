@@ -48,15 +48,16 @@ class _Tables:
 
     def __init__(self, scene, name):
         self.scene, self.name = scene, name
-        self.vertices, self.indices, self.faces, self.models, self.bounds = [], [], [], [], []
+        self.vertices, self.indices, self.faces, self.models, self.bounds, self.clusters = [], [], [], [], [], []
         for model in scene.models:
             self._add(model)
 
     def _add(self, model):
         first_bounds = len(self.bounds) if model.kind == SORTED else 0
         self.models.append(braces(len(self.vertices), len(model.vertices), len(self.faces), len(model.faces),
-                                  KINDS[model.kind], braces(0, 0, 0), image.radius_of(model.vertices),
-                                  first_bounds))
+                                  KINDS[model.kind], 0, len(self.clusters) + 1 if model.clusters else 0,
+                                  image.radius_of(model.vertices), first_bounds))
+        self.clusters += map(_cluster, model.clusters)
         self.vertices += [braces(*vertex) for vertex in model.vertices]
         for face in model.faces:
             self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, 0))
@@ -78,8 +79,8 @@ class _Tables:
             self._table("fxl_face", "faces", self.faces,
                         "Normal in 2.30, first index, count of vertices, colour, reserved."),
             self._table("fxl_model", "models", self.models,
-                        "First vertex, vertices, first face, faces, kind, reserved, radius in 16.16, "
-                        "first face bounds."),
+                        "First vertex, vertices, first face, faces, kind, reserved, first cluster, radius in "
+                        "16.16, first face bounds."),
             self._table("fxl_instance", "instances",
                         [braces(braces(*item.centre), item.model, item.layer, 0) for item in self.scene.objects],
                         "Centre in 16.16, model, layer, reserved."),
@@ -92,6 +93,10 @@ class _Tables:
             made.append(self._table("fxl_bsp_node", "bsp_nodes", list(map(_node, self.scene.tree.nodes)),
                                     "Normal, distance (low and high word); front, back, parent; first face, "
                                     "faces, reserved; centre and radius of the sphere."))
+        if self.clusters:
+            made.append(self._table("fxl_cluster", "clusters", self.clusters,
+                                    "Centre and radius of the sphere; axis, cutoff and apex of the cone; faces, "
+                                    "reserved."))
         if self.scene.beams:
             made += [self._table("fxl_beam", "beams", list(map(_beam, self.scene.beams)),
                                  "Point or direction, kind, count of planes, reserved; each plane's normal "
@@ -116,6 +121,7 @@ class _Tables:
                  scene.tree.object if scene.tree else 0),
             rows(scene.beams, "beams", len(scene.beams)),
             rows(scene.beams, "lit"),
+            rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
         ]
         return "\n".join([f"static const fxl_scene {name}_scene = {{",
                           ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])
@@ -124,6 +130,11 @@ class _Tables:
 def _node(node):
     return braces(braces(*node.normal), *split64(node.distance), node.front, node.back, node.parent,
                   node.first_face, node.face_count, 0, braces(*node.centre), node.radius)
+
+
+def _cluster(cluster):
+    return braces(braces(*cluster.centre), cluster.radius, braces(*cluster.axis), f"{cluster.cutoff}u",
+                  braces(*cluster.apex), cluster.face_count, 0)
 
 
 def _beam(beam):

@@ -6,22 +6,20 @@ from math import isqrt
 import struct
 import zlib
 
-from fixel import image_beam, image_keys, reading
+from fixel import image_beam, image_cluster, image_keys, image_lens, reading
 from fixel.errors import ToolError
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
 MAGIC = b"FXLS"
-VERSION, VERSION_MORE = 2, 3
+VERSION, VERSION_MORE, VERSION_CLUSTERS = 2, 3, 4
 HEADER_SIZE = 160
-LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size   # of a scene with beams
+LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size               # of a scene with beams
+CLUSTER_HEADER_SIZE = LIT_HEADER_SIZE + image_cluster.HEADER.size        # of a scene with clusters
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
 RADIUS_MAX = 28375 << 16        # no vertex can be farther from its origin
-SCREEN_MAX = 1024
-FOV_MIN, FOV_MAX = 119304648, 1789569706
-NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
 GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
 FACE_VERTICES_MAX = 24
 PLANARITY_MAX = 4
@@ -38,7 +36,7 @@ _PALETTE = struct.Struct("<3B")
 _VERTEX = struct.Struct("<3i")
 _CORNER = struct.Struct("<H")
 _FACE = struct.Struct("<3iIBBH")
-_MODEL = struct.Struct("<4IB3siI")
+_MODEL = struct.Struct("<4IBBHiI")
 _OBJECT = struct.Struct("<3iHBB")
 _POSE = struct.Struct("<3i3I")
 _STRIDE = struct.Struct("<HH")
@@ -57,6 +55,7 @@ class Model:
     vertices: list      # (x, y, z) in 16.16, relative to the object's centre
     faces: list
     kind: int = CONVEX
+    clusters: list = field(default_factory=list)    # over all faces, or none
 
 
 @dataclass
@@ -106,11 +105,11 @@ def radius_of(vertices):
 
 
 def _model_tables(image):
-    """Vertices, corners, faces and models as packed bytes, and the keys of sorted models' faces."""
-    vertices, corners, faces, models, keys = [], [], [], [], []
+    """Vertices, corners, faces and models as packed bytes, the keys of sorted models' faces, and the clusters."""
+    vertices, corners, faces, models, keys, clusters = [], [], [], [], [], []
     for model in image.models:
         models.append(_MODEL.pack(len(vertices), len(model.vertices), len(faces),
-                                  len(model.faces), model.kind, bytes(3),
+                                  len(model.faces), model.kind, 0, 1 + len(clusters) if model.clusters else 0,
                                   radius_of(model.vertices),
                                   len(keys) if model.kind == SORTED else 0))
         vertices += [_VERTEX.pack(*vertex) for vertex in model.vertices]
@@ -120,45 +119,53 @@ def _model_tables(image):
             corners += [_CORNER.pack(corner) for corner in face.corners]
         if model.kind == SORTED:
             keys += [image_keys.KEY.pack(*image_keys.key_of(model, face)) for face in model.faces]
-    return [vertices, corners, faces, models], keys
+        clusters += [cluster.pack() for cluster in model.clusters]
+    return [vertices, corners, faces, models], keys, clusters
+
+
+def _kind(nodes, beams, clusters):
+    """The version of an image, and the size of its header."""
+    if clusters:
+        return VERSION_CLUSTERS, CLUSTER_HEADER_SIZE
+    return VERSION_MORE if nodes or beams else VERSION, LIT_HEADER_SIZE if beams else HEADER_SIZE
 
 
 def pack(image):
     """The bytes of an image. Checks the result, so that nothing is written
     that a loader would refuse."""
     path_entry = _POSE if image.path_kind == POSES else _STRIDE
-    model_tables, keys = _model_tables(image)
-    tables = [[_PALETTE.pack(*entry) for entry in image.palette], *model_tables,
-              [_OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
-              [path_entry.pack(*entry) for entry in image.path]]
-    header_size = LIT_HEADER_SIZE if image.beams else HEADER_SIZE
+    model_tables, keys, clusters = _model_tables(image)
+    nodes = [node.pack() for node in image.tree.nodes] if image.tree else []
+    beams = [beam.pack() for beam in image.beams]
+    version, header_size = _kind(nodes, beams, clusters)
     body, where = b"", []
-    for table in tables:
-        where += [header_size + len(body), len(table)]
+
+    def place(table):
+        """Puts a table at the end of the body; its offset and count, both 0 for no table."""
+        nonlocal body
+        offset = header_size + len(body) if table else 0
         body += _aligned(b"".join(table))
-    where_keys = [header_size + len(body) if keys else 0, len(keys)]
-    body += b"".join(keys)
-    nodes = image.tree.nodes if image.tree else []
-    where_nodes = [header_size + len(body) if nodes else 0, len(nodes)]
-    body += b"".join(node.pack() for node in nodes)
-    if image.beams:
-        where_beams = header_size + len(body)
-        body += b"".join(beam.pack() for beam in image.beams)
-        body = image_beam.LIT_HEADER.pack(where_beams, len(image.beams), header_size + len(body),
-                                          0) + body + bytes(image.lit)
-    size = HEADER_SIZE + len(body)
+        return [offset, len(table)]
+
+    for table in [[_PALETTE.pack(*entry) for entry in image.palette], *model_tables,
+                  [_OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
+                  [path_entry.pack(*entry) for entry in image.path]]:
+        where += place(table)
+    where_more = place(keys) + place(nodes)
+    more = image_beam.LIT_HEADER.pack(*place(beams), place([bytes(image.lit)] if beams else [])[0], 0)
+    more = (more + image_cluster.HEADER.pack(*place(clusters)))[:header_size - HEADER_SIZE]
+    size = header_size + len(body)
     if size > IMAGE_MAX:
         fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
              "use fewer or smaller models or a shorter path")
 
     def head(crc):
-        return _HEAD.pack(MAGIC, VERSION_MORE if nodes or image.beams else VERSION, header_size,
-                          size, crc, image.width, image.height,
+        return _HEAD.pack(MAGIC, version, header_size, size, crc, image.width, image.height,
                           image.fov, image.near, image.far, image.inset, image.background,
                           image.path_kind, 0, *image.start, *image.gait, *where, image.frames,
-                          *where_keys, *where_nodes, image.tree.object if nodes else 0)
+                          *where_more, image.tree.object if nodes else 0)
 
-    blob = head(zlib.crc32(head(0)[16:] + body)) + body
+    blob = head(zlib.crc32(head(0)[16:] + more + body)) + more + body
     unpack(blob)
     return blob
 
@@ -171,11 +178,13 @@ def _head(blob):
     magic, version, header_size, size, crc = fields[:5]
     if magic != MAGIC:
         fail("magic", "this is not a scene image (it does not begin with FXLS)")
-    if version not in (VERSION, VERSION_MORE):
+    sizes = {VERSION: [HEADER_SIZE], VERSION_MORE: [HEADER_SIZE, LIT_HEADER_SIZE],
+             VERSION_CLUSTERS: [CLUSTER_HEADER_SIZE]}
+    if version not in sizes:
         fail("version", f"a scene image of version {version}; this tool knows versions {VERSION} "
-             f"and {VERSION_MORE}")
-    if header_size != HEADER_SIZE and (version, header_size) != (VERSION_MORE, LIT_HEADER_SIZE):
-        fail("size", f"header size {header_size} is not {HEADER_SIZE}")
+             f"to {VERSION_CLUSTERS}")
+    if header_size not in sizes[version]:
+        fail("size", f"a header of {header_size} bytes is not one of version {version}")
     if size % 4 or not header_size <= size <= IMAGE_MAX or size > len(blob):
         fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
     if zlib.crc32(blob[16:size]) != crc:
@@ -185,23 +194,6 @@ def _head(blob):
     if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
         fail("version", f"version {VERSION_MORE} of a scene image without a BSP tree or beams")
     return fields
-
-
-def check_lens(width, height, fov, near, far, inset):
-    """The lens's ranges, in the image's integers."""
-    if not (1 <= width <= SCREEN_MAX and 1 <= height <= SCREEN_MAX):
-        fail("range", f"a screen of {width}x{height} is outside 1..{SCREEN_MAX}")
-    if not FOV_MIN <= fov <= FOV_MAX:
-        fail("range", f"a field of view of {fov * 360 / 2**32:.4g} degrees is outside 10..150")
-    if near < NEAR_MIN:
-        fail("range", f"near = {near / 65536:.6g} is below 1/256")
-    if far > FAR_MAX:
-        fail("range", f"far = {far / 65536:.6g} is above 32767")
-    if not 0 <= inset <= INSET_MAX:
-        fail("range", f"inset = {inset / 65536:.6g} is outside 0..1")
-    if near + 2 * inset >= far:
-        fail("range", f"near + 2 inset = {(near + 2 * inset) / 65536:.6g} is not below "
-             f"far = {far / 65536:.6g}")
 
 
 def check_coordinates(point, what):
@@ -227,23 +219,29 @@ def check_plane(normal, points, what):
 
 
 def _tables(blob, fields):
-    """The tables as lists of tuples, after their offsets and counts; keys and nodes last, empty
-    where there are none; beams and lit colours where the header has them."""
+    """The tables as lists of tuples, after their offsets and counts; empty where there are none."""
     limits = [("palette", _PALETTE, 256, 256), ("vertices", _VERTEX, 1, 1_000_000),
               ("corners", _CORNER, 1, 4_000_000), ("faces", _FACE, 1, 1_000_000),
               ("models", _MODEL, 1, 65_535), ("objects", _OBJECT, 1, 65_535),
-              ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000)]
-    size, tables, places = fields[3], [], [fields[i:i + 2] for i in range(24, 38, 2)]
-    limits += [("keys", image_keys.KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX)]
-    places += [fields[39:41], fields[41:43]]
-    if fields[2] == LIT_HEADER_SIZE:
+              ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000),
+              ("keys", image_keys.KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX),
+              ("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1),
+              ("clusters", image_cluster.CLUSTER, 1, image_cluster.CLUSTERS_MAX)]
+    optional = {"keys", "nodes", "beams", "lit", "clusters"}
+    beams, lit, clusters = (0, 0), (0, 0), (0, 0)
+    if fields[2] != HEADER_SIZE:
         *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
         if reserved:
             fail("reserved", "a reserved field of the header is not zero")
-        limits += [("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1)]
-        places += [beams, (lit, 1)]
+        lit = lit, min(beams[1], 1)
+        optional -= {"beams", "lit"}
+    if fields[2] == CLUSTER_HEADER_SIZE:
+        clusters = image_cluster.HEADER.unpack_from(blob, LIT_HEADER_SIZE)
+        optional = optional - {"clusters"} | {"beams", "lit"}
+    places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters]
+    size, tables = fields[3], []
     for (offset, count), (name, entry, low, high) in zip(places, limits):
-        if name in ("keys", "nodes") and not count:
+        if name in optional and not count:
             if offset:
                 fail("count", f"the header gives an offset of {name}, but a count of 0")
             tables.append([])
@@ -273,9 +271,9 @@ def _check_faces(faces, corners):
 
 def _read_models(models, vertices, corners, faces):
     result, extras, vertex, face = [], [], 0, 0
-    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, radius,
+    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, first_cluster, radius,
             first_key) in enumerate(models):
-        if kind not in (CONVEX, SORTED) or any(reserved):
+        if kind not in (CONVEX, SORTED) or reserved:
             fail("reserved", f"model {i}: unknown kind or reserved field not zero")
         if not 0 <= radius <= RADIUS_MAX:
             fail("range", f"model {i}: a radius of {radius / 65536:.6g} is outside 0..28375")
@@ -294,7 +292,7 @@ def _read_models(models, vertices, corners, faces):
                 fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
             own.append(Face(tuple(normal), outline, colour))
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
-        extras.append((radius, first_key))
+        extras.append((radius, first_key, first_cluster))
     if (vertex, face) != (len(vertices), len(faces)):
         fail("count", f"{len(vertices)} vertices and {len(faces)} faces, but the models have {vertex} and {face}")
     return result, extras
@@ -308,7 +306,7 @@ def _check_vertices(models):
 
 
 def _check_radii(models, extras):
-    for i, (model, (radius, _)) in enumerate(zip(models, extras)):
+    for i, (model, (radius, *_)) in enumerate(zip(models, extras)):
         if radius_of(model.vertices) > radius:
             fail("radius", f"a vertex of model {i} lies farther from its origin than "
                  f"{radius / 65536:.6g}, the model's radius")
@@ -357,11 +355,11 @@ def unpack(blob):
     """The scene of an image; ToolError names what is wrong, as the loader would."""
     fields = _head(blob)
     width, height, fov, near, far, inset, background, kind = *fields[5:11], *fields[11:13]
-    check_lens(width, height, fov, near, far, inset)
+    image_lens.check(width, height, fov, near, far, inset)
     start, gait = fields[14:20], fields[20:24]
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
-    palette, vertices, corners, faces, models, objects, path, keys, nodes, *light = \
+    palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters = \
         _tables(blob, fields)
     _check_faces(faces, corners)
     models, extras = _read_models(models, vertices, corners, faces)
@@ -373,15 +371,16 @@ def unpack(blob):
         for j, face in enumerate(model.faces):
             check_plane(face.normal, [model.vertices[c] for c in face.corners],
                         f"face {j} of model {i}")
-    image_keys.check(models, [first for _, first in extras], keys)
+    image_keys.check(models, [first for _, first, _ in extras], keys)
+    image_cluster.read(models, [first for *_, first in extras], clusters)
     tree = None
     if nodes:
         tree = Tree([Node.unpack(node) for node in nodes], fields[43])
         check_tree(tree, models, objects)
     elif fields[43]:
         fail("count", "the header names a BSP instance, but there is no BSP tree")
-    beams = [image_beam.unpack(beam, i) for i, beam in enumerate(light[0])] if light else []
-    lit = bytes(light[1][0]) if light else bytes(range(256))
+    beams = [image_beam.unpack(beam, i) for i, beam in enumerate(beams)]
+    lit = bytes(lit[0]) if lit else bytes(range(256))
     image_beam.check(beams, models)
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,

@@ -55,6 +55,8 @@ def _check_owner(tree, models, objects):
     number = objects[tree.object].model
     if models[number].kind != SORTED:
         fail("reserved", f"the BSP instance {tree.object} has a model that is not sorted")
+    if models[number].clusters:
+        fail("bsp", f"the model of the BSP instance {tree.object} has clusters")
     for i, item in enumerate(objects):
         if item.model == number and i != tree.object:
             fail("bsp", f"instance {i} has the model of the BSP instance {tree.object}")

@@ -17,7 +17,7 @@ from fixel.toml_table import Table
 KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves", "two_sided"}
+        "moves", "two_sided", "clusters"}
 _RING = {"count", "radius", "start", "turn"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
@@ -34,6 +34,7 @@ class Placement:
     centre: tuple
     layer: int
     moves: bool
+    clusters: bool
     where: str
 
 
@@ -247,13 +248,14 @@ class Objects:
             bases = (palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour")),)
         return "shaded" if table.switch("shade", True) else "plain", bases
 
-    def _colours(self, made, wish, copy, where):
+    def _colours(self, made, wish, copy, clusters, where):
         """What colour each face of a shape wishes for; the same object for the same wish."""
-        key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0
+        key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0, clusters
         if key in self.coloured:
             return self.coloured[key]
-        self._check_made(len(made.faces), where)
-        self.made += len(made.faces)
+        faces = len(made.faces) * 3 // 2 if clusters else len(made.faces)
+        self._check_made(faces, where)
+        self.made += faces
         if wish[0] == "index":
             _, first, then, step = wish
             colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
@@ -270,7 +272,8 @@ class Objects:
         most = MADE_MAX + sum(len(mesh.faces) for mesh in self.files.values())
         if self.made + faces > most:
             raise ToolError(f"{where}: the scene's models have more than the limit of {most:,} faces together ("
-                            f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts")
+                            f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts, and with "
+                            "clusters half as much again")
 
     def _count_placed(self, vertices, where):
         self.placed += vertices
@@ -288,6 +291,7 @@ class Objects:
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table)
+        clusters = table.switch("clusters", False)
         places = _places(table, PLACEMENTS_MAX - self.count)
         self.count += len(places)
         if len(places) > 1:
@@ -300,11 +304,15 @@ class Objects:
             if key not in known:
                 made, convex = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
-                known[key] = made, moved, self._kind(table, convex), self._colours(made, wish, i, place), _ends(made, moved)
+                known[key] = (made, moved, self._kind(table, convex), self._colours(made, wish, i, clusters, place),
+                              _ends(made, moved))
             made, moved, kind, colours, ends = known[key]
             self._count_placed(len(made.vertices), place)
+            if clusters and kind != image.SORTED:
+                raise ToolError(f"{table.at('clusters')}: the faces of a convex model have no clusters; leave clusters "
+                                "away or say kind = \"sorted\"")
             centre = _centre(position, made.half_height if anchor == "base" else 0, ends, place)
-            result.append(Placement((made, moved), colours, kind, centre, layer, moves, place))
+            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place))
         return result
 
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import image, image_beam, palette, quantity, toml_table
+from fixel import clusters, image, image_beam, image_lens, palette, quantity, toml_table
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -21,8 +21,8 @@ TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams",
 def _lens(top):
     """width, height, fov, near, far, inset in the image's integers."""
     screen = top.table("screen", {"width", "height"})
-    width = screen.whole("width", 320, 1, image.SCREEN_MAX)
-    height = screen.whole("height", 240, 1, image.SCREEN_MAX)
+    width = screen.whole("width", 320, 1, image_lens.SCREEN_MAX)
+    height = screen.whole("height", 240, 1, image_lens.SCREEN_MAX)
     view = top.table("view", {"fov", "focal", "near", "far", "inset"})
     if "focal" in view and "fov" in view:
         raise ToolError(f"{view.where}: both fov and focal are given; keep one")
@@ -35,7 +35,7 @@ def _lens(top):
     else:
         fov = quantity.in_range(view.degrees("fov", 75), 10, 150, view.at("fov"), "degrees")
     # 10 and 150 degrees are no whole binary angles; the range ends just inside.
-    fov = min(max(quantity.angle(fov), image.FOV_MIN), image.FOV_MAX)
+    fov = min(max(quantity.angle(fov), image_lens.FOV_MIN), image_lens.FOV_MAX)
     near = view.number("near", Fraction(1, 4), Fraction(1, 256), 32767, "world units")
     far = view.number("far", 256, Fraction(1, 256), 32767, "world units")
     inset = view.number("inset", 0, 0, 1, "world units")
@@ -224,19 +224,21 @@ def _models(placements, indices):
     numbers, models, objects = {}, [], []
     for item in placements:
         made, moved = item.shape
-        key = (id(made), moved, id(item.colours), item.kind)
+        key = (id(made), moved, id(item.colours), item.kind, item.clusters)
         if key not in numbers:
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             faces = tuple((f.normal, f.corners, c) for f, c in zip(made.faces, colours))
             # Meshes from different sources may come out the same.
-            content = (vertices, faces, item.kind)
+            content = (vertices, faces, item.kind, item.clusters)
             if content not in numbers:
                 if len(vertices) > 65535 or len(faces) > 65535:
                     raise ToolError(f"{item.where}: {len(vertices)} vertices and {len(faces)} "
                                     "faces; a model has at most 65535 of each, so split it")
                 numbers[content] = len(models)
                 models.append(Model(list(vertices), [Face(*f) for f in faces], item.kind))
+                if item.clusters:
+                    clusters.divide(models[-1])
             numbers[key] = numbers[content]
         objects.append(Object(item.centre, numbers[key], item.layer))
     return models, objects

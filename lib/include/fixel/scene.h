@@ -26,6 +26,7 @@ extern "C" {
 #define FXL_MODEL_FACES_MAX         65535u
 #define FXL_BSP_NODES_MAX           65535u
 #define FXL_BSP_DEPTH_MAX           1023u /* of a node below the root */
+#define FXL_SCENE_CLUSTERS_MAX      65535u
 
 /* The largest distance of a vertex of a BSP node's faces from the node's plane, in units of
  * 1/65536. */
@@ -67,7 +68,8 @@ typedef struct {
     uint32_t first_vertex, vertex_count; /* vertex_count 3..65535 */
     uint32_t first_face, face_count;     /* face_count 1..65535 */
     uint8_t kind;
-    uint8_t reserved[3];        /* 0 */
+    uint8_t reserved;           /* 0 */
+    uint16_t first_cluster;     /* of a sorted model, counted from 1; 0: it has no clusters */
     fxl_q16_16 radius;          /* 0..FXL_RADIUS_MAX */
     uint32_t first_face_bounds; /* of a sorted model, if the scene has face bounds; else 0 */
 } fxl_model;
@@ -95,6 +97,29 @@ typedef struct {
     fxl_point centre;                /* of a sphere about the node's faces and its children's */
     fxl_q16_16 radius;               /* spheres; 0..FXL_RADIUS_MAX */
 } fxl_bsp_node;
+
+/* The largest coordinate of the apex of a cluster's cone. */
+#define FXL_CLUSTER_APEX_MAX FXL_CAST(fxl_q16_16, 2 * FXL_COORDINATE_MAX)
+
+/* A cluster: a run of faces of a sorted model, which are left out together if none can be seen. The
+ * clusters of a model take its faces in turn. Points are relative to the centre of the instance.
+ * All vertices of the faces lie in the sphere. Its centre lies in the bounding box of the faces.
+ * The cone: no face shows its front to an eye for which u = apex - eye has u . axis >= 0 and
+ * (u . axis)^2 >= cutoff |u|^2. A cluster without a cone has axis, cutoff and apex 0. */
+typedef struct {
+    fxl_point centre;
+    fxl_q16_16 radius;   /* 0..FXL_RADIUS_MAX */
+    fxl_direction axis;  /* of unit length, with the tolerance of a face's normal */
+    uint32_t cutoff;     /* in units of 2^-32 */
+    fxl_point apex;      /* each coordinate within FXL_CLUSTER_APEX_MAX */
+    uint16_t face_count; /* >= 1; the tool makes clusters of 16 to 32 faces */
+    uint16_t reserved;   /* 0 */
+} fxl_cluster;
+
+/* The code that draws clusters. A scene names it, so that a program whose scenes have no clusters
+ * does not link it. */
+typedef struct fxl_cluster_code fxl_cluster_code;
+extern const fxl_cluster_code fxl_clusters;
 
 /* The most planes of a beam, and the most beams of a scene. */
 #define FXL_BEAM_PLANES_MAX 8
@@ -175,6 +200,9 @@ typedef struct {
     const fxl_beam *beams; /* for fxl_renderer_set_beams; or null */
     uint32_t beam_count;
     const uint8_t *lit; /* 256 entries: the colour that each colour has in a beam; or null */
+    const fxl_cluster *clusters; /* of the models that have some, in turn; or null */
+    uint32_t cluster_count;
+    const fxl_cluster_code *cluster_code; /* &fxl_clusters, set by the checks; null: no clusters */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */
@@ -205,12 +233,13 @@ typedef struct {
  * FXL_E_PLANARITY, FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
  * FXL_E_CAPACITY is for a face of more than FXL_FACE_VERTICES_MAX vertices, which a build with a
  * larger FXL_POLYGON_CAPACITY would draw. On FXL_OK *fault is untouched.
- * A scene that has a BSP tree or beams is refused (FXL_E_ARGUMENT); fxl_scene_check_all checks
- * them. They are two functions so that a program without either links neither of their checks. */
+ * A scene that has clusters, a BSP tree or beams is refused (FXL_E_ARGUMENT); fxl_scene_check_all
+ * checks them. They are two functions so that a program without any links none of their checks. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
-/* Checks a scene that may have a BSP tree and beams: these too. Otherwise as fxl_scene_check, and
- * also FXL_E_BSP. */
+/* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
+ * fxl_scene_check, and also FXL_E_CLUSTER and FXL_E_BSP. On FXL_OK scene->cluster_code is set too.
+ */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,

@@ -132,6 +132,7 @@ typedef enum {
     FXL_E_RADIUS,      /* a vertex or a sphere outside the sphere that must hold it */
     FXL_E_FACE_BOUNDS, /* a face's bounds differ from those of its vertices and its normal */
     FXL_E_BSP,         /* no tree, too deep a tree, or an instance that may not be with it */
+    FXL_E_CLUSTER,     /* the front of a cluster's face may be seen from the cluster's cone */
     FXL_STATUS_COUNT
 } fxl_status;
 

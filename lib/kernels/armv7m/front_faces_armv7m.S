@@ -11,6 +11,7 @@
     .thumb
 
 #define COUNT   36          /* on the stack */
+#define END     40
 
 face    .req r0
 bounds  .req r1             /* of the next face */
@@ -22,7 +23,7 @@ left    .req lr             /* faces still to be tested, including this one */
     .type fxl_front_faces, %function
     .thumb_func
 
-/* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count */
+/* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count, end */
 fxl_front_faces:
     push    {r4-r11, lr}
     ldm     r2, {r4-r6}
@@ -42,7 +43,7 @@ fxl_front_faces:
     sub     r7, r7, r4, lsl #1
     sub     r8, r8, r5, lsl #1
     sub     r9, r9, r6, lsl #1
-    ldr     r12, [sp, #COUNT]
+    ldr     r12, [sp, #END]
     smull   r10, r11, r7, r7
     smlal   r10, r11, r8, r8
     smlal   r10, r11, r9, r9

@@ -3,33 +3,40 @@
  * outside -> sort. */
 #include "submit.h"
 
-/* Whether faces that lie outside are taken out before the sort. They have to be counted as the
- * clipper and the beams would count them. It pays where faces share vertices, since those of the
- * others are looked at twice. The answer is the same for every workspace: a frame's resume point is
- * a place in the order. */
-static bool drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_model *model)
+bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model)
 {
     return !FXL_IS_SMALL && on->clipper->by_clip_flags && model_view->planes != 0 &&
            model_view->beam_light == NULL && model->vertex_count < 2 * model->face_count;
 }
 
-void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
-                     const fxl_model *model)
+static void find_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model)
 {
-    const fxl_scene *scene = on->renderer->scene;
     fxl_workspace *workspace = on->workspace;
+    const fxl_scene *scene = on->renderer->scene;
     const fxl_point *offset = &model_view->offset;
     const fxl_point eye = {-offset->x, -offset->y, -offset->z};
     uint32_t count = fxl_order_front_faces(scene, model, &eye, workspace->face_order);
     workspace->front_count = (uint16_t)count;
-    if (drops_outside(on, model_view, model)) {
+    if (fxl_drops_outside(on, model_view, model)) {
         count = fxl_order_drop_outside(model_view, &scene->faces[model->first_face],
                                        workspace->face_order, count);
     }
+    workspace->sorted_count = (uint16_t)count;
+}
+
+void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
+                     const fxl_model *model)
+{
+    fxl_workspace *workspace = on->workspace;
+    if (model->first_cluster != 0) {
+        on->renderer->scene->cluster_code->find_faces(on, model_view, model);
+    } else {
+        find_faces(on, model_view, model);
+    }
     if (!FXL_IS_SMALL) {
-        workspace->sorted_count = (uint16_t)count;
         workspace->face_rows_known = false;
     }
-    fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
+    fxl_order_sort_faces(workspace->face_order, workspace->sorted_count, &workspace->work.order);
 }

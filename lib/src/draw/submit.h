@@ -36,6 +36,13 @@ struct fxl_traversal {
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on);
 
+/* Whether faces of a sorted model that lie outside are taken out before the sort. They have to be
+ * counted as the clipper and the beams would count them. It pays where faces share vertices, since
+ * those of the others are looked at twice. The answer is the same for every workspace: a frame's
+ * resume point is a place in the order. */
+bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model);
+
 /* Puts the faces of a sorted model that face the eye into workspace->face_order, in the order of
  * drawing, and sets the workspace's two counts of them. Faces that the clipper would find outside
  * may be left out of the order. */
@@ -62,6 +69,14 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
  * and so on; counted in split_bands. Requires a workspace for any one row. */
 void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_band *band);
+
+/* What draws models with clusters. */
+struct fxl_cluster_code {
+    /* What fxl_order_model does before the sort, for a model with clusters. Clusters outside the
+     * frustum, and clusters turned away from the eye, are left out with all their faces. */
+    void (*find_faces)(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model);
+};
 
 /* --- a face in several pieces ---------------------------------------------- */
 

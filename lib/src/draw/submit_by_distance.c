@@ -60,8 +60,7 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
         fxl_order_model(on, model_view, model);
     }
     const fxl_face *faces = &scene->faces[model->first_face];
-    const uint32_t first = on->resume->faces,
-                   front = FXL_IS_SMALL ? workspace->front_count : workspace->sorted_count;
+    const uint32_t first = on->resume->faces, front = workspace->sorted_count;
     const bool reverse = on->renderer->visibility->front_to_back;
     /* Where no face is left, the last instance's entry is before the first face's. */
     const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
@@ -72,15 +71,12 @@ static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_v
         number++;
     }
     on->resume->faces = (uint16_t)number;
-    on->counters->in += number - first;
+    on->counters->in += (number < front ? number : model->face_count) - first;
     if (number < front) {
         return false;
     }
-    on->counters->in += model->face_count - front;
     on->counters->backfacing += model->face_count - workspace->front_count;
-    if (!FXL_IS_SMALL) {
-        on->counters->outside += workspace->front_count - front;
-    }
+    on->counters->outside += workspace->front_count - front;
     return true;
 }
 

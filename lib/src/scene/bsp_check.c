@@ -6,7 +6,8 @@
 #include "../math/unit_vector.h"
 
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
- * other object's, so that nothing else is to be clipped to the tree with it. What is
+ * other object's, so that nothing else is to be clipped to the tree with it. It has no
+ * clusters, because the nodes take its faces in turn. What is
  * clipped to it, the other objects of its layer, is convex. */
 static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
 {
@@ -17,6 +18,9 @@ static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
     uint32_t model = owner->model;
     if (scene->models[model].kind != FXL_MODEL_SORTED) {
         return fxl_fault_at(fault, "BSP tree", 0, FXL_E_RESERVED);
+    }
+    if (scene->models[model].first_cluster != 0) {
+        return fxl_fault_at(fault, "BSP tree", 0, FXL_E_BSP);
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];

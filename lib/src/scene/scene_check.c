@@ -77,8 +77,7 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
     uint32_t vertex = 0, face = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const fxl_model *model = &scene->models[i];
-        if (model->kind > FXL_MODEL_SORTED || model->reserved[0] != 0 || model->reserved[1] != 0 ||
-            model->reserved[2] != 0) {
+        if (model->kind > FXL_MODEL_SORTED || model->reserved != 0) {
             return fxl_fault_at(fault, "model", i, FXL_E_RESERVED);
         }
         if (model->radius < 0 || model->radius > FXL_RADIUS_MAX) {
@@ -296,12 +295,29 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
     return status;
 }
 
+/* A scene without a table of clusters has no model with clusters. */
+static fxl_status check_no_clusters(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    if (scene->clusters != NULL || scene->cluster_count != 0) {
+        return fxl_fault_at(fault, "cluster table", 0, FXL_E_ARGUMENT);
+    }
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        if (scene->models[i].first_cluster != 0) {
+            return fxl_fault_at(fault, "model", i, FXL_E_RESERVED);
+        }
+    }
+    return FXL_OK;
+}
+
 static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes != NULL || scene->bsp_node_count != 0 || scene->bsp_instance != 0) {
         return fxl_fault_at(fault, "BSP node table", 0, FXL_E_ARGUMENT);
     }
-    return scene->beam_count == 0 ? FXL_OK : fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
+    if (scene->beam_count != 0) {
+        return fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
+    }
+    return check_no_clusters(scene, fault);
 }
 
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)

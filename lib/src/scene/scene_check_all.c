@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The check of a scene that may have a BSP tree and beams. It is a file of its own, so that a
- * program whose scene has neither does not link these checks. */
+/* The check of a scene that may have clusters, a BSP tree and beams. It is a file of its own, so
+ * that a program whose scene has none of them does not link these checks. */
 #include "fixel/extra/beams/beam.h"
 #include "scene_check.h"
 #include "bsp_check.h"
+#include "cluster_check.h"
 #include "fault.h"
 
 static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
@@ -31,13 +32,20 @@ static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-static fxl_status check_tree_and_beams(const fxl_scene *scene, fxl_scene_fault *fault)
+static fxl_status check_more(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    fxl_status status = fxl_bsp_check(scene, fault);
+    fxl_status status = fxl_cluster_check(scene, fault);
+    if (status == FXL_OK) {
+        status = fxl_bsp_check(scene, fault);
+    }
     return status == FXL_OK ? check_beams(scene, fault) : status;
 }
 
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault)
 {
-    return fxl_scene_check_with(scene, fault, check_tree_and_beams);
+    fxl_status status = fxl_scene_check_with(scene, fault, check_more);
+    if (status == FXL_OK) {
+        scene->cluster_code = scene->cluster_count > 0 ? &fxl_clusters : NULL;
+    }
+    return status;
 }

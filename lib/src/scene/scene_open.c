@@ -38,6 +38,11 @@ typedef struct {
     uint32_t reserved;
 } beam_header;
 
+/* The rest of the header after that of beams, only if the scene has clusters. */
+typedef struct {
+    table clusters;
+} cluster_header;
+
 FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
@@ -51,31 +56,48 @@ FXL_STATIC_ASSERT(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 
 FXL_STATIC_ASSERT(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(beam_header) == 16, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(cluster_header) == 8, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_cluster) == 48, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(fxl_model, first_cluster) == 18, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
-#define MAGIC           0x534C5846u /* "FXLS" */
-#define VERSION         2u
-#define VERSION_MORE    3u /* has a BSP tree, or beams, or both */
-#define PALETTE_ENTRIES 256u
+#define MAGIC            0x534C5846u /* "FXLS" */
+#define VERSION          2u
+#define VERSION_MORE     3u /* has a BSP tree, or beams, or both */
+#define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */
+#define PALETTE_ENTRIES  256u
+
+#define BEAM_HEADER_SIZE    (sizeof(header) + sizeof(beam_header))
+#define CLUSTER_HEADER_SIZE (BEAM_HEADER_SIZE + sizeof(cluster_header))
 
 enum {
     PATH_POSES = 0,
     PATH_SEGMENTS = 1
 };
 
-/* Null where the scene has no beams. */
+/* Null where the header has no such part. With clusters, the part of beams may be 0. */
 static const beam_header *beam_header_of(const header *head)
 {
     return head->header_size > sizeof *head ? (const beam_header *)(const void *)(head + 1) : NULL;
 }
 
-/* Only a scene of VERSION_MORE may have the larger header. */
+/* Null where the scene has no clusters. */
+static const cluster_header *cluster_header_of(const header *head)
+{
+    return head->header_size > BEAM_HEADER_SIZE
+               ? (const cluster_header *)(const void *)(beam_header_of(head) + 1)
+               : NULL;
+}
+
 static bool header_size_is_known(const header *head)
 {
+    if (head->version == VERSION_CLUSTERS) {
+        return head->header_size == CLUSTER_HEADER_SIZE;
+    }
     return head->header_size == sizeof *head ||
-           (head->version != VERSION && head->header_size == sizeof *head + sizeof(beam_header));
+           (head->version == VERSION_MORE && head->header_size == BEAM_HEADER_SIZE);
 }
 
 /* *what is "image", and becomes "header" if only the header's own size is wrong. */
@@ -87,7 +109,7 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     if (head->magic != MAGIC) {
         return FXL_E_MAGIC;
     }
-    if (head->version != VERSION && head->version != VERSION_MORE) {
+    if (head->version < VERSION || head->version > VERSION_CLUSTERS) {
         return FXL_E_VERSION;
     }
     if (!header_size_is_known(head)) {
@@ -162,52 +184,75 @@ static fxl_status check_table(const header *head, const table *entry, uint32_t e
     return FXL_OK;
 }
 
+/* The tables whose offset and count the header states, in their order there. An entry size of 0 is
+ * that of the path's kind. */
+static const struct {
+    uint16_t at, entry_size; /* at: where in the header */
+    uint32_t count_max;
+    const char *what;
+} tables[] = {
+    {offsetof(header, palette), 3, PALETTE_ENTRIES, "palette table"},
+    {offsetof(header, vertices), sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
+    {offsetof(header, indices), sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
+    {offsetof(header, faces), sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
+    {offsetof(header, models), sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
+    {offsetof(header, instances), sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table"},
+    {offsetof(header, path), 0, FXL_SCENE_PATH_MAX, "path table"},
+    {offsetof(header, face_bounds), sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX,
+     "face bounds table"},
+    {offsetof(header, bsp_nodes), sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
+    {sizeof(header) + offsetof(beam_header, beams), sizeof(fxl_beam), FXL_BEAMS_MAX, "beam table"},
+    {BEAM_HEADER_SIZE, sizeof(fxl_cluster), FXL_SCENE_CLUSTERS_MAX, "cluster table"},
+};
+
+enum {
+    PATH_TABLE = 6,
+    BEAM_TABLE = 9,
+    CLUSTER_TABLE = 10
+};
+
+/* Of the tables behind that of the path, a header of its own size needs the last. */
+static bool is_needed(const header *head, size_t number)
+{
+    return number <= PATH_TABLE || number == CLUSTER_TABLE ||
+           (number == BEAM_TABLE && cluster_header_of(head) == NULL);
+}
+
+/* The lit colours are there if beams are. */
+static fxl_status check_lit(const header *head, fxl_scene_fault *fault)
+{
+    const table lit = {beam_header_of(head)->lit, PALETTE_ENTRIES};
+    if (beam_header_of(head)->beams.count == 0) {
+        return lit.offset == 0 ? FXL_OK : fxl_fault_at(fault, "lit table", 0, FXL_E_COUNT);
+    }
+    return check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault);
+}
+
 static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
 {
-    uint32_t path_entry =
+    const uint32_t path_entry =
         head->path_kind == PATH_POSES ? sizeof(fxl_pose) : sizeof(fxl_path_segment);
-    const struct {
-        const table *entry;
-        uint32_t entry_size, count_max;
-        const char *what;
-    } tables[] = {
-        {&head->palette, 3, PALETTE_ENTRIES, "palette table"},
-        {&head->vertices, sizeof(fxl_point), FXL_SCENE_VERTICES_MAX, "vertex table"},
-        {&head->indices, sizeof(uint16_t), FXL_SCENE_INDICES_MAX, "index table"},
-        {&head->faces, sizeof(fxl_face), FXL_SCENE_FACES_MAX, "face table"},
-        {&head->models, sizeof(fxl_model), FXL_SCENE_MODELS_MAX, "model table"},
-        {&head->instances, sizeof(fxl_instance), FXL_SCENE_INSTANCES_MAX, "instance table"},
-        {&head->path, path_entry, FXL_SCENE_PATH_MAX, "path table"},
-        {&head->face_bounds, sizeof(fxl_face_bounds), FXL_SCENE_FACES_MAX, "face bounds table"},
-        {&head->bsp_nodes, sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
-    };
-    const size_t count = sizeof tables / sizeof tables[0];
     if (head->palette.count != PALETTE_ENTRIES) {
         return fxl_fault_at(fault, "palette table", 0, FXL_E_COUNT);
     }
-    for (size_t i = 0; i < count; i++) {
-        /* The last two are optional: without sorted models there are no face bounds. */
-        if (i >= count - 2 && tables[i].entry->count == 0) {
-            if (tables[i].entry->offset != 0) {
-                return fxl_fault_at(fault, tables[i].what, 0, FXL_E_COUNT);
-            }
-            continue;
+    for (size_t i = 0; i <= CLUSTER_TABLE && tables[i].at < head->header_size; i++) {
+        const table *entry = (const table *)(const void *)((const uint8_t *)head + tables[i].at);
+        const uint32_t entry_size = i == PATH_TABLE ? path_entry : tables[i].entry_size;
+        fxl_status status = FXL_OK;
+        if (is_needed(head, i) || entry->count != 0) {
+            status =
+                check_table(head, entry, entry_size, tables[i].count_max, tables[i].what, fault);
+        } else if (entry->offset != 0) {
+            status = fxl_fault_at(fault, tables[i].what, 0, FXL_E_COUNT);
         }
-        fxl_status status = check_table(head, tables[i].entry, tables[i].entry_size,
-                                        tables[i].count_max, tables[i].what, fault);
+        if (status == FXL_OK && i == BEAM_TABLE) {
+            status = check_lit(head, fault);
+        }
         if (status != FXL_OK) {
             return status;
         }
     }
-    if (beam_header_of(head) == NULL) {
-        return FXL_OK;
-    }
-    const table lit = {beam_header_of(head)->lit, PALETTE_ENTRIES};
-    fxl_status status = check_table(head, &beam_header_of(head)->beams, sizeof(fxl_beam),
-                                    FXL_BEAMS_MAX, "beam table", fault);
-    return status == FXL_OK
-               ? check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault)
-               : status;
+    return FXL_OK;
 }
 
 static const void *at(const header *head, uint32_t offset)
@@ -231,7 +276,12 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
         head->bsp_nodes.count > 0 ? (const fxl_bsp_node *)at(head, head->bsp_nodes.offset) : NULL;
     opened->scene.bsp_node_count = head->bsp_nodes.count;
     opened->scene.bsp_instance = head->bsp_instance;
-    if (beam_header_of(head) != NULL) {
+    if (cluster_header_of(head) != NULL) {
+        const table *clusters = &cluster_header_of(head)->clusters;
+        opened->scene.clusters = (const fxl_cluster *)at(head, clusters->offset);
+        opened->scene.cluster_count = clusters->count;
+    }
+    if (beam_header_of(head) != NULL && beam_header_of(head)->beams.count > 0) {
         opened->scene.beams = (const fxl_beam *)at(head, beam_header_of(head)->beams.offset);
         opened->scene.beam_count = beam_header_of(head)->beams.count;
         opened->scene.lit = (const uint8_t *)at(head, beam_header_of(head)->lit);

@@ -45,8 +45,9 @@ const char *fxl_status_text(fxl_status status)
         return "the stored bounds of a face differ from those of its vertices and its normal";
     case FXL_E_BSP:
         return "the BSP nodes form no tree or one that is too deep, or an instance may not have "
-               "the "
-               "tree's model or layer";
+               "the tree's model or layer, or that model has clusters";
+    case FXL_E_CLUSTER:
+        return "a cluster's face may show its front to an eye in the cluster's cone";
     case FXL_STATUS_COUNT:
         break;
     }

@@ -28,12 +28,13 @@ static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const f
 }
 
 /* Appends an entry, with squared distance and number, for each of count faces that faces the eye.
- * A face does if normal . eye > height. Both sides are below 2^61; fxl_face_is_front tests the sign
- * of their difference. Returns the address behind the last entry. The entries' `next` has no
- * meaning.
- * Requires count >= 1, and the eye relative to the model's origin, each coordinate below 2^30. */
+ * Their numbers are end - count to end - 1. A face does if normal . eye > height. Both sides are
+ * below 2^61; fxl_face_is_front tests the sign of their difference. Returns the address behind the
+ * last entry. The entries' `next` has no meaning. Requires count >= 1, and the eye relative to the
+ * model's origin, each coordinate below 2^30. */
 fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
-                                 const fxl_point *eye, fxl_order_entry *entry, uint32_t count);
+                                 const fxl_point *eye, fxl_order_entry *entry, uint32_t count,
+                                 uint32_t end);
 
 #ifdef __cplusplus
 }

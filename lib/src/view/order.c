@@ -80,14 +80,15 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
 
 /* The same as fxl_front_faces, for a scene without face bounds: bounds is null, and they are
  * computed from the vertices. With FXL_SMALL it serves both kinds of scenes. */
-static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *model,
-                                   const fxl_face_bounds *bounds, const fxl_point *eye,
-                                   fxl_order_entry *entry)
+static uint32_t find_front(const fxl_scene *scene, const fxl_model *model,
+                           const fxl_face_bounds *bounds, const fxl_point *eye,
+                           fxl_order_entry *entries)
 {
+    uint32_t count = 0;
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     const fxl_face *faces = &scene->faces[model->first_face];
     for (uint32_t i = 0; i < model->face_count; i++) {
-        const fxl_face_bounds *known = FXL_IS_SMALL && bounds != NULL ? &bounds[i] : NULL;
+        const fxl_face_bounds *known = FXL_IS_SMALL && bounds != NULL ? bounds++ : NULL;
         const uint16_t *indices = &scene->indices[faces[i].first_index];
         const fxl_q18_46 height = known != NULL ? fxl_face_bounds_height(known)
                                                 : fxl_face_height(vertices, indices, &faces[i]);
@@ -100,11 +101,12 @@ static fxl_order_entry *find_front(const fxl_scene *scene, const fxl_model *mode
             } else {
                 box = fxl_face_box(vertices, indices, faces[i].count);
             }
-            *entry++ =
+            *entries++ =
                 fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, eye), (uint16_t)i, 0);
+            count++;
         }
     }
-    return entry;
+    return count;
 }
 
 uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
@@ -112,11 +114,12 @@ uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, c
 {
     const fxl_face_bounds *bounds =
         scene->face_bounds != NULL ? &scene->face_bounds[model->first_face_bounds] : NULL;
-    const fxl_order_entry *end = FXL_IS_SMALL || bounds == NULL
-                                     ? find_front(scene, model, bounds, eye, entries)
-                                     : fxl_front_faces(&scene->faces[model->first_face], bounds,
-                                                       eye, entries, model->face_count);
-    return (uint32_t)(end - entries);
+    if (FXL_IS_SMALL || bounds == NULL) {
+        return find_front(scene, model, bounds, eye, entries);
+    }
+    return (uint32_t)(fxl_front_faces(&scene->faces[model->first_face], bounds, eye, entries,
+                                      model->face_count, model->face_count) -
+                      entries);
 }
 
 uint32_t fxl_order_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,

@@ -3,7 +3,7 @@
 
 #include "../math/arith.h"
 
-/* Sorts faces as instances of one layer. */
+/* Sorts faces as instances of one layer, 0. */
 static void sort_as_instances(fxl_order_entry *entries, uint32_t count)
 {
     fxl_order_sort(entries, count);

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/* What the loader refuses of clusters. */
+#include "cluster_scene.h"
+
+static cluster_scene *made;
+
+void setUp(void)
+{
+    made = cluster_make();
+}
+
+static void expect(fxl_status status, const char *what, uint32_t index)
+{
+    fxl_scene_fault fault = {"nothing", 0};
+    TEST_ASSERT_EQUAL_STRING(fxl_status_text(status),
+                             fxl_status_text(fxl_scene_check_all(&made->tiny->scene, &fault)));
+    if (status != FXL_OK) {
+        TEST_ASSERT_EQUAL_STRING(what, fault.what);
+        TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    }
+    made = cluster_make();
+}
+
+void test_sound_clusters(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
+    TEST_ASSERT_TRUE(made->tiny->scene.cluster_code == &fxl_clusters);
+    made->tiny->scene.face_bounds = NULL;
+    made->tiny->scene.face_bounds_count = 0;
+    expect(FXL_OK, NULL, 0);
+}
+
+/* A check that knows no clusters refuses them; without them no code is named. */
+void test_scenes_without_clusters(void)
+{
+    fxl_scene *scene = &made->tiny->scene;
+    fxl_scene_fault fault;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("cluster table", fault.what);
+    scene->clusters = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(scene, NULL));
+    scene->cluster_count = 0;
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_scene_check(scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("model", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(1, fault.index);
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_scene_check_all(scene, NULL));
+    made->tiny->models[1].first_cluster = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+    scene->cluster_code = &fxl_clusters;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
+    TEST_ASSERT_NULL(scene->cluster_code);
+}
+
+void test_counts(void)
+{
+    made->tiny->scene.clusters = NULL;
+    expect(FXL_E_COUNT, "cluster table", 0);
+    made->tiny->scene.cluster_count = 0;
+    expect(FXL_E_COUNT, "cluster table", 0);
+    made->tiny->scene.cluster_count = FXL_SCENE_CLUSTERS_MAX + 1;
+    expect(FXL_E_COUNT, "cluster table", 0);
+    made->tiny->scene.cluster_count = 2; /* the last three faces are in no cluster */
+    expect(FXL_E_INDEX, "model", 1);
+    made->clusters[1].face_count = 5; /* and no face is left for the last */
+    made->clusters[1].axis.x = made->clusters[1].axis.y = 0;
+    made->clusters[1].apex.x = made->clusters[1].apex.y = 0;
+    made->clusters[1].cutoff = 0;
+    expect(FXL_E_COUNT, "cluster table", 0);
+    made->clusters[0].face_count = 0;
+    expect(FXL_E_COUNT, "cluster", 0);
+    made->clusters[2].face_count = 4;
+    expect(FXL_E_COUNT, "cluster", 2);
+    made->clusters[2].face_count = 65535;
+    expect(FXL_E_COUNT, "cluster", 2);
+    made->clusters[2].reserved = 1;
+    expect(FXL_E_RESERVED, "cluster", 2);
+}
+
+void test_which_models_have_some(void)
+{
+    made->tiny->models[1].first_cluster = 2;
+    expect(FXL_E_INDEX, "model", 1);
+    made->tiny->models[1].first_cluster = 0; /* clusters that no model has */
+    expect(FXL_E_COUNT, "cluster table", 0);
+    made->tiny->models[0].first_cluster = 1; /* a convex model */
+    expect(FXL_E_RESERVED, "model", 0);
+}
+
+/* The sphere of cluster 0 about (-1, 0, 0): its vertices are (-1, +-1, +-1). */
+void test_spheres(void)
+{
+    made->clusters[0].radius = 92681; /* sqrt(2) is more than 92681.9 */
+    expect(FXL_E_RADIUS, "cluster", 0);
+    made->clusters[0].centre.y = 1;
+    expect(FXL_E_RADIUS, "cluster", 0);
+    made->clusters[0].radius = Q16(3);
+    made->clusters[0].centre.y = Q16(1); /* a corner of the box, and a unit beyond it */
+    expect(FXL_OK, NULL, 0);
+    made->clusters[0].radius = Q16(3);
+    made->clusters[0].centre.y = Q16(1) + 1;
+    expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[0].centre.x += 1;
+    expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[2].centre.z = Q16(-1) - 1;
+    expect(FXL_E_RANGE, "cluster", 2);
+    made->clusters[2].radius = -1;
+    expect(FXL_E_RANGE, "cluster", 2);
+    made->clusters[2].radius = FXL_RADIUS_MAX + 1;
+    expect(FXL_E_RANGE, "cluster", 2);
+}
+
+void test_cones(void)
+{
+    made->clusters[0].axis.x -= 8;
+    expect(FXL_E_NORMAL, "cluster", 0);
+    made->clusters[0].apex.y = FXL_CLUSTER_APEX_MAX;
+    expect(FXL_OK, NULL, 0); /* in the face's plane */
+    made->clusters[0].apex.y = FXL_CLUSTER_APEX_MAX + 1;
+    expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[0].apex.x = -FXL_CLUSTER_APEX_MAX - 1;
+    expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[0].apex.x -= 1; /* an eye there sees the face's front */
+    expect(FXL_E_CLUSTER, "cluster", 0);
+    made->clusters[1].apex.y -= 1;
+    expect(FXL_E_CLUSTER, "cluster", 1);
+    made->clusters[1].apex.y += 1; /* behind both faces */
+    expect(FXL_OK, NULL, 0);
+    made->clusters[2].cutoff = 1;
+    expect(FXL_E_RESERVED, "cluster", 2);
+    made->clusters[2].apex.z = 1;
+    expect(FXL_E_RESERVED, "cluster", 2);
+}
+
+/* The normals of cluster 1 are 45 degrees off its axis. So a cone of 45 degrees is the widest, with
+ * a cutoff of 1/2. */
+void test_cutoffs(void)
+{
+    made->clusters[1].cutoff = 0x7FFFFFFFu;
+    expect(FXL_E_CLUSTER, "cluster", 1);
+    made->clusters[1].cutoff = 0xFFFFFFFFu; /* a narrow one */
+    expect(FXL_OK, NULL, 0);
+    made->clusters[1].cutoff = 0;
+    expect(FXL_E_CLUSTER, "cluster", 1);
+    made->clusters[1].axis.x = -made->clusters[1].axis.x; /* now +x looks the other way */
+    made->clusters[1].cutoff = 0xFFFFFFFFu;
+    expect(FXL_E_CLUSTER, "cluster", 1);
+    made->clusters[0].cutoff = 15; /* less than rounding takes */
+    expect(FXL_E_CLUSTER, "cluster", 0);
+}
+
+/* A tree's nodes take the faces of their model in turn, so it has no clusters. */
+void test_no_clusters_with_a_tree(void)
+{
+    static const fxl_bsp_node node = {.front = FXL_BSP_NONE, .back = FXL_BSP_NONE};
+    made->tiny->scene.bsp_nodes = &node;
+    made->tiny->scene.bsp_node_count = 1;
+    made->tiny->scene.bsp_instance = 1;
+    expect(FXL_E_BSP, "BSP tree", 0);
+}

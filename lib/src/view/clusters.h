@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* The faces of a model with clusters that may be seen. Internal. */
+#ifndef FXL_CLUSTERS_H
+#define FXL_CLUSTERS_H
+
+#include "fixel/stage/order.h"
+
+/* fxl_order_front_faces for a model with clusters, without the faces of clusters outside the
+ * frustum. If drops is true, it also takes out faces as fxl_order_drop_outside does. Returns the
+ * number of entries. *front becomes the number of faces that do not count as backfacing: those that
+ * face the eye, and all faces of clusters outside.
+ * Requires a checked scene, the model view of an instance of the model, and as many entries as the
+ * model has faces. */
+uint32_t fxl_order_clusters(const fxl_scene *scene, const fxl_model *model,
+                            const fxl_model_view *model_view, bool drops, fxl_order_entry *entries,
+                            uint32_t *front);
+
+/* Whether an eye lies in the cone of a cluster, so that no face shows its front to the eye. The eye
+ * is relative to the instance's centre; each coordinate is within 2 FXL_COORDINATE_MAX. The result
+ * may be false for an eye that lies in the cone, near its border. */
+bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye);
+
+#endif

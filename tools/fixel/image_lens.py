@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""The lens of a scene image: the ranges that the loader asks for (SPEC.md, section 3.1)."""
+
+from fixel.image_tree import fail
+
+SCREEN_MAX = 1024
+FOV_MIN, FOV_MAX = 119304648, 1789569706
+NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
+
+
+def check(width, height, fov, near, far, inset):
+    """The lens's ranges, in the image's integers."""
+    if not (1 <= width <= SCREEN_MAX and 1 <= height <= SCREEN_MAX):
+        fail("range", f"a screen of {width}x{height} is outside 1..{SCREEN_MAX}")
+    if not FOV_MIN <= fov <= FOV_MAX:
+        fail("range", f"a field of view of {fov * 360 / 2**32:.4g} degrees is outside 10..150")
+    if near < NEAR_MIN:
+        fail("range", f"near = {near / 65536:.6g} is below 1/256")
+    if far > FAR_MAX:
+        fail("range", f"far = {far / 65536:.6g} is above 32767")
+    if not 0 <= inset <= INSET_MAX:
+        fail("range", f"inset = {inset / 65536:.6g} is outside 0..1")
+    if near + 2 * inset >= far:
+        fail("range", f"near + 2 inset = {(near + 2 * inset) / 65536:.6g} is not below "
+             f"far = {far / 65536:.6g}")
