@@ -128,6 +128,10 @@ def test_the_plan_has_all_workloads_and_kernels(plan):
             "edge-setup", "span-1", "span-320"} <= set(plan.kernels)
 
 
+def test_an_unknown_workload_is_one_sentence():
+    assert_one_sentence(run_cli("bench", "--cores", "m3", "--workloads", "w1", "w9"), "no workload 'w9'", "g2000")
+
+
 # --- rows by hand -------------------------------------------------------------------
 
 def test_a_row_and_its_ratios_by_hand():
@@ -147,11 +151,22 @@ def test_a_row_and_its_ratios_by_hand():
 
 
 def test_a_renderer_that_draws_something_else_is_refused():
-    row = {"core": "m3", "workload": "w1", "renderer": "listing-float", "pixels": 1000, "differing": 2}
-    bench_tool.check_pictures([row])
-    with pytest.raises(ToolError, match="3 of 1,000 pixels") as refused:
-        bench_tool.check_pictures([{**row, "differing": 3}])
-    assert refused.value.exit_code == 1
+    plan = types.SimpleNamespace(workloads={"w1": {}, "f32": {"judged": "covered"}})
+    row = {"core": "m3", "workload": "w1", "renderer": "listing-float", "pixels": 1000, "differing": 2, "uncovered": 2}
+    bench_tool.check_pictures(plan, [row, {**row, "workload": "f32", "differing": 1000}])
+    for wrong in ({**row, "differing": 3}, {**row, "workload": "f32", "uncovered": 3}):
+        with pytest.raises(ToolError, match="3 of 1,000 pixels") as refused:
+            bench_tool.check_pictures(plan, [wrong])
+        assert refused.value.exit_code == 1
+
+
+def test_which_pixels_differ_and_which_only_one_draws():
+    def drawn(*pixels):
+        return types.SimpleNamespace(pixels=numpy.array(pixels, dtype=numpy.uint8))
+    (row,) = bench_rows.pictures({("m3", "w1", "fixel"): drawn(0, 0, 5, 5, 5),
+                                  ("m3", "w1", "listing-float"): drawn(0, 5, 0, 6, 5)})
+    assert row == {"core": "m3", "workload": "w1", "renderer": "listing-float", "pixels": 5, "differing": 3,
+                   "uncovered": 2}
 
 
 def test_a_variant_that_draws_something_else_is_refused():

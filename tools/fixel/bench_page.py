@@ -173,7 +173,12 @@ def _range_cell(times):
     if not times:
         return "-"
     least, most = min(times, key=times.get), max(times, key=times.get)
-    return f"{times[least]:.1f} ({least}) to {times[most]:.1f} ({most})"
+    return f"{_times_text(times[least])} ({least}) to {_times_text(times[most])} ({most})"
+
+
+def _times_text(times):
+    """To the hundredth where it tells which of two is faster."""
+    return f"{times:.2f}" if times < 2 else f"{times:.1f}"
 
 
 def peers_markdown(plan, result):
@@ -192,7 +197,7 @@ def _peers(plan, result, peers, name):
     times = [{each: peer["frames"][each] / frames[each] for each in frames if each in peer["frames"]}
              for peer, frames in zip(peers, ours)]
     rows = [[each, _number(ours[0].get(each)),
-             *[f"{peer['frames'][each]:,} ({by[each]:.1f})" if each in by else "-" for peer, by in zip(peers, times)]]
+             *[f"{peer['frames'][each]:,} ({_times_text(by[each])})" if each in by else "-" for peer, by in zip(peers, times)]]
             for each in plan.workloads if any(each in by for by in times)]
     rows.append(["times Fixel's", "", *map(_range_cell, times)])
     header = ["a frame", f"{name}, {NAMES[peers[0]['core']]}",
@@ -331,7 +336,7 @@ def growth_markdown(_, result):
 
 
 def pictures_markdown(plan, result):
-    """Pixels in which the listing differs from the library, in a million."""
+    """Pixels in which the listing differs from the library, in a million, and those that only one of both draws."""
     header = ["scene", "renderer", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for workload in plan.workloads:
@@ -340,7 +345,8 @@ def pictures_markdown(plan, result):
                      if row["workload"] == workload and row["renderer"] == renderer]
             if found:
                 rows.append([workload, renderer,
-                             *[_number(1e6 * row["differing"] / row["pixels"], 1) for row in found]])
+                             *[f"{1e6 * row['differing'] / row['pixels']:,.1f} ({1e6 * row['uncovered'] / row['pixels']:,.1f})"
+                               for row in found]])
     return markdown_table(header, rows, left=(0, 1))
 
 

@@ -17,7 +17,7 @@ AXES = {"cubes culled": "cubes, all but the first hundred out of sight", "cubes 
         "pixels": "pixels of the screen", "faces, one model": "faces of one model, all in sight",
         "faces, patches": "faces in patches of 50, all in sight"}
 
-LABEL_GAP = 1 / 9   # of a plot's width, between two labels
+LABEL_GAP = 1 / 7   # of a plot's width, between two labels
 
 
 def _files(name, figure):

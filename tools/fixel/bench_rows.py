@@ -70,14 +70,16 @@ def renderer_bytes(plan, cores):
 
 
 def pictures(drawn):
-    """[{core, workload, renderer, pixels, differing}]: the others' pixels against the library's."""
+    """[{core, workload, renderer, pixels, differing, uncovered}]: the others' pixels against the library's, and
+    how many only one of both has drawn over the background, which is 0."""
     rows = []
     for (core, workload, renderer), each in drawn.items():
         if renderer == "fixel":
             continue
         ours = drawn[core, workload, "fixel"].pixels
         rows.append({"core": core, "workload": workload, "renderer": renderer,
-                     "pixels": int(ours.size), "differing": int((ours != each.pixels).sum())})
+                     "pixels": int(ours.size), "differing": int((ours != each.pixels).sum()),
+                     "uncovered": int(((ours != 0) != (each.pixels != 0)).sum())})
     return rows
 
 
