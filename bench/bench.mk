@@ -38,13 +38,16 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # The program's own objects, beside region, start and text, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
-BENCH_PROGRAMS := calibration fixel fixel-small listing-double listing-float memset kernels
+BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands listing-double listing-float memset kernels
 BENCH_LIB := $(LIB_NAMES:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel $(BENCH_FRAMES)
-# The library for few bytes, as make lib SIZE=1 makes it.
-BENCH_OBJECTS.fixel-small := draw_fixel frames path $(LIB_NAMES:%=os/lib/%)
+# The library by -Os; for few bytes, as make lib SIZE=1 makes it; in bands, with the memory of a
+# small board.
+BENCH_OBJECTS.fixel-os := draw_fixel frames path $(LIB_NAMES:%=os/lib/%)
+BENCH_OBJECTS.fixel-small := draw_fixel frames path $(LIB_NAMES:%=small/lib/%)
+BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
@@ -108,16 +111,16 @@ endef
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_LTO,lto/)))
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL,small/))\
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL_LTO,small-lto/)))
 
 # --- sizes -----------------------------------------------------------------------
 
-# A renderer linked with what it calls and nothing else, once as measured and
-# once for size; what counts is the linker's map. The library is linked for size by
-# -flto too: then the map has no files of the library, but one of the compiler's for
-# all of them. There is no firmware in these programs, so all of that file is the
-# library's. The memory functions are compiled without -flto and stand in the map
-# by themselves.
+# A renderer linked with what it calls and nothing else, as measured and by -Os; what counts is the
+# linker's map. The library is linked in two more ways: small, by -Os -DFXL_SMALL, and small-flto,
+# by -flto too. With -flto the map has no files of the library, but one of the compiler's for all of
+# them. There is no firmware in these programs, so all of that file is the library's. The memory
+# functions are compiled without -flto and stand in the map by themselves.
 BENCH_SIZED := fixel listing-double listing-float memset
 BENCH_ROOTS.fixel := fxl_renderer_init_with_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
 BENCH_ROOTS.listing-double := listing_draw
@@ -135,20 +138,22 @@ BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
 # The objects of a program. By -flto the linker calls the compiler, which wants its flags again.
 BENCH_SIZE_OBJECTS.O2 = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2)))
 BENCH_SIZE_OBJECTS.Os = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2):%=os/%))
-BENCH_SIZE_OBJECTS.Os-flto = $(patsubst %,$(BENCH_OUT)/$(1)/lto/%.o,$(BENCH_LIB)) $(BENCH_OUT)/$(1)/os/memory_functions.o
-BENCH_SIZE_FLAGS.Os-flto := $(BENCH_SMALL) -flto -ffunction-sections -fdata-sections
+BENCH_SIZE_OBJECTS.small = $(call BENCH_PLACES,$(1),$(BENCH_LIB:%=small/%) os/memory_functions)
+BENCH_SIZE_OBJECTS.small-flto = $(call BENCH_PLACES,$(1),$(BENCH_LIB:%=small-lto/%) os/memory_functions)
+BENCH_SIZE_FLAGS.small-flto := $(BENCH_SMALL) -flto -ffunction-sections -fdata-sections
 
-# $(1): the core, $(2): the renderer, $(3): O2, Os or Os-flto.
+# $(1): the core, $(2): the renderer, $(3): O2, Os, small or small-flto.
 define BENCH_SIZE_RULES
 $(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: $(call BENCH_SIZE_OBJECTS.$(3),$(1),$(2)) bench/bench.mk
 	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $(BENCH_SIZE_FLAGS.$(3)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
 endef
 
 define BENCH_CORE_SIZE_RULES
-BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
-BENCH_CC_LTO.$(1) := $$(BENCH_CC_OS.$(1)) -flto
+BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
+BENCH_CC_SMALL.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
+BENCH_CC_SMALL_LTO.$(1) := $$(BENCH_CC_SMALL.$(1)) -flto
 BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
-    $(BENCH_OUT)/$(1)/size/Os-flto/fixel.elf
+    $(BENCH_OUT)/$(1)/size/small/fixel.elf $(BENCH_OUT)/$(1)/size/small-flto/fixel.elf
 
 $(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
@@ -157,7 +162,8 @@ $(BENCH_OUT)/$(1)/os/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -DLISTING_$(real)=1)
 )
 $(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
-$(call BENCH_SIZE_RULES,$(1),fixel,Os-flto)
+$(call BENCH_SIZE_RULES,$(1),fixel,small)
+$(call BENCH_SIZE_RULES,$(1),fixel,small-flto)
 endef
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core))))
 

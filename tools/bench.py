@@ -36,55 +36,56 @@ def tool_version(*command):
     return done.stdout.splitlines()[0]
 
 
-def check_pictures(pictures):
+def check_pictures(plan, pictures):
     """Refuses figures of a renderer that did not draw the scene."""
     for row in pictures:
-        if row["differing"] > DIFFERING_MAX * row["pixels"]:
+        judged = "uncovered" if plan.workloads[row["workload"]].get("judged") == "covered" else "differing"
+        if row[judged] > DIFFERING_MAX * row["pixels"]:
             raise ToolError(f"{row['renderer']} on {row['core']} draws {row['workload']} unlike the "
-                            f"library: {row['differing']:,} of {row['pixels']:,} pixels", exit_code=1)
+                            f"library: {row[judged]:,} of {row['pixels']:,} pixels", exit_code=1)
 
 
-def check_small(drawn, small):
-    """Refuses figures of the small library if a pixel differs."""
-    for (core, workload), each in small.items():
+def check_variants(drawn, others):
+    """Refuses figures of the library built otherwise, or in bands, if a pixel differs."""
+    for (core, workload, name), each in others.items():
         differing = int((each.pixels != drawn[core, workload, "fixel"].pixels).sum())
         if differing:
-            raise ToolError(f"the small library on {core} draws {workload} unlike the library: {differing:,} pixels",
+            raise ToolError(f"fixel-{name} on {core} draws {workload} unlike fixel: {differing:,} pixels",
                             exit_code=1)
 
 
 def draw_all(plan, cores, folder):
     """{(core, workload, renderer): Drawn}, {workload: units of a frame}, and, of those that the plan asks
-    for, {(core, workload): (Profile, frames)} by stage and {(core, workload): Drawn} by the small library."""
+    for, {(core, workload): (Profile, frames)} by stage and {(core, workload, variant): Drawn}."""
     images, units = {}, {}
     for name, workload in plan.workloads.items():
         images[name], scene = bench_plan.compile_scene(workload, folder)
         units[name] = bench_plan.units_of(workload, scene)
     jobs = {key: (bench_run.draw, plan, key[0], key[2], images[key[1]]) for key in plan.runs(cores)}
     profiles = {(core, name): (bench_run.profile, plan, core, "fixel", images[name])
-                for core in plan.stages["cores"] if core in cores for name in plan.stages["workloads"]}
-    small = {(core, name): (bench_run.draw, plan, core, "fixel-small", images[name])
-             for core in plan.small["cores"] if core in cores for name in plan.small["workloads"]}
+                for core, name in plan.planned(plan.stages, cores)}
+    others = {key: (bench_run.draw, plan, key[0], f"fixel-{key[2]}", images[key[1]])
+              for key in plan.variant_runs(cores)}
     return (parallel.run("drawing the workloads", jobs), units, parallel.run("profiling the workloads", profiles),
-            parallel.run("drawing with the small library", small))
+            parallel.run("drawing with the library's variants", others))
 
 
 def measure(plan, cores, left_out):
     """bench.json."""
     rows, limits, growth = [], [], []
     with scratch.folder("bench") as folder:
-        drawn, units, profiles, small = draw_all(plan, cores, folder)
-        check_small(drawn, small)
+        drawn, units, profiles, others = draw_all(plan, cores, folder)
+        check_variants(drawn, others)
         pictures = bench_rows.pictures(drawn)
-        check_pictures(pictures)
+        check_pictures(plan, pictures)
         for (core, workload, renderer), each in drawn.items():
             rows.append(bench_rows.frame_row(core, plan.workloads[workload], renderer, each, units[workload]))
         counted = parallel.run("running the kernels",
                                {core: (bench_run.kernels, plan, core) for core in cores})
         if plan.growth["core"] in cores:
             scenes = bench_run.growth_scenes(plan, folder)
-            grown = parallel.run("growing W1", {number: (bench_run.grow, plan, entry)
-                                               for number, entry in enumerate(scenes)})
+            grown = parallel.run("growing the scenes", {number: (bench_run.grow, plan, entry)
+                                                       for number, entry in enumerate(scenes)})
             growth = list(grown.values())
     for core in cores:
         kernels, bare = bench_rows.split_kernels(plan, core, counted[core])
@@ -96,19 +97,23 @@ def measure(plan, cores, left_out):
     result = {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
               "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
               "rows": rows, "limits": limits, "sizes": sizes, "stages": bench_rows.stages(profiles),
-              "small": bench_rows.small(drawn, small), "cycles_estimate": bench_rows.estimates(profiles),
-              "growth": growth, "pictures": pictures}
+              "renderer_bytes": bench_rows.renderer_bytes(plan, cores),
+              "variants": bench_rows.variants(drawn, others), "cycles_estimate": bench_rows.estimates(profiles),
+              "growth": growth, "pictures": pictures, "peers": plan.peers}
     return {**result, "goals": bench_goals.measure(result)}
 
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--cores", nargs="+", default=list(bench_plan.CORES), help="cores to measure; their programs are built")
+    parser.add_argument("--workloads", nargs="+", help="workloads to draw; all without")
     parser.add_argument("--left-out", nargs="*", default=[], help="cores that no board has")
     parser.add_argument("--out", default="build/bench", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     plan = bench_plan.Plan(options.build)
+    if options.workloads:
+        plan.keep(options.workloads)
     qemu.find_qemu()
     result = measure(plan, options.cores, options.left_out)
     with output.replaced_folder(options.out, PATTERNS) as folder:

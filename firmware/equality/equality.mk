@@ -8,8 +8,8 @@ EQUALITY_OUT := $(BUILD)/equality
 # Which core a program is for, and the names of its library's objects and of their flags.
 EQUALITY_KINDS := $(BENCH_CORES_HERE) $(patsubst %,%-small,$(filter m0 m3,$(BENCH_CORES_HERE)))
 EQUALITY_CORE = $(patsubst %-small,%,$(1))
-EQUALITY_LIB = $(EQUALITY_NAMES:%=$(if $(filter %-small,$(1)),os/)lib/%)
-EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_OS,BENCH_CC)
+EQUALITY_LIB = $(EQUALITY_NAMES:%=$(if $(filter %-small,$(1)),small/)lib/%)
+EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_SMALL,BENCH_CC)
 
 # The stages with kernels are in lib/src and lib/kernels; a program here names nothing of lib/extra.
 EQUALITY_NAMES := $(filter-out extra/%,$(LIB_NAMES))

@@ -23,6 +23,14 @@ def _frame(result, goal):
     return row and (row["frame"]["mean"], None)
 
 
+def _variant(result, goal):
+    """A mean frame of the library built otherwise, or with other memory."""
+    for row in result["variants"]:
+        if all(row[key] == goal[key] for key in ("variant", "workload", "core")):
+            return row["frame"], f"{row['by_fixel']:.2f} times -O2 in one band"
+    return None
+
+
 def _worst(result, goal):
     row = _row(result, goal)
     return row and (row["frame"]["max"] / row["frame"]["mean"], f"{row['frame']['max']:,} at worst")
@@ -32,6 +40,39 @@ def _share(result, goal):
     row, other = _row(result, goal), _row(result, goal, goal["renderer"], goal["renderer_core"])
     return row and other and (row["frame"]["mean"] / other["frame"]["mean"],
                               f"{row['frame']['mean']:,} of {other['frame']['mean']:,}")
+
+
+def _worst_share(result, goal):
+    """The largest share of another renderer's mean frame, of all scenes that both draw, and which it is."""
+    rows = [row for row in result["rows"] if row["frame"]]
+    others = {row["workload"]: row["frame"]["mean"] for row in rows
+              if (row["renderer"], row["core"]) == (goal["renderer"], goal["renderer_core"])}
+    shares = {row["workload"]: row["frame"]["mean"] / others[row["workload"]] for row in rows
+              if (row["renderer"], row["core"]) == (OURS, goal["core"]) and row["workload"] in others}
+    return _worst_of(shares)
+
+
+def peer_frames(result, peer):
+    """{workload: mean frame} of what stands beside a peer of the plan: a variant, or the library as measured."""
+    if "variant" in peer:
+        return {row["workload"]: row["frame"] for row in result["variants"]
+                if (row["variant"], row["core"]) == (peer["variant"], peer["core"])}
+    return {row["workload"]: row["frame"]["mean"] for row in result["rows"]
+            if row["frame"] and (row["renderer"], row["core"]) == (OURS, peer["core"])}
+
+
+def _worst_by_peer(result, goal):
+    """The largest share of a peer's frame, of all scenes that both draw, and which it is."""
+    (peer,) = [peer for peer in result["peers"] if peer["name"] == goal["peer"]]
+    return _worst_of({name: frame / peer["frames"][name] for name, frame in peer_frames(result, peer).items()
+                      if name in peer["frames"]})
+
+
+def _worst_of(shares):
+    if not shares:
+        return None
+    ordered = sorted(shares, key=shares.get, reverse=True)
+    return shares[ordered[0]], ", ".join(f"{name} {shares[name]:.3f}" for name in ordered[:4])
 
 
 def _unit(result, goal):
@@ -50,9 +91,14 @@ def _against(result, goal):
     return max(ratios)[0], ", ".join(f"{name} {ratio:.3f}" for ratio, name in slower[:4]) or max(ratios)[1]
 
 
+def place_of(axis):
+    """What grows along an axis: the key of a row."""
+    return next((key for key in ("pixels", "faces") if axis.startswith(key)), "objects")
+
+
 def _growth(result, goal):
     """The slope of the last step by that of the first: 1 is a straight line, less grows more slowly."""
-    places = "pixels" if goal["axis"] == "pixels" else "objects"
+    places = place_of(goal["axis"])
     points = [(row[places], row["instructions"]) for row in result["growth"] if row["axis"] == goal["axis"]]
     if len(points) < 3:
         return None
@@ -88,8 +134,14 @@ def _ram(result, goal):
     return row and (row["ram_bytes"], None)
 
 
-FIGURES = {"frame": _frame, "worst": _worst, "share": _share, "unit": _unit, "against": _against,
-           "growth": _growth, "code": _code, "helpers": _helpers, "stack": _stack, "ram": _ram}
+def _renderer(result, goal):
+    size = result["renderer_bytes"].get(goal["core"])
+    return size and (size, None)
+
+
+FIGURES = {"frame": _frame, "variant": _variant, "worst": _worst, "share": _share, "worst share": _worst_share,
+           "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "code": _code,
+           "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 
 
 def measure(result, path=GOALS):

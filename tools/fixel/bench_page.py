@@ -5,7 +5,7 @@ import json
 import pathlib
 import re
 
-from fixel import cycles, places
+from fixel import bench_goals, cycles, places
 from fixel.bench_plan import NAMES
 from fixel.errors import ToolError
 from fixel.table import coloured, table
@@ -53,8 +53,8 @@ def terminal(plan, result):
     return "\n\n".join([table(frames, header),
                         table([[name, unit, *map(_short, figures)] for name, unit, *figures in _kernel_cells(plan, result)],
                               ["kernel", "unit", *cores]),
-                        table(_growth_cells(result), ["growth of W1", "times", "objects", "pixels", "a frame",
-                                                      "times"])
+                        table(_growth_cells(result), ["growth", "times", "instances", "faces", "pixels",
+                                                      "a frame", "times"])
                         if result["growth"] else "",
                         goals_terminal(result)]).rstrip()
 
@@ -109,8 +109,8 @@ def _growth_cells(result):
     cells, first = [], {}
     for row in result["growth"]:
         first.setdefault(row["axis"], row["instructions"])
-        cells.append([row["axis"], row["factor"], row["objects"], row["pixels"], row["instructions"],
-                      round(row["instructions"] / first[row["axis"]], 2)])
+        cells.append([row["axis"], row["factor"], row["objects"], row["faces"], row["pixels"],
+                      row["instructions"], round(row["instructions"] / first[row["axis"]], 2)])
     return cells
 
 
@@ -149,6 +149,62 @@ def ratios_markdown(plan, result):
     return markdown_table(header, rows)
 
 
+def range_markdown(plan, result):
+    """How many times Fixel's instructions the listing takes: the least and the most of all scenes."""
+    rows = []
+    for renderer in plan.renderers:
+        cells = [_times(result, renderer, core, plan.workloads) for core in result["cores"]]
+        if renderer not in ("fixel", "memset") and any(cells):
+            rows.append([renderer, *[_range_cell(times) for times in cells]])
+    return markdown_table(["times Fixel's instructions", *[NAMES[core] for core in result["cores"]]], rows)
+
+
+def _times(result, renderer, core, workloads):
+    """{workload: times} of what both draw."""
+    found = {}
+    for workload in workloads:
+        ours, other = (_one(result, workload=workload, renderer=each, core=core) for each in ("fixel", renderer))
+        if ours and other:
+            found[workload] = other["instructions"] / ours["instructions"]
+    return found
+
+
+def _range_cell(times):
+    if not times:
+        return "-"
+    least, most = min(times, key=times.get), max(times, key=times.get)
+    return f"{_times_text(times[least])} ({least}) to {_times_text(times[most])} ({most})"
+
+
+def _times_text(times):
+    """To the hundredth where it tells which of two is faster."""
+    return f"{times:.2f}" if times < 2 else f"{times:.1f}"
+
+
+def peers_markdown(plan, result):
+    """Other renderers' frames, and how many times Fixel's they are."""
+    return _peers(plan, result, [peer for peer in result["peers"] if "variant" not in peer], "Fixel")
+
+
+def smallpeers_markdown(plan, result):
+    """The same beside the small library."""
+    return _peers(plan, result, [peer for peer in result["peers"] if peer.get("variant") == "small"],
+                  "Fixel, -Os -DFXL_SMALL")
+
+
+def _peers(plan, result, peers, name):
+    ours = [bench_goals.peer_frames(result, peer) for peer in peers]
+    times = [{each: peer["frames"][each] / frames[each] for each in frames if each in peer["frames"]}
+             for peer, frames in zip(peers, ours)]
+    rows = [[each, _number(ours[0].get(each)),
+             *[f"{peer['frames'][each]:,} ({_times_text(by[each])})" if each in by else "-" for peer, by in zip(peers, times)]]
+            for each in plan.workloads if any(each in by for by in times)]
+    rows.append(["times Fixel's", "", *map(_range_cell, times)])
+    header = ["a frame", f"{name}, {NAMES[peers[0]['core']]}",
+              *[f"{peer['name']}, {NAMES[peer['core']]}" for peer in peers]]
+    return markdown_table(header, rows)
+
+
 def kernels_markdown(plan, result):
     """Instructions of one unit of each kernel."""
     header = ["kernel", "what it computes", "unit", *[NAMES[core] for core in result["cores"]]]
@@ -162,7 +218,7 @@ def sizes_markdown(plan, result):
     header = ["renderer", "bytes", "flags", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for renderer in plan.renderers:
-        for flags in ("-O2", "-Os", "-Os -flto"):
+        for flags in dict.fromkeys(size["flags"] for size in result["sizes"]):
             sizes = [size for size in result["sizes"]
                      if size["renderer"] == renderer and size["flags"] == flags]
             if not sizes:
@@ -171,32 +227,41 @@ def sizes_markdown(plan, result):
     for renderer in plan.renderers:
         drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)
                  for core in result["cores"]]
+        if None in drawn:
+            continue
         rows.append([renderer, f"stack, {drawn[0]['workload']}", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
         rows.append([renderer, f"RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
+        if renderer == "fixel":
+            rows.append([renderer, "RAM, a renderer alone", "-O2",
+                         *[_number(result["renderer_bytes"][core]) for core in result["cores"]]])
     return markdown_table(header, rows, left=(0, 1, 2))
 
 
 def files_markdown(_, result):
-    """Bytes of the library's files as the linker took them, by -Os."""
+    """Bytes of the library's files as the linker took them, by -Os -DFXL_SMALL."""
     sizes = {size["core"]: size["files"] for size in result["sizes"]
-             if (size["renderer"], size["flags"]) == ("fixel", "-Os")}
+             if (size["renderer"], size["flags"]) == ("fixel", "-Os -DFXL_SMALL")}
     names = sorted({name for files in sizes.values() for name in files},
                    key=lambda name: (-max(files.get(name, 0) for files in sizes.values()), name))
     rows = [[name, *[_number(files.get(name, 0)) for files in sizes.values()]] for name in names]
     rows.append(["all", *[_number(sum(files.values())) for files in sizes.values()]])
-    return markdown_table(["bytes, -Os", *[NAMES[core] for core in sizes]], rows)
+    return markdown_table(["bytes, -Os -DFXL_SMALL", *[NAMES[core] for core in sizes]], rows)
 
 
-def small_markdown(plan, result):
-    """Instructions a frame of the small library, and the factor to -O2."""
-    rows = {(row["core"], row["workload"]): row for row in result.get("small", [])}
-    if not rows:
-        return "Not measured."
-    cores = list(dict.fromkeys(core for core, _ in rows))
-    cells = [[workload, *[f"{rows[core, workload]['frame']:,} ({rows[core, workload]['by_fixel']:.2f})"
-                          for core in cores]]
-             for workload in plan.small["workloads"] if (cores[0], workload) in rows]
-    return markdown_table(["-Os, a frame (by -O2)", *[NAMES[core] for core in cores]], cells)
+def variants_markdown(plan, result):
+    """Instructions a frame of the library built otherwise, or in bands, and the factor to what is measured above."""
+    found = {(row["core"], row["workload"], row["variant"]): row for row in result["variants"]}
+    cores = list(dict.fromkeys(core for core, _, _ in found))
+    header = ["scene", "core", "`-O2`", *[entry["what"] for entry in plan.variants.values()]]
+    rows = [[workload, NAMES[core], f"{_one(result, workload=workload, renderer='fixel', core=core)['frame']['mean']:,}",
+             *[_variant_cell(found.get((core, workload, name))) for name in plan.variants]]
+            for core in cores for workload in plan.workloads
+            if any((core, workload, name) in found for name in plan.variants)]
+    return markdown_table(header, rows, left=(0, 1)) if rows else "Not measured."
+
+
+def _variant_cell(row):
+    return f"{row['frame']:,} ({row['by_fixel']:.2f})" if row else "-"
 
 
 def stages_markdown(_, result):
@@ -263,15 +328,15 @@ def _cost(cost):
 
 
 def growth_markdown(_, result):
-    """How a frame of W1 grows."""
+    """How a frame grows."""
     if not result["growth"]:
         return "Not measured: no board stands for the core."
-    header = ["", "times", "objects", "pixels", "instructions a frame", "times the first"]
+    header = ["", "times", "instances", "faces", "pixels", "instructions a frame", "times the first"]
     return markdown_table(header, [[row[0], *map(_number, row[1:])] for row in _growth_cells(result)])
 
 
 def pictures_markdown(plan, result):
-    """Pixels in which the listing differs from the library, in a million."""
+    """Pixels in which the listing differs from the library, in a million, and those that only one of both draws."""
     header = ["scene", "renderer", *[NAMES[core] for core in result["cores"]]]
     rows = []
     for workload in plan.workloads:
@@ -280,7 +345,8 @@ def pictures_markdown(plan, result):
                      if row["workload"] == workload and row["renderer"] == renderer]
             if found:
                 rows.append([workload, renderer,
-                             *[_number(1e6 * row["differing"] / row["pixels"], 1) for row in found]])
+                             *[f"{1e6 * row['differing'] / row['pixels']:,.1f} ({1e6 * row['uncovered'] / row['pixels']:,.1f})"
+                               for row in found]])
     return markdown_table(header, rows, left=(0, 1))
 
 
@@ -312,10 +378,11 @@ def tools_markdown(_, result):
 
 
 # What docs/performance.md has; the report has all.
-DOCUMENT = {"tools": tools_markdown, "frames": frames_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown}
+DOCUMENT = {"tools": tools_markdown, "frames": frames_markdown, "range": range_markdown, "peers": peers_markdown,
+            "smallpeers": smallpeers_markdown, "variants": variants_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown}
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
-            "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown,
-            "sizes": sizes_markdown, "files": files_markdown, "small": small_markdown,
+            "range": range_markdown, "peers": peers_markdown, "smallpeers": smallpeers_markdown, "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown,
+            "sizes": sizes_markdown, "files": files_markdown, "variants": variants_markdown,
             "equality": equality_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 

@@ -24,7 +24,9 @@ class Plan:
         self.workloads = {each["name"]: each for each in data["workloads"]}
         self.renderers = {each["name"]: each for each in data["renderers"]}
         self.kernels = {each["name"]: each for each in data["kernels"]}
-        self.growth, self.stages, self.small = data["growth"], data["stages"], data["small"]
+        self.variants = {each["name"]: each for each in data["variants"]}
+        self.peers = data["peers"]
+        self.growth, self.stages = data["growth"], data["stages"]
 
     @property
     def counter(self):
@@ -41,11 +43,25 @@ class Plan:
             raise ToolError(f"there is no workload '{name}'; the workloads are: {', '.join(self.workloads)}")
         return self.workloads[name]
 
+    def keep(self, names):
+        """Leaves out all workloads but these."""
+        self.workloads = {name: self.workload(name) for name in names}
+
     def runs(self, cores):
         """(core, workload, renderer) of everything to be drawn."""
         return [(core, workload, renderer) for core in cores for workload in self.workloads
                 for renderer, entry in self.renderers.items()
                 if workload in entry.get("only", self.workloads)]
+
+    def variant_runs(self, cores):
+        """(core, workload, variant) of everything to be drawn by the variants."""
+        return [(core, workload, name) for name, entry in self.variants.items()
+                for core, workload in self.planned(entry, cores)]
+
+    def planned(self, entry, cores):
+        """(core, workload) that an entry with both asks for and that are measured."""
+        return [(core, workload) for core in entry["cores"] if core in cores
+                for workload in entry["workloads"] if workload in self.workloads]
 
 
 def compile_scene(workload, folder):
@@ -55,11 +71,14 @@ def compile_scene(workload, folder):
     return file, compiled
 
 
+def faces_of(scene):
+    """How many faces a scene places, seen or not."""
+    return sum(len(scene.models[each.model].faces) for each in scene.objects)
+
+
 def units_of(workload, scene):
     """How many units a frame of a workload has."""
-    if workload["unit"] == "pixel":
-        return scene.width * scene.height
-    return sum(len(scene.models[each.model].faces) for each in scene.objects)
+    return scene.width * scene.height if workload["unit"] == "pixel" else faces_of(scene)
 
 
 def save_scene(scene, file):

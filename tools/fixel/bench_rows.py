@@ -3,8 +3,8 @@
 
 from fixel import bench_goals, bench_plan, link_map, places
 
-FLAGS = ("O2", "Os")
-LTO = "Os-flto"         # the library alone
+FLAGS = {"O2": "-O2", "Os": "-Os"}
+SMALL = {"small": "-Os -DFXL_SMALL", "small-flto": "-Os -DFXL_SMALL -flto"}     # the library alone
 LIMIT = "limit-"
 
 
@@ -55,31 +55,43 @@ def add_sizes(rows, sizes):
 
 def sizes(plan, cores):
     """[{core, renderer, flags, code, constants, run_time, ram, helpers}] of each renderer linked by itself."""
-    programs = [(renderer, flags) for renderer in plan.renderers for flags in FLAGS] + [(bench_goals.OURS, LTO)]
-    return [{"core": core, "renderer": renderer, "flags": f"-{flags.replace('-', ' -')}",
-             **link_map.measure(plan.build / "bench" / core / "size" / flags / f"{renderer}.map")}
-            for core in cores for renderer, flags in programs]
+    programs = [(renderer, folder, flags) for renderer in plan.renderers
+                for folder, flags in ({**FLAGS, **SMALL} if renderer == bench_goals.OURS else FLAGS).items()]
+    return [{"core": core, "renderer": renderer, "flags": flags,
+             **link_map.measure(plan.build / "bench" / core / "size" / folder / f"{renderer}.map")}
+            for core in cores for renderer, folder, flags in programs]
+
+
+def renderer_bytes(plan, cores):
+    """{core: bytes} of RAM of a renderer by itself: the variable of that name in the linker's map."""
+    return {core: sum(size for section, size, _ in
+                      link_map.sections(plan.program(core, bench_goals.OURS).with_suffix(".map"))
+                      if section == ".bss.renderer") for core in cores}
 
 
 def pictures(drawn):
-    """[{core, workload, renderer, pixels, differing}]: the others' pixels against the library's."""
+    """[{core, workload, renderer, pixels, differing, uncovered}]: the others' pixels against the library's, and
+    how many only one of both has drawn over the background, which is 0."""
     rows = []
     for (core, workload, renderer), each in drawn.items():
         if renderer == "fixel":
             continue
         ours = drawn[core, workload, "fixel"].pixels
         rows.append({"core": core, "workload": workload, "renderer": renderer,
-                     "pixels": int(ours.size), "differing": int((ours != each.pixels).sum())})
+                     "pixels": int(ours.size), "differing": int((ours != each.pixels).sum()),
+                     "uncovered": int(((ours != 0) != (each.pixels != 0)).sum())})
     return rows
 
 
-def small(drawn, small_drawn):
-    """[{workload, core, frame, by_fixel}] of the small kernels: a mean frame, and that by the library's."""
+def variants(drawn, others):
+    """[{variant, workload, core, frame, by_fixel, ram_bytes, stack_bytes}] of the library built otherwise, or with
+    other memory: a mean frame, and that by the library's as measured."""
     rows = []
-    for (core, workload), each in small_drawn.items():
+    for (core, workload, name), each in others.items():
         ours, theirs = sum(each.instructions), sum(drawn[core, workload, "fixel"].instructions)
-        rows.append({"workload": workload, "core": core, "frame": round(ours / len(each.instructions)),
-                     "by_fixel": _ratio(ours, theirs)})
+        rows.append({"variant": name, "workload": workload, "core": core,
+                     "frame": round(ours / len(each.instructions)), "by_fixel": _ratio(ours, theirs),
+                     "ram_bytes": each.memory, "stack_bytes": each.stack})
     return rows
 
 

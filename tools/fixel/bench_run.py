@@ -7,7 +7,7 @@ import re
 
 import numpy
 
-from fixel import bench_plan, counter, cycles, dump, emulator, places, scratch
+from fixel import bench_plan, bench_terrain, counter, cycles, dump, emulator, places, scratch
 from fixel.debug_lines import DebugLines
 from fixel.errors import ToolError
 from fixel.machine_code import MachineCode
@@ -94,7 +94,7 @@ def resized(scene, width, height):
 
 
 def growth_scenes(plan, folder):
-    """[(axis, factor, objects, pixels, file)] of the scenes that show how costs grow."""
+    """[(axis, factor, scene, file)] of the scenes that show how costs grow."""
     growth = plan.growth
     _, scene = bench_plan.compile_scene({"name": "growth", "scene": growth["scene"]}, folder)
     made = [("cubes culled", factor, more_cubes(scene, factor, True)) for factor in growth["cubes"]]
@@ -102,16 +102,19 @@ def growth_scenes(plan, folder):
     smallest = growth["screens"][0]
     made += [("pixels", width * height // (smallest[0] * smallest[1]), resized(scene, width, height))
              for width, height in growth["screens"]]
-    return [(axis, factor, len(each.objects), each.width * each.height,
-             bench_plan.save_scene(each, pathlib.Path(folder) / f"{axis.replace(' ', '-')}-{factor}.fxls"))
+    made += [(axis, faces // growth["faces"][0], bench_terrain.terrain(scene, faces, patch))
+             for axis, patch in (("faces, one model", None), ("faces, patches", growth["patch_cells"]))
+             for faces in growth["faces"]]
+    return [(axis, factor, each, bench_plan.save_scene(
+                each, pathlib.Path(folder) / f"{re.sub('[ ,]+', '-', axis)}-{factor}.fxls"))
             for axis, factor, each in made]
 
 
 def grow(plan, entry):
     """A row of the growth table."""
-    axis, factor, objects, pixels, file = entry
+    axis, factor, scene, file = entry
     drawn = draw(plan, plan.growth["core"], "fixel", file)
     counts = drawn.instructions
-    return {"axis": axis, "factor": factor, "core": plan.growth["core"], "objects": objects,
-            "pixels": pixels, "frames": len(counts), "instructions": round(sum(counts) / len(counts))}
-
+    return {"axis": axis, "factor": factor, "core": plan.growth["core"], "objects": len(scene.objects),
+            "faces": bench_plan.faces_of(scene), "pixels": scene.width * scene.height, "frames": len(counts),
+            "instructions": round(sum(counts) / len(counts))}

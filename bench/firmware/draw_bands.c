@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* Draws with Fixel in bands of three rows. The memory is that of boards/stm32vldiscovery, which has
+ * 8 KB of RAM: 600 bytes of display list and no vertex cache. The order has as many entries as the
+ * scene needs; a large sorted model needs more than that board has. */
+#include "contract/system.h"
+#include "draw.h"
+#include "text.h"
+
+#define ORDER_ENTRIES 2048u
+#define LIST_WORDS    150u
+#define BAND_ROWS     3u
+
+static fxl_order_entry order[ORDER_ENTRIES];
+static uint32_t list[LIST_WORDS];
+static fxl_renderer renderer;
+static uint32_t order_used;
+
+int draw_open(const fxl_scene_image *image)
+{
+    order_used = image->scene.order_needed;
+    const fxl_memory memory = {order, order_used, list, LIST_WORDS, NULL, 0};
+
+    if (order_used > ORDER_ENTRIES) {
+        text_with_number("bench: order entries needed", "", ": ", order_used);
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    return fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
+               ? SYSTEM_EXIT_DONE
+               : SYSTEM_EXIT_RENDER;
+}
+
+bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
+{
+    fxl_band band = *whole;
+
+    if (fxl_frame_begin(&renderer, pose) != FXL_OK) {
+        return false;
+    }
+    for (uint32_t row = 0; row < whole->rows; row += BAND_ROWS) {
+        const uint32_t left = whole->rows - row;
+        band.pixels = whole->pixels + row * whole->stride;
+        band.first_row = (uint16_t)row;
+        band.rows = (uint16_t)(left < BAND_ROWS ? left : BAND_ROWS);
+        if (fxl_frame_draw(&renderer, &band) != FXL_OK) {
+            return false;
+        }
+    }
+    return true;
+}
+
+uint32_t draw_memory(void)
+{
+    return (uint32_t)(sizeof renderer + sizeof list + order_used * sizeof order[0]);
+}
+
+const fxl_counters *draw_counters(void)
+{
+    return &renderer.workspace.counters;
+}
