@@ -260,12 +260,12 @@ static bool work_at(bsp_traversal *traversal, fxl_bsp_resume_point *place, bool 
 static bool submit_nodes(bsp_traversal *traversal, fxl_bsp_resume_point *place)
 {
     do {
-        bool more = true;
-        while (more) {
+        bool more;
+        do {
             if (!work_at(traversal, place, &more)) {
                 return false;
             }
-        }
+        } while (more);
     } while (go_up(traversal, place));
     return true;
 }
