@@ -286,7 +286,7 @@ void test_a_face_of_too_many_corners_is_refused(void)
  * plane of the first beam adds a vertex at most, each plane of the other beams two. */
 void test_beams_that_leave_no_room_for_a_triangle(void)
 {
-    static fxl_beam several[3];
+    static fxl_beam several[FXL_BEAMS_MAX + 1];
     for (uint8_t first = 1; first <= FXL_BEAM_PLANES_MAX; first++) {
         for (uint8_t second = 1; second <= FXL_BEAM_PLANES_MAX; second++) {
             several[0].plane_count = first;
@@ -298,8 +298,11 @@ void test_beams_that_leave_no_room_for_a_triangle(void)
                               fxl_beam_light_workspace_size(several, 3) > 0);
         }
     }
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, 0));
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, FXL_BEAMS_MAX + 1));
+    for (uint32_t count = 0; count <= FXL_BEAMS_MAX + 1; count++) { /* of a plane each, they fit */
+        several[count > 0 ? count - 1 : 0].plane_count = 1;
+        TEST_ASSERT_EQUAL(count >= 1 && count <= FXL_BEAMS_MAX,
+                          fxl_beam_light_workspace_size(several, count) > 0);
+    }
 }
 
 /* The workspace holds the tables of a face's pieces and one outline, each rounded up to 8 bytes,

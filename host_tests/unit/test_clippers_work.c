@@ -35,6 +35,27 @@ void test_all_count_what_they_work_out(void)
     }
 }
 
+/* A face behind the eye is measured by the near plane alone, which no edge crosses. */
+void test_what_is_outside_has_no_intersections(void)
+{
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon screen;
+    fxl_clip_stats account = {0, 0, 0};
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(-2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    fxl_view_set_world_frustum(&view);
+    polygon_face_set(&face, &polygon, &view, 4);
+    face.model_view.clipper_workspace = &account;
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE,
+                      fxl_clip_by_world(&face.model_view, &face.face, &work, &screen));
+    TEST_ASSERT_EQUAL_UINT32(3, account.distances);
+    TEST_ASSERT_EQUAL_UINT32(0, account.intersections);
+}
+
 /* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
 void test_half_spaces_measure_a_vertex_once(void)
 {
