@@ -48,6 +48,26 @@ void test_what_the_light_reaches_through_the_window_is_inside(void)
     TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-14), Q16(10), Q16(0.5)}));
 }
 
+/* A direction is of unit length with all of its components, and not with two of them. */
+void test_the_length_of_a_direction(void)
+{
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    beam.kind = FXL_BEAM_DIRECTION;
+    for (int axis = 0; axis < 3; axis++) {
+        beam.from[axis] = Q30(0.36);
+        beam.from[(axis + 1) % 3] = Q30(-0.48);
+        beam.from[(axis + 2) % 3] = Q30(0.8);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
+        for (int k = 0; k < 3; k++) {
+            const int32_t was = beam.from[k];
+            beam.from[k] = 0;
+            TEST_ASSERT_EQUAL(FXL_E_NORMAL, fxl_beam_check(&beam));
+            beam.from[k] = was;
+        }
+    }
+}
+
 /* A sphere that touches the beam may lie in it; one that is 2^-13 unit away does not. */
 void test_a_sphere_beside_a_beam(void)
 {

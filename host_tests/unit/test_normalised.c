@@ -36,6 +36,22 @@ static fxl_clip_result clip(const fxl_varying_polygon *polygon, const fxl_varyin
     return fxl_clip_normalised(polygon, &frustum, workspace, result);
 }
 
+/* With factors of 1 and axes of the world, a point is where it lies from the eye. */
+void test_a_point_is_seen_from_the_eye(void)
+{
+    fxl_normalised frustum = square();
+    frustum.eye = (fxl_point){Q16(3), Q16(-5), Q16(7)};
+    for (int i = 0; i < 100; i++) {
+        const fxl_point point = unit_point(FXL_COORDINATE_MAX);
+        const int64_t unit = (int64_t)1 << 30;
+        fxl_view_point seen = {0, 0, 0};
+        fxl_normalised_point(&frustum, &point, &seen);
+        TEST_ASSERT_TRUE(seen.x == ((int64_t)point.x - Q16(3)) * unit);
+        TEST_ASSERT_TRUE(seen.y == ((int64_t)point.y + Q16(5)) * unit);
+        TEST_ASSERT_TRUE(seen.z == ((int64_t)point.z - Q16(7)) * unit);
+    }
+}
+
 void test_ninety_degrees_change_nothing(void)
 {
     fxl_camera camera = straight();
