@@ -240,9 +240,7 @@ void test_depth_behind_a_branch(void)
         for (uint32_t i = 0; i < count; i++) {
             const bool ends = i == BRANCH || i + 1 == count;
             tree[i] = made->nodes[i < BSP_NODES ? i : BSP_NODES - 1];
-            tree[i].parent = (uint16_t)(i == 0              ? FXL_BSP_NONE
-                                        : i == BRANCH + 1 ? 0
-                                                          : i - 1);
+            tree[i].parent = (uint16_t)(i == 0 ? FXL_BSP_NONE : i == BRANCH + 1 ? 0 : i - 1);
             tree[i].front = (uint16_t)(i == 0 ? 1 : FXL_BSP_NONE);
             tree[i].back = (uint16_t)(i == 0 ? BRANCH + 1 : ends ? FXL_BSP_NONE : i + 1);
             tree[i].first_face = (uint16_t)(i < BSP_NODES ? i : BSP_NODES);

@@ -294,8 +294,8 @@ void test_a_sliver_is_refused_where_asked(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, workspace, &result));
 }
 
-/* The sliver rule for any ring of distances, by its definition: after a vertex that counts as outside,
- * one that is inside by less than the sliver does too, all the way round. */
+/* The sliver rule for any ring of distances, by its definition: after a vertex that counts as
+ * outside, one that is inside by less than the sliver does too, all the way round. */
 void test_the_sliver_rule_goes_all_the_way_round(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {

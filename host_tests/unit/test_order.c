@@ -2,7 +2,7 @@
 #include "tiny.h"
 
 #ifdef UNIT_ON_TARGET
-#define MANY 250
+#define MANY 180
 #else
 #define MANY 600
 #endif
@@ -134,8 +134,9 @@ void test_sorting_faces_of_any_range(void)
     }
 }
 
-/* Faces whose distances are spread evenly have a bucket each, so that no chain is followed. A bucket
- * is as wide as their step. The last few are not among the sample that says how far they reach. */
+/* Faces whose distances are spread evenly have a bucket each, so that no chain is followed. A
+ * bucket is as wide as their step. The last few are not among the sample that says how far they
+ * reach. */
 void test_faces_that_are_spread_evenly_share_no_bucket(void)
 {
     const uint32_t most = FXL_ORDER_CHAINS <= MANY ? FXL_ORDER_CHAINS : MANY / 2;

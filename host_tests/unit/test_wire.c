@@ -209,7 +209,7 @@ void test_bands_and_both_clippers_draw_the_same(void)
             pixels += whole[k] != 0;
         }
     }
-    TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10 && clipped > UNIT_REPEAT / 100);
+    TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10 && clipped > UNIT_REPEAT / 200);
 }
 
 /* A cube from the front: its four sides, in its colour. */

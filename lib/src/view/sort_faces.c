@@ -92,8 +92,8 @@ static uint32_t put_in_order(fxl_order_entry *entries, uint32_t chain, uint32_t 
     return place;
 }
 
-/* The levels of the merge sort. A model has at most FXL_MODEL_FACES_MAX faces, so at most half as many
- * runs, rounded up. */
+/* The levels of the merge sort. A model has at most FXL_MODEL_FACES_MAX faces, so at most half as
+ * many runs, rounded up. */
 #define LEVELS 16
 FXL_STATIC_ASSERT((FXL_MODEL_FACES_MAX + 1) / 2 < 1 << LEVELS, "a chain of all runs has a level");
 
