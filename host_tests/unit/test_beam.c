@@ -48,6 +48,26 @@ void test_what_the_light_reaches_through_the_window_is_inside(void)
     TEST_ASSERT_FALSE(holds(&beam, (fxl_point){Q16(-14), Q16(10), Q16(0.5)}));
 }
 
+/* A direction is of unit length with all of its components, and not with two of them. */
+void test_the_length_of_a_direction(void)
+{
+    fxl_beam beam;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
+    beam.kind = FXL_BEAM_DIRECTION;
+    for (int axis = 0; axis < 3; axis++) {
+        beam.from[axis] = Q30(0.36);
+        beam.from[(axis + 1) % 3] = Q30(-0.48);
+        beam.from[(axis + 2) % 3] = Q30(0.8);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
+        for (int k = 0; k < 3; k++) {
+            const int32_t was = beam.from[k];
+            beam.from[k] = 0;
+            TEST_ASSERT_EQUAL(FXL_E_NORMAL, fxl_beam_check(&beam));
+            beam.from[k] = was;
+        }
+    }
+}
+
 /* A sphere that touches the beam may lie in it; one that is 2^-13 unit away does not. */
 void test_a_sphere_beside_a_beam(void)
 {
@@ -59,6 +79,50 @@ void test_a_sphere_beside_a_beam(void)
         const fxl_point touching = {-radius, Q16(3), Q16(-5)}, away = {-radius - 8, 0, 0};
         TEST_ASSERT_TRUE(fxl_beam_reaches(&beam, &touching, radius));
         TEST_ASSERT_FALSE(fxl_beam_reaches(&beam, &away, radius));
+    }
+}
+
+/* A sphere that lies behind any one of a beam's planes is not reached. */
+void test_every_plane_of_a_beam_limits_it(void)
+{
+    fxl_beam beam = {.kind = FXL_BEAM_DIRECTION, .from = {0, -FXL_Q2_30_ONE, 0}};
+    for (uint32_t count = 1; count <= FXL_BEAM_PLANES_MAX; count++) {
+        beam.plane_count = (uint8_t)count;
+        for (uint32_t behind = 0; behind <= count; behind++) {
+            for (uint32_t i = 0; i < count; i++) {
+                const fxl_q2_30 x = i == behind ? -FXL_Q2_30_ONE : FXL_Q2_30_ONE;
+                beam.planes[i] = (fxl_beam_plane){.normal = {x, 0, 0}};
+            }
+            const fxl_point centre = {Q16(2), 0, 0};
+            TEST_ASSERT_EQUAL(behind == count, fxl_beam_reaches(&beam, &centre, Q16(1)));
+        }
+    }
+}
+
+/* Light that travels along an axis shines on faces that are turned the other way. */
+void test_what_the_sun_shines_on(void)
+{
+    for (int travel = 0; travel < 6; travel++) {
+        fxl_beam sun = {.kind = FXL_BEAM_DIRECTION};
+        sun.from[travel / 2] = travel % 2 ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
+        for (int turned = 0; turned < 6; turned++) {
+            const fxl_q2_30 to = turned % 2 ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
+            const fxl_direction normal = {turned / 2 == 0 ? to : 0, turned / 2 == 1 ? to : 0,
+                                          turned / 2 == 2 ? to : 0};
+            const fxl_point vertex = {Q16(1), Q16(2), Q16(3)};
+            TEST_ASSERT_EQUAL(turned == (travel ^ 1), fxl_beam_shines_on(&sun, &vertex, &normal));
+        }
+    }
+}
+
+/* The least that a lamp may be before a face is one unit of 2^-46. */
+void test_a_face_that_is_barely_turned_to_a_lamp(void)
+{
+    const fxl_beam beam = {.kind = FXL_BEAM_POINT, .from = {1, 0, 0}};
+    const fxl_direction least = {1, 0, 0};
+    for (int32_t x = -1; x <= 2; x++) {
+        const fxl_point vertex = {x, 0, 0};
+        TEST_ASSERT_EQUAL(x < 1, fxl_beam_shines_on(&beam, &vertex, &least));
     }
 }
 

@@ -193,6 +193,44 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
     TEST_ASSERT_TRUE(moved <= 1);
 }
 
+/* Whatever comes first keeps its pixels. */
+static bool paint_under(fxl_workspace *of, const fxl_screen_point *points, uint32_t count,
+                        uint8_t colour, const fxl_band *band)
+{
+    fxl_screen_polygon polygon = {.colour = colour, .count = (uint8_t)count};
+    fxl_span span;
+    memcpy(polygon.points, points, count * sizeof *points);
+    fxl_scan_begin(&polygon, band, &of->work.scan);
+    while (fxl_scan_next(&of->work.scan, &span)) {
+        for (int x = span.x0; x < span.x1; x++) {
+            uint8_t *pixel = &band->pixels[(span.y - band->first_row) * band->stride + x];
+            *pixel = *pixel == 0 ? colour : *pixel;
+        }
+    }
+    return true;
+}
+
+/* Near to far, the pieces of a face are drawn as far to near. */
+void test_near_to_far_gives_the_same_pixels(void)
+{
+    static const fxl_raster_backend under = {.draw_polygon = paint_under};
+    fxl_visibility reverse = fxl_visibility_sorted;
+    int bright = 0;
+    reverse.front_to_back = true;
+    reverse.backend = &under;
+    for (int i = 0; i < UNIT_REPEAT / 200; i++) {
+        const fxl_pose pose = any_pose();
+        make(0);
+        light(1u + (uint32_t)i % 2, lit);
+        draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &reverse, NULL, 0));
+        draw(other, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        bright += lit_pixels(whole) > 0;
+    }
+    TEST_ASSERT_TRUE(bright > UNIT_REPEAT / 3000);
+}
+
 void test_what_makes_no_light_is_refused(void)
 {
     make(WORDS);
@@ -282,11 +320,33 @@ void test_a_face_of_too_many_corners_is_refused(void)
 #endif
 }
 
+/* Beams that leave room for triangles alone: a face of four corners is refused wherever it is. */
+void test_every_face_must_fit_the_beams(void)
+{
+    static fxl_beam narrow[2];
+    narrow[1].plane_count = (uint8_t)((FXL_FACE_VERTICES_MAX - 3) / 3); /* each adds two vertices */
+    narrow[0].plane_count = (uint8_t)(FXL_FACE_VERTICES_MAX - 3 - 2 * narrow[1].plane_count);
+    for (uint32_t i = 0; i < FXL_BEAM_PLANES_MAX; i++) {
+        for (uint32_t b = 0; b < 2; b++) {
+            narrow[b].planes[i].normal.x = i < narrow[b].plane_count ? FXL_Q2_30_ONE : 0;
+        }
+    }
+    make(0);
+    for (uint32_t larger = 0; larger < 12; larger++) {
+        for (uint32_t i = 0; i < 12; i++) {
+            tiny->faces[i].count = i == larger ? 4 : 3;
+        }
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                          fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, sizeof room));
+    }
+    TEST_ASSERT_EQUAL_UINT32(12, renderer.workspace.counters.refused_calls);
+}
+
 /* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each
  * plane of the first beam adds a vertex at most, each plane of the other beams two. */
 void test_beams_that_leave_no_room_for_a_triangle(void)
 {
-    static fxl_beam several[3];
+    static fxl_beam several[FXL_BEAMS_MAX + 1];
     for (uint8_t first = 1; first <= FXL_BEAM_PLANES_MAX; first++) {
         for (uint8_t second = 1; second <= FXL_BEAM_PLANES_MAX; second++) {
             several[0].plane_count = first;
@@ -298,8 +358,11 @@ void test_beams_that_leave_no_room_for_a_triangle(void)
                               fxl_beam_light_workspace_size(several, 3) > 0);
         }
     }
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, 0));
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_beam_light_workspace_size(several, FXL_BEAMS_MAX + 1));
+    for (uint32_t count = 0; count <= FXL_BEAMS_MAX + 1; count++) { /* of a plane each, they fit */
+        several[count > 0 ? count - 1 : 0].plane_count = 1;
+        TEST_ASSERT_EQUAL(count >= 1 && count <= FXL_BEAMS_MAX,
+                          fxl_beam_light_workspace_size(several, count) > 0);
+    }
 }
 
 /* The workspace holds the tables of a face's pieces and one outline, each rounded up to 8 bytes,

@@ -226,6 +226,33 @@ void test_depth(void)
 #endif
 }
 
+/* A short branch in front of the root, and a chain behind it: the chain's depth counts from the
+ * root. */
+void test_depth_behind_a_branch(void)
+{
+#ifndef UNIT_ON_TARGET
+    enum {
+        BRANCH = 3
+    };
+    static fxl_bsp_node tree[BRANCH + FXL_BSP_DEPTH_MAX + 2];
+    const uint32_t most = BRANCH + FXL_BSP_DEPTH_MAX + 1;
+    for (uint32_t count = most; count <= most + 1; count++) {
+        for (uint32_t i = 0; i < count; i++) {
+            const bool ends = i == BRANCH || i + 1 == count;
+            tree[i] = made->nodes[i < BSP_NODES ? i : BSP_NODES - 1];
+            tree[i].parent = (uint16_t)(i == 0 ? FXL_BSP_NONE : i == BRANCH + 1 ? 0 : i - 1);
+            tree[i].front = (uint16_t)(i == 0 ? 1 : FXL_BSP_NONE);
+            tree[i].back = (uint16_t)(i == 0 ? BRANCH + 1 : ends ? FXL_BSP_NONE : i + 1);
+            tree[i].first_face = (uint16_t)(i < BSP_NODES ? i : BSP_NODES);
+            tree[i].face_count = i < BSP_NODES;
+        }
+        made->tiny->scene.bsp_nodes = tree;
+        made->tiny->scene.bsp_node_count = count;
+        expect(count == most ? FXL_OK : FXL_E_BSP, "BSP node", most - 1);
+    }
+#endif
+}
+
 /* As many nodes as may be: chains of front nodes, hung behind each other. */
 void test_the_largest_tree(void)
 {

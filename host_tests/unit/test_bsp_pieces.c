@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The pieces of an object that a tree has cut have every vertex of their neighbours: their edges
  * cancel, bit for bit, and one outline is left. */
+#include "../../lib/extra/bsp/bsp_cut.h"
 #include "bsp_scene.h"
 
 enum {
@@ -140,4 +141,30 @@ void test_pieces_share_every_vertex(void)
         cut += piece_count > 3;
     }
     TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 200);
+}
+
+/* Numbers of items and of vertices are below FXL_ITEM_NONE, which stands for none. An object of
+ * which one face is seen, and which no plane cuts, is one item of four vertices. */
+void test_numbers_of_pieces_are_below_that_of_none(void)
+{
+#ifndef UNIT_ON_TARGET
+    static fxl_bsp_vertex memory[FXL_ITEM_NONE + 1];
+    fxl_bsp_item items[2];
+    const fxl_scene *scene = &bsp_make()->tiny->scene;
+    const fxl_instance instance = {.model = 0, .centre = {0, 0, Q16(20)}};
+    const fxl_point eye = {0, 0, 0};
+    for (uint32_t last = FXL_ITEM_NONE - 2; last <= FXL_ITEM_NONE; last++) {
+        for (int of_items = 0; of_items < 2; of_items++) {
+            const fxl_bsp_parts parts = {.items = items,
+                                         .vertices = memory + FXL_ITEM_NONE + 1,
+                                         .movers = of_items ? last : 0};
+            fxl_bsp_cutter cutter = {.scene = scene,
+                                     .parts = &parts,
+                                     .capacity = sizeof memory,
+                                     .vertex_count = of_items ? 0 : last - 3};
+            TEST_ASSERT_EQUAL(last < FXL_ITEM_NONE, fxl_bsp_cut(&cutter, &instance, &eye, 0));
+            TEST_ASSERT_EQUAL_UINT32(last < FXL_ITEM_NONE, cutter.item_count);
+        }
+    }
+#endif
 }

@@ -91,6 +91,20 @@ void test_outside_is_nothing(void)
     TEST_ASSERT_NULL(result);
 }
 
+/* A corner or an edge on a plane is all that is left of what touches it from outside. */
+void test_what_is_left_of_a_touch_is_degenerate(void)
+{
+    static const int numbers[2][9] = {{10, 0, 10, 20, 5, 10, 20, -5, 10},
+                                      {10, -5, 10, 10, 5, 10, 20, 0, 10}};
+    const fxl_varying_polygon *result;
+    for (int i = 0; i < 2; i++) {
+        fxl_varying_polygon polygon = clip_shape(numbers[i], 3);
+        TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, clip(&polygon, &result));
+        TEST_ASSERT_NULL(result);
+        TEST_ASSERT_EQUAL_UINT32(0, workspace->stats.intersections);
+    }
+}
+
 /* As many intersections as new vertices, an edge through two planes included. */
 void test_edges_are_cut_once(void)
 {

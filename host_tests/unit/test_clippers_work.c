@@ -35,6 +35,27 @@ void test_all_count_what_they_work_out(void)
     }
 }
 
+/* A face behind the eye is measured by the near plane alone, which no edge crosses. */
+void test_what_is_outside_has_no_intersections(void)
+{
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_screen_polygon screen;
+    fxl_clip_stats account = {0, 0, 0};
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(-2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    fxl_view_set_world_frustum(&view);
+    polygon_face_set(&face, &polygon, &view, 4);
+    face.model_view.clipper_workspace = &account;
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE,
+                      fxl_clip_by_world(&face.model_view, &face.face, &work, &screen));
+    TEST_ASSERT_EQUAL_UINT32(3, account.distances);
+    TEST_ASSERT_EQUAL_UINT32(0, account.intersections);
+}
+
 /* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
 void test_half_spaces_measure_a_vertex_once(void)
 {
@@ -88,6 +109,27 @@ void test_the_guard_band_is_counted(void)
     }
 }
 
+/* A vertex beyond the guard band is tried against it, then all three vertices against all planes;
+ * then the left plane, which alone has one outside, measures all three. */
+void test_what_is_beyond_the_guard_band_is_counted(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, Q16(-3000), 0, Q16(10));
+    polygon.vertices[1].position = clip_place(&view, 0, Q16(1), Q16(10));
+    polygon.vertices[2].position = clip_place(&view, 0, Q16(-1), Q16(10));
+    memset(&workspace, 0, fxl_clipper_near.workspace_size);
+    polygon_face_set(&face, &polygon, &view, 4);
+    face.model_view.clipper_workspace = &workspace;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
+                      fxl_clipper_near.clip(&face.model_view, &face.face, &work, &screen));
+    TEST_ASSERT_EQUAL_UINT32((1 + 3) * FXL_PLANE_COUNT + 3, workspace.stats.distances);
+    TEST_ASSERT_EQUAL_UINT32(2, workspace.stats.intersections);
+}
+
 /* A face that claims to need no plane is projected as it is. With a vertex behind the eye it cannot
  * be, and is refused; before the eye it is kept, and then each vertex of the cache holds its place
  * on the screen. */
@@ -117,6 +159,36 @@ void test_a_face_without_planes_is_projected_or_refused(void)
             TEST_ASSERT_EQUAL(behind < 3 ? FXL_CLIP_RANGE : FXL_CLIP_INSIDE,
                               whole[which]->clip(&face.model_view, &face.face, &work, &screen));
         }
+        for (uint32_t i = 0; i < 3; i++) {
+            TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
+            TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen,
+                                     sizeof screen.points[i]);
+        }
+    }
+}
+
+/* A vertex that is in sight is projected for the first face that has it: then the cache holds its
+ * place on the screen, whichever clipper it is. */
+void test_vertices_in_sight_are_projected_once(void)
+{
+    static fxl_clipper_work work;
+    static polygon_face face;
+    fxl_view view = clip_random_view(WIDTH, HEIGHT);
+    fxl_screen_polygon screen;
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(2));
+    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    fxl_view_set_world_frustum(&view);
+    for (int which = 0; which < CLIPPERS + 2; which++) {
+        const fxl_clipper *clipper = which < CLIPPERS    ? clippers[which]
+                                     : which == CLIPPERS ? &fxl_clipper_view
+                                                         : &fxl_clipper_world;
+        memset(&workspace, 0, sizeof workspace);
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = &workspace;
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
+                          clipper->clip(&face.model_view, &face.face, &work, &screen));
         for (uint32_t i = 0; i < 3; i++) {
             TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
             TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen,

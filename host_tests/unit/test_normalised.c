@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The normalised frustum: its matrix, its planes and what it cuts. */
+#include "../../lib/extra/clippers/intersection.h"
 #include "clip_shapes.h"
 
 /* One room for all tests: some boards have 16 KB. */
@@ -33,6 +34,22 @@ static fxl_clip_result clip(const fxl_varying_polygon *polygon, const fxl_varyin
     fxl_normalised frustum = square();
     workspace->stats = (fxl_clip_stats){0, 0, 0};
     return fxl_clip_normalised(polygon, &frustum, workspace, result);
+}
+
+/* With factors of 1 and axes of the world, a point is where it lies from the eye. */
+void test_a_point_is_seen_from_the_eye(void)
+{
+    fxl_normalised frustum = square();
+    frustum.eye = (fxl_point){Q16(3), Q16(-5), Q16(7)};
+    for (int i = 0; i < 100; i++) {
+        const fxl_point point = unit_point(FXL_COORDINATE_MAX);
+        const int64_t unit = (int64_t)1 << 30;
+        fxl_view_point seen = {0, 0, 0};
+        fxl_normalised_point(&frustum, &point, &seen);
+        TEST_ASSERT_TRUE(seen.x == ((int64_t)point.x - Q16(3)) * unit);
+        TEST_ASSERT_TRUE(seen.y == ((int64_t)point.y + Q16(5)) * unit);
+        TEST_ASSERT_TRUE(seen.z == ((int64_t)point.z - Q16(7)) * unit);
+    }
 }
 
 void test_ninety_degrees_change_nothing(void)
@@ -275,6 +292,30 @@ void test_a_sliver_is_refused_where_asked(void)
                       fxl_clip_normalised(&polygon, &frustum, workspace, &result));
     workspace->stats.sliver = V(1); /* not less than it minds */
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_normalised(&polygon, &frustum, workspace, &result));
+}
+
+/* The sliver rule for any ring of distances, by its definition: after a vertex that counts as
+ * outside, one that is inside by less than the sliver does too, all the way round. */
+void test_the_sliver_rule_goes_all_the_way_round(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint32_t count = (uint32_t)unit_between(1, i % 8 ? 6 : FXL_POLYGON_CAPACITY);
+        const fxl_q18_46 sliver = unit_between(0, 3);
+        fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
+        bool inside[FXL_POLYGON_CAPACITY];
+        for (uint32_t k = 0; k < count; k++) {
+            distances[k] = unit_between(i % 3 ? -1 : 0, i % 2 ? 3 : 1);
+            inside[k] = distances[k] >= 0;
+        }
+        for (uint32_t k = 0; k < 2 * count; k++) {
+            const uint32_t at = (k + 1) % count;
+            inside[at] = inside[at] && (inside[k % count] || distances[at] >= sliver);
+        }
+        const uint32_t bits = fxl_inside_bits(distances, count, sliver);
+        for (uint32_t k = 0; k < 32; k++) {
+            TEST_ASSERT_EQUAL(k < count && inside[k], bits >> k & 1u);
+        }
+    }
 }
 
 /* Barely in after being out counts as out, and stands for the crossing; barely in

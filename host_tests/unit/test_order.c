@@ -2,7 +2,7 @@
 #include "tiny.h"
 
 #ifdef UNIT_ON_TARGET
-#define MANY 250
+#define MANY 180
 #else
 #define MANY 600
 #endif
@@ -131,6 +131,28 @@ void test_sorting_faces_of_any_range(void)
             entries[i] = fxl_order_entry_of(distance, (uint16_t)i, 0);
         }
         sort_faces(count);
+    }
+}
+
+/* Faces whose distances are spread evenly have a bucket each, so that no chain is followed. A
+ * bucket is as wide as their step. The last few are not among the sample that says how far they
+ * reach. */
+void test_faces_that_are_spread_evenly_share_no_bucket(void)
+{
+    const uint32_t most = FXL_ORDER_CHAINS <= MANY ? FXL_ORDER_CHAINS : MANY / 2;
+    for (uint32_t count = 4; count <= most && !FXL_IS_SMALL; count *= 2) {
+        for (uint32_t shift = 24; shift < 59; shift++) {
+            const uint64_t range = (uint64_t)1 << shift | (uint64_t)unit_random() << shift >> 32;
+            uint32_t alone = 0;
+            for (uint32_t i = 0; i < count; i++) {
+                entries[i] = fxl_order_entry_of(range / (count - 1) * i, (uint16_t)i, 0);
+            }
+            sort_faces(count);
+            for (uint32_t i = 0; i < count; i++) {
+                alone += entries[i].next == UINT16_MAX;
+            }
+            TEST_ASSERT_TRUE(alone + count / 16 >= count);
+        }
     }
 }
 

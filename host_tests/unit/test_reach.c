@@ -280,3 +280,29 @@ void test_a_band_clips_what_reaches_it(void)
         TEST_ASSERT_TRUE(by_faces * 3 < by_instances * 2 && by_instances * 3 < by_all);
     }
 }
+
+/* A cache of the caller's that lies directly behind the order stays the renderer's. There are no
+ * entries for faces where no model is sorted. */
+void test_a_cache_behind_the_order_is_kept(void)
+{
+    static struct {
+        fxl_order_entry order[4];
+        FXL_ALIGN_8 fxl_cached_vertex cache[16];
+    } block;
+    const fxl_lens lens = unit_lens(WIDTH, 16);
+    const fxl_memory memory = {block.order, 4, list, 0, block.cache, 16};
+    const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};
+    tiny_scene *tiny = tiny_make();
+    tiny->models[1].kind = FXL_MODEL_CONVEX;
+    tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
+    TEST_ASSERT_EQUAL_PTR(&block.order[4], block.cache);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    for (int frame = 0; frame < 2; frame++) {
+        const fxl_band band = {whole, WIDTH, WIDTH, 0, 16};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_EQUAL_PTR(block.cache, renderer.workspace.cache.entries);
+    }
+}

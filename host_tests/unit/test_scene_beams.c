@@ -109,6 +109,35 @@ void test_what_a_beam_holds(void)
     beam_word(FXL_E_RANGE, at + 32, 0x40000000u);
 }
 
+/* Beams that leave room for triangles alone: a face of four corners is refused wherever it is. */
+void test_every_face_must_fit_the_beams(void)
+{
+    static const uint8_t lit[256];
+    static fxl_beam beams[2];
+    fxl_scene_fault fault;
+    beams[1].plane_count = (uint8_t)((FXL_FACE_VERTICES_MAX - 3) / 3); /* each adds two vertices */
+    beams[0].plane_count = (uint8_t)(FXL_FACE_VERTICES_MAX - 3 - 2 * beams[1].plane_count);
+    TEST_ASSERT_TRUE(beams[0].plane_count <= FXL_BEAM_PLANES_MAX);
+    for (uint32_t i = 0; i < FXL_BEAM_PLANES_MAX; i++) {
+        for (uint32_t b = 0; b < 2; b++) {
+            beams[b].planes[i].normal.x = i < beams[b].plane_count ? FXL_Q2_30_ONE : 0;
+        }
+    }
+    for (uint32_t larger = 0; larger <= 12; larger++) {
+        tiny_scene *tiny = tiny_make();
+        for (uint32_t i = 0; i < 12; i++) {
+            tiny->faces[i].count = i == larger ? 4 : 3;
+        }
+        tiny->scene.beams = beams;
+        tiny->scene.lit = lit;
+        tiny->scene.beam_count = 2;
+        fault.index = 99;
+        TEST_ASSERT_EQUAL(larger < 12 ? FXL_E_CAPACITY : FXL_OK,
+                          fxl_scene_check_all(&tiny->scene, &fault));
+        TEST_ASSERT_TRUE(larger == 12 || fault.index == larger);
+    }
+}
+
 /* Four corners and five planes fit; a table may say so of more beams than do. */
 void test_faces_must_fit_the_beams(void)
 {

@@ -80,6 +80,11 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     tiny->scene.model_count = 1; /* the second model's vertices belong to nobody */
     tiny->instances[1].model = 0;
     expect_fault(FXL_E_COUNT, "vertex table", 0, &tiny->scene);
+    tiny = tiny_make();
+    tiny->models[1].face_count -= 1; /* the last face belongs to nobody */
+    tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
+    expect_fault(FXL_E_COUNT, "face table", 0, &tiny->scene);
     tiny = with_instances_of(0);
     tiny->vertices[15].z = INT32_MAX;
     expect_fault(FXL_E_RANGE, "vertex", 15, &tiny->scene);

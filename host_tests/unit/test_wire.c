@@ -285,3 +285,62 @@ void test_what_is_no_wireframe_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(NULL, &band));
 }
+
+static bool keep_all(fxl_clip_line *line, const fxl_volume *volume, uint32_t *intersections)
+{
+    (void)line;
+    (void)volume;
+    (void)intersections;
+    return true;
+}
+
+/* An edge with an end behind the eye is refused, if the clipper leaves it: three of the four about
+ * the face -z, seen from beside. */
+void test_edges_behind_the_eye_are_refused(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose beside = {{0, 0, Q16(-1.2)}, DEGREES(90), 0, 0};
+    const fxl_band band = all_of(whole);
+    tiny_scene *tiny = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, keep_all));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &beside));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
+    TEST_ASSERT_EQUAL_UINT32(4, wire.counters.in);
+    TEST_ASSERT_EQUAL_UINT32(3, wire.counters.refused);
+    TEST_ASSERT_EQUAL_UINT32(1, wire.counters.drawn);
+    TEST_ASSERT_EQUAL_UINT32(0, wire.counters.outside);
+}
+
+/* Vertices of a model that are given from another origin, and instances that are moved back by as
+ * much, are the same scene. */
+void test_the_origin_of_a_model_does_not_matter(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose before_all = {{Q16(-1), Q16(2), Q16(-5)}, 0, 0, 0};
+    const fxl_point origin = {Q16(1), Q16(0.5), Q16(0.25)};
+    for (int moved = 0; moved < 2; moved++) {
+        const fxl_band band = all_of(moved ? other : whole);
+        tiny_scene *tiny = tiny_make();
+        tiny->scene.face_bounds = NULL;
+        tiny->scene.face_bounds_count = 0;
+        tiny->models[0].radius = tiny->models[1].radius = Q16(3);
+        for (uint32_t i = 0; moved && i < 16; i++) {
+            tiny->vertices[i].x -= origin.x;
+            tiny->vertices[i].y -= origin.y;
+            tiny->vertices[i].z -= origin.z;
+        }
+        for (uint32_t i = 0; moved && i < TINY_INSTANCES; i++) {
+            tiny->instances[i].centre.x += origin.x;
+            tiny->instances[i].centre.y += origin.y;
+            tiny->instances[i].centre.z += origin.z;
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_planes));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &before_all));
+        memset(band.pixels, 0, WIDTH * HEIGHT);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
+        TEST_ASSERT_TRUE(wire.counters.drawn > 8);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+}

@@ -30,6 +30,7 @@ void test_what_is_over_keeps_vertices(void)
     static const uint8_t kept[] = {0, 1, 2, 2, 4, 4, 4, 4, 8, 8};
     start();
     const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
+    TEST_ASSERT_EQUAL(6 * sizeof(fxl_order_entry), least); /* the faces of the sorted model */
     for (size_t n = 0; n < sizeof kept; n++) {
         const size_t sizes[] = {least + n * vertex, least + (n + 1) * vertex - 1};
         for (int i = 0; i < 2; i++) {

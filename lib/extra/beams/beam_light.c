@@ -16,6 +16,8 @@ typedef struct {
     uint32_t beam_count;
 } lighting;
 
+#define REFUSED ((fxl_outcome)1 << FXL_CLIP_CAPACITY)
+
 static uint32_t rounded_up(size_t size)
 {
     return ((uint32_t)size + 7u) & ~7u;
@@ -54,14 +56,14 @@ static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_fac
     const lighting *of = (const lighting *)light;
     fxl_lit_pieces *made = of->pieces;
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
-        pieces->outcome |= 1u << FXL_CLIP_CAPACITY;
+        pieces->outcome |= REFUSED;
         return fxl_submit_piece(pieces, points, count, face->material);
     }
     const bool reverse = pieces->on->renderer->visibility->front_to_back;
     for (uint32_t i = 0; i < made->piece_count; i++) {
         const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
         if (!fxl_lit_outline(made, piece, of->outline)) {
-            pieces->outcome |= 1u << FXL_CLIP_CAPACITY;
+            pieces->outcome |= REFUSED;
             continue;
         }
         uint8_t colour = piece->is_lit ? of->lit[face->material] : face->material;

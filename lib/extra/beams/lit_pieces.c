@@ -84,7 +84,6 @@ static fxl_lit_piece *new_piece(fxl_lit_pieces *of, bool is_lit)
     }
     fxl_lit_piece *piece = &of->pieces[of->piece_count++];
     piece->count = 0;
-    piece->last = NONE;
     piece->is_lit = is_lit;
     return piece;
 }

@@ -88,7 +88,7 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
             continue;
         }
         fxl_bsp_item *item = new_item(cutter);
-        vertex_ring outline = {0, 0, 0};
+        vertex_ring outline = {.count = 0};
         if (item == NULL) {
             return false;
         }
@@ -219,13 +219,12 @@ static bool cut_piece(fxl_bsp_cutter *cutter, const split_plane *by, fxl_bsp_ite
         item->where = next_place(by, behind);
         return true;
     }
-    vertex_ring parts[2] = {{0, 0, 0}, {0, 0, 0}};
+    vertex_ring parts[2] = {{.count = 0}, {.count = 0}};
     fxl_bsp_item *rest = new_item(cutter);
     if (rest == NULL) {
         return false;
     }
     *rest = *item; /* stays at the node while it is cut: nothing is inserted into it */
-    rest->count = 0;
     if (!divide(cutter, by, item, parts)) {
         return false;
     }
@@ -252,7 +251,7 @@ static uint32_t next_node(const fxl_bsp_cutter *cutter)
 static bool cut_all(fxl_bsp_cutter *cutter)
 {
     const fxl_scene *scene = cutter->scene;
-    split_plane by = {NULL, scene->instances[scene->bsp_instance].centre, 0};
+    split_plane by = {.centre = scene->instances[scene->bsp_instance].centre};
     while ((by.number = next_node(cutter)) != FXL_IN_LEAF) {
         by.node = &scene->bsp_nodes[by.number];
         const uint32_t end = cutter->item_count;

@@ -121,14 +121,15 @@ static uint32_t planes_of(bsp_traversal *traversal, uint32_t number)
 }
 
 /* Tells whether nothing in the subtree of a node is visible; then its faces are counted. If the
- * whole subtree is inside the frustum, no node of it is tested again. */
+ * whole subtree is inside the frustum, no node of it is tested again. A node's sphere lies within
+ * that of the node above, so it is the same sphere if its radius is the same. */
 static bool is_invisible(bsp_traversal *traversal, uint32_t number)
 {
     const fxl_scene *scene = traversal->scene;
     const uint32_t above = scene->bsp_nodes[number].parent;
     if (traversal->model_view == NULL || is_inside(traversal, number) ||
         (above != FXL_BSP_NONE &&
-         is_same_sphere(&scene->bsp_nodes[number], &scene->bsp_nodes[above]))) {
+         scene->bsp_nodes[number].radius == scene->bsp_nodes[above].radius)) {
         return false;
     }
     uint32_t planes = planes_of(traversal, number);
@@ -260,12 +261,12 @@ static bool work_at(bsp_traversal *traversal, fxl_bsp_resume_point *place, bool 
 static bool submit_nodes(bsp_traversal *traversal, fxl_bsp_resume_point *place)
 {
     do {
-        bool more = true;
-        while (more) {
+        bool more;
+        do {
             if (!work_at(traversal, place, &more)) {
                 return false;
             }
-        }
+        } while (more);
     } while (go_up(traversal, place));
     return true;
 }

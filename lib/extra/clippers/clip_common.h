@@ -121,8 +121,7 @@ static inline fxl_clip_result fxl_clip_common_face(const fxl_model_view *model_v
         return fxl_clip_common_whole(model_view, face, screen, steps, 0);
     }
     in->colour = face->material;
-    in->count = face->count;
-    in->carried = 0;
+    in->count = face->count; /* carried is 0, as all of the workspace was */
     fxl_clip_result result = steps->cut(model_view, in, any, &clipped);
     return clipped == NULL ? result : fxl_clip_common_to_screen(model_view, clipped, screen, steps);
 }

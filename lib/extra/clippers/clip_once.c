@@ -146,7 +146,7 @@ static bool find_end(pass *on, int plane, bool inward, fxl_varying_vertex *end)
 
 static bool find_corner(pass *on, int plane, int other, fxl_varying_vertex *corner)
 {
-    int first = plane < other ? plane : other, second = plane < other ? other : plane;
+    int first = plane < other ? plane : other, second = plane ^ other ^ first;
     fxl_varying_vertex from, to;
     if (!find_end(on, first, false, &from) || !find_end(on, first, true, &to)) {
         return false;

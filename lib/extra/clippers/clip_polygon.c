@@ -9,23 +9,23 @@
  * follows one that is outside. */
 uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver)
 {
-    uint32_t bits = 0, start = 0;
+    uint32_t bits = 0, start = 0, at;
     for (uint32_t i = 0; i < count; i++) {
         bits |= (uint32_t)(distances[i] >= 0) << i;
     }
-    while (start < count && distances[start] >= 0 && distances[start] < sliver) {
-        start++;
-    }
-    if (sliver == 0 || start == count) {
+    if (sliver == 0) {
         return bits;
     }
-    uint32_t before = start;
-    for (uint32_t left = count - 1; left > 0; left--) {
-        uint32_t at = before + 1 == count ? 0 : before + 1;
+    while (distances[start] >= 0 && distances[start] < sliver) {
+        if (++start == count) {
+            return bits;
+        }
+    }
+    for (uint32_t before = start; (at = before + 1 == count ? 0 : before + 1) != start;
+         before = at) {
         if (distances[at] < sliver && (bits >> before & 1u) == 0) { /* bug: sliver-alone */
             bits &= ~((uint32_t)1 << at);
         }
-        before = at;
     }
     return bits;
 }

@@ -67,7 +67,7 @@ static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *
                            fxl_screen_polygon *screen)
 {
     const fxl_lens *lens = &model_view->view->lens;
-    const fxl_cached_vertex *corners[3] = {
+    const fxl_cached_vertex *corners[] = {
         &workspace->first, &workspace->before,
         fetch_corner(model_view, workspace->face, workspace->corner++)};
     const fxl_cached_vertex last = *corners[2];

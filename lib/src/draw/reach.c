@@ -14,12 +14,15 @@ typedef struct {
 #define GROUPS   16u
 #define NO_FACES UINT16_MAX /* the place where there was no memory for an instance's faces */
 
-FXL_STATIC_ASSERT(FXL_SCREEN_MAX < 255 << 3, "a row fits a byte in units of 8");
+#define ROWS_MAX UINT8_MAX /* of an `end` */
 
 static unsigned shift_of(const fxl_frame *frame)
 {
-    const uint32_t height = frame->view.lens.height;
-    return height < 255 ? 0 : height < 255 << 1 ? 1 : height < 255 << 2 ? 2 : 3;
+    unsigned shift = 0;
+    while (frame->view.lens.height > ROWS_MAX << shift) {
+        shift++;
+    }
+    return shift;
 }
 
 /* The memory behind the entries of the instances in sight, up to the first entry of the faces. */

@@ -38,7 +38,7 @@ uint32_t fxl_cache_entries(const fxl_scene *scene, size_t bytes)
     while (entries < largest) {
         entries *= 2;
     }
-    while (entries > 0 && entries > bytes / sizeof(fxl_cached_vertex)) {
+    while (entries > bytes / sizeof(fxl_cached_vertex)) {
         entries /= 2;
     }
     return entries;
@@ -72,20 +72,20 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
         return FXL_E_CAPACITY;
     }
     /* What is over: first vertices that faces share, the rest for the backend. */
-    const size_t over = of.raster > 0 ? (memory_size - least) / 4 : memory_size - least;
+    const size_t over = of.raster != 0 ? (memory_size - least) / 4 : memory_size - least;
     const uint32_t entries = fxl_cache_entries(renderer->scene, over);
     uint8_t *at = (uint8_t *)memory;
     memset(workspace, 0, sizeof *workspace);
     workspace->settings_version = renderer->workspace.settings_version;
     workspace->face_order = (fxl_order_entry *)(void *)at;
     at += of.face_order;
-    if (of.clipper > 0) {
+    if (of.clipper != 0) {
         workspace->cache.clipper_workspace = memset(at, 0, of.clipper);
     }
     at += of.clipper;
     fxl_vertex_cache_init(&workspace->cache, (fxl_cached_vertex *)(void *)at, entries);
     at += entries * sizeof(fxl_cached_vertex);
-    if (of.raster > 0) {
+    if (of.raster != 0) {
         const size_t rest = memory_size - (size_t)(at - (uint8_t *)memory);
         workspace->raster_workspace = at;
         workspace->raster_workspace_size = rest < UINT32_MAX ? (uint32_t)rest : UINT32_MAX;

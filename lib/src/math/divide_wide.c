@@ -7,14 +7,15 @@
 /* A digit of 16 bits: floor((2^16 rest + half) / whole), where half is the numerator's
  * next 16 bits; *rest becomes the remainder (Knuth, algorithm D).
  * Requires rest < whole and 2^31 <= whole < 2^32. The estimate from the upper half of
- * whole is too large by two at most. */
+ * whole is too large by two at most. If it is 2^16 or more, then left < lower, so the test that
+ * corrects it sees that too; its product is below 2^32. */
 static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
 {
     uint32_t upper = whole >> 16, lower = whole & 0xFFFFu;
     uint32_t digit = fxl_divide_half(*rest, upper);
     uint32_t left = *rest - digit * upper;
     /* bug: digit-once */
-    while (left <= 0xFFFFu && (digit > 0xFFFFu || digit * lower > (left << 16 | half))) {
+    while (left <= 0xFFFFu && digit * lower > (left << 16 | half)) {
         digit -= 1;
         left += upper;
     }

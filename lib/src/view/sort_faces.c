@@ -89,11 +89,16 @@ static uint32_t put_in_order(fxl_order_entry *entries, uint32_t chain, uint32_t 
     return place;
 }
 
+/* The levels of the merge sort. A model has at most FXL_MODEL_FACES_MAX faces, so at most half as
+ * many runs, rounded up. */
+#define LEVELS 16
+FXL_STATIC_ASSERT((FXL_MODEL_FACES_MAX + 1) / 2 < 1 << LEVELS, "a chain of all runs has a level");
+
 /* Merge sort of runs, in place and without recursion. chains[i] has 2^i runs, whose places are
  * below those of chains[i - 1]. A run has at least two entries, except the last. */
 static void sort_by_merging(fxl_order_entry *entries, uint32_t count)
 {
-    uint16_t chains[16];
+    uint16_t chains[LEVELS];
     uint32_t levels = 0, place = 0;
     while (place < count) {
         uint32_t chain = take_run(entries, count, &place), level = 0;

@@ -77,13 +77,13 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
 
     int32_t inset = (int32_t)(frustum->inset >> 34);
     int32_t x = upper(at.x);
-    planes |= side_planes(frustum->x_side, frustum->x_depth, x, z, inset, reach, FXL_PLANE_LEFT,
-                          FXL_PLANE_RIGHT);
-    if (planes >= FXL_SPHERE_OUTSIDE) {
+    uint32_t across = side_planes(frustum->x_side, frustum->x_depth, x, z, inset, reach,
+                                  FXL_PLANE_LEFT, FXL_PLANE_RIGHT);
+    if (across == FXL_SPHERE_OUTSIDE) {
         return FXL_SPHERE_OUTSIDE;
     }
     int32_t y = upper(at.y);
-    planes |= side_planes(frustum->y_side, frustum->y_depth, y, z, inset, reach, FXL_PLANE_BOTTOM,
-                          FXL_PLANE_TOP);
-    return planes >= FXL_SPHERE_OUTSIDE ? FXL_SPHERE_OUTSIDE : planes;
+    uint32_t upright = side_planes(frustum->y_side, frustum->y_depth, y, z, inset, reach,
+                                   FXL_PLANE_BOTTOM, FXL_PLANE_TOP);
+    return upright == FXL_SPHERE_OUTSIDE ? FXL_SPHERE_OUTSIDE : planes | across | upright;
 }
