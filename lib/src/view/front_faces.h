@@ -27,6 +27,11 @@ static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const f
            fxl_square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
 }
 
+/* Whether a face faces the eye: normal . eye > height. Exact. For kernels whose estimate does not
+ * decide. Requires what fxl_front_faces requires. */
+bool fxl_bounded_face_is_front(const fxl_face *face, const fxl_face_bounds *bounds,
+                               const fxl_point *eye);
+
 /* Appends an entry, with squared distance and number, for each of count faces that faces the eye.
  * A face does if normal . eye > height. Both sides are below 2^61; fxl_face_is_front tests the sign
  * of their difference. Returns the address behind the last entry. The entries' `next` has no
