@@ -23,6 +23,11 @@ bool fxl_bounded_face_is_front(const fxl_face *face, const fxl_face_bounds *boun
     return fxl_dot(&face->normal, eye->x, eye->y, eye->z) > fxl_face_bounds_height(bounds);
 }
 
+bool fxl_exact_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+{
+    return fxl_dot(direction, x, y, z) < 0;
+}
+
 void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,
                          fxl_polygon *polygon)
 {
