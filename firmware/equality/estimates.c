@@ -34,7 +34,31 @@ void test_facing(uint32_t rounds)
     }
 }
 
-/* The view of a camera, and spheres about points on the edges of the frustum. */
+/* The axis times length / 2^30, added to a point. */
+static void add(const fxl_direction *axis, int64_t length, fxl_point *point)
+{
+    point->x += (int32_t)(axis->x * length >> 30);
+    point->y += (int32_t)(axis->y * length >> 30);
+    point->z += (int32_t)(axis->z * length >> 30);
+}
+
+/* The centre of a sphere that nearly touches a side plane from within or from without. */
+static void touch_plane(const fxl_view *view, fxl_q16_16 radius, fxl_point *centre)
+{
+    const fxl_axes *axes = &view->camera.axes;
+    const fxl_view_frustum *frustum = &view->view_frustum;
+    const bool upright = (any_32() & 64u) != 0;
+    int64_t side = upright ? frustum->y_side : frustum->x_side;
+    int64_t depth = upright ? frustum->y_depth : frustum->x_depth;
+    int64_t along = any_32() >> 9;
+    int64_t inward = ((any_32() & 64u) != 0 ? radius : -radius) + within(1 << 12);
+    int64_t across = (along * depth - inward * side) >> 30;
+    *centre = view->camera.position;
+    add(&axes->forward, (along * side + inward * depth) >> 30, centre);
+    add(upright ? &axes->up : &axes->right, (any_32() & 64u) != 0 ? across : -across, centre);
+}
+
+/* The view of a camera, and spheres near it. */
 void test_sphere(uint32_t rounds)
 {
     static fxl_view view;
@@ -51,14 +75,11 @@ void test_sphere(uint32_t rounds)
         const fxl_point *eye = &view.camera.position;
         fxl_point centre = {eye->x + coordinate() / 4, coordinate() / 4, eye->z + coordinate() / 4};
         fxl_q16_16 radius = (fxl_q16_16)(any_32() >> (6 + (any_32() >> 7 & 15u)));
-        if ((any_32() & 64u) != 0) { /* about as far from the eye's axis as it reaches */
-            const fxl_direction *right = &view.camera.axes.right;
-            int32_t length = radius + within(1 << 12);
-            centre.x = eye->x + (int32_t)((int64_t)right->x * length >> 30);
-            centre.y = eye->y + (int32_t)((int64_t)right->y * length >> 30);
-            centre.z = eye->z + (int32_t)((int64_t)right->z * length >> 30);
+        if ((any_32() & 192u) != 0) {
+            touch_plane(&view, radius >> 7, &centre);
         }
-        equality_case(fxl_sphere_planes(&view.camera, &view.view_frustum, &centre, radius) ==
-                      portable_sphere_planes(&view.camera, &view.view_frustum, &centre, radius));
+        equality_case(
+            fxl_sphere_planes(&view.camera, &view.view_frustum, &centre, radius >> 7) ==
+            portable_sphere_planes(&view.camera, &view.view_frustum, &centre, radius >> 7));
     }
 }
