@@ -62,6 +62,8 @@ dx          .req r12
 
 /* fxl_edge_divide. Input: r0: the dividend. Results: r1: whole, r2: fraction. Overwrites r0, r3
  * and r7. */
+    .type divide, %function
+    .thumb_func
 divide:
     asrs    r7, r0, #31
     eors    r0, r0, r7
@@ -95,6 +97,7 @@ divide:
     adds    r2, r2, #1
     adcs    r1, r1, r3
     bx      lr
+    .size divide, . - divide
 
     .global fxl_edge_set_near
     .type fxl_edge_set_near, %function
