@@ -4,6 +4,7 @@
 
 #include "kernels/divide.h"
 #include "kernels/edge_divide.h"
+#include "kernels/estimate.h"
 #include "kernels/leading_zeros.h"
 #include "kernels/multiply.h"
 #include "kernels/multiply_high.h"
@@ -73,4 +74,9 @@ unsigned NAME(edge_divide)(uint32_t height, int32_t dividend, int32_t *whole, ui
     fxl_edge_divider divider = fxl_edge_divider_of(height);
     fxl_edge_divide(&divider, dividend, whole, fraction);
     return fxl_edge_divider_shift(&divider);
+}
+
+bool NAME(dot_is_negative)(const fxl_direction *direction, const fxl_point *point)
+{
+    return fxl_dot_is_negative(direction, point->x, point->y, point->z);
 }

@@ -23,12 +23,15 @@
     int32_t side##edge_dividend_max(void); \
     unsigned side##edge_divide(uint32_t height, int32_t dividend, int32_t *whole, \
                                uint32_t *fraction); \
-    unsigned side##leading_zeros(uint32_t value);
+    unsigned side##leading_zeros(uint32_t value); \
+    bool side##dot_is_negative(const fxl_direction *direction, const fxl_point *point);
 
 SIDES(core_)
 SIDES(portable_)
 
 uint32_t portable_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
+uint32_t portable_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
+                                const fxl_point *centre, fxl_q16_16 radius);
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
 const fxl_trapezoid *portable_scan_next_trapezoid(fxl_scan *scan);
 bool portable_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,

@@ -2,6 +2,7 @@
 #include "chain_walks.h"
 #include "edges.h"
 #include "equality.h"
+#include "estimates.h"
 #include "faces.h"
 #include "fill.h"
 #include "transform_vertex.h"
@@ -23,6 +24,8 @@ const equality_test equality_tests[] = {
     {"edge-divide", test_edge_divide},
     {"look-at", test_look_at},
     {"project", test_project},
+    {"facing", test_facing},
+    {"sphere", test_sphere},
     {"front-faces", test_front_faces},
     {"clip-by-view", test_clip_by_view},
     {"chains", test_chains},

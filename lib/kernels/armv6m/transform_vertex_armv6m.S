@@ -64,21 +64,29 @@
     str     r7, [r2, #\position + 4]
     .endm
 
-/* r0 = fxl_upper_term of a component of a normal and a coordinate of the position. */
+/* r0 = fxl_upper_term of a component of a normal and a coordinate of the position, less 0 or 1: it
+ * leaves out the lowest product. Overwrites r2 to r5. */
     .macro  upper_term part position
     ldr     r3, [sp, #ENTRY]
     ldr     r3, [r3, #\position + 4]
     ldr     r2, [r1, #\part]
-    products
-    lsrs    r0, r0, #16
-    adds    r0, r0, r4
-    asrs    r0, r0, #16
+    uxth    r4, r2
+    asrs    r2, r2, #16
+    uxth    r5, r3
+    asrs    r3, r3, #16
+    muls    r5, r2
+    muls    r4, r3
+    muls    r3, r2
+    adds    r4, r4, r5
+    asrs    r0, r4, #16
     adds    r0, r0, r3
     .endm
 
 /* r6 = the signs of the distances from a pair of side planes, the first plane in the lowest
- * bit. It branches to `undecided` if a distance from the upper words does not decide. The
- * inset is smaller by 4, so such a distance, -4..3, is 0..7 here. */
+ * bit. It branches to `undecided` if a distance from the upper words does not decide. Each true
+ * term exceeds the computed one by 0 to 2.25 and the true inset exceeds the rounded one by 0 to 1,
+ * so the true distance lies within -3.25..4.5 of the computed one, and -5..3 do not decide. The
+ * inset is smaller by 5, so they are 0..8 here. */
     .macro  pair side depth position
     upper_term \side, \position
     movs    r6, r0
@@ -87,9 +95,9 @@
     subs    r0, r0, r2
     subs    r7, r0, r6
     adds    r6, r6, r0
-    cmp     r6, #8
+    cmp     r6, #9
     blo     undecided
-    cmp     r7, #8
+    cmp     r7, #9
     blo     undecided
     lsrs    r6, r6, #31
     lsrs    r7, r7, #31
@@ -151,7 +159,7 @@ some_planes:
     adds    r1, r1, #VIEW_FRUSTUM
     ldr     r0, [r1, #FRUSTUM_INSET_UPPER]
     asrs    r0, r0, #2
-    subs    r0, r0, #4
+    subs    r0, r0, #5
     str     r0, [sp, #INSET]
     pair    FRUSTUM_X_SIDE, FRUSTUM_X_DEPTH, POSITION_X
     mov     r12, r6

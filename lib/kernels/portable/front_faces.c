@@ -4,7 +4,7 @@
 #include "../../src/scene/face_bounds.h"
 #include "../family.h"
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
 fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
                                  const fxl_point *eye, fxl_order_entry *entry, uint32_t count,

@@ -7,7 +7,9 @@
 
 #include "../math/arith.h"
 #include "../math/pixel_centre.h"
+#include "edge_dividend.h"
 #include "../../kernels/edge_divide.h"
+#include "../../kernels/edge_near.h"
 #include "../../kernels/multiply.h"
 
 #ifdef __cplusplus
@@ -29,21 +31,6 @@ static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t heigh
     uint32_t part = (uint32_t)start & 65535;
     int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
     return (sum - 1) >> 16;
-}
-
-/* The dividend on the first row, whose centre is at or below the top. part and t are below 2^16, so
- * products of 16 bits suffice: with height = 2^16 h + h' and dx = 2^16 d + d' the sum is
- *   2^16 (part h + t d) + part h' + t d'.
- * Requires height <= FXL_EDGE_HEIGHT_MAX and |dx| of at most 1025 pixels, so the bracket is below
- * 2^28 in magnitude. */
-static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
-                                              int32_t top_y)
-{
-    const uint32_t part = (uint32_t)start & 65535u, t = (uint32_t)(FXL_HALF_PIXEL - top_y) & 65535u;
-    const uint32_t a = part * ((uint32_t)height & 65535u), b = t * ((uint32_t)dx & 65535u);
-    const int32_t low = (int32_t)((a & 65535u) + (b & 65535u)) - 1;
-    const int32_t high = (int32_t)(part * ((uint32_t)height >> 16)) + (int32_t)t * (dx >> 16);
-    return high + (int32_t)(a >> 16) + (int32_t)(b >> 16) + (low >> 16);
 }
 
 /* The first pixel whose centre is not left of the edge, on a row that the edge crosses; the row's
@@ -93,10 +80,8 @@ static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
     edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32); /* bug: edge-no-carry */
 }
 
-/* The same as fxl_edge_set_far, faster if the edge holds for all of its rows from the first
- * on. The dividends are dx, for a step, and that of fxl_slope_set, for the first row, which
- * is below height + |dx| and so within FXL_EDGE_DIVIDEND_MAX. For an edge that crosses only
- * one row, only that row's first pixel is computed. */
+/* The same as fxl_edge_set_far, faster if the edge holds for all of its rows from the first on. For
+ * an edge that crosses only one row, only that row's first pixel is computed. */
 static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
                                    int32_t row, int32_t rows, fxl_edge *edge)
 {
@@ -116,15 +101,9 @@ static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen
         edge->step_fraction = 0;
         return 1;
     }
-    fxl_edge_divider divider = fxl_edge_divider_of((uint32_t)height);
-    if ((uint32_t)(above + rows - 1) >> fxl_edge_divider_shift(&divider) != 0) {
+    if (!fxl_edge_set_near(top, bottom, (uint32_t)(above + rows - 1), edge)) {
         return fxl_edge_set_far(top, bottom, row, rows, edge);
     }
-    int32_t x;
-    fxl_edge_divide(&divider, fxl_edge_first_dividend(start, dx, height, top->y), &x,
-                    &edge->fraction);
-    edge->x = (start >> 16) + x + 1;
-    fxl_edge_divide(&divider, dx, &edge->step, &edge->step_fraction);
     if (above > 0) {
         fxl_edge_advance(edge, (uint32_t)above);
     }

@@ -2,6 +2,8 @@
 #include "fixel/stage/cull.h"
 
 #include "../math/arith.h"
+#include "../scene/face_bounds.h"
+#include "front_faces.h"
 
 bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, const fxl_face *face,
                        const fxl_point *eye)
@@ -13,6 +15,17 @@ bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, con
      * difference is below 2^30; so is eye - centre. */
     return fxl_dot(&face->normal, eye->x - centre->x - vertex->x, eye->y - centre->y - vertex->y,
                    eye->z - centre->z - vertex->z) > 0;
+}
+
+bool fxl_bounded_face_is_front(const fxl_face *face, const fxl_face_bounds *bounds,
+                               const fxl_point *eye)
+{
+    return fxl_dot(&face->normal, eye->x, eye->y, eye->z) > fxl_face_bounds_height(bounds);
+}
+
+bool fxl_exact_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+{
+    return fxl_dot(direction, x, y, z) < 0;
 }
 
 void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,

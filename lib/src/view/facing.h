@@ -4,6 +4,7 @@
 #define FXL_FACING_H
 
 #include "../math/arith.h"
+#include "../../kernels/estimate.h"
 #include "fixel/stage/model_view.h"
 
 /* The same as fxl_face_is_front, with the first vertex relative to the eye: normal . (eye - vertex)
@@ -12,7 +13,7 @@ static inline bool fxl_model_view_face_is_front(const fxl_model_view *model_view
                                                 const fxl_face *face)
 {
     fxl_point first = fxl_model_view_vertex(model_view, model_view->indices[face->first_index]);
-    return fxl_dot(&face->normal, first.x, first.y, first.z) < 0;
+    return fxl_dot_is_negative(&face->normal, first.x, first.y, first.z);
 }
 
 #endif

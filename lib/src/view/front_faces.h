@@ -27,6 +27,15 @@ static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const f
            fxl_square((int32_t)((uint32_t)z - 2 * (uint32_t)eye->z));
 }
 
+/* Whether a face faces the eye: normal . eye > height. Exact. For kernels whose estimate does not
+ * decide. Requires what fxl_front_faces requires. */
+bool fxl_bounded_face_is_front(const fxl_face *face, const fxl_face_bounds *bounds,
+                               const fxl_point *eye);
+
+/* Whether direction . (x, y, z) is negative, from all bits, for an inline kernel: a call keeps its
+ * caller's frame on the stack small. Requires what fxl_dot requires. */
+bool fxl_exact_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y, int32_t z);
+
 /* Appends an entry, with squared distance and number, for each of count faces that faces the eye.
  * Their numbers are end - count to end - 1. A face does if normal . eye > height. Both sides are
  * below 2^61; fxl_face_is_front tests the sign of their difference. Returns the address behind the

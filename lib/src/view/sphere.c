@@ -24,6 +24,7 @@
 #include "fixel/stage/sphere.h"
 
 #include "rotate.h"
+#include "../../kernels/estimate.h"
 
 #define SLACK 9 /* bug: sphere-slack */
 
@@ -64,6 +65,10 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
     fxl_point from_eye;
     fxl_view_point at = {0, 0, 0};
     fxl_subtract(centre, &camera->position, &from_eye);
+    uint32_t estimate = fxl_estimated_sphere(&camera->axes, frustum, &from_eye, reach);
+    if (estimate != FXL_SPHERE_UNDECIDED) {
+        return estimate;
+    }
     fxl_rotate(&camera->axes, &from_eye, &at, &at);
 
     int32_t z = upper(at.z);
