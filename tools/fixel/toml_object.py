@@ -253,7 +253,7 @@ class Objects:
         key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0, clusters
         if key in self.coloured:
             return self.coloured[key]
-        faces = len(made.faces) * 3 // 2 if clusters else len(made.faces)
+        faces = 2 * len(made.faces) if clusters else len(made.faces)
         self._check_made(faces, where)
         self.made += faces
         if wish[0] == "index":
@@ -273,7 +273,7 @@ class Objects:
         if self.made + faces > most:
             raise ToolError(f"{where}: the scene's models have more than the limit of {most:,} faces together ("
                             f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts, and with "
-                            "clusters half as much again")
+                            "clusters twice")
 
     def _count_placed(self, vertices, where):
         self.placed += vertices

@@ -21,10 +21,11 @@
 
 /* Offsets on the stack; above these are r8 to r11, r4 to r7 and lr. */
 #define EYE         0
-#define FIRST       4       /* the first face's end of the normal */
+#define FIRST       4       /* where the normal of face 0 would end */
 #define TWICE       8       /* 2 eye */
 #define SMALL       20      /* e' */
 #define COUNT       68
+#define END_NUMBER  72
 
 shift   .req r8             /* 17 - s */
 margin  .req r9             /* 2^(s + 1) + 1 */
@@ -56,7 +57,7 @@ entry   .req r11
     .type fxl_front_faces, %function
     .thumb_func
 
-/* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count */
+/* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count, end */
 fxl_front_faces:
     push    {r4-r7, lr}
     mov     r4, r8
@@ -67,14 +68,18 @@ fxl_front_faces:
     sub     sp, sp, #32
     mov     entry, r3
     str     r2, [sp, #EYE]
-    movs    r3, r0
-    adds    r3, r3, #FACE_FIRST_INDEX
-    str     r3, [sp, #FIRST]
     ldr     r4, [sp, #COUNT]
+    ldr     r6, [sp, #END_NUMBER]
+    subs    r6, r6, r4              /* the first face's number */
     movs    r5, #FACE_SIZE
     muls    r4, r5
     adds    r4, r4, r0
     mov     end, r4
+    muls    r6, r5
+    movs    r3, r0
+    adds    r3, r3, #FACE_FIRST_INDEX
+    subs    r3, r3, r6 /* bug: m0-face-number */
+    str     r3, [sp, #FIRST]
     ldm     r2!, {r5-r7}
     add     r4, sp, #TWICE
     lsls    r2, r5, #1
