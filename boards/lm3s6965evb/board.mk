@@ -15,7 +15,7 @@ BOARD_LIST_BYTES := 16384
 BOARD_CACHE_ENTRIES := 64
 
 # Its table of the most objects there may be takes a megabyte.
-BOARD_UNIT_OMIT := test_scene_placed
+BOARD_UNIT_OMIT := test_scene_placed test_reach
 
 # After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
 # is number 18.
