@@ -60,8 +60,7 @@ static void make_prism(void)
         *index++ = (uint16_t)(SIDES + next);
         *index++ = (uint16_t)(SIDES + i);
     }
-    models[2] =
-        (fxl_model){16, 2 * SIDES, 12, 2 + SIDES, FXL_MODEL_CONVEX, 0, 0, TINY_RADIUS, 0};
+    models[2] = (fxl_model){16, 2 * SIDES, 12, 2 + SIDES, FXL_MODEL_CONVEX, 0, 0, TINY_RADIUS, 0};
 }
 
 static void make_scene(void)
@@ -304,5 +303,22 @@ void test_a_cache_behind_the_order_is_kept(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL_PTR(block.cache, renderer.workspace.cache.entries);
+    }
+}
+
+/* fxl_render draws one band, so it measures nothing: the clipper is asked once for each face, and
+ * once more for the one that the list had no room for. */
+void test_a_whole_frame_is_not_measured(void)
+{
+    height = 96;
+    for (uint32_t round = 0; round < 40; round++) {
+        const fxl_pose pose = random_pose();
+        const setting with = {&counted, &fxl_visibility_sorted, 60, 1 + round};
+        make_scene();
+        start(&with);
+        asked = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, other, WIDTH));
+        const fxl_counters *counters = &renderer.workspace.counters;
+        TEST_ASSERT_TRUE(asked <= counters->in - counters->backfacing + 1);
     }
 }

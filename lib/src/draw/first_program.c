@@ -90,7 +90,7 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
     if (stride < lens->width) {
         return fxl_refuse(&renderer->workspace, FXL_E_RANGE);
     }
-    fxl_status status = fxl_frame_begin(renderer, eye);
+    fxl_status status = fxl_begin(renderer, eye, false);
     if (status != FXL_OK) {
         return status;
     }

@@ -56,7 +56,7 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->visibility->submit == fxl_submit_by_distance;
 }
 
-fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
+fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands)
 {
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
@@ -99,11 +99,16 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                               .counters = &workspace->counters,
                               .way = way_of(renderer, true)};
     frame->state = FXL_FRAME_BEGUN;
-    if (!renderer->visibility->submit(&on) && measures_rows(renderer)) {
+    if (!renderer->visibility->submit(&on) && in_bands && measures_rows(renderer)) {
         fxl_reach_measure(&on, frame);
         workspace->rest_counted = true;
     }
     return FXL_OK;
+}
+
+fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
+{
+    return fxl_begin(renderer, pose, true);
 }
 
 /* --- a face ----------------------------------------------------------------------------- */
