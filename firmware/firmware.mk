@@ -20,6 +20,7 @@
 #
 # Makes, for each board:
 #   $(BOARD_WALK.<board>)    the walk
+#   $(call WALK_OF,<board>)  the walk with the methods of CLIPPER= and VISIBILITY=
 #   $(BOARD_FAULTS.<board>)  a program that fails in a way that it is told (not on the host)
 #   $(BOARD_UNITS.<board>)   its unit tests: firmware/unittest/unittest.mk
 #
@@ -110,6 +111,20 @@ BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
 BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
 
+# What the walk draws with, where CLIPPER= or VISIBILITY= is given: then it is a program of its own,
+# walk-<visibility>-<clipper>, that differs in one object.
+CLIPPERS := view world normalised once half-spaces triangles near left
+VISIBILITIES := sorted box spans spans-box tree tree-spans
+ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
+$(error there is no CLIPPER "$(CLIPPER)"; the clippers are: $(CLIPPERS))
+endif
+ifneq ($(filter-out $(VISIBILITIES),$(VISIBILITY)),)
+$(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VISIBILITIES))
+endif
+WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
+WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$(CLIPPER))) \
+    $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%)))
+
 # How a board's programs are linked, and what it takes beside the objects.
 BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map)
@@ -129,10 +144,18 @@ $(FIRMWARE_OUT)/$(1)/%.o: %.c firmware/firmware.mk boards/$(1)/board.mk
 $(FIRMWARE_OUT)/$(1)/boards/parts/memory_functions.o: FLAGS_OF_FILE := -fno-tree-loop-distribute-patterns
 endef
 
+define METHODS_RULES
+$(call WALK_OF,$(1)): $(filter-out %/methods.o,$(BOARD_WALK_OBJECTS_OF)) $(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o
+
+$(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o: firmware/walk/methods.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include)
+endef
+
 define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
-$$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
+$(FIRMWARE_OUT)/$(1)/walk: $(BOARD_WALK_OBJECTS_OF)
+$(FIRMWARE_OUT)/$(1)/walk $(WALK_METHODS:%=$(FIRMWARE_OUT)/$(1)/walk%): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
 	$$(call FIRMWARE_LINK,$(HOSTCC) $$(filter %.o,$$^))
 endef
 
@@ -140,7 +163,8 @@ define TARGET_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
-$$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
+$(FIRMWARE_OUT)/$(1)/walk.elf: $(BOARD_WALK_OBJECTS_OF)
+$(FIRMWARE_OUT)/$(1)/walk.elf $(WALK_METHODS:%=$(FIRMWARE_OUT)/$(1)/walk%.elf): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
@@ -150,6 +174,10 @@ endef
 TARGET_BOARDS := $(foreach board,$(BOARDS),$(if $(BOARD_HOSTED.$(board)),,$(board)))
 $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
+
+# The walk of a board with what was chosen.
+WALK_OF = $(FIRMWARE_OUT)/$(1)/walk$(WALK_METHODS)$(if $(BOARD_HOSTED.$(1)),,.elf)
+$(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 

@@ -20,7 +20,7 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, flash, output, picture, scratch
+from fixel import dump, emulator, firmware, flash, methods, output, picture, scratch
 from fixel import image as scene_image
 from fixel.errors import ToolError, run_main
 from fixel.programs import HostPrograms
@@ -31,11 +31,11 @@ from fixel.table import coloured, table
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
 BOARD_TIMEOUT = 60.0    # seconds of CPU time without a new frame
-
-
-def elf_of(board, build):
-    """The walk built for a board."""
-    return pathlib.Path(build) / "boards" / board / ("walk" if board == firmware.HOST else "walk.elf")
+RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer path every second, third ...
+ORDER_ADVICE = """\
+Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
+and the picture is not what one would see. Split large models into convex objects, set "layer", or give the scene
+a tree:  tools/scene.py build SCENE -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
 
 
 def check_frames(scene, wanted, there):
@@ -59,9 +59,9 @@ def make_scene_image(scene, folder, frames, screen=None):
     return image
 
 
-def walk(board, build, scene_image, folder, frames):
-    """The dump that a board leaves after a walk, and the board's core."""
-    elf = elf_of(board, build)
+def walk(board, build, scene_image, folder, frames, more=""):
+    """The dump that a board leaves after a walk, and the board's core. more: the suffix of the program."""
+    elf = methods.elf_of(board, build, more)
     program = firmware.load(elf, board)
     # The host has no flash: the scene image itself is what it boots from.
     image = folder / f"{board}.bin"
@@ -108,9 +108,22 @@ def check_verdict(verdict, drawn, twin):
                         f"{verdict['pixels_differing']} and {sum(ours)}; one of them has a bug", 1)
 
 
+def count_wrong_order(programs, image, folder, frames):
+    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows.
+
+    None where the scene has light beams, whose faces no ray knows.
+    """
+    if scene_image.load(image).beams:
+        return {"order_wrong_pixels": None, "order_judged_pixels": 0}
+    every = -(-frames // RAYS_FRAMES_MAX)
+    verdict = programs.raycast(image, folder / "double.fxld", folder / "rays.json", every)
+    return {"order_wrong_pixels": verdict["pixels_unexplained"], "order_judged_pixels": verdict["pixels"]}
+
+
 def summarise(options, cpu, drawn, verdict, equal):
     """summary.json."""
     return {"board": options.board, "cpu": cpu, "scene": options.scene,
+            "visibility": options.visibility, "clipper": options.clipper,
             "width": drawn.width, "height": drawn.height, "frames": len(drawn.frames),
             "pixels": len(drawn.frames) * drawn.width * drawn.height,
             "pixels_differing": verdict["pixels_differing"],
@@ -144,6 +157,7 @@ def print_summary(summary, out):
     polygons, counts = summary["polygons"], summary["instructions_per_frame"]
     pixels, differing = summary["pixels"], summary["pixels_differing"]
     distance = summary["max_edge_distance_px"]
+    wrong, judged = summary["order_wrong_pixels"], summary["order_judged_pixels"]
     rows = [["board", f"{summary['board']} ({summary['cpu']})"],
             ["scene", f"{summary['scene']}, {summary['width']}x{summary['height']}, "
                       f"{summary['frames']} frames"],
@@ -152,6 +166,8 @@ def print_summary(summary, out):
                                    f"{summary['worst_frame_differing']:,}"],
             ["unexplained", f"{summary['pixels_unexplained']:,}"],
             ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
+            ["wrong by the order", "not counted: the scene has light beams" if wrong is None else
+             f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"],
             ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
             ["instructions a frame", "not counted on this board" if counts["min"] is None else
              f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
@@ -160,6 +176,8 @@ def print_summary(summary, out):
     good = passes(summary)
     empty = summary["frames_empty"]
     said = f" ({empty} of {summary['frames']} frames are empty: nothing was drawn in them)" if empty else ""
+    if wrong:
+        print(ORDER_ADVICE)
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {out}")
 
 
@@ -176,22 +194,24 @@ def run(options, folder):
         if options.board != firmware.HOST:
             emulator.find_qemu()
         image = make_scene_image(options.scene, work, options.frames, options.screen)
-        file, cpu = walk(options.board, options.build, image, work, options.frames)
-        drawn = dump.read_dump(file)
+        more = methods.suffix(options)
+        file, cpu = walk(options.board, options.build, image, work, options.frames, more)
+        drawn, programs = dump.read_dump(file), HostPrograms(options.build)
         if not drawn.frames:
             raise ToolError(f"{options.scene}: the path has no frames")
-        hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames) \
+        hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames, more) \
             if options.board != firmware.HOST else (file, cpu)
         equal = frames_equal(drawn, dump.read_dump(hosted))
         with Progress("judging against double"):
-            verdict = HostPrograms(options.build).judge(image, file, work / "judge.json",
-                                                        work / "double.fxld")
+            verdict = programs.judge(image, file, work / "judge.json", work / "double.fxld",
+                                     methods.judge_options(options))
         twin = dump.read_dump(work / "double.fxld")
         check_verdict(verdict, drawn, twin)
+        order = count_wrong_order(programs, image, work, len(drawn.frames))
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
         shutil.move(work / "double.fxld", folder / "double.fxld")
-    return summarise(options, cpu, drawn, verdict, equal)
+    return summarise(options, cpu, drawn, verdict, equal) | order
 
 
 def frame_count(text):
@@ -207,6 +227,7 @@ def main(argv):
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    methods.add_options(parser)
     parser.add_argument("--out", default="build/run", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
