@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "walk.h"
 
+#include "act.h"
 #include "contract/clock.h"
 #include "contract/display.h"
 #include "contract/input.h"
@@ -155,13 +156,16 @@ static uint32_t list_bytes(uint32_t taken)
 
 static int open_renderer(const fxl_scene_image *image)
 {
-    const fxl_scene *scene = &image->scene;
+    const fxl_scene *scene;
     uint32_t beams, taken;
-    fxl_status status;
+    fxl_status status = act_open(image, &scene);
     int code = share_list(image, &beams);
 
     if (code != SYSTEM_EXIT_DONE) {
         return code;
+    }
+    if (status != FXL_OK) {
+        return fail_status("scene", status, SYSTEM_EXIT_RENDER);
     }
     taken = beams + walk_methods_bytes(&methods);
     const fxl_memory memory = {.order = order,
@@ -172,7 +176,7 @@ static int open_renderer(const fxl_scene_image *image)
                                .cache_capacity = WALK_CACHE_ENTRIES};
     status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
     if (status == FXL_E_CAPACITY) {
-        print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
+        print_with_number("walk: the scene needs ", scene->order_needed, " order entries");
         print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
@@ -182,6 +186,9 @@ static int open_renderer(const fxl_scene_image *image)
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
                                         list, beams);
+    }
+    if (status == FXL_OK) {
+        status = act_attach(&renderer);
     }
     if (status != FXL_OK) {
         return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
@@ -210,6 +217,9 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
         stopwatch_start(watch);
         fxl_fill_band(&band, image->background);
         status = fxl_frame_draw(&renderer, &band);
+        if (status == FXL_OK) {
+            status = act_draw_over(&band, &image->lens);
+        }
         stopwatch_stop(watch);
         if (status != FXL_OK) {
             return fail_status("draw", status, SYSTEM_EXIT_RENDER);
@@ -224,7 +234,7 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
 static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
-    fxl_status status = walk_path_next(path, held);
+    fxl_status status = act_step(path, held);
     stopwatch watch = {0, 0, false};
     int code;
 
