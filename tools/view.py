@@ -67,7 +67,7 @@ async def serve(board, reference_program, scene_image, options):
 
 
 def view(options):
-    elf = methods.elf_of(options.board, options.build, methods.suffix(options))
+    elf = methods.elf_of(options.board, options.build, methods.program(options))
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")

@@ -37,7 +37,7 @@ def chosen(out, scene, *words, board="host"):
     """A walk with a choice, built before: its summary."""
     options = methods_of(words)
     built = run_make(f"BOARD={board}", *(f"{word.strip('-').upper()}={name}" for word, name in zip(words[::2], words[1::2])),
-                     *(f"build/boards/{name}/walk{methods.suffix(options)}{'' if name == 'host' else '.elf'}"
+                     *(f"build/boards/{name}/{methods.program(options)}{'' if name == 'host' else '.elf'}"
                        for name in {board, "host"}))
     assert built.returncode == 0, built.stdout + built.stderr
     done = run_cli("run", "--board", board, "--scene", scene, "--out", out, *words)

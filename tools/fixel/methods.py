@@ -1,23 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""The clipper and the visibility method that a board's walk draws with: options, and the program that has them."""
+"""The program that a board runs, and the clipper and the visibility method that it draws with."""
 
 import pathlib
 
 from fixel import firmware
 
 
+WALK = "walk"   # the program whose frames the judge can draw too: only the eye moves
+
+
 def add_options(parser):
-    """--visibility and --clipper. make knows the names, and refuses others."""
+    """--program, --visibility and --clipper. make knows the names, and refuses others."""
+    parser.add_argument("--program", default=WALK, help="the program (default: walk)")
     parser.add_argument("--visibility", help="the visibility method (default: the scene's BSP tree if it has one, "
                                              "else sorted)")
     parser.add_argument("--clipper", help="the clipper (default: view)")
 
 
-def suffix(options):
-    """What the program of a choice has behind its name; firmware/firmware.mk says the same."""
+def program(options):
+    """The name of the program of a choice; firmware/firmware.mk says the same."""
     if not options.visibility and not options.clipper:
-        return ""
-    return f"-{options.visibility or 'unasked'}-{options.clipper or 'view'}"
+        return options.program
+    return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}"
 
 
 def judge_options(options):
@@ -26,6 +30,6 @@ def judge_options(options):
             *(["--clipper", options.clipper] if options.clipper else [])]
 
 
-def elf_of(board, build, more=""):
-    """The walk built for a board; more: the suffix of a choice."""
-    return pathlib.Path(build) / "boards" / board / f"walk{more}{'' if board == firmware.HOST else '.elf'}"
+def elf_of(board, build, name=WALK):
+    """A program built for a board."""
+    return pathlib.Path(build) / "boards" / board / f"{name}{'' if board == firmware.HOST else '.elf'}"
