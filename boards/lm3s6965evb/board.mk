@@ -25,4 +25,4 @@ BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMS
 BOARD_SOURCES := boards/lm3s6965evb/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
         systick.c systick_clock.c cmsdk_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        display.c dump.c ssd0323.c grey.c pl022.c keys.c partition_store.c memory_functions.c board_note.c)
+        display.c dump.c ssd0323.c pl022.c keys.c partition_store.c memory_functions.c board_note.c)

@@ -18,5 +18,5 @@ BOARD_SETTINGS := BOARD_SYSTICK_HZ=25000000u CMSDK_WATCHDOG_BASE=0x40008000u CMS
 BOARD_SOURCES := boards/mps2-an385/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
         systick.c systick_clock.c cmsdk_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        display.c dump.c window.c window_input.c ssd0303.c grey.c sbcon.c partition_store.c memory_functions.c \
+        display.c dump.c window.c window_input.c ssd0303.c sbcon.c partition_store.c memory_functions.c \
         board_note.c)

@@ -3,7 +3,7 @@
  * window of a frame is collected here, in two pages, and sent when the frame ends. */
 #include "parts/ssd0303.h"
 
-#include "parts/grey.h"
+#include "fixel/extra/pixels.h"
 
 #define PAGES        (SSD0303_HEIGHT / 8u)
 #define FIRST_COLUMN 36u /* of the controller's 132 columns: the first one of the module */
@@ -12,7 +12,7 @@
 #define CONTROL_COMMAND 0x80u
 #define CONTROL_DATA    0x40u
 
-static uint16_t greys[256]; /* of the palette's entries: grey_table */
+static uint16_t greys[256]; /* of the palette's entries: fxl_grey_table */
 static uint32_t left, top;  /* the window's first column and row in the frame */
 static uint8_t message[PAGES][1u + SSD0303_WIDTH];
 
@@ -87,7 +87,7 @@ static panel_answer open(const panel_format *format)
     }
     left = (format->width - SSD0303_WIDTH) / 2u;
     top = (format->height - SSD0303_HEIGHT) / 2u;
-    grey_table(greys, format->palette, 1);
+    fxl_grey_table(greys, format->palette, 1);
     if (!configure() || !send_pages() || !send_commands(on, sizeof on)) {
         return PANEL_FAILED;
     }
@@ -103,7 +103,7 @@ static void gather(uint32_t y, const uint8_t *pixels)
     uint32_t i;
 
     for (i = 0; i < SSD0303_WIDTH; i++) {
-        if (grey_level(greys[pixels[left + i]], left + i, y) != 0) {
+        if (fxl_grey_level(greys[pixels[left + i]], left + i, y) != 0) {
             bytes[i] |= bit;
         } else {
             bytes[i] &= (uint8_t)~bit;

@@ -3,17 +3,16 @@
  * set for each rectangle, and the controller advances through it. */
 #include "parts/ssd0323.h"
 
-#include "parts/grey.h"
+#include "fixel/extra/pixels.h"
 
 #define ROW_BYTES (SSD0323_WIDTH / 2u)
-#define HIGHEST   (SSD0323_LEVELS - 1u)
 
 enum {
     SET_COLUMNS = 0x15, /* first, last, in bytes */
     SET_ROWS = 0x75     /* first, last */
 };
 
-static uint16_t greys[256]; /* of the palette's entries: grey_table */
+static fxl_pixels greys; /* of the palette's entries */
 
 /* For the OSRAM Pictiva module of 128 x 64: its connections (remap, offset, rows) and its
  * maker's values for currents and voltages. The emulator uses only the windows and bit 2 of the
@@ -73,7 +72,7 @@ static panel_answer open(const panel_format *format)
     if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT) {
         return PANEL_UNSUITABLE;
     }
-    grey_table(greys, format->palette, HIGHEST);
+    (void)fxl_pixels_init(&greys, &fxl_grey4, format->palette);
     if (!ssd0323_wires_open() || !configure() || !clear() ||
         !ssd0323_send(SSD0323_COMMAND, on, sizeof on)) {
         return PANEL_FAILED;
@@ -81,30 +80,22 @@ static panel_answer open(const panel_format *format)
     return PANEL_READY;
 }
 
-static void pack_row(uint8_t *packed, const uint8_t *pixels, uint32_t y)
-{
-    uint32_t i;
-
-    for (i = 0; i < ROW_BYTES; i++) {
-        const uint32_t left = grey_level(greys[pixels[2u * i]], 2u * i, y);
-        const uint32_t right = grey_level(greys[pixels[2u * i + 1u]], 2u * i + 1u, y);
-
-        packed[i] = (uint8_t)(left << 4 | right);
-    }
-}
-
 /* Sends row by row, each through a buffer of its own. When it returns, no transfer is in
  * progress: the pixels are the caller's again. */
 static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
 {
-    uint8_t packed[ROW_BYTES];
+    uint32_t packed[ROW_BYTES / 4u];
     uint32_t row;
     bool good = set_rows(y, y + height - 1u);
 
     (void)x; /* whole rows come */
     for (row = 0; row < height && good; row++) {
-        pack_row(packed, pixels + row * width, y + row);
-        good = ssd0323_send(SSD0323_DATA, packed, sizeof packed);
+        /* It only reads the pixels. */
+        const fxl_band one = {(uint8_t *)(uintptr_t)(pixels + row * width), width, width,
+                              (uint16_t)(y + row), 1};
+
+        good = fxl_pixels_convert(&greys, &one, packed, sizeof packed) == FXL_OK &&
+               ssd0323_send(SSD0323_DATA, (const uint8_t *)packed, sizeof packed);
     }
     return good;
 }

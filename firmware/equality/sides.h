@@ -44,6 +44,8 @@ fxl_clip_result portable_clip_by_view(const fxl_model_view *placed, const fxl_fa
 fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
                                       const fxl_point *from, fxl_order_entry *entry, uint32_t count,
                                       uint32_t end);
+void portable_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table,
+                        uint16_t *out);
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                                    fxl_screen_point *screen);
 

@@ -9,6 +9,7 @@
 #include "divisions.h"
 #include "products.h"
 #include "project.h"
+#include "rows.h"
 
 #include <stddef.h>
 
@@ -31,5 +32,6 @@ const equality_test equality_tests[] = {
     {"chains", test_chains},
     {"fill", test_fill},
     {"draw-outline", test_draw_outline},
+    {"row-to-16", test_row_to_16},
     {NULL, NULL},
 };

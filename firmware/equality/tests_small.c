@@ -5,6 +5,7 @@
 #include "transform_vertex.h"
 #include "products.h"
 #include "project.h"
+#include "rows.h"
 #include "small_stages.h"
 
 #include <stddef.h>
@@ -19,5 +20,6 @@ const equality_test equality_tests[] = {
     {"outlines", test_outlines},
     {"fill", test_fill},
     {"draw-outline", test_draw_outline},
+    {"row-to-16", test_row_to_16},
     {NULL, NULL},
 };

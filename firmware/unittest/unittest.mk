@@ -11,7 +11,7 @@ CMOCK_DIR ?= /usr/share/cmock
 UNITY_DIR ?= $(CMOCK_DIR)/vendor/unity
 
 # Parts of boards that need no board: tested on all of them, and on the host.
-UNIT_PARTS := boards/parts/grey.c boards/parts/keys.c
+UNIT_PARTS := boards/parts/keys.c
 
 BOARD_TESTS := $(patsubst host_tests/unit/%.c,%,$(wildcard host_tests/unit/test_*.c))
 # A name that is none, misspelt or of a test long gone, would pass for a test left out.

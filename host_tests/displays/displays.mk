@@ -35,8 +35,8 @@ $(DISPLAY_TEST)/unity.o: $(DISPLAY_TEST_UNITY)/src/unity.c
 	$(HOST_SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -w -c $< -o $@
 
-$(DISPLAY_TEST)/test_ssd0323: $(addprefix $(DISPLAY_TEST)/,ssd0323.o grey.o)
-$(DISPLAY_TEST)/test_ssd0303: $(addprefix $(DISPLAY_TEST)/,ssd0303.o grey.o)
+$(DISPLAY_TEST)/test_ssd0323: $(addprefix $(DISPLAY_TEST)/,ssd0323.o) $(BUILD)/host/unit/libfixel.a
+$(DISPLAY_TEST)/test_ssd0303: $(addprefix $(DISPLAY_TEST)/,ssd0303.o) $(BUILD)/host/unit/libfixel.a
 $(DISPLAY_TEST)/test_ports: $(addprefix $(DISPLAY_TEST)/,pl022.o sbcon.o)
 $(DISPLAY_TEST)/test_%: $(DISPLAY_TEST)/test_%.o $(DISPLAY_TEST)/test_%_runner.o $(DISPLAY_TEST)/unity.o
 	$(HOST_SAY)

@@ -2,7 +2,7 @@
 /* The panel of dark and light against a controller that the test plays. */
 #include <string.h>
 
-#include "parts/grey.h"
+#include "fixel/extra/pixels.h"
 #include "parts/ssd0303.h"
 #include "unity.h"
 
@@ -115,13 +115,13 @@ static void assert_middle_shown(uint32_t width, uint32_t height)
     uint16_t table[256];
     uint32_t x, y;
 
-    grey_table(table, palette, 1);
+    fxl_grey_table(table, palette, 1);
     for (y = 0; y < HEIGHT; y++) {
         for (x = 0; x < WIDTH; x++) {
             const uint8_t colour = frame[(top + y) * width + left + x];
             const uint32_t bit = (uint32_t)oled.memory[y / 8u][LEFT + x] >> (y % 8u) & 1u;
 
-            TEST_ASSERT_EQUAL(grey_level(table[colour], left + x, top + y), bit);
+            TEST_ASSERT_EQUAL(fxl_grey_level(table[colour], left + x, top + y), bit);
         }
     }
 }

@@ -3,7 +3,7 @@
  * in its memory, and what becomes of wires that fail. */
 #include <string.h>
 
-#include "parts/grey.h"
+#include "fixel/extra/pixels.h"
 #include "parts/ssd0323.h"
 #include "unity.h"
 
@@ -153,12 +153,12 @@ static void assert_shown(void)
     uint16_t table[256];
     uint32_t x, y;
 
-    grey_table(table, palette, 15);
+    fxl_grey_table(table, palette, 15);
     for (y = 0; y < HEIGHT; y++) {
         for (x = 0; x < WIDTH; x++) {
             const uint32_t byte = oled.memory[y][x / 2u];
 
-            TEST_ASSERT_EQUAL(grey_level(table[frame[y][x]], x, y),
+            TEST_ASSERT_EQUAL(fxl_grey_level(table[frame[y][x]], x, y),
                               x % 2u == 0 ? byte >> 4 : byte & 15u);
         }
     }

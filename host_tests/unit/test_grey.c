@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The greys that displays show, against docs/formats.md, section 4. */
-#include "parts/grey.h"
 #include "unit.h"
 #include "unity.h"
 
@@ -25,14 +24,14 @@ static void even_greys(uint32_t highest)
     for (i = 0; i < sizeof palette; i++) {
         palette[i] = (uint8_t)(i / 3u);
     }
-    grey_table(table, palette, highest);
+    fxl_grey_table(table, palette, highest);
 }
 
 static uint8_t luma(uint8_t red, uint8_t green, uint8_t blue)
 {
     const uint8_t colour[3] = {red, green, blue};
 
-    return grey_luma(colour);
+    return fxl_luma(colour);
 }
 
 /* B(x, y), bit by bit. */
@@ -75,7 +74,7 @@ static void assert_levels(uint32_t highest)
             for (x = 0; x < SIZE; x++) {
                 const uint32_t up = 128u * rest > 255u * (2u * dither(x, y) + 1u);
 
-                TEST_ASSERT_EQUAL(whole + up, grey_level(table[colour], x, y));
+                TEST_ASSERT_EQUAL(whole + up, fxl_grey_level(table[colour], x, y));
             }
         }
     }
@@ -102,7 +101,7 @@ void test_256_greys_are_not_dithered(void)
 
     even_greys(255);
     for (colour = 0; colour < 256; colour++) {
-        TEST_ASSERT_EQUAL(colour, grey_level(table[colour], colour, colour / SIZE));
+        TEST_ASSERT_EQUAL(colour, fxl_grey_level(table[colour], colour, colour / SIZE));
     }
 }
 
@@ -122,7 +121,7 @@ void test_the_pattern_of_half_and_of_a_quarter(void)
 
         for (y = 0; y < SIZE; y++) {
             for (x = 0; x < SIZE; x++) {
-                *to++ = grey_level(table[i == 0 ? 64 : 128], x, y) != 0 ? '#' : '.';
+                *to++ = fxl_grey_level(table[i == 0 ? 64 : 128], x, y) != 0 ? '#' : '.';
             }
             *to++ = '\n';
         }
@@ -139,9 +138,9 @@ void test_the_pattern_repeats_every_8_pixels(void)
     for (colour = 0; colour < 256; colour++) {
         const uint32_t x = colour * 5u, y = colour * 3u;
 
-        TEST_ASSERT_EQUAL(grey_level(table[colour], x % SIZE, y % SIZE),
-                          grey_level(table[colour], x, y));
-        TEST_ASSERT_EQUAL(grey_level(table[colour], x % SIZE, y % SIZE),
-                          grey_level(table[colour], x + 1016u, y + 1016u));
+        TEST_ASSERT_EQUAL(fxl_grey_level(table[colour], x % SIZE, y % SIZE),
+                          fxl_grey_level(table[colour], x, y));
+        TEST_ASSERT_EQUAL(fxl_grey_level(table[colour], x % SIZE, y % SIZE),
+                          fxl_grey_level(table[colour], x + 1016u, y + 1016u));
     }
 }

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-#include "parts/grey.h"
+#include "dither.h"
+#include "fixel/extra/pixels.h"
 
-#define COLOURS 256u
-#define STEPS   128u /* parts of a level; the thresholds are the odd ones */
+#define STEPS 128u /* parts of a level; the thresholds are the odd ones */
 
 /* Rec. 709 in 256ths; they add up to 256, so white is 255. */
 #define WEIGHT_RED   54u
 #define WEIGHT_GREEN 183u
 #define WEIGHT_BLUE  19u
 
-/* How far a pixel is from the next level, at most 127: 127 - 2 B of docs/formats.md. So a level
- * is reached from its threshold 2 B + 1 on. */
+/* 127 - 2 B of docs/formats.md. So a level is reached from its threshold 2 B + 1 on. */
 #define T(b) (127u - 2u * (b))
 
 static const uint8_t offsets[8][8] = {
@@ -24,26 +23,29 @@ static const uint8_t offsets[8][8] = {
     {T(63), T(31), T(55), T(23), T(61), T(29), T(53), T(21)},
 };
 
-uint8_t grey_luma(const uint8_t *colour)
+const uint8_t *fxl_dither_row(uint32_t y)
 {
-    return (uint8_t)((WEIGHT_RED * colour[0] + WEIGHT_GREEN * colour[1] + WEIGHT_BLUE * colour[2] +
-                      128u) >>
-                     8); /* <= 256 * 255 + 128 */
+    return offsets[y & 7u];
 }
 
-void grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
+uint8_t fxl_luma(const uint8_t *colour)
 {
-    uint32_t i;
+    const uint32_t sum =
+        WEIGHT_RED * colour[0] + WEIGHT_GREEN * colour[1] + WEIGHT_BLUE * colour[2];
+    return (uint8_t)((sum + 128u) >> 8); /* <= 256 * 255 + 128 */
+}
 
-    for (i = 0; i < COLOURS; i++) {
+void fxl_grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
+{
+    for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
         /* <= 255^2 * 128 before the division; at most 128 highest after it. Rounding down
          * changes no level: a threshold is an integer number of 128ths, and luma * highest * 128
          * / 255 is never an odd integer. */
-        table[i] = (uint16_t)(grey_luma(&palette[3u * i]) * highest * STEPS / 255u);
+        table[i] = (uint16_t)(fxl_luma(&palette[3u * i]) * highest * STEPS / 255u);
     }
 }
 
-uint8_t grey_level(uint16_t entry, uint32_t x, uint32_t y)
+uint8_t fxl_grey_level(uint16_t entry, uint32_t x, uint32_t y)
 {
-    return (uint8_t)((entry + (uint32_t)offsets[y & 7u][x & 7u]) / STEPS);
+    return (uint8_t)fxl_dithered(entry, fxl_dither_row(y), x);
 }

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* The formats of displays, pixel by pixel, against docs/extras/pixels.md. */
+#include "unit.h"
+
+#define WIDEST 70u
+#define ROWS   11u
+#define GUARD  0xA5u
+
+static uint8_t palette[768];
+static uint8_t frame[ROWS * (WIDEST + 3u) + 4u];
+static uint32_t out_words[(2u * WIDEST * ROWS + 8u) / 4u];
+static uint8_t *const out = (uint8_t *)out_words;
+static fxl_pixels pixels;
+
+static const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb565_low, &fxl_rgb332,
+                                                  &fxl_grey4,  &fxl_mono_rows,  &fxl_mono_pages};
+
+void setUp(void)
+{
+    for (uint32_t i = 0; i < sizeof palette; i++) {
+        palette[i] = (uint8_t)(unit_random() >> 9);
+    }
+    memset(out, GUARD, sizeof out_words);
+}
+
+void tearDown(void)
+{
+}
+
+/* Runs of any length, and noise. */
+static void any_frame(void)
+{
+    for (uint32_t i = 0; i < sizeof frame;) {
+        const uint8_t colour = (uint8_t)(unit_random() >> 11);
+        const int32_t longest = (unit_random() & 0x100u) != 0 ? 1 : 60;
+        for (int32_t left = unit_between(1, longest); left > 0 && i < sizeof frame; left--) {
+            frame[i++] = colour;
+        }
+    }
+}
+
+/* The level of a pixel, by the formula of docs/formats.md, section 4. */
+static uint32_t level_of(const uint8_t *colour, uint32_t highest, uint32_t x, uint32_t y)
+{
+    uint32_t sum = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        sum = 4u * sum + 2u * (((x ^ y) >> k) & 1u) + ((y >> k) & 1u);
+    }
+    const uint32_t luma = (54u * colour[0] + 183u * colour[1] + 19u * colour[2] + 128u) / 256u;
+    const uint32_t rest = luma * highest % 255u;
+    return luma * highest / 255u + (128u * rest > 255u * (2u * sum + 1u));
+}
+
+/* What stands for a pixel in the converted band. */
+static uint32_t got(const fxl_band *band, uint32_t x, uint32_t row)
+{
+    const uint32_t width = band->width;
+    if (pixels.format == &fxl_rgb565) {
+        const uint8_t *at = out + 2u * (row * width + x);
+        return (uint32_t)at[0] << 8 | at[1];
+    }
+    if (pixels.format == &fxl_rgb565_low) {
+        const uint8_t *at = out + 2u * (row * width + x);
+        return (uint32_t)at[1] << 8 | at[0];
+    }
+    if (pixels.format == &fxl_rgb332) {
+        return out[row * width + x];
+    }
+    if (pixels.format == &fxl_grey4) {
+        const uint8_t byte = out[row * ((width + 1u) / 2u) + x / 2u];
+        return x % 2u == 0 ? byte >> 4 : byte & 15u;
+    }
+    if (pixels.format == &fxl_mono_rows) {
+        return (uint32_t)out[row * ((width + 7u) / 8u) + x / 8u] >> (7u - x % 8u) & 1u;
+    }
+    return (uint32_t)out[row / 8u * width + x] >> (row % 8u) & 1u;
+}
+
+static uint32_t expected(const uint8_t *colour, uint32_t x, uint32_t y)
+{
+    if (pixels.format == &fxl_rgb565 || pixels.format == &fxl_rgb565_low) {
+        return (uint32_t)(colour[0] / 8u * 2048u + colour[1] / 4u * 32u + colour[2] / 8u);
+    }
+    if (pixels.format == &fxl_rgb332) {
+        return (uint32_t)(colour[0] / 32u * 32u + colour[1] / 32u * 4u + colour[2] / 64u);
+    }
+    return level_of(colour, pixels.format == &fxl_grey4 ? 15 : 1, x, y);
+}
+
+static void assert_converted(const fxl_band *band)
+{
+    const size_t size = fxl_pixels_size(pixels.format, band->width, band->rows);
+    TEST_ASSERT_LESS_OR_EQUAL(sizeof out_words, size);
+    memset(out, GUARD, sizeof out_words);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, band, out, size));
+    for (uint32_t row = 0; row < band->rows; row++) {
+        for (uint32_t x = 0; x < band->width; x++) {
+            const uint8_t *colour = &palette[3u * band->pixels[row * band->stride + x]];
+            TEST_ASSERT_EQUAL_HEX(expected(colour, x, band->first_row + row), got(band, x, row));
+        }
+    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, out + size, sizeof out_words - size);
+}
+
+void test_every_width_at_every_place_of_a_word(void)
+{
+    for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[f], palette));
+        for (uint32_t width = 1; width <= WIDEST; width++) {
+            const uint32_t offset = width % 4u, stride = width + width / 4u % 4u;
+            const fxl_band band = {frame + offset, (uint16_t)width, (uint16_t)stride,
+                                   (uint16_t)(width % 5u * 8u), (uint16_t)(1u + width % ROWS)};
+            any_frame();
+            assert_converted(&band);
+        }
+    }
+}
+
+/* Rows that are one run, and rows in which one pixel is another: at each place of a block. */
+void test_a_pixel_within_a_run(void)
+{
+    const fxl_band band = {frame, 48, 48, 0, 1};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_rgb565, palette));
+    for (uint32_t at = 0; at <= 48; at++) {
+        memset(frame, 7, 48);
+        if (at < 48) {
+            frame[at] = 9;
+        }
+        assert_converted(&band);
+    }
+    for (uint32_t i = 0; i < 48; i++) { /* equal words, which are no run */
+        frame[i] = (uint8_t)(i % 4u);
+    }
+    assert_converted(&band);
+}
+
+void test_bits_that_no_pixel_has_are_zero(void)
+{
+    const fxl_band band = {frame, 5, 5, 0, 2};
+    memset(palette, 255, sizeof palette);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_grey4, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 6));
+    TEST_ASSERT_EQUAL_HEX8(0xF0, out[2]);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_rows, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 2));
+    TEST_ASSERT_EQUAL_HEX8(0xF8, out[1]);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 5));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x03, out, 5);
+}
+
+void test_sizes(void)
+{
+    static const size_t sizes[] = {340, 340, 170, 90, 30, 34};
+    for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        TEST_ASSERT_EQUAL(sizes[f], fxl_pixels_size(formats[f], 17, 10));
+    }
+}
+
+void test_what_is_refused_changes_nothing(void)
+{
+    fxl_band band = {frame, 8, 8, 0, 8};
+    memset(&pixels, GUARD, sizeof pixels);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(NULL, &fxl_rgb565, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, NULL, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &fxl_rgb565, NULL));
+    TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, &pixels, sizeof pixels);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(NULL, &band, out, 64));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, NULL, out, 64));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, NULL, 64));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_pixels_convert(&pixels, &band, out + 2, 64));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_pixels_convert(&pixels, &band, out, 7));
+    band.first_row = 4;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pixels_convert(&pixels, &band, out, 64));
+    band.first_row = 8;
+    band.stride = 7;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pixels_convert(&pixels, &band, out, 64));
+    band.stride = 8;
+    band.rows = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, out, 64));
+    band.rows = 8;
+    band.width = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, out, 64));
+    band.width = 8;
+    band.pixels = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, out, 64));
+    TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, out, sizeof out_words);
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* The ordered dither of 8 x 8 pixels (docs/formats.md, section 4). Internal. */
+#ifndef FXL_DITHER_H
+#define FXL_DITHER_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How far a pixel of row y is from the next level, in 128ths of a level: for each of eight columns,
+ * at most 127. */
+const uint8_t *fxl_dither_row(uint32_t y);
+
+/* Returns the level of an entry of fxl_grey_table, below 128 * 256. */
+static inline uint32_t fxl_dithered(uint32_t entry, const uint8_t *dither, uint32_t x)
+{
+    return (entry + dither[x & 7u]) >> 7;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
