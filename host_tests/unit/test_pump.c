@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: MIT */
+/* The pump: whole frames by bands that are sent while the next one is drawn. */
+#include "tiny.h"
+#include "transfer.h"
+
+enum {
+    WIDTH = 40,
+    HEIGHT = 27,
+    BACKGROUND = 200,
+    NEVER = 1000
+};
+
+static uint64_t block[320], memory[(5 * WIDTH * 16 + 7) / 8];
+static uint8_t palette[768], whole[HEIGHT * WIDTH];
+static uint32_t expected[(2 * WIDTH * HEIGHT + 7) / 4], received[(2 * WIDTH * HEIGHT + 7) / 4];
+static fxl_renderer renderer;
+static fxl_pixels pixels;
+static fxl_pump pump;
+static transfer wires;
+static uint32_t taken;    /* bytes of the frame that have arrived */
+static uint32_t next_row; /* that must come next */
+static uint32_t refused;  /* the call of start that fails */
+static bool is_wait_broken;
+
+static void take(void *user, const uint8_t *bytes, size_t size)
+{
+    (void)user;
+    TEST_ASSERT_LESS_OR_EQUAL(sizeof received, taken + size);
+    memcpy((uint8_t *)received + taken, bytes, size);
+    taken += (uint32_t)size;
+}
+
+static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
+{
+    TEST_ASSERT_EQUAL_PTR(&wires, user);
+    TEST_ASSERT_EQUAL(next_row, first_row);
+    next_row += rows;
+    if (wires.count == refused) {
+        return false;
+    }
+    transfer_start(&wires, bytes, size);
+    return true;
+}
+
+static bool wait(void *user)
+{
+    TEST_ASSERT_EQUAL_PTR(&wires, user);
+    transfer_wait(&wires);
+    return !is_wait_broken;
+}
+
+static const fxl_pump_sink sink = {&wires, start, wait};
+
+static fxl_pose pose_number(int number)
+{
+    fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-6)}, 0, 0, 0};
+    pose.roll = (uint32_t)number * DEGREES(11);
+    return pose;
+}
+
+void setUp(void)
+{
+    tiny_scene *made = tiny_make();
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    config.background = BACKGROUND;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &made->scene, &config, block, sizeof block));
+    for (uint32_t i = 0; i < sizeof palette; i++) {
+        palette[i] = (uint8_t)(i * 37u);
+    }
+    wires = (transfer){take, NULL, NULL, 0, 0, 0};
+    refused = NEVER;
+    is_wait_broken = false;
+}
+
+void tearDown(void)
+{
+    transfer_wait(&wires); /* a failed test leaves no byte poisoned */
+}
+
+static fxl_status init(const fxl_pixel_format *format, uint16_t rows)
+{
+    fxl_pump_config config = {NULL, WIDTH, HEIGHT, rows};
+    if (format != NULL) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, format, palette));
+        config.pixels = &pixels;
+    }
+    return fxl_pump_init(&pump, &config, &sink, memory, fxl_pump_memory_size(&config));
+}
+
+/* What must arrive of a frame. */
+static uint32_t expect_frame(int number)
+{
+    const fxl_pose pose = pose_number(number);
+    const fxl_band band = {whole, WIDTH, WIDTH, 0, HEIGHT};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, whole, WIDTH));
+    if (pump.config.pixels == NULL) {
+        memcpy(expected, whole, sizeof whole);
+        return sizeof whole;
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, expected, sizeof expected));
+    return (uint32_t)fxl_pixels_size(pixels.format, WIDTH, HEIGHT);
+}
+
+static void draw_frame(int number)
+{
+    const fxl_pose pose = pose_number(number);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_frame(&pump, &renderer, &pose));
+}
+
+static void assert_frames(void)
+{
+    for (int number = 0; number < 3; number++) {
+        const uint32_t size = expect_frame(number);
+        taken = next_row = 0;
+        draw_frame(number);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_wait(&pump));
+        TEST_ASSERT_EQUAL(size, taken);
+        TEST_ASSERT_EQUAL_MEMORY(expected, received, size);
+    }
+}
+
+void test_frames_arrive_whole_in_every_format_and_height(void)
+{
+    static const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb332, &fxl_grey4,
+                                                      &fxl_mono_pages, NULL};
+    for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        const bool has_pages = formats[i] == &fxl_mono_pages;
+        for (uint16_t rows = has_pages ? 8 : 1; rows <= 16;
+             rows = (uint16_t)(rows + (has_pages ? 8 : 5))) {
+            TEST_ASSERT_EQUAL(FXL_OK, init(formats[i], rows));
+            assert_frames();
+        }
+    }
+}
+
+/* The band that is drawn while another is sent; the frame after it, too. */
+void test_a_band_is_drawn_while_another_is_sent(void)
+{
+    const fxl_band *band;
+    const fxl_pose pose = pose_number(1);
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8));
+    for (int frame = 0; frame < 2; frame++) {
+        taken = next_row = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_begin(&pump));
+        for (uint32_t sent = 0; (band = fxl_pump_band(&pump)) != NULL; sent++) {
+            TEST_ASSERT_EQUAL(sent > 0 || frame > 0, wires.bytes != NULL);
+            memset(band->pixels, 0x11, (size_t)band->rows * band->stride);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, band));
+            if (sent == 0) {
+                taken = 0; /* what is left of the frame before arrives with the first wait */
+                transfer_wait(&wires);
+                taken = 0;
+            }
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send(&pump));
+        }
+        TEST_ASSERT_NOT_NULL(wires.bytes);
+        TEST_ASSERT_EQUAL(2 * WIDTH * 24, taken); /* all but the last three rows */
+        TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_send(&pump));
+    }
+    TEST_ASSERT_EQUAL(8, wires.count);
+}
+
+void test_rows_from_elsewhere(void)
+{
+    fxl_band rows = {whole, WIDTH, WIDTH, 0, 8};
+    for (uint32_t with_format = 0; with_format < 2; with_format++) {
+        TEST_ASSERT_EQUAL(FXL_OK, init(with_format != 0 ? &fxl_rgb332 : NULL, 8));
+        const uint32_t size = expect_frame(2);
+        taken = next_row = 0;
+        for (rows.first_row = 0; rows.first_row < HEIGHT;
+             rows.first_row = (uint16_t)(rows.first_row + rows.rows)) {
+            uint8_t lent[8 * (WIDTH + 3)];
+            rows.rows = (uint16_t)(HEIGHT - rows.first_row < 8 ? HEIGHT - rows.first_row : 8);
+            rows.pixels = lent;
+            rows.stride = WIDTH + 3;
+            for (uint32_t y = 0; y < rows.rows; y++) {
+                memcpy(lent + y * (WIDTH + 3), whole + (rows.first_row + y) * WIDTH, WIDTH);
+            }
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send_rows(&pump, &rows));
+            memset(lent, 0xEE, sizeof lent);
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_wait(&pump));
+        TEST_ASSERT_EQUAL(size, taken);
+        TEST_ASSERT_EQUAL_MEMORY(expected, received, size);
+    }
+}
+
+/* Rows from elsewhere take the buffer in which a band without a format lies. */
+void test_rows_from_elsewhere_between_bands(void)
+{
+    const fxl_band rows = {whole, WIDTH, WIDTH, 0, 1};
+    TEST_ASSERT_EQUAL(FXL_OK, init(NULL, 2));
+    (void)expect_frame(0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_begin(&pump));
+    const uint8_t *before = fxl_pump_band(&pump)->pixels;
+    next_row = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send_rows(&pump, &rows));
+    TEST_ASSERT_TRUE(before != fxl_pump_band(&pump)->pixels);
+    TEST_ASSERT_EQUAL(0, fxl_pump_band(&pump)->first_row);
+    memset(fxl_pump_band(&pump)->pixels, 3, 2 * WIDTH); /* not poisoned */
+    taken = 0;
+    transfer_wait(&wires);
+    TEST_ASSERT_EQUAL(WIDTH, taken);
+}
+
+void test_a_transfer_that_fails_ends_the_frame(void)
+{
+    const fxl_pose pose = pose_number(0);
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8));
+    taken = next_row = 0;
+    refused = 2;
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_frame(&pump, &renderer, &pose));
+    TEST_ASSERT_EQUAL(2, wires.count);
+    TEST_ASSERT_NULL(fxl_pump_band(&pump));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_send(&pump));
+    refused = NEVER;
+    taken = next_row = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_frame(&pump, &renderer, &pose));
+    is_wait_broken = true;
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_wait(&pump));
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_frame(&pump, &renderer, &pose));
+}
+
+void test_what_a_pump_is_not_set_up_with(void)
+{
+    fxl_pump_config config = {NULL, WIDTH, HEIGHT, 4};
+    const fxl_pump_sink no_start = {&wires, NULL, wait}, no_wait = {&wires, start, NULL};
+    const size_t size = fxl_pump_memory_size(&config);
+    fxl_pump untouched;
+    TEST_ASSERT_EQUAL(2 * WIDTH * 4, size);
+    memset(&pump, 0x5A, sizeof pump);
+    untouched = pump;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_init(NULL, &config, &sink, memory, size));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_init(&pump, NULL, &sink, memory, size));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_init(&pump, &config, NULL, memory, size));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_init(&pump, &config, &sink, NULL, size));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_init(&pump, &config, &no_start, memory, size));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_init(&pump, &config, &no_wait, memory, size));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_pump_init(&pump, &config, &sink, (uint8_t *)memory + 4, size));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_pump_init(&pump, &config, &sink, memory, size - 1));
+    static const uint16_t wrong[][3] = {{0, HEIGHT, 4},     {1025, HEIGHT, 4},
+                                        {WIDTH, 0, 4},      {WIDTH, 1025, 4},
+                                        {WIDTH, HEIGHT, 0}, {WIDTH, HEIGHT, HEIGHT + 1}};
+    for (uint32_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        config = (fxl_pump_config){NULL, wrong[i][0], wrong[i][1], wrong[i][2]};
+        TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(&config));
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
+    config = (fxl_pump_config){&pixels, WIDTH, HEIGHT, 4}; /* half a page */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
+    TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(NULL));
+    TEST_ASSERT_EQUAL_MEMORY(&untouched, &pump, sizeof pump);
+}
+
+void test_what_a_pump_is_not_called_with(void)
+{
+    fxl_pose pose = pose_number(0);
+    fxl_band rows = {whole, WIDTH, WIDTH, 0, 8};
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8));
+    TEST_ASSERT_NULL(fxl_pump_band(&pump)); /* no frame has begun */
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_send(&pump));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_frame(NULL, &renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_frame(&pump, NULL, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_frame(&pump, &renderer, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_begin(NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send(NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_wait(NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(NULL, &rows));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(&pump, NULL));
+    TEST_ASSERT_NULL(fxl_pump_band(NULL));
+    pose.position.x = INT32_MAX;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_frame(&pump, &renderer, &pose));
+    pump.config.width = WIDTH - 1; /* the renderer has another screen */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_frame(&pump, &renderer, &pose));
+    pump.config.width = WIDTH;
+    rows.rows = 9;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
+    rows.rows = 8;
+    rows.first_row = HEIGHT - 7;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
+    rows.first_row = 0;
+    rows.width = WIDTH - 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
+    rows.width = WIDTH;
+    rows.stride = WIDTH - 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
+    rows.rows = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(&pump, &rows));
+    rows.pixels = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(&pump, &rows));
+    TEST_ASSERT_EQUAL(0, wires.count);
+}
+
+/* The macro for static memory is what the function says. */
+void test_the_memory_of_a_pump(void)
+{
+    const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb332, &fxl_grey4, &fxl_mono_rows,
+                                               &fxl_mono_pages};
+    static const uint32_t words[] = {FXL_PUMP_MEMORY(40, 8, 16), FXL_PUMP_MEMORY(40, 8, 8),
+                                     FXL_PUMP_MEMORY(40, 8, 4), FXL_PUMP_MEMORY(40, 8, 1),
+                                     FXL_PUMP_MEMORY(40, 8, 1)};
+    for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        const fxl_pump_config config = {&pixels, 40, HEIGHT, 8};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[i], palette));
+        TEST_ASSERT_EQUAL(8u * words[i], fxl_pump_memory_size(&config));
+    }
+    const fxl_pump_config bare = {NULL, 37, HEIGHT, 3};
+    TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(37, 3, 0), fxl_pump_memory_size(&bare));
+}
