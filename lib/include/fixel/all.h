@@ -7,6 +7,7 @@
 #include "fixel/extra/beams.h"
 #include "fixel/extra/bsp.h"
 #include "fixel/extra/clippers.h"
+#include "fixel/extra/display.h"
 #include "fixel/extra/pixels.h"
 #include "fixel/extra/player.h"
 #include "fixel/extra/pump.h"

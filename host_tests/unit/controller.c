@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+#include "controller.h"
+
+#include "unit.h"
+
+/* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
+static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {128, 64}, {132, 64}};
+
+static void take_data(controller *of, uint8_t byte);
+
+static void take_bytes(void *user, const uint8_t *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i++) {
+        take_data((controller *)user, bytes[i]);
+    }
+}
+
+void controller_start(controller *of, int kind, uint16_t first_column, uint16_t first_row,
+                      uint16_t columns, uint16_t rows)
+{
+    memset(of, 0, sizeof *of);
+    of->kind = kind;
+    of->is_colour = kind <= CONTROLLER_ST7735;
+    of->columns = sizes[kind][0];
+    of->rows = sizes[kind][1];
+    of->first_column = first_column;
+    of->first_row = first_row;
+    of->kept_columns = columns;
+    of->kept_rows = rows;
+    of->format = 0x66; /* after reset: 18 bits a pixel */
+    of->wire.take = take_bytes;
+    of->wire.user = of;
+    of->refused = UINT32_MAX;
+    TEST_ASSERT_LESS_OR_EQUAL(CONTROLLER_MEMORY,
+                              of->is_colour ? 2u * columns * rows : columns * ((rows + 7u) / 8u));
+    memset(of->memory, 0xA5, sizeof of->memory);
+}
+
+/* --- colour: the Display Command Set ------------------------------------------------------------
+ */
+
+/* Columns and rows are exchanged (bit 5), and either runs the other way (bits 6 and 7). */
+static void put_pixel(controller *of, uint32_t x, uint32_t y, uint32_t colour)
+{
+    const bool exchanged = (of->access & 0x20u) != 0;
+    uint32_t column = exchanged ? y : x, row = exchanged ? x : y;
+    column = (of->access & 0x40u) != 0 ? of->columns - 1u - column : column;
+    row = (of->access & 0x80u) != 0 ? of->rows - 1u - row : row;
+    TEST_ASSERT_LESS_THAN(of->columns, column);
+    TEST_ASSERT_LESS_THAN(of->rows, row);
+    column -= of->first_column;
+    row -= of->first_row;
+    if (column < of->kept_columns && row < of->kept_rows) {
+        uint8_t *at = &of->memory[2u * (row * of->kept_columns + column)];
+        at[0] = (uint8_t)(colour >> 8);
+        at[1] = (uint8_t)colour;
+    }
+}
+
+static void take_pixel_byte(controller *of, uint8_t byte)
+{
+    TEST_ASSERT_EQUAL_HEX8_MESSAGE(0x55, of->format, "pixels of another size");
+    if (of->half == 0) {
+        of->half = 256u + byte;
+        return;
+    }
+    TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(of->range[1][1], of->y, "more pixels than the window has");
+    put_pixel(of, of->x, of->y, (of->half & 255u) << 8 | byte);
+    of->half = 0;
+    if (of->x++ == of->range[0][1]) {
+        of->x = of->range[0][0];
+        of->y++;
+    }
+}
+
+static void take_range(controller *of, uint32_t which)
+{
+    const uint32_t first = (uint32_t)of->arguments[0] << 8 | of->arguments[1];
+    const uint32_t last = (uint32_t)of->arguments[2] << 8 | of->arguments[3];
+    const bool is_columns = (which == 0) == ((of->access & 0x20u) == 0);
+    TEST_ASSERT_LESS_OR_EQUAL(last, first);
+    TEST_ASSERT_LESS_THAN(is_columns ? of->columns : of->rows, last);
+    of->range[which][0] = (uint16_t)first;
+    of->range[which][1] = (uint16_t)last;
+}
+
+/* Arguments of a command. */
+static uint32_t count_of(uint8_t command)
+{
+    return command == 0x2A || command == 0x2B ? 4 : command == 0x36 || command == 0x3A ? 1 : 0;
+}
+
+static void take_argument(controller *of, uint8_t byte)
+{
+    TEST_ASSERT_LESS_THAN_MESSAGE(count_of(of->command), of->argument_count, "too many arguments");
+    of->arguments[of->argument_count++] = byte;
+    if (of->argument_count < count_of(of->command)) {
+        return;
+    }
+    if (of->command == 0x36) {
+        of->access = byte;
+    } else if (of->command == 0x3A) {
+        of->format = byte;
+    } else {
+        take_range(of, of->command - 0x2Au);
+    }
+}
+
+static void demand_frame_whole(const controller *of)
+{
+    if (of->command == 0x2C) {
+        TEST_ASSERT_EQUAL_MESSAGE(0, of->half, "half a pixel");
+        TEST_ASSERT_EQUAL_MESSAGE(of->range[1][1] + 1, of->y, "fewer pixels than the window has");
+    }
+}
+
+static void take_colour_command(controller *of, uint8_t command)
+{
+    demand_frame_whole(of);
+    TEST_ASSERT_EQUAL_MESSAGE(count_of(of->command), of->argument_count, "arguments are missing");
+    of->command = command;
+    of->argument_count = 0;
+    switch (command) {
+    case 0x01: /* reset */
+        of->has_reset = true;
+        of->is_awake = of->is_on = of->is_inverted = false;
+        of->paused = 0;
+        break;
+    case 0x11: /* out of sleep */
+        TEST_ASSERT_TRUE_MESSAGE(of->has_reset && of->paused >= 120, "not yet after a reset");
+        of->is_awake = true;
+        of->paused = 0;
+        break;
+    case 0x20:
+    case 0x21:
+        of->is_inverted = command == 0x21;
+        break;
+    case 0x29:
+        TEST_ASSERT_TRUE_MESSAGE(of->is_awake && of->paused >= 120, "not yet out of sleep");
+        of->is_on = true;
+        break;
+    case 0x2C:
+        of->x = of->range[0][0];
+        of->y = of->range[1][0];
+        break;
+    default:
+        TEST_ASSERT_NOT_EQUAL_MESSAGE(0, count_of(command), "no such command");
+        break;
+    }
+}
+
+/* --- pages --------------------------------------------------------------------------------------
+ */
+
+static void take_page_byte(controller *of, uint8_t byte)
+{
+    const uint32_t column = (uint32_t)of->x - of->first_column;
+    TEST_ASSERT_LESS_THAN_MESSAGE(of->columns, of->x, "past the last column");
+    if (column < of->kept_columns && of->y < of->kept_rows / 8) {
+        of->memory[of->y * of->kept_columns + column] = byte;
+    }
+    of->x++; /* the page stays */
+}
+
+/* Bytes of a command, its own included; 0 where there is no such command. */
+static uint32_t length_of(const controller *of, uint8_t command)
+{
+    static const uint8_t both[] = {0x81, 0xA8, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB};
+    const bool is_ssd1306 = of->kind == CONTROLLER_SSD1306;
+    if (memchr(both, command, sizeof both) != NULL || command == (is_ssd1306 ? 0x8D : 0xAD) ||
+        (is_ssd1306 && command == 0x20)) {
+        return 2;
+    }
+    const bool is_known =
+        command < 0x20 || (command >= 0x40 && command < 0x80) ||
+        (command >= 0xA0 && command <= 0xA1) || (command >= 0xA4 && command <= 0xA7) ||
+        (command >= 0xAE && command <= 0xB7) || command == 0xC0 || command == 0xC8;
+    return is_known ? 1 : 0;
+}
+
+static void take_page_command(controller *of, const uint8_t *command)
+{
+    const uint8_t code = command[0];
+    if (code < 0x10) {
+        of->x = (uint16_t)((of->x & 0xF0u) | (code & 15u));
+    } else if (code < 0x20) {
+        of->x = (uint16_t)((of->x & 15u) | (code & 15u) << 4);
+    } else if (code == 0x20) {
+        of->mode = command[1];
+    } else if (code >= 0xB0 && code <= 0xB7) {
+        of->y = code & 7u;
+    } else if (code == 0xA8) {
+        of->multiplex = command[1];
+    } else if (code == 0xDA) {
+        of->wires = command[1];
+    } else if (code == 0x8D || code == 0xAD) {
+        of->is_charged = command[1] == (code == 0x8D ? 0x14 : 0x8B);
+    } else if (code >= 0xA0 && code <= 0xA1) {
+        of->access = (uint8_t)((of->access & ~1u) | (code & 1u));
+    } else if (code == 0xC0 || code == 0xC8) {
+        of->access = (uint8_t)((of->access & ~8u) | (code & 8u));
+    } else if (code >= 0xA6 && code <= 0xA7) {
+        of->is_inverted = code == 0xA7;
+    } else if (code >= 0xAE && code <= 0xAF) {
+        of->is_on = code == 0xAF;
+    }
+}
+
+static void take_page_commands(controller *of, const uint8_t *bytes, size_t size)
+{
+    for (size_t i = 0; i < size;) {
+        const uint32_t length = length_of(of, bytes[i]);
+        TEST_ASSERT_NOT_EQUAL_MESSAGE(0, length, "no such command");
+        TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(size - i, length, "an argument is missing");
+        take_page_command(of, &bytes[i]);
+        i += length;
+    }
+}
+
+/* --- wires --------------------------------------------------------------------------------------
+ */
+
+static void take_data(controller *of, uint8_t byte)
+{
+    if (!of->is_colour) {
+        take_page_byte(of, byte);
+    } else if (of->command == 0x2C) {
+        take_pixel_byte(of, byte);
+    } else {
+        take_argument(of, byte);
+    }
+}
+
+bool controller_send(void *user, bool is_data, const uint8_t *bytes, size_t size)
+{
+    controller *of = (controller *)user;
+    TEST_ASSERT_NULL_MESSAGE(of->wire.bytes, "used while a transfer is under way");
+    TEST_ASSERT_GREATER_THAN(0, size);
+    if (of->sends++ == of->refused) {
+        return false;
+    }
+    if (is_data) {
+        take_bytes(of, bytes, size);
+    } else if (of->is_colour) {
+        TEST_ASSERT_EQUAL(1, size);
+        take_colour_command(of, bytes[0]);
+    } else {
+        take_page_commands(of, bytes, size);
+    }
+    return true;
+}
+
+bool controller_begin(void *user, const uint8_t *bytes, size_t size)
+{
+    controller *of = (controller *)user;
+    if (of->sends++ == of->refused) {
+        return false;
+    }
+    transfer_start(&of->wire, bytes, size);
+    return true;
+}
+
+bool controller_wait(void *user)
+{
+    transfer_wait(&((controller *)user)->wire);
+    return true;
+}
+
+void controller_pause(void *user, uint32_t milliseconds)
+{
+    ((controller *)user)->paused += milliseconds;
+}
+
+uint32_t controller_pixel(const controller *of, uint16_t column, uint16_t row)
+{
+    const uint32_t x = (uint32_t)column - of->first_column, y = (uint32_t)row - of->first_row;
+    TEST_ASSERT_TRUE(x < of->kept_columns && y < of->kept_rows);
+    if (of->is_colour) {
+        const uint8_t *at = &of->memory[2u * (y * of->kept_columns + x)];
+        return (uint32_t)at[0] << 8 | at[1];
+    }
+    return (uint32_t)of->memory[y / 8u * of->kept_columns + x] >> (y & 7u) & 1u;
+}

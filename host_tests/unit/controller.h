@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/* Display controllers at the other end of the wires, after their data sheets: they take commands
+ * and data, and say what the glass shows. Each byte that a controller does not know, or that comes
+ * too early, fails the test. Data in the background is a transfer (transfer.h). */
+#ifndef CONTROLLER_H
+#define CONTROLLER_H
+
+#include "fixel/extra/display.h"
+#include "transfer.h"
+
+enum {
+    CONTROLLER_ST7789,
+    CONTROLLER_ILI9341,
+    CONTROLLER_ST7735,
+    CONTROLLER_SSD1306,
+    CONTROLLER_SH1106
+};
+
+/* Bytes of memory that a model needs: the pixels of a part of the controller's memory, seen from
+ * its first column and row on. */
+#define CONTROLLER_MEMORY 6000
+
+typedef struct {
+    int kind;
+    bool is_colour;
+    uint16_t columns, rows; /* of the controller's memory */
+    uint16_t kept_columns;  /* of these and of kept_rows the model keeps the pixels: */
+    uint16_t kept_rows;     /* the memory of a small board holds no more */
+    uint16_t first_column, first_row;
+    bool has_reset, is_awake, is_on, is_inverted, is_charged;
+    uint32_t paused; /* ms since it last changed between sleep and being awake */
+    uint8_t command; /* the last one, whose arguments come */
+    uint8_t arguments[4];
+    uint32_t argument_count;
+    uint8_t access, format;
+    uint16_t range[2][2]; /* columns, rows: first, last */
+    uint16_t x, y;        /* where the next pixel goes */
+    uint32_t half;        /* 0, or 256 + the first byte of a pixel */
+    uint8_t multiplex, wires, mode;
+    uint8_t memory[CONTROLLER_MEMORY];
+    transfer wire;
+    uint32_t sends, refused; /* calls of send and start so far; the one that fails */
+} controller;
+
+/* Power comes: the memory holds noise. The model keeps a window of the glass. */
+void controller_start(controller *of, int kind, uint16_t first_column, uint16_t first_row,
+                      uint16_t columns, uint16_t rows);
+
+/* The functions of a port, with the controller as the user. */
+bool controller_send(void *user, bool is_data, const uint8_t *bytes, size_t size);
+bool controller_begin(void *user, const uint8_t *bytes, size_t size);
+bool controller_wait(void *user);
+void controller_pause(void *user, uint32_t milliseconds);
+
+/* What the memory has in a column and row of the controller's own: 16 bits, or 0 and 1. */
+uint32_t controller_pixel(const controller *of, uint16_t column, uint16_t row);
+
+#endif

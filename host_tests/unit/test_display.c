@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT */
+/* The drivers of displays against controllers that rebuild the picture from the wires. */
+#include "controller.h"
+#include "unit.h"
+
+enum {
+    WIDTH = 48, /* of a frame in the middle of a glass of colours */
+    HEIGHT = 40,
+    BORDER = 2, /* around it, which must stay black */
+    OLED_WIDTH = 128,
+    OLED_HEIGHT = 64
+};
+
+static controller model;
+static fxl_display display;
+static fxl_pump pump;
+static uint8_t palette[768], frame[OLED_HEIGHT * OLED_WIDTH];
+static uint64_t memory[FXL_PUMP_MEMORY(OLED_WIDTH, 16, 1) + FXL_PUMP_MEMORY(WIDTH, 8, 16)];
+
+static const fxl_display_port by_dma = {&model, controller_send, controller_begin, controller_wait,
+                                        controller_pause};
+static const fxl_display_port plain = {&model, controller_send, NULL, NULL, controller_pause};
+
+/* How a glass is joined to its controller: columns and rows that run the other way. */
+typedef struct {
+    const fxl_display_driver *driver;
+    int kind;
+    bool columns_mirrored, rows_mirrored, is_inverted, is_blue_first;
+} module;
+
+static const module colours[] = {{&fxl_st7789, CONTROLLER_ST7789, false, false, true, false},
+                                 {&fxl_ili9341, CONTROLLER_ILI9341, true, false, false, true},
+                                 {&fxl_st7735, CONTROLLER_ST7735, true, true, false, false}};
+static const module oleds[] = {{&fxl_ssd1306, CONTROLLER_SSD1306, true, true, false, false},
+                               {&fxl_sh1106, CONTROLLER_SH1106, true, true, false, false}};
+
+void setUp(void)
+{
+    for (uint32_t i = 0; i < sizeof palette; i++) {
+        palette[i] = (uint8_t)(unit_random() >> 9);
+    }
+    for (uint32_t i = 0; i < sizeof frame; i++) {
+        frame[i] = (uint8_t)(unit_random() >> 9);
+    }
+}
+
+void tearDown(void)
+{
+    transfer_wait(&model.wire);
+}
+
+/* Sends the frame in bands, each of which is drawn over as soon as it is the caller's again. */
+static fxl_status show(uint16_t width, uint16_t height, uint16_t rows)
+{
+    static uint8_t lent[OLED_WIDTH * 16];
+    const fxl_pump_config config = {&display.pixels, width, height, rows};
+    fxl_status status = fxl_pump_init(&pump, &config, &display.sink, memory, sizeof memory);
+    for (uint32_t y = 0; status == FXL_OK && y < height; y += rows) {
+        const uint16_t count = (uint16_t)(rows < height - y ? rows : height - y);
+        const fxl_band band = {lent, width, width, (uint16_t)y, count};
+        memcpy(lent, frame + y * width, (size_t)count * width);
+        status = fxl_pump_send_rows(&pump, &band);
+        memset(lent, 0xEE, sizeof lent);
+    }
+    return status == FXL_OK ? fxl_pump_wait(&pump) : status;
+}
+
+/* The pixel of the glass, as seen before the module is turned, at which the viewer of the turned
+ * module sees column x and row y. */
+static void untwist(uint32_t turns, uint32_t glass_width, uint32_t glass_height, uint32_t *x,
+                    uint32_t *y)
+{
+    const uint32_t column = *x, row = *y;
+    switch (turns) {
+    case 1:
+        *x = glass_width - 1u - row;
+        *y = column;
+        break;
+    case 2:
+        *x = glass_width - 1u - column;
+        *y = glass_height - 1u - row;
+        break;
+    case 3:
+        *x = row;
+        *y = glass_height - 1u - column;
+        break;
+    default:
+        break;
+    }
+}
+
+static uint32_t rgb565(uint8_t index)
+{
+    const uint8_t *colour = &palette[3u * index];
+    return (uint32_t)(colour[0] / 8u * 2048u + colour[1] / 4u * 32u + colour[2] / 8u);
+}
+
+/* A module of colours, of width x height before it is turned, with a frame in its middle. */
+static void assert_colours(const module *of, uint32_t turns, const fxl_display_port *port)
+{
+    const uint32_t width = of->kind == CONTROLLER_ST7735 ? 128 : 240;
+    const uint32_t height = of->kind == CONTROLLER_ST7735 ? 160 : 320;
+    const fxl_display_config config = fxl_display_config_default(of->driver, turns);
+    const uint32_t columns = turns % 2u == 0 ? WIDTH : HEIGHT, rows = WIDTH + HEIGHT - columns;
+    const uint32_t left = (width - columns) / 2u - BORDER, top = (height - rows) / 2u - BORDER;
+    controller_start(&model, of->kind, (uint16_t)left, (uint16_t)top,
+                     (uint16_t)(columns + 2u * BORDER), (uint16_t)(rows + 2u * BORDER));
+    TEST_ASSERT_EQUAL(turns % 2u == 0 ? width : height, config.width);
+    TEST_ASSERT_EQUAL(turns % 2u == 0 ? height : width, config.height);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, port, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, WIDTH, HEIGHT));
+    TEST_ASSERT_EQUAL(FXL_OK, show(WIDTH, HEIGHT, 7));
+    TEST_ASSERT_TRUE(model.is_on);
+    TEST_ASSERT_EQUAL(of->is_inverted, model.is_inverted);
+    TEST_ASSERT_EQUAL(of->is_blue_first, (model.access & 8u) != 0);
+    const uint32_t frame_left = (config.width - WIDTH) / 2u,
+                   frame_top = (config.height - HEIGHT) / 2u;
+    for (uint32_t y = frame_top - BORDER; y < frame_top + HEIGHT + BORDER; y++) {
+        for (uint32_t x = frame_left - BORDER; x < frame_left + WIDTH + BORDER; x++) {
+            uint32_t column = x, row = y;
+            const uint32_t in_x = x - frame_left, in_y = y - frame_top;
+            const bool is_inside = in_x < WIDTH && in_y < HEIGHT;
+            untwist(turns, width, height, &column, &row);
+            column = of->columns_mirrored ? width - 1u - column : column;
+            row = of->rows_mirrored ? height - 1u - row : row;
+            TEST_ASSERT_EQUAL_HEX16(is_inside ? rgb565(frame[in_y * WIDTH + in_x]) : 0,
+                                    controller_pixel(&model, (uint16_t)column, (uint16_t)row));
+        }
+    }
+}
+
+void test_colours_stand_upright_in_each_turn(void)
+{
+    for (uint32_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+        for (uint32_t turns = 0; turns < 4; turns++) {
+            assert_colours(&colours[i], turns, turns % 2u == 0 ? &by_dma : &plain);
+        }
+    }
+}
+
+/* A glass of 240 x 240 at the end of the controller's 320 rows. */
+static void open_square(const fxl_display_port *port)
+{
+    fxl_display_config config = fxl_display_config_default(&fxl_st7789, 0);
+    config.width = WIDTH;
+    config.height = HEIGHT;
+    config.left = 3;
+    config.top = 320 - HEIGHT;
+    controller_start(&model, CONTROLLER_ST7789, 0, 320 - HEIGHT - BORDER, WIDTH + 5,
+                     HEIGHT + BORDER);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, port, palette));
+}
+
+void test_a_glass_that_begins_elsewhere(void)
+{
+    open_square(&by_dma);
+    TEST_ASSERT_EQUAL_HEX16(0, controller_pixel(&model, 3, 320 - HEIGHT));
+    TEST_ASSERT_EQUAL(FXL_OK, show(WIDTH, HEIGHT, 8));
+    for (uint16_t y = 320 - HEIGHT - BORDER; y < 320; y++) {
+        for (uint16_t x = 0; x < WIDTH + 5; x++) {
+            const uint32_t in_x = x - 3u, in_y = y - (320u - HEIGHT);
+            const bool is_inside = in_x < WIDTH && in_y < HEIGHT;
+            TEST_ASSERT_EQUAL_HEX16(is_inside ? rgb565(frame[in_y * WIDTH + in_x]) : 0xA5A5,
+                                    controller_pixel(&model, x, y));
+        }
+    }
+}
+
+/* --- pages --------------------------------------------------------------------------------------
+ */
+
+static void assert_pages(uint16_t left, uint16_t above, uint16_t width, uint16_t height)
+{
+    uint16_t table[256];
+    fxl_grey_table(table, palette, 1);
+    for (uint16_t y = 0; y < OLED_HEIGHT; y++) {
+        for (uint16_t x = 0; x < OLED_WIDTH; x++) {
+            const uint32_t in_x = (uint32_t)x - left, in_y = (uint32_t)y - above;
+            const bool is_inside = in_x < width && in_y < height;
+            const uint32_t level =
+                is_inside ? fxl_grey_level(table[frame[in_y * width + in_x]], in_x, in_y) : 0;
+            TEST_ASSERT_EQUAL(level,
+                              controller_pixel(&model, (uint16_t)(model.first_column + x), y));
+        }
+    }
+}
+
+static void open_oled(const module *of, uint32_t turns, const fxl_display_port *port)
+{
+    const fxl_display_config config = fxl_display_config_default(of->driver, turns);
+    controller_start(&model, of->kind, of->kind == CONTROLLER_SH1106 ? 2 : 0, 0, OLED_WIDTH,
+                     OLED_HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, port, palette));
+}
+
+void test_pages_in_bands_of_one_and_two(void)
+{
+    for (uint32_t i = 0; i < sizeof oleds / sizeof oleds[0]; i++) {
+        for (uint32_t turns = 0; turns < 4; turns += 2) {
+            open_oled(&oleds[i], turns, turns == 0 ? &by_dma : &plain);
+            assert_pages(0, 0, 0, 0); /* all black */
+            TEST_ASSERT_EQUAL(FXL_OK, show(OLED_WIDTH, OLED_HEIGHT, turns == 0 ? 8 : 16));
+            assert_pages(0, 0, OLED_WIDTH, OLED_HEIGHT);
+            /* The controller mirrors as it shows, which only a glass that is mounted so undoes. */
+            TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 9 : 0, model.access);
+            TEST_ASSERT_TRUE(model.is_on && model.is_charged && !model.is_inverted);
+            TEST_ASSERT_EQUAL(2u * (i == 0), model.mode);
+            TEST_ASSERT_EQUAL(63, model.multiplex);
+            TEST_ASSERT_EQUAL_HEX8(0x12, model.wires);
+        }
+    }
+}
+
+void test_a_small_frame_on_pages(void)
+{
+    open_oled(&oleds[1], 0, &by_dma);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 61, 39));
+    TEST_ASSERT_EQUAL(FXL_OK, show(61, 39, 16));
+    assert_pages(33, 8, 61, 39); /* 12 rows above are one page and a half */
+}
+
+void test_a_glass_of_32_rows(void)
+{
+    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 2);
+    config.height = 32;
+    config.is_inverted = true;
+    controller_start(&model, CONTROLLER_SSD1306, 0, 0, OLED_WIDTH, OLED_HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &plain, palette));
+    TEST_ASSERT_EQUAL(31, model.multiplex);
+    TEST_ASSERT_EQUAL_HEX8(0x02, model.wires);
+    TEST_ASSERT_TRUE(model.is_inverted);
+    TEST_ASSERT_EQUAL(0, controller_pixel(&model, 0, 31));
+    TEST_ASSERT_EQUAL(1, controller_pixel(&model, 0, 32)); /* noise: no part of the glass */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, OLED_WIDTH, 33));
+}
+
+/* --- failures -----------------------------------------------------------------------------------
+ */
+
+static fxl_status open_and_show(const module *of, uint32_t refused)
+{
+    fxl_display_config config = fxl_display_config_default(of->driver, 0);
+    config.width = 40; /* a small glass, which is soon black */
+    config.height = 24;
+    controller_start(&model, of->kind, 0, 0, 48, 24);
+    model.refused = refused;
+    const fxl_status status = fxl_display_open(&display, &config, &by_dma, palette);
+    return status == FXL_OK ? show(40, 24, 16) : status;
+}
+
+static void assert_failures(const module *of)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, open_and_show(of, UINT32_MAX));
+    const uint32_t sends = model.sends;
+    TEST_ASSERT_GREATER_THAN(10, sends);
+    for (uint32_t n = 0; n < sends; n++) {
+        TEST_ASSERT_EQUAL(FXL_E_DISPLAY, open_and_show(of, n));
+        TEST_ASSERT_EQUAL_MESSAGE(n + 1u, model.sends, "it went on after a failure");
+        transfer_wait(&model.wire);
+    }
+}
+
+void test_wires_that_fail_at_any_time(void)
+{
+    assert_failures(&colours[0]);
+    assert_failures(&oleds[0]);
+}
+
+static void expect_range(fxl_display_config config)
+{
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
+}
+
+void test_what_is_refused_sends_nothing(void)
+{
+    const fxl_display_port no_send = {&model, NULL, NULL, NULL, controller_pause};
+    const fxl_display_port no_pause = {&model, controller_send, NULL, NULL, NULL};
+    const fxl_display_port no_wait = {&model, controller_send, controller_begin, NULL,
+                                      controller_pause};
+    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0), wrong = config;
+    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 8, 8);
+    memset(&display, 0x5A, sizeof display);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(NULL, &config, &plain, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, NULL, &plain, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, NULL, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &plain, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_send, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_pause, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_wait, palette));
+    expect_range(fxl_display_config_default(&fxl_ssd1306, 1)); /* it has no quarter turns */
+    expect_range(fxl_display_config_default(&fxl_st7789, 4));
+    expect_range(fxl_display_config_default(NULL, 0));
+    wrong.width = 0;
+    expect_range(wrong);
+    wrong.width = FXL_SCREEN_MAX + 1;
+    expect_range(wrong);
+    wrong = config;
+    wrong.height = 0;
+    expect_range(wrong);
+    wrong.height = FXL_SCREEN_MAX + 8;
+    expect_range(wrong);
+    wrong.height = 63; /* no whole page */
+    expect_range(wrong);
+    wrong = config;
+    wrong.top = 4;
+    expect_range(wrong);
+    wrong.top = FXL_SCREEN_MAX + 8;
+    expect_range(wrong);
+    wrong = config;
+    wrong.left = FXL_SCREEN_MAX + 1;
+    expect_range(wrong);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &display, sizeof display);
+    TEST_ASSERT_EQUAL(0, model.sends);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_place(NULL, 1, 1));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &plain, palette));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, 0, 8));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, 8, 0));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, OLED_WIDTH + 1, 8));
+    TEST_ASSERT_EQUAL(0, display.left);
+}

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/* ST7789, ILI9341, ST7735: controllers with the commands of MIPI's Display Command Set. All else
+ * that they can be told keeps the value that it has after reset. */
+#include "driver.h"
+
+enum {
+    SOFTWARE_RESET = 0x01,
+    SLEEP_OUT = 0x11,
+    INVERT_OFF = 0x20,
+    INVERT = 0x21,
+    DISPLAY_ON = 0x29,
+    SET_COLUMNS = 0x2A, /* first, last: two bytes each, the high one first */
+    SET_ROWS = 0x2B,
+    WRITE_PIXELS = 0x2C,
+    SET_ACCESS = 0x36, /* which way rows and columns run, the order of the colours */
+    SET_FORMAT = 0x3A
+};
+
+#define SIXTEEN_BITS 0x55u
+#define RESET_TIME   150u /* ms: the longest of the three, from the sleep that a reset ends in */
+#define WAKE_UP_TIME 120u
+
+static bool set_up(const fxl_display *display)
+{
+    const uint8_t format = SIXTEEN_BITS;
+    const fxl_display_config *config = &display->config;
+    const fxl_display_port *port = display->port;
+    if (!fxl_display_command(display, SOFTWARE_RESET, NULL, 0)) {
+        return false;
+    }
+    port->pause(port->user, RESET_TIME);
+    if (!fxl_display_command(display, SLEEP_OUT, NULL, 0)) {
+        return false;
+    }
+    port->pause(port->user, WAKE_UP_TIME);
+    return fxl_display_command(display, SET_FORMAT, &format, 1) &&
+           fxl_display_command(display, SET_ACCESS, &config->access, 1) &&
+           fxl_display_command(display, config->is_inverted ? INVERT : INVERT_OFF, NULL, 0);
+}
+
+static bool set_range(const fxl_display *display, uint8_t code, uint32_t first, uint32_t count)
+{
+    const uint32_t last = first + count - 1u; /* bug: display-window */
+    const uint8_t range[4] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8),
+                              (uint8_t)last};
+    return fxl_display_command(display, code, range, sizeof range);
+}
+
+static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
+                      uint16_t rows, const uint8_t *bytes, size_t size)
+{
+    return set_range(display, SET_COLUMNS, left, width) &&
+           set_range(display, SET_ROWS, top, rows) &&
+           fxl_display_command(display, WRITE_PIXELS, NULL, 0) &&
+           fxl_display_start_data(display, bytes, size);
+}
+
+const fxl_display_family fxl_display_colour = {&fxl_rgb565, set_up, send_rows, DISPLAY_ON};

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+#include "driver.h"
+
+#define BLACK_BYTES 64u
+
+bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data, size_t size)
+{
+    const fxl_display_port *port = display->port;
+    return port->send(port->user, false, &code, 1) &&
+           (size == 0 || port->send(port->user, true, data, size));
+}
+
+bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, size_t size)
+{
+    const fxl_display_port *port = display->port;
+    return port->start != NULL ? port->start(port->user, bytes, size)
+                               : port->send(port->user, true, bytes, size);
+}
+
+static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
+{
+    const fxl_display *display = (const fxl_display *)user;
+    return display->config.driver->family->send_rows(display, display->left,
+                                                     (uint16_t)(display->top + first_row),
+                                                     display->frame_width, rows, bytes, size);
+}
+
+static bool wait_for_port(const fxl_display_port *port)
+{
+    return port->wait == NULL || port->wait(port->user);
+}
+
+static bool wait(void *user)
+{
+    return wait_for_port(((const fxl_display *)user)->port);
+}
+
+fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
+                                              uint32_t quarter_turns)
+{
+    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false};
+    if (driver == NULL || quarter_turns > 3 ||
+        (quarter_turns % 2 == 1 && !driver->turns_by_quarters)) {
+        return config;
+    }
+    const bool is_wide = quarter_turns % 2 == 1;
+    config.driver = driver;
+    config.width = is_wide ? driver->height : driver->width;
+    config.height = is_wide ? driver->width : driver->height;
+    config.left = driver->left;
+    config.access = driver->access[quarter_turns];
+    config.is_inverted = driver->is_inverted;
+    return config;
+}
+
+fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height)
+{
+    if (display == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_display_config *config = &display->config;
+    if (width == 0 || height == 0 || width > config->width || height > config->height) {
+        return FXL_E_RANGE;
+    }
+    uint32_t above = (config->height - height) / 2u;
+    above -= above % display->pixels.format->rows;
+    display->left = (uint16_t)(config->left + (config->width - width) / 2u);
+    display->top = (uint16_t)(config->top + above); /* both < 2^10 + 2^10 */
+    display->frame_width = width;
+    return FXL_OK;
+}
+
+/* The controller's memory holds noise when power comes. Black is 0 in every format. */
+static bool make_black(const fxl_display *display)
+{
+    static const uint8_t black[BLACK_BYTES] = {0};
+    const fxl_display_config *config = &display->config;
+    const fxl_pixel_format *format = config->driver->family->format;
+    const uint32_t fit = 8u * BLACK_BYTES / ((uint32_t)format->rows * format->bits); /* columns */
+    for (uint32_t y = 0; y < config->height; y += format->rows) {
+        for (uint32_t x = 0; x < config->width;) {
+            const uint32_t left = config->width - x;
+            const uint16_t width = (uint16_t)(left < fit ? left : fit);
+            if (!config->driver->family->send_rows(display, (uint16_t)(config->left + x),
+                                                   (uint16_t)(config->top + y), width, format->rows,
+                                                   black, fxl_pixels_size(format, width, 1)) ||
+                !wait_for_port(display->port)) {
+                return false;
+            }
+            x += width;
+        }
+    }
+    return true;
+}
+
+fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
+                            const fxl_display_port *port, const uint8_t *palette)
+{
+    if (display == NULL || config == NULL || port == NULL || palette == NULL ||
+        port->send == NULL || port->pause == NULL || (port->start != NULL && port->wait == NULL)) {
+        return FXL_E_ARGUMENT;
+    }
+    if (config->driver == NULL || config->width == 0 || config->height == 0 ||
+        config->width > FXL_SCREEN_MAX || config->height > FXL_SCREEN_MAX ||
+        config->left > FXL_SCREEN_MAX || config->top > FXL_SCREEN_MAX) {
+        return FXL_E_RANGE;
+    }
+    const fxl_display_family *family = config->driver->family;
+    if (config->top % family->format->rows != 0 || config->height % family->format->rows != 0) {
+        return FXL_E_RANGE;
+    }
+    display->config = *config;
+    display->port = port;
+    display->sink.user = display;
+    display->sink.start = start;
+    display->sink.wait = wait;
+    (void)fxl_pixels_init(&display->pixels, family->format, palette);
+    (void)fxl_display_place(display, config->width, config->height);
+    return family->set_up(display) && make_black(display) &&
+                   fxl_display_command(display, family->turn_on, NULL, 0)
+               ? FXL_OK
+               : FXL_E_DISPLAY;
+}
