@@ -38,16 +38,17 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # The program's own objects, beside region, start and text, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
-BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands listing-double listing-float memset kernels
+BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 listing-double listing-float memset kernels
 BENCH_LIB := $(LIB_NAMES:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel $(BENCH_FRAMES)
 # The library by -Os; for few bytes, as make lib SIZE=1 makes it; in bands, with the memory of a
-# small board.
+# small board; with each frame converted.
 BENCH_OBJECTS.fixel-os := draw_fixel frames path $(LIB_NAMES:%=os/lib/%)
 BENCH_OBJECTS.fixel-small := draw_fixel frames path $(LIB_NAMES:%=small/lib/%)
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)

@@ -82,4 +82,8 @@ void kernel_inputs_make(kernel_inputs *inputs)
         view_quad(-65536 + between(-4000, 4000), between(-40000, 40000), 12000, &inputs->across[i]);
         screen_quad(&inputs->quads[i]);
     }
+    for (uint32_t x = 0; x < KERNEL_ROW; x++) {
+        inputs->noise[x] = (uint8_t)(x * 37u);
+        inputs->run[x] = 9;
+    }
 }

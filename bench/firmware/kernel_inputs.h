@@ -6,7 +6,8 @@
 
 #include "fixel/all.h"
 
-#define KERNEL_COUNT 64u /* of each kind of input, a power of two */
+#define KERNEL_COUNT 64u  /* of each kind of input, a power of two */
+#define KERNEL_ROW   320u /* pixels of a row */
 
 typedef struct {
     fxl_view view; /* 320x240, 90 degrees */
@@ -23,6 +24,8 @@ typedef struct {
     fxl_view_polygon inside[KERNEL_COUNT];  /* quads on the screen */
     fxl_view_polygon across[KERNEL_COUNT];  /* quads that the left plane cuts */
     fxl_screen_polygon quads[KERNEL_COUNT]; /* on the screen, 20 to 60 rows high */
+    FXL_ALIGN_8 uint8_t noise[KERNEL_ROW];  /* pixels, none of the colour of its neighbour */
+    FXL_ALIGN_8 uint8_t run[KERNEL_ROW];    /* pixels of one colour */
 } kernel_inputs;
 
 void kernel_inputs_make(kernel_inputs *inputs);

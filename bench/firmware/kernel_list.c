@@ -27,7 +27,7 @@ static union {
     fxl_scan scan;
 } results;
 
-static uint8_t pixels[KERNEL_COUNT * 320u];
+static FXL_ALIGN_8 uint8_t pixels[KERNEL_COUNT * 320u];
 static const fxl_band rows = {pixels, 320, 320, 0, KERNEL_COUNT};
 static const fxl_band screen = {pixels, 320, 320, 0, 240}; /* scanned, never filled */
 
@@ -172,6 +172,26 @@ SPAN(64)
 SPAN(128)
 SPAN(320)
 
+/* A row of pixels to colours. */
+static void to_16(const uint8_t *row)
+{
+    static const uint16_t table[FXL_PALETTE_COLOURS];
+    EACH(i)
+    {
+        fxl_row_to_16(row, KERNEL_ROW, table, (uint16_t *)(void *)pixels);
+    }
+}
+
+static void rgb565_noise(const kernel_inputs *in)
+{
+    to_16(in->noise);
+}
+
+static void rgb565_run(const kernel_inputs *in)
+{
+    to_16(in->run);
+}
+
 const bench_kernel kernel_list[] = {
     {"call", call, KERNEL_COUNT},
     {"multiply", multiply, KERNEL_COUNT},
@@ -195,5 +215,7 @@ const bench_kernel kernel_list[] = {
     {"span-64", span_64, KERNEL_COUNT},
     {"span-128", span_128, KERNEL_COUNT},
     {"span-320", span_320, KERNEL_COUNT},
+    {"rgb565-noise", rgb565_noise, KERNEL_ROW *KERNEL_COUNT},
+    {"rgb565-run", rgb565_run, KERNEL_ROW *KERNEL_COUNT},
     {NULL, NULL, 0},
 };

@@ -21,7 +21,7 @@ BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performa
 ROW = {"workload", "renderer", "core", "instructions", "frame", "per_unit", "unit", "ratio_to_listing_double",
        "ratio_to_limit", "text_bytes", "ram_bytes", "stack_bytes"}
 RENDERERS = {"fixel", "listing-double", "listing-float", "memset"}
-VARIANTS = {"os", "small", "bands"}
+VARIANTS = {"os", "small", "bands", "rgb565"}
 DRAWN = ("w1", "w2", "w3", "g2000")     # of the scenes, by a test: the others take as long as all these together
 
 
@@ -125,7 +125,7 @@ def test_the_plan_has_all_workloads_and_kernels(plan):
     assert list(plan.workloads) == ["w1", "w2", "w3", "w3b", "plaza", "c500", "e300", "f32", "f32p", "g2000"]
     assert set(plan.renderers) == RENDERERS and set(plan.variants) == VARIANTS
     assert {"multiply", "divide", "reciprocal", "root", "sine", "transform", "outcode", "project", "clip",
-            "edge-setup", "span-1", "span-320"} <= set(plan.kernels)
+            "edge-setup", "span-1", "span-320", "rgb565-noise"} <= set(plan.kernels)
 
 
 def test_an_unknown_workload_is_one_sentence():
@@ -246,13 +246,14 @@ def goal_result():
         return {"variant": name, "workload": workload, "core": "m3", "frame": frame, "by_fixel": 1.5}
     return {
         "rows": [row("w1", "m3", 130_000), row("w2", "m3", 16_000, stack_bytes=573), row("g2000", "m3", 1_850_001),
+                 row("plaza", "m3", 540_000), row("rgb565-noise", "m3", 0, frame=None, stack_bytes=None, per_unit=3.31),
                  row("w1", "m4f", 130_000), row("sine", "m3", 0, frame=None, stack_bytes=None),
                  row("sine", "m55", 0, frame=None, stack_bytes=None, per_unit=10.1),
                  row("w1", "m4f", 260_000, "listing-float"), row("g2000", "m4f", 1_850_001, "listing-float"),
                  row("w1", "m3", 10, "listing-float")],
         "sizes": [size("-Os", 10_400, 200), size("-Os -DFXL_SMALL", 7801, 200)],
         "variants": [variant("bands", "plaza", 4_000_001), variant("os", "w1", 185_000), variant("small", "w1", 400_000),
-                     variant("small", "w3", 727_000), variant("small", "g2000", 4_500_000)],
+                     variant("rgb565", "plaza", 540_000 + 3 * 38_400), variant("small", "w3", 727_000), variant("small", "g2000", 4_500_000)],
         "peers": [{"name": "small3dlib, -Os", "variant": "small", "core": "m3",
                    "frames": {"w3": 1_454_000, "f32": 1, "g2000": 2_250_000}}],
         "growth": [{"axis": axis, "objects": objects, "faces": faces, "pixels": 5, "instructions": instructions}
@@ -272,6 +273,9 @@ def goal_result():
     ("M55 by M3, the slowest of all workloads and kernels", 1.01, False),
     ("plaza, a frame in bands of three rows, M3", 4_000_001, False),
     ("W3, a frame in bands of three rows, M3", None, None),
+    ("plaza to RGB565, a pixel, M3", 1.5, True),
+    ("plaza to RGB565, a pixel, M0", None, None),
+    ("noise to RGB565, a pixel, M3", 3.31, False),
     ("growth with cubes in sight", 1.0, True),
     ("growth with faces of one model", 1.3, False),
     ("growth with faces in patches", None, None),

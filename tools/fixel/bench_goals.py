@@ -8,6 +8,7 @@ from fixel.errors import ToolError
 
 GOALS = pathlib.Path(__file__).resolve().parents[2] / "bench" / "goals.toml"
 OURS = "fixel"
+SCREEN = 320 * 240   # pixels of each workload
 
 
 def _row(result, goal, renderer=OURS, core=None):
@@ -29,6 +30,12 @@ def _variant(result, goal):
         if all(row[key] == goal[key] for key in ("variant", "workload", "core")):
             return row["frame"], f"{row['by_fixel']:.2f} times -O2 in one band"
     return None
+
+
+def _conversion(result, goal):
+    """What a variant adds to a frame, for each pixel of the screen."""
+    row, shown = _row(result, goal), _variant(result, goal)
+    return row and shown and ((shown[0] - row["frame"]["mean"]) / SCREEN, None)
 
 
 def _worst(result, goal):
@@ -139,7 +146,7 @@ def _renderer(result, goal):
     return size and (size, None)
 
 
-FIGURES = {"frame": _frame, "variant": _variant, "worst": _worst, "share": _share, "worst share": _worst_share,
+FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "worst": _worst, "share": _share, "worst share": _worst_share,
            "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "code": _code,
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 
