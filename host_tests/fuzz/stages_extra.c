@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "show.h"
 #include "stages.h"
 
 enum {
@@ -207,7 +208,8 @@ void fuzz_normalised(fuzz_input *in)
     DEMAND(status == FXL_OK || (screen.x == 1 && screen.y == 2));
 }
 
-/* What a first program does, with less memory than it needs, just that much, or more. */
+/* What a first program does, with less memory than it needs, just that much, or more; and a display
+ * for its frames. */
 void fuzz_first_program(fuzz_input *in)
 {
     static const fxl_point vertices[] = {
@@ -253,6 +255,7 @@ void fuzz_first_program(fuzz_input *in)
     DEMAND(fxl_render(&renderer, &eye, NULL, 24) == FXL_E_ARGUMENT);
     DEMAND(fxl_render(&renderer, &eye, pixels, 23) == FXL_E_RANGE);
     DEMAND(fxl_render(&renderer, &eye, pixels, 24) == FXL_OK);
+    fuzz_show(in, &renderer, &eye);
     eye.position.x = INT32_MAX;
     DEMAND(fxl_render(&renderer, &eye, pixels, 24) == FXL_E_RANGE);
     for (int i = -1; i <= FXL_STATUS_COUNT; i++) {

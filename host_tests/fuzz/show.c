@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+#include "show.h"
+
+#include <string.h>
+
+#include "demand.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    WIDEST = 80,
+    ROWS = 17,
+    GUARD = 0x5A
+};
+
+static const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb565_low, &fxl_rgb332,
+                                                  &fxl_grey4,  &fxl_mono_rows,  &fxl_mono_pages};
+static const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_ili9341, &fxl_st7735,
+                                                    &fxl_ssd1306, &fxl_sh1106};
+static uint8_t palette[3 * FXL_PALETTE_COLOURS];
+
+/* Wires that fail at one call, and never before. */
+typedef struct {
+    uint32_t calls, fails_at;
+    const uint8_t *sent; /* under way */
+    uint8_t first_byte;
+} fuzz_wires;
+
+static bool count_call(fuzz_wires *wires)
+{
+    DEMAND(wires->calls <= wires->fails_at);
+    return wires->calls++ != wires->fails_at;
+}
+
+static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
+{
+    fuzz_wires *wires = (fuzz_wires *)user;
+    DEMAND(wires->sent == NULL && bytes != NULL && size > 0 && (is_data || size < 64));
+    return count_call(wires);
+}
+
+static bool begin(void *user, const uint8_t *bytes, size_t size)
+{
+    fuzz_wires *wires = (fuzz_wires *)user;
+    DEMAND(wires->sent == NULL && size > 0);
+    wires->sent = bytes;
+    wires->first_byte = bytes[0];
+    return count_call(wires);
+}
+
+static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
+{
+    DEMAND(rows > 0 && first_row + rows <= HEIGHT);
+    return begin(user, bytes, size);
+}
+
+static bool wait(void *user)
+{
+    fuzz_wires *wires = (fuzz_wires *)user;
+    DEMAND(wires->sent == NULL || wires->sent[0] == wires->first_byte);
+    wires->sent = NULL;
+    return true;
+}
+
+static void pause(void *user, uint32_t milliseconds)
+{
+    (void)user;
+    DEMAND(milliseconds < 1000);
+}
+
+/* Bands of any shape in each format: a status, and no byte behind the result. */
+static void fuzz_formats(fuzz_input *in)
+{
+    static uint8_t frame[WIDEST * ROWS];
+    static uint32_t out[WIDEST * ROWS / 2 + 2];
+    static fxl_pixels pixels;
+    const uint32_t run = 1u + fuzz_below(in, 64), noise = fuzz_below(in, 2);
+    const fxl_band band = {frame, (uint16_t)fuzz_below(in, 68),
+                           (uint16_t)fuzz_below(in, WIDEST + 1), (uint16_t)fuzz_below(in, 32),
+                           (uint16_t)fuzz_below(in, ROWS + 1)};
+    for (uint32_t i = 0; i < sizeof frame; i++) {
+        frame[i] = (uint8_t)(noise != 0 ? fuzz_bits(in, 1) : i / run);
+    }
+    for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        DEMAND(fxl_pixels_init(&pixels, formats[i], palette) == FXL_OK);
+        const size_t size = fxl_pixels_size(formats[i], band.width, band.rows);
+        memset(out, GUARD, sizeof out);
+        fxl_status status = fxl_pixels_convert(&pixels, &band, out, size);
+        const bool is_empty = band.width == 0 || band.rows == 0;
+        const bool is_wrong = band.stride < band.width || band.first_row % formats[i]->rows != 0;
+        DEMAND(status == (is_empty ? FXL_E_ARGUMENT : is_wrong ? FXL_E_RANGE : FXL_OK));
+        const uint8_t *bytes = (const uint8_t *)out;
+        for (size_t at = status == FXL_OK ? size : 0; at < sizeof out; at++) {
+            DEMAND(bytes[at] == GUARD);
+        }
+        if (status == FXL_OK) {
+            DEMAND(fxl_pixels_convert(&pixels, &band, out, size - 1) == FXL_E_CAPACITY);
+            DEMAND(fxl_pixels_convert(&pixels, &band, (uint8_t *)out + 1, size) == FXL_E_ALIGNMENT);
+        }
+    }
+    DEMAND(fxl_pixels_init(&pixels, NULL, palette) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pixels_convert(&pixels, &band, NULL, 0) == FXL_E_ARGUMENT);
+}
+
+static fxl_status send_elsewhere(fuzz_input *in, fxl_pump *pump, uint8_t *lent)
+{
+    const fxl_band rows = {lent, (uint16_t)(WIDTH + (fuzz_below(in, 16) == 1)),
+                           (uint16_t)(WIDTH + fuzz_below(in, 3) - 1u),
+                           (uint16_t)fuzz_below(in, HEIGHT + 1), (uint16_t)fuzz_below(in, 10)};
+    DEMAND(fxl_pump_send_rows(pump, NULL) == FXL_E_ARGUMENT);
+    return fxl_pump_send_rows(pump, &rows);
+}
+
+/* Frames through a pump, with wires that fail sooner or later. */
+static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
+{
+    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 16)];
+    static uint8_t lent[10 * (WIDTH + 2)];
+    static fxl_pixels pixels;
+    static fxl_pump pump;
+    const uint32_t format = fuzz_below(in, 7);
+    fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 20), NULL, 0};
+    const fxl_pump_sink sink = {&wires, start, wait}, no_sink = {&wires, NULL, wait};
+    fxl_pump_config config = {NULL, WIDTH, HEIGHT, (uint16_t)fuzz_below(in, HEIGHT + 2)};
+    if (format < 6) {
+        DEMAND(fxl_pixels_init(&pixels, formats[format], palette) == FXL_OK);
+        config.pixels = &pixels;
+    }
+    const size_t size = fxl_pump_memory_size(&config);
+    fxl_status status = fxl_pump_init(&pump, &config, &sink, memory, size);
+    DEMAND(status == (size == 0 ? FXL_E_RANGE : FXL_OK));
+    DEMAND(fxl_pump_init(&pump, &config, &no_sink, memory, size) == FXL_E_ARGUMENT);
+    if (status != FXL_OK) {
+        return;
+    }
+    DEMAND(fxl_pump_init(&pump, &config, &sink, memory, size - 1) == FXL_E_CAPACITY);
+    DEMAND(fxl_pump_init(&pump, &config, &sink, (uint8_t *)memory + 4, size) == FXL_E_ALIGNMENT);
+    DEMAND(fxl_pump_send(&pump) == FXL_E_ORDER && fxl_pump_band(&pump) == NULL);
+    status = fxl_pump_frame(&pump, renderer, eye);
+    DEMAND(status == FXL_OK || (status == FXL_E_DISPLAY && fxl_pump_band(&pump) == NULL));
+    if (status == FXL_OK) {
+        DEMAND(fxl_pump_begin(&pump) == FXL_OK && fxl_pump_band(&pump)->first_row == 0);
+        status = send_elsewhere(in, &pump, lent);
+        DEMAND(status != FXL_E_DISPLAY || wires.calls > wires.fails_at);
+    }
+    DEMAND(fxl_pump_wait(&pump) == FXL_OK && wires.sent == NULL);
+    DEMAND(fxl_pump_frame(NULL, renderer, eye) == FXL_E_ARGUMENT);
+    pump.config.height -= 1;
+    DEMAND(fxl_pump_frame(&pump, renderer, eye) == FXL_E_RANGE);
+}
+
+/* A display with a glass of any size, on wires that fail sooner or later. */
+static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
+{
+    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 16)];
+    static fxl_display display;
+    static fxl_pump pump;
+    fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 100), NULL, 0};
+    fxl_display_port port = {&wires, send, begin, wait, pause};
+    const uint32_t which = fuzz_below(in, 5), turns = fuzz_below(in, 5);
+    fxl_display_config config = fxl_display_config_default(drivers[which], turns);
+    DEMAND((config.driver == NULL) == (turns > 3 || (which > 2 && turns % 2 == 1)));
+    if (fuzz_below(in, 2)) {
+        port.start = NULL;
+        port.wait = NULL;
+    }
+    config.width = (uint16_t)fuzz_below(in, 150);
+    config.height = (uint16_t)(8u * fuzz_below(in, 6) + (fuzz_below(in, 8) == 1));
+    config.left = (uint16_t)(fuzz_below(in, 16) == 1 ? 2000 : fuzz_below(in, 4));
+    config.top = (uint16_t)(8u * fuzz_below(in, 3) + (fuzz_below(in, 8) == 1));
+    config.is_inverted = fuzz_below(in, 2) != 0;
+    fxl_status status = fxl_display_open(&display, &config, &port, palette);
+    DEMAND(status == FXL_OK || status == FXL_E_RANGE || status == FXL_E_DISPLAY);
+    DEMAND((status == FXL_E_DISPLAY) == (wires.calls > wires.fails_at));
+    if (status != FXL_OK) {
+        return;
+    }
+    if (fxl_display_place(&display, WIDTH, HEIGHT) != FXL_OK) {
+        DEMAND(config.width < WIDTH || config.height < HEIGHT);
+        return;
+    }
+    const fxl_pump_config pumped = {&display.pixels, WIDTH, HEIGHT, 8};
+    DEMAND(fxl_pump_init(&pump, &pumped, &display.sink, memory, sizeof memory) == FXL_OK);
+    status = fxl_pump_frame(&pump, renderer, eye);
+    DEMAND((status == FXL_OK) == (wires.calls <= wires.fails_at));
+    DEMAND(fxl_pump_wait(&pump) == FXL_OK);
+    port.pause = NULL;
+    DEMAND(fxl_display_open(&display, &config, &port, palette) == FXL_E_ARGUMENT);
+}
+
+/* Null pointers, and configurations out of range. */
+static void demand_refusals(fuzz_input *in)
+{
+    static uint64_t memory[4];
+    static fxl_display display;
+    static fxl_pixels pixels;
+    static fxl_pump pump;
+    fuzz_wires wires = {0, 0, NULL, 0};
+    const fxl_display_port port = {&wires, send, NULL, NULL, pause};
+    const fxl_pump_sink sink = {&wires, start, wait}, no_wait = {&wires, start, NULL};
+    const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
+    fxl_pump_config shape = {NULL, 4, 4, 1};
+    uint16_t *const sides[] = {&shape.width, &shape.height, &shape.rows};
+    DEMAND(fxl_pixels_init(NULL, &fxl_rgb565, palette) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pixels_init(&pixels, &fxl_rgb565, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pixels_convert(NULL, NULL, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pixels_convert(&pixels, NULL, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_display_open(NULL, &config, &port, palette) == FXL_E_ARGUMENT);
+    DEMAND(fxl_display_open(&display, NULL, &port, palette) == FXL_E_ARGUMENT);
+    DEMAND(fxl_display_open(&display, &config, NULL, palette) == FXL_E_ARGUMENT);
+    DEMAND(fxl_display_open(&display, &config, &port, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_display_place(NULL, 1, 1) == FXL_E_ARGUMENT);
+    DEMAND(fxl_display_config_default(NULL, 0).driver == NULL);
+    DEMAND(fxl_pump_init(NULL, &shape, &sink, memory, 32) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_init(&pump, NULL, &sink, memory, 32) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_init(&pump, &shape, NULL, memory, 32) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_init(&pump, &shape, &sink, NULL, 32) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_init(&pump, &shape, &no_wait, memory, 32) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_memory_size(NULL) == 0 && fxl_pump_memory_size(&shape) == 16);
+    DEMAND(fxl_pump_begin(NULL) == FXL_E_ARGUMENT && fxl_pump_send(NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_wait(NULL) == FXL_E_ARGUMENT && fxl_pump_band(NULL) == NULL);
+    DEMAND(fxl_pump_send_rows(NULL, NULL) == FXL_E_ARGUMENT);
+    *sides[fuzz_below(in, 3)] = (uint16_t)(fuzz_below(in, 2) ? 0 : FXL_SCREEN_MAX + 1);
+    DEMAND(fxl_pump_memory_size(&shape) == 0);
+}
+
+void fuzz_show(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
+{
+    for (uint32_t i = 0; i < sizeof palette; i++) {
+        palette[i] = (uint8_t)(i * 37u);
+    }
+    demand_refusals(in);
+    fuzz_formats(in);
+    fuzz_pump(in, renderer, eye);
+    fuzz_driver(in, renderer, eye);
+}
