@@ -4,13 +4,13 @@
 #include "transfer.h"
 
 enum {
-    WIDTH = 40,
+    WIDTH = 24,
     HEIGHT = 27,
     BACKGROUND = 200,
     NEVER = 1000
 };
 
-static uint64_t block[320], memory[(5 * WIDTH * 16 + 7) / 8];
+static uint64_t block[160], memory[(5 * WIDTH * 16 + 7) / 8];
 static uint8_t palette[768], whole[HEIGHT * WIDTH];
 static uint32_t expected[(2 * WIDTH * HEIGHT + 7) / 4], received[(2 * WIDTH * HEIGHT + 7) / 4];
 static fxl_renderer renderer;
