@@ -8,7 +8,7 @@
 
 #include "contract/display.h"
 #include "contract/journal.h"
-#include "spi_mock.h"
+#include "wires_mock.h"
 
 static uint8_t palette[768], lent[1024 * 1024];
 
@@ -49,6 +49,6 @@ int main(int argc, char **argv)
     }
     good = show_frame(0, width, height, rows) && show_frame(1, width, height, rows);
     good = display_close() && good;
-    spi_mock_end();
+    wires_mock_end();
     return good ? 0 : 1;
 }

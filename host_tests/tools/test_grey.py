@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Greys: what tools/fixel/grey.py says, and that boards/parts/grey.c says the same."""
+"""Greys: what tools/fixel/grey.py says, and that the library says the same."""
 
 import ctypes
 import subprocess
@@ -45,20 +45,20 @@ def test_a_frame_that_is_no_multiple_of_the_matrix():
 
 @pytest.fixture(scope="module")
 def part(tmp_path_factory):
-    """The boards' own, for the host."""
+    """The library's, for the host."""
     library = tmp_path_factory.mktemp("grey") / "grey.so"
-    subprocess.run(["gcc", "-std=c11", "-shared", "-fPIC", "-Iboards", "boards/parts/grey.c", "-o", library],
+    subprocess.run(["gcc", "-std=c11", "-shared", "-fPIC", "-Ilib/include", "lib/extra/pixels/grey.c", "-o", library],
                    cwd=CHECKOUT, check=True)
     return ctypes.CDLL(str(library))
 
 
 @pytest.mark.parametrize("highest", (1, 3, 15, 63, 255))
 @pytest.mark.parametrize("palette", (EVEN, PALETTE), ids=("even", "random"))
-def test_the_boards_say_the_same_of_every_colour_at_every_place(part, palette, highest):
+def test_the_library_says_the_same_of_every_colour_at_every_place(part, palette, highest):
     table = (ctypes.c_uint16 * 256)()
-    part.grey_table(table, palette.tobytes(), highest)
-    part.grey_level.restype = ctypes.c_uint8
+    part.fxl_grey_table(table, palette.tobytes(), highest)
+    part.fxl_grey_level.restype = ctypes.c_uint8
     for colour in range(256):
         expected = grey.levels(numpy.full((8, 8), colour, numpy.uint8), palette, highest)
-        found = [[part.grey_level(ctypes.c_uint16(table[colour]), x, y) for x in range(8)] for y in range(8)]
+        found = [[part.fxl_grey_level(ctypes.c_uint16(table[colour]), x, y) for x in range(8)] for y in range(8)]
         assert (expected == found).all(), colour

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef SPI_MOCK_H
-#define SPI_MOCK_H
+#ifndef WIRES_MOCK_H
+#define WIRES_MOCK_H
 
 /* Ends the file, after the display was closed. */
-void spi_mock_end(void);
+void wires_mock_end(void);
 
 #endif
