@@ -15,6 +15,7 @@ import scene as scene_tool
 from board_programs import BOARD, ROOT, built
 from conftest import run_make
 from fixel import emulator
+from test_displays import read_wires, rgb565
 
 PAGE = (ROOT / "docs" / "hello.md").read_text(encoding="utf-8")
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -67,25 +68,42 @@ THREADS = """
 #define main two_cores
 #include "cores.c"
 #undef main
-static void (*work)(int core);
+static void (*share)(int core);
 static void *second_core(void *unused)
 {
     (void)unused;
-    work(1);
+    share(1);
     return NULL;
 }
-void on_both_cores(void (*draw_part)(int core))
+void on_both_cores(void (*both)(int core))
 {
     pthread_t thread;
-    work = draw_part;
+    share = both;
     if (pthread_create(&thread, NULL, second_core, NULL)) { return; }
-    work(0);
+    share(0);
     pthread_join(thread, NULL);
 }
 int main(void)
 {
     if (two_cores()) { return 1; }
     return fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels;
+}
+"""
+# The same for ahead.c. The second core begins a frame before the first one draws the frame before.
+AHEAD = THREADS.replace("cores.c", "ahead.c").replace("fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels", "0")
+# The wires of a display go to wires.bin (host_tests/displays/wires_mock.c).
+WIRED = """
+#include "wires_mock.h"
+#include <stdbool.h>
+bool wires_open(void);
+#define main shown
+#include "screen.c"
+#undef main
+int main(void)
+{
+    if (!wires_open() || shown()) { return 1; }
+    wires_mock_end();
+    return 0;
 }
 """
 # The frames of the path, whole, by the first level.
@@ -136,7 +154,7 @@ def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("hello")
     for name, text in BLOCKS.items():
         (folder / name).write_text(text, encoding="utf-8")
-    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS),
+    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("threads_ahead.c", AHEAD), ("wired.c", WIRED),
                        ("whole.c", WHOLE)):
         (folder / name).write_text(text, encoding="utf-8")
     scene_tool.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
@@ -192,7 +210,7 @@ def test_readme_page_and_example_have_the_same_program():
 
 def test_the_page_has_its_six_steps():
     assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "cores.c", "loop.c", "steer.c",
-                           "display.c"}
+                           "display.c", "ahead.c", "screen.c"}
     assert PAGE.count("\n## ") == 6 and PAGE.count("```") == 2 * len(BLOCKS)
 
 
@@ -246,19 +264,29 @@ def test_two_cores_draw_the_same_picture(page, picture):
     assert drawn(page, "-pthread", "threads.c").tobytes() == picture.tobytes()
 
 
-@pytest.mark.parametrize("least", [[], ["-DLEAST"]])
-def test_two_cores_touch_nothing_of_each_other(page, picture, least):
-    """ThreadSanitizer, with the library's sources: it ends a program with 66 where two threads meet."""
+def watched(page, *files):
+    """What a program of two threads writes. ThreadSanitizer, with the library's sources, ends it with 66 where the
+    threads meet."""
     sources = [*(ROOT / "lib" / "src").glob("*/*.c"), *(ROOT / "lib" / "kernels").glob("*/*.c")]
     built_so = subprocess.run([*C11, "-O1", "-pthread", "-fsanitize=thread", "-ffunction-sections", "-fdata-sections",
-                               "-Wl,--gc-sections", f"-I{ROOT / 'lib'}", f"-I{ROOT / 'lib' / 'include'}", *least,
-                               "threads.c", *sources, "-o", "threads"],
+                               "-Wl,--gc-sections", f"-I{ROOT / 'lib'}", f"-I{ROOT / 'lib' / 'include'}", *files,
+                               *sources, "-o", "threads"],
                               cwd=page, capture_output=True, text=True, check=False)
     assert (built_so.returncode, built_so.stderr) == (0, "")
     # Without random addresses: some kernels choose such as ThreadSanitizer cannot start with.
     done = subprocess.run(["setarch", "-R", "./threads"], cwd=page, capture_output=True, check=False)
     assert (done.returncode, done.stderr.decode()) == (0, "")
-    assert done.stdout == picture.tobytes()
+    return done.stdout
+
+
+@pytest.mark.parametrize("least", [[], ["-DLEAST"]])
+def test_two_cores_touch_nothing_of_each_other(page, picture, least):
+    assert watched(page, *least, "threads.c") == picture.tobytes()
+
+
+@pytest.mark.parametrize("least", [[], ["-DLEAST"]])
+def test_a_frame_begins_while_another_is_drawn(page, least):
+    assert watched(page, *least, "threads_ahead.c", "rows.c") == drawn(page, "whole.c").tobytes()
 
 
 def test_the_loop_draws_the_path(page):
@@ -280,6 +308,16 @@ def test_the_display_gets_the_colours_of_the_palette(page, picture):
     sent = drawn(page, "bands.c", "display.c", "send.c").reshape(HEIGHT, WIDTH, 2).astype(int)
     red, green, blue = (palette_of(page)[picture][..., i].astype(int) for i in range(3))
     assert numpy.array_equal(sent[..., 0] << 8 | sent[..., 1], (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3)
+
+
+def test_an_st7789_shows_the_picture(page, picture):
+    """Its program is short, and what comes over the wires is the first program's picture."""
+    mock = ROOT / "host_tests" / "displays"
+    drawn(page, "wired.c", mock / "wires_mock.c", f"-I{mock}")
+    display = read_wires(page / "wires.bin")
+    assert display.on and display.inverted and display.access == 0x60
+    assert numpy.array_equal(display.memory, rgb565(palette_of(page))[picture])
+    assert len([line for line in BLOCKS["screen.c"].splitlines() if line.strip()]) <= 22
 
 
 def test_the_commands_run_as_written(page):
