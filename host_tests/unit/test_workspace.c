@@ -83,6 +83,40 @@ static void expect_the_same(int frames)
     }
 }
 
+/* Frame n + 1 begins in a second renderer between the bands of frame n: two renderers share the
+ * scene and nothing else. */
+void test_a_frame_begins_between_the_bands_of_the_one_before(void)
+{
+    static fxl_renderer ahead;
+    static uint32_t other_list[WORDS];
+    static fxl_order_entry other_order[TINY_INSTANCES + 6];
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory tables = {other_order, TINY_INSTANCES + 6, other_list, WORDS, NULL, 0};
+    fxl_renderer *turns[2] = {&renderer, &ahead};
+    fxl_pose pose = pose_number(0);
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&ahead, renderer.scene, &lens, &tables));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(turns[0], &pose));
+    for (int number = 0; number < 6; number++) {
+        fxl_renderer *drawn = turns[number % 2], *next = turns[(number + 1) % 2];
+        for (uint16_t first = 0; first < HEIGHT; first = (uint16_t)(first + 2)) {
+            const fxl_band band = band_of(other, first, 2);
+            if (first == 4) {
+                pose = pose_number(number + 1);
+                TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(next, &pose));
+            }
+            fxl_fill_band(&band, BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(drawn, &band));
+        }
+        const fxl_pose again = pose_number(number);
+        const fxl_band all = band_of(whole, 0, HEIGHT);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(drawn, &again));
+        fxl_fill_band(&all, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(drawn, &all));
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
 void test_bands_in_two_workspaces_are_the_frame(void)
 {
     start();
