@@ -7,7 +7,8 @@
 #include "fixel/extra/pixels.h"
 #include "sides.h"
 
-#define COUNT_MAX 400u
+#define COUNT_MAX 96u
+#define PAINTINGS 8u /* rounds for which the pixels stay */
 
 static uint32_t pixel_words[COUNT_MAX / 4u + 2u];
 static uint32_t by_core[COUNT_MAX / 2u + 4u], by_portable[COUNT_MAX / 2u + 4u];
@@ -70,8 +71,10 @@ void test_row_to_16(uint32_t rounds)
     }
     boundaries();
     one_pixel();
-    for (uint32_t i = 0; i < rounds; i += 20) { /* a row is as much work as many of other kernels */
-        paint(1u + (any_32() >> 6) % 60u, 1u + (any_32() >> 8) % 255u);
+    for (uint32_t i = 0; i < rounds; i++) {
+        if (i % PAINTINGS == 0) {
+            paint(1u + (any_32() >> 6) % 60u, 1u + (any_32() >> 8) % 255u);
+        }
         compare((any_32() >> 5) % (COUNT_MAX + 1u), any_32() >> 11 & 3u, any_32() >> 13 & 1u);
     }
 }
