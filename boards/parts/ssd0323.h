@@ -12,7 +12,6 @@
 
 #define SSD0323_WIDTH  128u
 #define SSD0323_HEIGHT 64u
-#define SSD0323_LEVELS 16u
 
 extern const panel ssd0323_panel;
 
