@@ -8,6 +8,7 @@
 #include "fixel/extra/bsp.h"
 #include "fixel/extra/clippers.h"
 #include "fixel/extra/overlay.h"
+#include "fixel/extra/pick.h"
 #include "fixel/extra/player.h"
 #include "fixel/extra/spans.h"
 #include "fixel/extra/wire.h"
