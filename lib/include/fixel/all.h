@@ -7,6 +7,7 @@
 #include "fixel/extra/beams.h"
 #include "fixel/extra/bsp.h"
 #include "fixel/extra/clippers.h"
+#include "fixel/extra/collide.h"
 #include "fixel/extra/overlay.h"
 #include "fixel/extra/pick.h"
 #include "fixel/extra/player.h"
