@@ -78,8 +78,8 @@ typedef struct {
  * through one. Faces stop it from either side. After each step the sphere is pushed off the faces
  * that it reaches into, the nearest to its centre first; if it then still reaches into one, it
  * stays where the step began. If the sphere is free of all faces at the start, it is free after
- * each step, its centre keeps at least half the radius from every face on the straight way between
- * two steps, and 8 units of 1/65536 or fewer are left between sphere and face. If it is not free at
+ * each step, and its centre keeps at least half the radius from every face on the straight way
+ * between two steps. A push leaves a gap of 8 to 16 units of 1/65536. If the sphere is not free at
  * the start, it may stay there (`blocked`). A coordinate beyond FXL_COORDINATE_MAX is clamped to
  * it. It reads every face of each instance whose sphere it reaches, a few times for each step.
  * *slide may be null.
