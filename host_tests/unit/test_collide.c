@@ -2,6 +2,7 @@
 /* Overlaps and segments against exact arithmetic of 128 bits and double. */
 #include <math.h>
 
+#include "extra/collide/exact.h"
 #include "tiny.h"
 #include "wide.h"
 
@@ -128,6 +129,32 @@ void test_a_segment_meets_a_sphere_exactly(void)
     const fxl_point from = {-3, 5, 0}, to = {3, 5, 0}, high_from = {-3, 6, 0}, high_to = {3, 5, 0};
     TEST_ASSERT_TRUE(fxl_sphere_meets_segment(&sphere, &from, &to));
     TEST_ASSERT_FALSE(fxl_sphere_meets_segment(&sphere, &high_from, &high_to));
+}
+
+/* Vectors of any size, and such as lie nearly in one plane. */
+void test_the_sign_of_a_determinant_is_exact(void)
+{
+    uint32_t zeros = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const fxl_q16_16 limit = unit_random() % 2 ? 1 << 30 : 1 << unit_between(1, 20);
+        const fxl_point b = unit_point(limit), c = unit_point(limit);
+        fxl_point a = unit_point(limit);
+        if (unit_random() % 2) {
+            const fxl_point off = unit_point(1);
+            a.x = b.x / 2 + c.x / 2 + off.x;
+            a.y = b.y / 2 + c.y / 2 + off.y;
+            a.z = b.z / 2 + c.z / 2 + off.z;
+        }
+        const wide x = wide_product((int64_t)b.y * c.z - (int64_t)b.z * c.y, a.x),
+                   y = wide_product((int64_t)b.z * c.x - (int64_t)b.x * c.z, a.y),
+                   z = wide_product((int64_t)b.x * c.y - (int64_t)b.y * c.x, a.z);
+        const int sign = wide_compare(wide_sum(wide_sum(x, y), z), wide_product(0, 0));
+        const int found = fxl_determinant_sign(&a, &b, &c);
+        TEST_ASSERT_EQUAL(sign > 0, found > 0);
+        TEST_ASSERT_EQUAL(sign < 0, found < 0);
+        zeros += sign == 0;
+    }
+    TEST_ASSERT_TRUE(zeros > 0);
 }
 
 /* --- segments and scenes ---------------------------------------------------------------- */

@@ -94,6 +94,8 @@ void test_a_pick_is_the_pixel_that_was_drawn(void)
         const fxl_pose pose = random_pose();
         const uint32_t words = unit_random() % 2 ? WORDS : 0;
         tiny = tiny_make();
+        tiny->instances[0].model = unit_random() % 2; /* several with an order of their own */
+        tiny->instances[2].model = unit_random() % 2;
         draw_alone(&pose);
         start(words, clippers[unit_random() % 2], methods[unit_random() % 4]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));

@@ -63,6 +63,18 @@ void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
     TEST_ASSERT_EQUAL_INT32(Q16(0.3), sphere.centre.y);
 }
 
+/* Near the seam of two faces: the edge of the neighbour is farther than the face before the sphere.
+ */
+void test_a_seam_does_not_push_aside(void)
+{
+    fxl_sphere sphere = {{Q16(0.9), Q16(-0.9), Q16(-4)}, Q16(0.5)};
+    const fxl_point straight = {0, 0, Q16(6)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &straight, NULL));
+    TEST_ASSERT_EQUAL_INT32(Q16(0.9), sphere.centre.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(-0.9), sphere.centre.y);
+    TEST_ASSERT_INT32_WITHIN(16, Q16(-1.5), sphere.centre.z);
+}
+
 /* Past an edge: the sphere rolls round it. */
 void test_a_sphere_goes_round_an_edge(void)
 {

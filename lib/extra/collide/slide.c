@@ -155,7 +155,7 @@ static bool step(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *by
     for (uint32_t pass = 0; pass <= PASSES; pass++) {
         const contact nearest = find_contact(scene, &moved);
         if (nearest.instance == FXL_HIT_NONE) {
-            if (!is_near(&moved.centre, &sphere->centre, sphere->radius)) { /* bug: slide-jump */
+            if (!is_near(&moved.centre, &sphere->centre, sphere->radius)) {
                 return false;
             }
             *sphere = moved;

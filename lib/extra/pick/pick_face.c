@@ -39,10 +39,10 @@ static void name_face(const fxl_renderer *renderer, const fxl_resume_point *at, 
     const fxl_workspace *workspace = &renderer->workspace;
     picked->instance = frame->order[frame->visible_count - 1 - at->instances].index;
     const fxl_model *model = &scene->models[scene->instances[picked->instance].model];
-    const uint32_t face = model->kind == FXL_MODEL_SORTED
-                              ? workspace->face_order[workspace->sorted_count - 1 - at->faces]
-                                    .face /* bug: pick-sorted */
-                              : model->face_count - 1 - at->faces;
+    uint32_t face = model->face_count - 1 - at->faces;
+    if (model->kind == FXL_MODEL_SORTED) { /* bug: pick-sorted */
+        face = workspace->face_order[workspace->sorted_count - 1 - at->faces].face;
+    }
     picked->face = (uint16_t)face;
 }
 
