@@ -4,8 +4,8 @@
  * Every function draws at once into the band that it is given, after fxl_frame_draw. Coordinates
  * are whole pixels of the screen: (0, 0) is the top left pixel, x goes right, y goes down. What
  * lies outside of the band is not drawn, so a frame drawn in bands has the same pixels as a frame
- * drawn whole if each band gets the same calls. Colours are entries of the palette; `palette = {
- * reserve = n }` of a scene file keeps n entries for a program (docs/scenes.md).
+ * drawn whole if each band gets the same calls. Colours are entries of the palette;
+ * `palette.reserve` of a scene file keeps entries for the program (docs/scenes.md).
  * docs/extras/overlay.md specifies the pixels. All results are exact. */
 #ifndef FXL_OVERLAY_H
 #define FXL_OVERLAY_H
