@@ -32,17 +32,18 @@ static fxl_sphere any_sphere(void)
 
 void test_spheres_overlap_where_their_centres_are_near_enough(void)
 {
-    uint32_t touched = 0;
     for (int i = 0; i < UNIT_REPEAT; i++) {
         const fxl_sphere a = any_sphere(), b = any_sphere();
         const fxl_point between = difference(&a.centre, &b.centre);
         const int64_t reach = (int64_t)a.radius + b.radius;
         const wide left = wide_product(dot(&between, &between), 1);
         const int order = wide_compare(left, wide_product(reach, reach));
-        touched += order == 0;
         TEST_ASSERT_EQUAL(order <= 0, fxl_spheres_overlap(&a, &b));
     }
-    TEST_ASSERT_TRUE(touched > 0);
+    const fxl_sphere one = {{0, 0, 0}, Q16(2)}, other = {{Q16(3), Q16(-4), 0}, Q16(3)},
+                     less = {{Q16(3), Q16(-4), 0}, Q16(3) - 1};
+    TEST_ASSERT_TRUE(fxl_spheres_overlap(&one, &other)); /* they touch */
+    TEST_ASSERT_FALSE(fxl_spheres_overlap(&one, &less));
     const fxl_sphere low = {{-FXL_COORDINATE_MAX, 0, 0}, FXL_RADIUS_MAX};
     const fxl_sphere high = {{FXL_COORDINATE_MAX, 0, 0}, FXL_RADIUS_MAX};
     TEST_ASSERT_TRUE(fxl_spheres_overlap(&low, &high));
@@ -243,7 +244,7 @@ void test_a_segment_hits_what_double_says(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
         expect_like_double(tiny, &from, &to, &hit, &hits);
     }
-    TEST_ASSERT_TRUE(hits > UNIT_REPEAT / 200);
+    TEST_ASSERT_TRUE(hits > UNIT_REPEAT / 1000);
 }
 
 /* Into a closed cube, through its edges and corners exactly: there is no gap. */
