@@ -17,8 +17,9 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
+    parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/examples/hud.c)")
     options = parser.parse_args(argv)
-    pixels, palette = first_program.draw(options.library)
+    pixels, palette = (first_program.draw_hud if options.hud else first_program.draw)(options.library)
     output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
     return 0
 

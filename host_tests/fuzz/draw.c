@@ -262,6 +262,27 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     free_renderer(renderer);
 }
 
+/* The frame with outlines: whole and in bands, with any list; and what its pixels show. */
+static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
+                          uint32_t clipper, fuzz_input *in)
+{
+    const fxl_lens *lens = &first->frame.view.lens;
+    const uint32_t words =
+        fuzz_below(in, (first->workspace.counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
+    fxl_outline_style style = {(uint8_t)fuzz_bits(in, 1), 3, fuzz_below(in, 2) == 1, 0, 0};
+    fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, 0);
+    fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
+    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) ==
+           FXL_OK);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    demand_gaps_intact(&band);
+    draw_in_bands(renderer, &band, in);
+    draw_picks(renderer, whole, in);
+    free(band.pixels);
+    free_renderer(renderer);
+}
+
 /* The same frame with radii so large that no object is left out, without clusters and without keys.
  * What was drawn was drawn all the same. */
 static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
@@ -311,9 +332,12 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
         draw_all_instances(renderer, pose, &whole, choice->clipper);
     }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
+    draw_outlined(renderer, pose, &whole, choice->clipper, in);
     draw_by_bsp(scene, lens, pose, in);
     draw_wireframe(scene, lens, pose, in);
     draw_boxes(scene, lens, pose);
+    draw_picks(renderer, &whole, in);
+    draw_hits(scene, &renderer->frame.view, in);
     free(whole.pixels);
     free_renderer(renderer);
 }

@@ -37,4 +37,10 @@ void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose
 /* What the boxes about objects say, against every vertex. */
 void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 
+/* Some pixels of a band that was drawn of the renderer's frame, by fxl_pick_face. */
+void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in);
+
+/* A point on the screen, a segment from the eye, and a sphere that slides away from there. */
+void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in);
+
 #endif

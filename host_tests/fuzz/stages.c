@@ -246,12 +246,13 @@ static bool any_viewer(fuzz_input *in, fxl_player *viewer, fxl_motion_limits *mo
 }
 
 static void demand_walked(const fxl_player *viewer, const fxl_player *before,
-                          const fxl_motion_limits *motion_limits, const bool *held)
+                          const fxl_motion_limits *motion_limits, const bool *held, bool flies)
 {
     const fxl_point *place = &viewer->pose.position;
     DEMAND(place->x >= -FXL_COORDINATE_MAX && place->x <= FXL_COORDINATE_MAX);
     DEMAND(place->z >= -FXL_COORDINATE_MAX && place->z <= FXL_COORDINATE_MAX);
-    DEMAND(place->y == before->pose.position.y);
+    DEMAND(flies || place->y == before->pose.position.y);
+    DEMAND(place->y >= -FXL_COORDINATE_MAX && place->y <= FXL_COORDINATE_MAX);
     DEMAND(viewer->speed >= -motion_limits->speed_max && viewer->speed <= motion_limits->speed_max);
     DEMAND(viewer->clamped - before->clamped <= 1);
     DEMAND(held == NULL || *held == (viewer->clamped != before->clamped));
@@ -267,13 +268,15 @@ void fuzz_viewer(fuzz_input *in)
         bool *report = fuzz_below(in, 2) == 1 ? &held : NULL;
         uint32_t keys = (uint32_t)fuzz_bits(in, fuzz_below(in, 16) == 0 ? 2 : 1);
         fxl_player before = viewer;
-        fxl_status status = fxl_player_step(&viewer, keys, &motion_limits, report);
+        const bool flies = fuzz_below(in, 4) == 0;
+        fxl_status status =
+            (flies ? fxl_player_fly : fxl_player_step)(&viewer, keys, &motion_limits, report);
         if (status != FXL_OK) {
             DEMAND(status == FXL_E_RANGE && (spoilt || keys > FXL_KEY_ALL));
             DEMAND(memcmp(&before, &viewer, sizeof viewer) == 0);
             return;
         }
-        demand_walked(&viewer, &before, &motion_limits, report);
+        demand_walked(&viewer, &before, &motion_limits, report, flies);
     }
 }
 

@@ -92,7 +92,7 @@ VALUES = st.recursive(SCALARS, lambda inner: st.one_of(
         lambda pairs: "{" + ", ".join(f"{key} = {value}" for key, value in pairs.items()) + "}")), max_leaves=8)
 TABLES = st.sampled_from(["[screen]", "[view]", "[light]", "[[objects]]", "[path]", "[path.orbit]", "[path.gait]",
                           "[path.start]", "[[beams]]", "[glow]", "[[path.keys]]", "[[path.steps]]", "[objects.ring]",
-                          "[objects.repeat]"])
+                          "[objects.repeat]", "[palette]"])
 KNOWN = st.sampled_from([
     '[[objects]]\nsolid = "box"\n', '[[objects]]\nsolid = "floor"\ncells = [3, 3]\n', "[path]\nkeys = [{ position = [0, 0, 0] }]\n",
     "[path]\norbit = { radius = 4 }\n", '[path]\nsteps = [{ keys = ["forward"], frames = 9 }]\n',

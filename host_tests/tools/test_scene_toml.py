@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from fixel import image, image_lens, toml_object, toml_scene
+from fixel import c_scene, image, image_lens, toml_object, toml_scene
 from fixel.errors import ToolError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -217,6 +217,48 @@ def test_the_document_names_every_key():
         keys |= set(re.findall(r"[a-z_]+", group))
     assert {"focal", "gait", "look_at", "turns"} <= keys
     assert not [key for key in keys if not re.search(rf"\b{key}\b", text)]
+
+
+RESERVED = """
+[palette]
+reserve = 250
+colours = ["red", "#0f0"]
+"""
+FACES = """
+[[objects]]
+solid = "sphere"
+rings = 8
+sides = 16
+colour = "white"
+"""
+ORBIT = "[path.orbit]\nradius = 9\nframes = 1\n"
+
+
+def test_reserved_entries_are_last_and_no_face_has_one(tmp_path):
+    scene, notes = build(tmp_path, RESERVED + FACES + ORBIT)
+    assert scene.palette[6:8] == [(255, 0, 0), (0, 255, 0)] and set(scene.palette[8:]) == {(0, 0, 0)}
+    assert {face.colour for model in scene.models for face in model.faces} <= set(range(1, 6))
+    assert any("merged" in note for note in notes)
+    free, _ = build(tmp_path, FACES + ORBIT)
+    assert max(face.colour for model in free.models for face in model.faces) > 5
+    text = c_scene.header(scene, "x", "x.toml")
+    assert "#define X_RESERVED 6\n" in text and "RESERVED" not in c_scene.header(free, "x", "x.toml")
+
+
+@pytest.mark.parametrize("palette, words", [
+    ("reserve = 256", "outside 0..255"), ("reserve = -1", "outside 0..255"), ("reserve = 255", "use up all 255"),
+    ("reserve = 1\ncolours = ['red', 'blue']", "2 colours are more than reserve = 1"),
+    ("colours = ['rad']", "is not a colour"), ("reserved = 1", "unknown"),
+    ("colours = [" + "'red', " * 256 + "]", "256 colours are more than 255")])
+def test_a_palette_that_cannot_be_is_refused(tmp_path, palette, words):
+    with pytest.raises(ToolError, match=words):
+        build(tmp_path, f"[palette]\n{palette}\n" + FACES + ORBIT)
+
+
+def test_an_entry_asked_for_is_not_a_reserved_one(tmp_path):
+    with pytest.raises(ToolError, match="colour_index 250 is one of the entries 250..255"):
+        build(tmp_path, "[palette]\nreserve = 6\n" + FACES.replace('colour = "white"', "colour_index = 250") + ORBIT)
+    build(tmp_path, "[palette]\nreserve = 5\n" + FACES.replace('colour = "white"', "colour_index = 250") + ORBIT)
 
 
 @pytest.mark.parametrize("name", ["plaza", "w1", "w3", "tiny", "cube"])

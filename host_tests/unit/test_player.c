@@ -197,3 +197,123 @@ void test_null_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_player_step(NULL, 0, &motion_limits, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_player_step(&viewer, 0, NULL, NULL));
 }
+
+/* --- flying, factors, looking at ---------------------------------------------------------- */
+
+void test_a_flight_goes_where_the_view_goes(void)
+{
+    const double turn = 3.14159265358979323846 / 2147483648.0;
+    const fxl_motion_limits fast = {0, 0, FXL_MOTION_MAX, 0};
+    for (int i = 0; i < UNIT_REPEAT / 4; i++) {
+        fxl_player viewer = {.speed = unit_between(-FXL_MOTION_MAX, FXL_MOTION_MAX)};
+        viewer.pose = unit_pose();
+        viewer.pose.position = unit_point(Q16(7000));
+        fxl_player walker = viewer;
+        const fxl_player before = viewer;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_player_fly(&viewer, 0, &fast, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_player_step(&walker, 0, &fast, NULL));
+        const double y = sin(before.pose.pitch * turn) * before.speed;
+        TEST_ASSERT_NEAR(viewer.pose.position.y - before.pose.position.y, y,
+                         0.51 + fabs((double)before.speed) / 536870912.0);
+        walker.pose.position.y = viewer.pose.position.y;
+        TEST_ASSERT_EQUAL_MEMORY(&walker, &viewer, sizeof walker);
+    }
+    fxl_player up = {.pose.position.y = FXL_COORDINATE_MAX, .speed = Q16(1)};
+    up.pose.pitch = FXL_ANGLE_QUARTER;
+    bool clamped = false;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_player_fly(&up, 0, &fast, &clamped));
+    TEST_ASSERT_TRUE(clamped && up.clamped == 1);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_player_fly(NULL, 0, &fast, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_player_fly(&up, 0x100, &fast, NULL));
+}
+
+void test_a_factor_scales_speeds_and_no_turn(void)
+{
+    const fxl_motion_limits limits = {Q16(0.5), 3, Q16(2), 7};
+    fxl_motion_limits scaled = limits, untouched = limits;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scale_motion_limits(&limits, Q16(1.5), &scaled));
+    TEST_ASSERT_TRUE(scaled.acceleration == Q16(0.75) && scaled.friction == 5 &&
+                     scaled.speed_max == Q16(3) && scaled.turn == 7);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scale_motion_limits(&limits, Q16(128), &scaled));
+    TEST_ASSERT_EQUAL_INT32(FXL_MOTION_MAX, scaled.speed_max);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scale_motion_limits(&scaled, 0, &scaled)); /* in place */
+    TEST_ASSERT_TRUE(scaled.acceleration == 0 && scaled.friction == 0 && scaled.speed_max == 0);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scale_motion_limits(&limits, Q16(128) + 1, &untouched));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scale_motion_limits(&limits, -1, &untouched));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE,
+                      fxl_scale_motion_limits(&limits, FXL_MOTION_MAX + 1, &untouched));
+    const fxl_motion_limits wrong = {0, -1, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scale_motion_limits(&wrong, Q16(1), &untouched));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scale_motion_limits(NULL, Q16(1), &untouched));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scale_motion_limits(&limits, Q16(1), NULL));
+    TEST_ASSERT_EQUAL_MEMORY(&limits, &untouched, sizeof limits);
+}
+
+/* The difference of two angles, which may be on either side of 0, in units. */
+static double apart(fxl_angle angle, double turns)
+{
+    const double difference = angle - turns * 4294967296.0;
+    return fabs(difference - 4294967296.0 * floor(difference / 4294967296.0 + 0.5));
+}
+
+void test_a_pose_looks_at_a_point(void)
+{
+    const double turn = 2 * 3.14159265358979323846;
+    for (int i = 0; i < UNIT_REPEAT / 4; i++) {
+        fxl_pose pose = unit_pose();
+        fxl_point target = unit_point(FXL_COORDINATE_MAX);
+        if (unit_random() % 2) { /* near: few bits */
+            const fxl_point by = unit_point(1 << unit_between(1, 20));
+            target.x = pose.position.x / 2 + by.x;
+            target.y = pose.position.y / 2 + by.y;
+            target.z = pose.position.z / 2 + by.z;
+            pose.position.x /= 2;
+            pose.position.y /= 2;
+            pose.position.z /= 2;
+        }
+        const fxl_angle roll = pose.roll;
+        const double x = (double)target.x - pose.position.x, y = (double)target.y - pose.position.y,
+                     z = (double)target.z - pose.position.z;
+        const fxl_status status = fxl_pose_look_at(&pose, &target);
+        if (x == 0 && z == 0) {
+            continue;
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, status);
+        TEST_ASSERT_TRUE(apart(pose.yaw, atan2(x, z) / turn) <= 0.56);
+        TEST_ASSERT_TRUE(apart(pose.pitch, atan2(y, sqrt(x * x + z * z)) / turn) <= 0.75);
+        TEST_ASSERT_EQUAL_HEX32(roll, pose.roll);
+    }
+}
+
+void test_straight_up_and_down_keep_the_yaw(void)
+{
+    fxl_pose pose = {{1, 2, 3}, 4, 5, 6};
+    const fxl_point above = {1, 3, 3}, below = {1, -FXL_COORDINATE_MAX, 3}, at = {1, 2, 3},
+                    outside = {0, 0, FXL_COORDINATE_MAX + 1};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pose_look_at(&pose, &above));
+    TEST_ASSERT_EQUAL_HEX32(FXL_ANGLE_QUARTER, pose.pitch);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pose_look_at(&pose, &below));
+    TEST_ASSERT_EQUAL_HEX32(0u - FXL_ANGLE_QUARTER, pose.pitch);
+    TEST_ASSERT_TRUE(pose.yaw == 4 && pose.roll == 6);
+    const fxl_pose before = pose;
+    TEST_ASSERT_EQUAL(FXL_E_DEGENERATE, fxl_pose_look_at(&pose, &at));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pose_look_at(&pose, &outside));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pose_look_at(NULL, &at));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pose_look_at(&pose, NULL));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &pose, sizeof pose);
+    pose.position.x = FXL_COORDINATE_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pose_look_at(&pose, &at));
+}
+
+/* Each axis and each quarter exactly. */
+void test_looking_along_the_axes_is_exact(void)
+{
+    static const int8_t steps[4][2] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
+    for (uint32_t i = 0; i < 4; i++) {
+        fxl_pose pose = {{0, 0, 0}, 1, 2, 3};
+        const fxl_point target = {steps[i][0] * Q16(7), 0, steps[i][1] * Q16(7)};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pose_look_at(&pose, &target));
+        TEST_ASSERT_EQUAL_HEX32(i * FXL_ANGLE_QUARTER, pose.yaw);
+        TEST_ASSERT_EQUAL_HEX32(0, pose.pitch);
+    }
+}

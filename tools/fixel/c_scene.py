@@ -155,6 +155,13 @@ def _palette(scene, name):
                  about, (256, 3))
 
 
+def _reserved(scene, name):
+    """Where the entries begin that the scene keeps for its program."""
+    first = len(scene.palette) - scene.reserved
+    return ["\n".join([*comment(f"The palette's entries from here on are the program's: {scene.reserved} of them, "
+                                "which no face has."), f"#define {name.upper()}_RESERVED {first}", ""])] if scene.reserved else []
+
+
 def _view(scene, name, frames):
     """The lens, the first pose, and the path if it was asked for."""
     config = braces(scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
@@ -172,7 +179,7 @@ def _view(scene, name, frames):
     return made
 
 
-def _printable(text):
+def printable(text):
     """A file's name within a comment."""
     return "".join(letter if letter.isprintable() and letter != "\\" else "?" for letter in text)
 
@@ -207,8 +214,8 @@ def header(scene, name, source, frames=False):
                        _count(len(tables.models), "model"), _count(len(scene.objects), "instance")])
     guard = f"{name.upper()}_SCENE_H"
     return "\n".join([
-        *comment(f"Written by tools/scene.py from {_printable(source)}: {holds}. The tool has checked the scene, so "
+        *comment(f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so "
                  "no program need call fxl_scene_check."),
         f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", "",
         _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
-        *_view(scene, name, frames), _palette(scene, name), "#endif", ""])
+        *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])

@@ -13,6 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
 FRAME = ROOT / "host_tests" / "examples" / "frame.c"
+HUD = ROOT / "host_tests" / "examples" / "hud.c"
+HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
 WIDTH, HEIGHT = 320, 240
 
 
@@ -23,19 +25,27 @@ def write_scene(folder):
     return scene
 
 
-def draw(library):
-    """The picture as an array of palette entries, and the palette. library: libfixel.a of this machine."""
+def draw(library, program=PROGRAM):
+    """The picture as an array of palette entries, and the palette. library: libfixel.a of this machine. program: the
+    first program, or another with the same scene and the same pixels."""
     if not pathlib.Path(library).exists():
         raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
     with scratch.folder("first") as folder:
         scene = write_scene(folder)
-        command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{PROGRAM}"', f"-I{ROOT / 'lib' / 'include'}",
+        command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{program}"', f"-I{ROOT / 'lib' / 'include'}",
                    f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
         done = children.run(command, text=True)
         if done.returncode != 0:
-            raise ToolError(f"{PROGRAM} cannot be compiled with {library}: {done.stderr.strip()}")
+            raise ToolError(f"{program} cannot be compiled with {library}: {done.stderr.strip()}")
         ran = children.run([f"{folder}/frame"])
     if ran.returncode != 0 or len(ran.stdout) != WIDTH * HEIGHT:
-        raise ToolError(f"{PROGRAM} drew nothing: it ended with {ran.returncode}", exit_code=1)
+        raise ToolError(f"{program} drew nothing: it ended with {ran.returncode}", exit_code=1)
     pixels = numpy.frombuffer(ran.stdout, dtype=numpy.uint8).reshape(HEIGHT, WIDTH)
     return pixels, numpy.array(scene.palette, dtype=numpy.uint8)
+
+
+def draw_hud(library):
+    """The same with text and sprites over it (host_tests/examples/hud.c)."""
+    pixels, palette = draw(library, HUD)
+    palette[250:250 + len(HUD_COLOURS)] = HUD_COLOURS
+    return pixels, palette

@@ -86,6 +86,7 @@ class SceneImage:
     beams: list = field(default_factory=list)
     lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
+    reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
     size: int = field(default=0, compare=False)
     crc: int = field(default=0, compare=False)
 

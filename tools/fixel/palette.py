@@ -87,19 +87,24 @@ def _median_cut(weights, count):
     return merged
 
 
-def allocate(background, wanted):
+def allocate(background, wanted, reserved=()):
     """Palette and index of each wanted colour. wanted counts faces by colour:
-    an int is a palette index asked for, a tuple is red, green, blue. Answers
+    an int is a palette index asked for, a tuple is red, green, blue. reserved:
+    the colours of the last entries, which no face gets. Answers
     (palette, {colour: index}, number of distinct baked colours that were
     merged with others, or 0)."""
     fixed = {c for c in wanted if isinstance(c, int)}
     baked = {c: n for c, n in wanted.items() if not isinstance(c, int)}
-    palette = [background] + [(0, 0, 0)] * (ENTRIES - 1)
+    end = ENTRIES - len(reserved)
+    palette = [background] + [(0, 0, 0)] * (end - 1) + list(reserved)
     for index in fixed - {0}:
+        if index >= end:
+            raise ToolError(f"colour_index {index} is one of the entries {end}..{ENTRIES - 1} that palette.reserve "
+                            "keeps for the program")
         palette[index] = wheel(index)
-    free = [i for i in range(1, ENTRIES) if i not in fixed]
+    free = [i for i in range(1, end) if i not in fixed]
     if baked and not free:
-        raise ToolError("colour_index uses up all 255 palette entries; "
+        raise ToolError(f"colour_index and palette.reserve use up all {ENTRIES - 1} palette entries; "
                         "nothing is left for objects with colour")
     merged = {c: c for c in baked}
     if len(baked) > len(free):

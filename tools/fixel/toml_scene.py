@@ -15,7 +15,7 @@ from fixel.toml_table import Table
 
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
-TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path"}
+TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette"}
 
 
 def _lens(top):
@@ -198,6 +198,19 @@ def _beams(top):
     return beams, lambda colour: palette.lit(colour, strength, tint)
 
 
+def _reserved(top):
+    """The colours of the palette entries that no face gets; those without a colour of their own are black."""
+    table = top.table("palette", {"reserve", "colours"})
+    given = table.rows("colours") if "colours" in table else []
+    if len(given) >= palette.ENTRIES:
+        raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than {palette.ENTRIES - 1}")
+    count = table.whole("reserve", len(given), 0, palette.ENTRIES - 1)
+    if len(given) > count:
+        raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than reserve = {count}")
+    colours = [palette.parse(colour, f"{table.at('colours')}[{i}]") for i, colour in enumerate(given)]
+    return colours + [(0, 0, 0)] * (count - len(colours))
+
+
 def _count_colours(placements, lit):
     wanted, times = {}, collections.Counter(id(placement.colours) for placement in placements)
     for colours in {id(placement.colours): placement.colours for placement in placements}.values():
@@ -256,12 +269,13 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
+    reserved = _reserved(top)
     objects = Objects(name, folder, _light(top), notes, progress, meshes)
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
     try:
-        colours, indices, merged = palette.allocate(background, _count_colours(placements, lit))
+        colours, indices, merged = palette.allocate(background, _count_colours(placements, lit), reserved)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
@@ -270,6 +284,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
     scene.beams = beams
     scene.lit = _lit_table(placements, indices, lit)
+    scene.reserved = len(reserved)
     scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
     return scene, list(dict.fromkeys(notes))
 

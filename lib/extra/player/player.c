@@ -34,8 +34,9 @@ static fxl_q16_16 slow_down(fxl_q16_16 speed, fxl_q16_16 friction)
     return speed < -friction ? speed + friction : 0;
 }
 
-fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
-                           bool *clamped)
+/* A step of a player who walks, or who flies. */
+static fxl_status step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
+                       bool *clamped, bool flies)
 {
     if (viewer == NULL || limits == NULL) {
         return FXL_E_ARGUMENT;
@@ -69,6 +70,12 @@ fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_l
     bool held = false;
     pose->position.x = held_within(pose->position.x + move_x, FXL_COORDINATE_MAX, &held);
     pose->position.z = held_within(pose->position.z + move_z, FXL_COORDINATE_MAX, &held);
+    if (flies) {
+        /* bug: fly-height */
+        int64_t move_y =
+            fxl_round_shift(fxl_multiply_s32(camera.axes.forward.y, viewer->speed), 30);
+        pose->position.y = held_within(pose->position.y + move_y, FXL_COORDINATE_MAX, &held);
+    }
     if (held) {
         viewer->clamped += 1;
     }
@@ -77,4 +84,16 @@ fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_l
     }
     viewer->speed = slow_down(viewer->speed, limits->friction);
     return FXL_OK;
+}
+
+fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
+                           bool *clamped)
+{
+    return step(viewer, keys, limits, clamped, false);
+}
+
+fxl_status fxl_player_fly(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
+                          bool *clamped)
+{
+    return step(viewer, keys, limits, clamped, true);
 }

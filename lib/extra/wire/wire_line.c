@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../../src/math/arith.h"
 #include "fixel/extra/wire.h"
+#include "line_pixels.h"
 
 /* A line, described along its major axis. */
 typedef struct {
@@ -34,40 +35,20 @@ static int32_t pixel_at(const major_line *line, int32_t along, int64_t *left)
     return (int32_t)pixel - 8192;
 }
 
-static void set_pixel(const fxl_band *band, int32_t x, int32_t y, uint8_t colour)
-{
-    const int32_t row = y - band->first_row;
-    if (x >= 0 && x < band->width && row >= 0 && row < band->rows) {
-        band->pixels[row * band->stride + x] = colour;
-    }
-}
-
-/* Draws from pixel to pixel: across changes by rise / length, at most one pixel. */
+/* Draws from pixel to pixel: across changes by rise / length, at most one pixel. The length is
+ * below 2^30, so a pixel is below 2^46. */
 static void draw_pixels(const major_line *line, int32_t first, int32_t end, bool upright,
                         uint8_t colour, const fxl_band *band)
 {
-    const int64_t pixel = (int64_t)(line->to - line->from) * 65536; /* below 2^46 */
-    const int64_t step = (int64_t)line->rise * 65536;
-    int64_t left;
+    fxl_line_pixels pixels;
     if (first >= end) {
         return;
     }
-    int32_t across = pixel_at(line, first, &left);
-    for (int32_t along = first; along < end; along++) {
-        if (upright) {
-            set_pixel(band, across, along, colour);
-        } else {
-            set_pixel(band, along, across, colour);
-        }
-        left += step;
-        if (left >= pixel) {
-            left -= pixel;
-            across++;
-        } else if (left < 0) {
-            left += pixel; /* bug: wire-remainder */
-            across--;
-        }
-    }
+    pixels.across = pixel_at(line, first, &pixels.left);
+    pixels.pixel = (int64_t)(line->to - line->from) * 65536;
+    pixels.step = (int64_t)line->rise * 65536;
+    pixels.upright = upright;
+    fxl_draw_line_pixels(&pixels, first, end, colour, band);
 }
 
 static int32_t greater(int32_t a, int32_t b)

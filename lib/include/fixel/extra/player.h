@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A player who walks about: speed, friction, turning, clamped coordinates (Listing 65.3,
- * UpdateViewPos). */
+/* A player who walks or flies about: speed, friction, turning, clamped coordinates (Listing 65.3,
+ * UpdateViewPos). And a pose that looks at a point. */
 #ifndef FXL_PLAYER_H
 #define FXL_PLAYER_H
 
@@ -25,6 +25,28 @@ extern "C" {
  * of range): *viewer untouched. */
 fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
                            bool *clamped);
+
+/* Moves a player by one step in the direction of the view: the same step, but that part 3 also does
+ * y += forward.y * speed, rounded and clamped likewise. So a player who looks up rises, at full
+ * speed. The same errors, and the same bound, also in y. */
+fxl_status fxl_player_fly(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
+                          bool *clamped);
+
+/* Multiplies acceleration, friction and top speed by a factor: the speed factor of the chapter
+ * (speedscale). `turn` is copied. *scaled may be *limits. Each product is rounded to the nearest
+ * 1/65536, halves upward.
+ * Requires a factor of 0..256 in 16.16. FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (the factor;
+ * limits out of range; a product above 256): *scaled untouched.
+ * Source: A5 (Listing 65.3). */
+fxl_status fxl_scale_motion_limits(const fxl_motion_limits *limits, fxl_q16_16 factor,
+                                   fxl_motion_limits *scaled);
+
+/* Turns a pose so that it looks at a point: sets yaw and pitch. Position and roll stay. Where the
+ * point is straight above or below the position, yaw stays too.
+ * Error: at most 0.75 of 2^-32 turn in each angle.
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (the position or the point is outside of
+ * FXL_COORDINATE_MAX), FXL_E_DEGENERATE (the point is the position): *pose untouched. */
+fxl_status fxl_pose_look_at(fxl_pose *pose, const fxl_point *target);
 
 #ifdef __cplusplus
 }

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Wireframes: draws the edges of the faces that face the eye as lines, without removing hidden
  * ones. It is a separate path from a scene to a band, for inspection. It uses the line clippers
- * (D3, D4). */
+ * (D3, D4). And outlines over filled faces, which hide the edges behind them. */
 #ifndef FXL_WIRE_H
 #define FXL_WIRE_H
 
 #include "fixel/extra/clippers/line.h"
 #include "fixel/scene.h"
 #include "fixel/stage/view.h"
+#include "fixel/stage/visibility.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -57,6 +58,28 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
  * 0..FXL_SCREEN_MAX. */
 void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
                    const fxl_band *band);
+
+/* What fxl_visibility_outlined draws with: its workspace, of the caller, which sets the first three
+ * members and may change them between two frames. */
+typedef struct {
+    FXL_ALIGN_8 uint8_t line; /* the colour of the outlines */
+    uint8_t fill;             /* the colour of the faces, if they do not keep theirs */
+    bool keeps_colours;       /* each face is filled with its own colour */
+    uint8_t reserved;
+    uint16_t height; /* of the screen; belongs to the method */
+} fxl_outline_style;
+
+/* Faces far to near, each filled and then outlined, so a face hides the edges behind it: for
+ * displays of 1 bit, or for a drawing. The order is that of fxl_visibility_sorted. The pixels of an
+ * outline are those of fxl_wire_line, after its ends were moved, by half a pixel at most, into the
+ * rows that the polygon reaches. An edge both of whose ends are within 1/256 pixel of one side of
+ * the screen, or beyond it, is not drawn: it is where the clipper cut. A cut at the near plane is
+ * drawn. The pixels do not depend on the bands. With fxl_frame_draw_with, each workspace takes the
+ * renderer's style.
+ * fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) sets it;
+ * the renderer keeps the pointer. */
+extern const fxl_raster_backend fxl_raster_outlined;
+extern const fxl_visibility fxl_visibility_outlined;
 
 #ifdef __cplusplus
 }

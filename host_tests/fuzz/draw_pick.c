@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* What a frame's pixels show, and what a segment and a sphere find in its scene. */
+#include <string.h>
+
+#include "demand.h"
+#include "draw.h"
+
+enum {
+    PIXELS = 6
+};
+
+void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
+{
+    const fxl_scene *scene = renderer->scene;
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const uint32_t refused = renderer->workspace.counters.refused_calls;
+    fxl_picked picked = {1, 2, 3};
+    const uint8_t state = renderer->frame.state;
+    const fxl_visibility *visibility = renderer->visibility;
+    renderer->frame.state = FXL_FRAME_NONE;
+    DEMAND(fxl_pick_face(renderer, 0, 0, &picked) == FXL_E_ORDER);
+    renderer->frame.state = state;
+    renderer->visibility = &fxl_visibility_bsp;
+    DEMAND(fxl_pick_face(renderer, 0, 0, &picked) == FXL_E_BSP);
+    renderer->visibility = visibility;
+    DEMAND(fxl_pick_face(NULL, 0, 0, &picked) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pick_face(renderer, lens->width, 0, &picked) == FXL_E_RANGE);
+    DEMAND(fxl_pick_face(renderer, 0, lens->height, &picked) == FXL_E_RANGE);
+    DEMAND(fxl_pick_face(renderer, 0, 0, NULL) == FXL_E_ARGUMENT);
+    DEMAND(picked.instance == 1 && picked.face == 2 && picked.colour == 3);
+    for (uint32_t i = 0; i < PIXELS; i++) {
+        const uint32_t x = fuzz_below(in, lens->width), row = fuzz_below(in, band->rows);
+        const fxl_status status =
+            fxl_pick_face(renderer, (uint16_t)x, (uint16_t)(band->first_row + row), &picked);
+        DEMAND(status == FXL_OK);
+        if (picked.instance != FXL_PICK_NONE) {
+            DEMAND(picked.instance < scene->instance_count);
+            DEMAND(picked.face < scene->models[scene->instances[picked.instance].model].face_count);
+            DEMAND(picked.colour == band->pixels[row * band->stride + x]);
+        }
+    }
+    renderer->workspace.counters.refused_calls = refused;
+}
+
+static void find_points(const fxl_view *view, fuzz_input *in)
+{
+    fxl_screen_place place = {{0, 0}, 0, 99};
+    const fxl_point point = fuzz_point(in, FXL_COORDINATE_MAX);
+    const fxl_point outside = {0, FXL_COORDINATE_MAX + 1, 0};
+    DEMAND(fxl_find_on_screen(NULL, &point, &place) == FXL_E_ARGUMENT);
+    DEMAND(fxl_find_on_screen(view, &outside, &place) == FXL_E_RANGE && place.place == 99);
+    DEMAND(fxl_find_on_screen(view, &point, &place) == FXL_OK);
+    DEMAND(place.place <= FXL_POINT_BEYOND);
+    DEMAND(place.place != FXL_POINT_VISIBLE ||
+           (place.at.x >> 16 < view->lens.width && place.at.y >> 16 < view->lens.height));
+}
+
+static void slide(const fxl_scene *scene, const fxl_point *from, fuzz_input *in)
+{
+    fxl_sphere sphere = {*from, fuzz_between(in, 0, FXL_SLIDE_RADIUS_MAX)}, before = sphere;
+    fxl_point move = fuzz_point(in, 3 * (sphere.radius / 2) + 1); /* few steps */
+    fxl_slide done = {0, 0, 0, 0};
+    if (fuzz_below(in, 16) == 0) {
+        move.z = fuzz_any(in);
+        sphere.radius = before.radius = fuzz_between(in, 0, FXL_SLIDE_RADIUS_MIN);
+    }
+    const fxl_status status = fxl_slide_sphere(scene, &sphere, &move, &done);
+    DEMAND(status == FXL_OK ||
+           (status == FXL_E_RANGE && memcmp(&before, &sphere, sizeof sphere) == 0));
+    DEMAND(done.instance == FXL_HIT_NONE || done.instance < scene->instance_count);
+    DEMAND(fxl_slide_sphere(NULL, &sphere, &move, NULL) == FXL_E_ARGUMENT);
+}
+
+void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in)
+{
+    const fxl_point *eye = &view->camera.position;
+    fxl_point to = fuzz_point(in, FXL_COORDINATE_MAX);
+    fxl_hit hit;
+    find_points(view, in);
+    if (fuzz_below(in, 2)) { /* to where something is */
+        to = scene->instances[fuzz_below(in, scene->instance_count)].centre;
+    }
+    DEMAND(fxl_cast_segment(scene, eye, &to, &hit) == FXL_OK);
+    DEMAND(hit.fraction <= FXL_Q1_31_ONE);
+    if (hit.instance == FXL_HIT_NONE) {
+        DEMAND(memcmp(&hit.point, &to, sizeof to) == 0 && hit.fraction == FXL_Q1_31_ONE);
+    } else {
+        const fxl_instance *instance = &scene->instances[hit.instance];
+        const fxl_face *face = &scene->faces[scene->models[instance->model].first_face + hit.face];
+        DEMAND(fxl_face_is_front(scene, instance, face, eye));
+    }
+    to.x = FXL_COORDINATE_MAX + 1;
+    DEMAND(fxl_cast_segment(scene, eye, &to, &hit) == FXL_E_RANGE);
+    slide(scene, eye, in);
+}

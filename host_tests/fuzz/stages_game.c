@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/* Drawing over a picture, and geometry for a game's loop, with any numbers. */
+#include <string.h>
+
+#include "demand.h"
+#include "stages.h"
+
+enum {
+    WIDTH = 20,
+    STRIDE = 23,
+    ROWS = 12,
+    GROUND = 0x5A
+};
+
+/* Often near the band, or anywhere. */
+static int32_t any_pixel(fuzz_input *in)
+{
+    return fuzz_below(in, 4) ? (int8_t)fuzz_bits(in, 1) : fuzz_any(in);
+}
+
+static void draw_any_sprite(fuzz_input *in, const fxl_band *band)
+{
+    static const uint8_t depths[] = {1, 4, 8, 2};
+    uint8_t pixels[256], colours[256];
+    fxl_sprite sprite = {pixels, fuzz_below(in, 2) ? colours : NULL, 0, 0, 0, 0};
+    for (uint32_t i = 0; i < sizeof pixels; i++) {
+        pixels[i] = (uint8_t)(i < 64 ? fuzz_bits(in, 1) : i);
+        colours[i] = (uint8_t)~i;
+    }
+    sprite.width = (uint16_t)fuzz_below(in, 17);
+    sprite.height = (uint16_t)fuzz_below(in, 17);
+    sprite.bits = depths[fuzz_below(in, 4)];
+    sprite.key = (uint16_t)fuzz_below(in, 257);
+    const fxl_status status = fxl_draw_sprite(band, any_pixel(in), any_pixel(in), &sprite);
+    DEMAND(status == (sprite.bits == 2 ? FXL_E_RANGE : FXL_OK));
+    sprite.pixels = NULL;
+    DEMAND(fxl_draw_sprite(band, 0, 0, &sprite) == FXL_E_ARGUMENT);
+}
+
+static void draw_any_text(fuzz_input *in, const fxl_band *band)
+{
+    char text[8];
+    fxl_font font = fxl_font_5x7;
+    fxl_text_style style = {&font, 3, (uint8_t)fuzz_bits(in, 1)};
+    fxl_text_size size = {1, 2};
+    for (uint32_t i = 0; i < sizeof text - 1; i++) {
+        text[i] = (char)fuzz_bits(in, 1);
+    }
+    text[sizeof text - 1] = '\0';
+    if (fuzz_below(in, 4) == 0) {
+        font.count = (uint16_t)fuzz_below(in, 96);
+    } else if (fuzz_below(in, 4) == 0) {
+        font.first = (uint8_t)fuzz_bits(in, 1); /* other characters than those it was made for */
+    }
+    const bool sound = font.first + font.count <= 256 && font.unknown >= font.first &&
+                       font.unknown < font.first + font.count;
+    const fxl_status status = fxl_draw_text(band, any_pixel(in), any_pixel(in), text, &style);
+    DEMAND(status == (sound ? FXL_OK : FXL_E_RANGE));
+    DEMAND(fxl_measure_text(text, &style, &size) == status);
+    DEMAND(sound ? size.height % font.line_height == 0 : size.width == 1 && size.height == 2);
+    DEMAND(fxl_measure_text(NULL, &style, &size) == FXL_E_ARGUMENT);
+    DEMAND(fxl_measure_text(text, &style, NULL) == FXL_E_ARGUMENT);
+}
+
+static void draw_any(fuzz_input *in, const fxl_band *band)
+{
+    const int32_t x = any_pixel(in), y = any_pixel(in), width = any_pixel(in),
+                  height = any_pixel(in);
+    fxl_status status = FXL_OK;
+    switch (fuzz_below(in, 5)) {
+    case 0:
+        status = fxl_draw_rectangle(band, x, y, width, height, 1);
+        break;
+    case 1:
+        status = fxl_draw_border(band, x, y, width, height, 2);
+        break;
+    case 2:
+        status = fxl_draw_line(band, x, y, width, height, 3);
+        DEMAND(status == FXL_OK || status == FXL_E_RANGE);
+        return;
+    case 3:
+        draw_any_sprite(in, band);
+        break;
+    default:
+        draw_any_text(in, band);
+    }
+    DEMAND(status == FXL_OK);
+}
+
+/* Null pointers, one at a time. */
+static void demand_refused(const fxl_band *band)
+{
+    const uint8_t pixel = 1;
+    const fxl_sprite sprite = {&pixel, NULL, 1, 1, 8, 0};
+    const fxl_band none = {NULL, WIDTH, STRIDE, 0, 1};
+    fxl_font font = fxl_font_5x7;
+    fxl_text_style style = {&font, 1, 0};
+    DEMAND(fxl_draw_rectangle(NULL, 0, 0, 1, 1, 1) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_rectangle(&none, 0, 0, 1, 1, 1) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_border(NULL, 0, 0, 1, 1, 1) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_line(NULL, 0, 0, 1, 1, 1) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_line(band, 0, 0, 0, INT32_MIN, 1) == FXL_E_RANGE);
+    DEMAND(fxl_draw_sprite(band, 0, 0, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_sprite(NULL, 0, 0, &sprite) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_text(NULL, 0, 0, "x", &style) == FXL_E_ARGUMENT);
+    DEMAND(fxl_draw_text(band, 0, 0, "x", NULL) == FXL_E_ARGUMENT);
+    font.bits = NULL;
+    DEMAND(fxl_draw_text(band, 0, 0, "x", &style) == FXL_E_ARGUMENT);
+    font.glyphs = NULL;
+    font.bits = &pixel;
+    DEMAND(fxl_draw_text(band, 0, 0, "x", &style) == FXL_E_ARGUMENT);
+    style.font = NULL;
+    DEMAND(fxl_draw_text(band, 0, 0, "x", &style) == FXL_E_ARGUMENT);
+}
+
+/* The same calls into a whole screen and into its bands: the same pixels, none beside the band. */
+void fuzz_overlay(fuzz_input *in)
+{
+    uint8_t whole[ROWS * STRIDE], bands[ROWS * STRIDE];
+    const uint16_t step = (uint16_t)(1 + fuzz_below(in, ROWS));
+    const fxl_band all = {whole, WIDTH, STRIDE, 0, ROWS};
+    const fxl_band wrong = {whole, (uint16_t)fuzz_any(in), (uint16_t)fuzz_any(in),
+                            (uint16_t)fuzz_any(in), 0};
+    memset(whole, GROUND, sizeof whole);
+    memset(bands, GROUND, sizeof bands);
+    demand_refused(&all);
+    DEMAND(fxl_draw_rectangle(&wrong, 0, 0, 1, 1, 1) == FXL_E_RANGE);
+    for (uint32_t i = 0; i < 8 && (i == 0 || in->left > 0); i++) {
+        const fuzz_input before = *in;
+        draw_any(in, &all);
+        for (uint16_t row = 0; row < ROWS; row = (uint16_t)(row + step)) {
+            const uint16_t rows = row + step <= ROWS ? step : (uint16_t)(ROWS - row);
+            const fxl_band band = {bands + row * STRIDE, WIDTH, STRIDE, row, rows};
+            fuzz_input again = before;
+            draw_any(&again, &band);
+        }
+    }
+    DEMAND(memcmp(whole, bands, sizeof whole) == 0);
+    for (uint32_t i = 0; i < ROWS; i++) {
+        DEMAND(whole[i * STRIDE + WIDTH] == GROUND && whole[i * STRIDE + STRIDE - 1] == GROUND);
+    }
+}
+
+static fxl_sphere any_sphere(fuzz_input *in)
+{
+    fxl_sphere sphere;
+    sphere.centre = fuzz_point(in, FXL_COORDINATE_MAX);
+    sphere.radius =
+        fuzz_below(in, 2) ? fuzz_between(in, 0, FXL_RADIUS_MAX) : (fxl_q16_16)fuzz_bits(in, 2);
+    return sphere;
+}
+
+static void look_at_any(fuzz_input *in)
+{
+    fxl_pose pose = fuzz_pose(in), before;
+    fxl_point target = fuzz_point(in, FXL_COORDINATE_MAX);
+    const uint32_t kind = fuzz_below(in, 8);
+    if (kind < 2) { /* straight up or down, or nowhere */
+        target.x = pose.position.x;
+        target.z = pose.position.z;
+        target.y = kind == 0 ? pose.position.y : target.y;
+    } else if (kind == 2) {
+        target.y = fuzz_any(in);
+    }
+    before = pose;
+    const fxl_status status = fxl_pose_look_at(&pose, &target);
+    DEMAND(status == FXL_OK || memcmp(&pose, &before, sizeof pose) == 0);
+    DEMAND(pose.roll == before.roll);
+    DEMAND(pose.pitch <= FXL_ANGLE_QUARTER || pose.pitch >= 0u - FXL_ANGLE_QUARTER ||
+           status != FXL_OK);
+    DEMAND(fxl_pose_look_at(NULL, &target) == FXL_E_ARGUMENT);
+}
+
+static void scale_any(fuzz_input *in)
+{
+    const fxl_motion_limits limits = {fuzz_any(in), fuzz_between(in, 0, FXL_MOTION_MAX),
+                                      fuzz_between(in, 0, FXL_MOTION_MAX),
+                                      fuzz_below(in, FXL_ANGLE_QUARTER + 2)};
+    fxl_motion_limits scaled = {-7, 0, 0, 0};
+    const fxl_status status = fxl_scale_motion_limits(&limits, fuzz_any(in), &scaled);
+    DEMAND((status == FXL_OK) == (scaled.acceleration >= 0));
+    DEMAND(fxl_scale_motion_limits(NULL, 0, &scaled) == FXL_E_ARGUMENT);
+}
+
+/* What a game's calls must refuse. */
+static void demand_no_scene(void)
+{
+    const fxl_scene unchecked = {0};
+    const fxl_point point = {0, 0, 0};
+    fxl_motion_limits limits = {0, 0, 0, 0};
+    fxl_pose pose = {{0, FXL_COORDINATE_MAX + 1, 0}, 0, 0, 0};
+    fxl_sphere sphere = {{0, 0, 0}, FXL_SLIDE_RADIUS_MIN};
+    fxl_screen_place place;
+    fxl_view view;
+    fxl_hit hit;
+    view.frame = 0;
+    DEMAND(fxl_find_on_screen(&view, &point, &place) == FXL_E_ORDER);
+    DEMAND(fxl_find_on_screen(&view, NULL, &place) == FXL_E_ARGUMENT);
+    DEMAND(fxl_find_on_screen(&view, &point, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_cast_segment(NULL, &point, &point, &hit) == FXL_E_ARGUMENT);
+    DEMAND(fxl_cast_segment(&unchecked, NULL, &point, &hit) == FXL_E_ARGUMENT);
+    DEMAND(fxl_cast_segment(&unchecked, &point, NULL, &hit) == FXL_E_ARGUMENT);
+    DEMAND(fxl_cast_segment(&unchecked, &point, &point, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_cast_segment(&unchecked, &point, &point, &hit) == FXL_E_ORDER);
+    DEMAND(fxl_cast_segment(&unchecked, &pose.position, &point, &hit) == FXL_E_ORDER);
+    DEMAND(fxl_slide_sphere(&unchecked, &sphere, &point, NULL) == FXL_E_ORDER);
+    DEMAND(fxl_slide_sphere(&unchecked, NULL, &point, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_slide_sphere(&unchecked, &sphere, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pose_look_at(&pose, &point) == FXL_E_RANGE);
+    DEMAND(fxl_pose_look_at(&pose, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_scale_motion_limits(&limits, 1, NULL) == FXL_E_ARGUMENT);
+    limits.acceleration = FXL_MOTION_MAX;
+    DEMAND(fxl_scale_motion_limits(&limits, 65537, &limits) == FXL_E_RANGE);
+}
+
+/* What overlaps overlaps from either side; what meets a segment meets a box about it. */
+void fuzz_geometry(fuzz_input *in)
+{
+    demand_no_scene();
+    for (uint32_t i = 0; i < 8 && (i == 0 || in->left > 0); i++) {
+        const fxl_sphere a = any_sphere(in), b = any_sphere(in);
+        const fxl_point from = fuzz_point(in, FXL_COORDINATE_MAX),
+                        to = fuzz_point(in, FXL_COORDINATE_MAX);
+        const fxl_box about = {{from.x < to.x ? from.x : to.x, from.y < to.y ? from.y : to.y,
+                                from.z < to.z ? from.z : to.z},
+                               {from.x < to.x ? to.x : from.x, from.y < to.y ? to.y : from.y,
+                                from.z < to.z ? to.z : from.z}};
+        const fxl_box point = {a.centre, a.centre};
+        const bool meets = fxl_sphere_meets_segment(&a, &from, &to);
+        DEMAND(fxl_spheres_overlap(&a, &b) == fxl_spheres_overlap(&b, &a));
+        DEMAND(meets == fxl_sphere_meets_segment(&a, &to, &from));
+        DEMAND(!meets || fxl_sphere_meets_box(&a, &about));
+        DEMAND(fxl_boxes_overlap(&about, &point) == fxl_boxes_overlap(&point, &about));
+        DEMAND(!fxl_boxes_overlap(&about, &point) || fxl_sphere_meets_box(&a, &about));
+        look_at_any(in);
+        scale_any(in);
+    }
+}

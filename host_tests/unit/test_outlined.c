@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* Outlines over filled faces, against the frame without outlines. */
+#include "tiny.h"
+
+enum {
+    WIDTH = 32,
+    HEIGHT = 24,
+    BACKGROUND = 0,
+    LINE = 99
+};
+
+static uint8_t outlined[HEIGHT][WIDTH], plain[HEIGHT][WIDTH], bands[HEIGHT][WIDTH];
+static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_renderer renderer;
+static fxl_outline_style style;
+static tiny_scene *tiny;
+
+static uint32_t list[200];
+
+/* A display list of some words, or none. */
+static void start(const fxl_visibility *visibility)
+{
+    const uint32_t words = unit_random() % 2 ? 0 : unit_random() % 200;
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, list, words, NULL, 0};
+    lens.inset = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_visibility(&renderer, visibility, &style, sizeof style));
+}
+
+static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step)
+{
+    for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + step)) {
+        const fxl_band band = {frame[row], WIDTH, WIDTH, row, step};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+}
+
+static void draw_pose(const fxl_visibility *visibility, const fxl_pose *pose,
+                      uint8_t frame[HEIGHT][WIDTH])
+{
+    start(visibility);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    draw(frame, HEIGHT);
+}
+
+static fxl_pose random_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(3));
+    pose.position.z -= Q16(4);
+    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-40, 40);
+    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
+    return pose;
+}
+
+/* Where there is no line, the frame is that of the painter's algorithm; in bands it is the same. */
+void test_lines_lie_over_the_usual_picture(void)
+{
+    const uint16_t steps[] = {1, 2, 3, 8, 12};
+    uint32_t lines = 0, faces = 0;
+    style.line = LINE;
+    style.keeps_colours = true;
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        const fxl_pose pose = random_pose();
+        tiny = tiny_make();
+        draw_pose(&fxl_visibility_sorted, &pose, plain);
+        draw_pose(&fxl_visibility_outlined, &pose, outlined);
+        draw(bands, steps[unit_random() % 5]);
+        TEST_ASSERT_EQUAL_MEMORY(outlined, bands, sizeof bands);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint8_t pixel = outlined[i / WIDTH][i % WIDTH],
+                          usual = plain[i / WIDTH][i % WIDTH];
+            lines += pixel == LINE;
+            faces += pixel != LINE && pixel != BACKGROUND;
+            TEST_ASSERT_TRUE(pixel == LINE || pixel == usual);
+        }
+    }
+    TEST_ASSERT_TRUE(lines > 100 && faces > 100);
+}
+
+/* A cube before another leaves nothing of it within its faces and edges. */
+void test_edges_behind_a_face_are_hidden(void)
+{
+    const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
+    style.line = 1;
+    style.fill = 2;
+    style.keeps_colours = false;
+    tiny = tiny_make();
+    tiny->scene.instance_count = 1;
+    draw_pose(&fxl_visibility_outlined, &pose, plain);
+    tiny->scene.instance_count = TINY_INSTANCES;
+    tiny->instances[1].centre.x = Q16(7); /* half of it is beside the first */
+    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    uint32_t others = 0;
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint8_t both = outlined[i / WIDTH][i % WIDTH], front = plain[i / WIDTH][i % WIDTH];
+        others += both != front;
+        TEST_ASSERT_TRUE(front == BACKGROUND || both == front);
+    }
+    TEST_ASSERT_TRUE(others > 2);
+}
+
+/* The front face alone, of 16 pixels a side: its edges are on whole pixels, the lower one below the
+ * last row that the face reaches. */
+void test_a_face_and_its_outline(void)
+{
+    const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
+    tiny = tiny_make();
+    tiny->scene.instance_count = 1;
+    style.line = 1;
+    style.fill = 2;
+    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    for (int32_t row = 0; row < HEIGHT; row++) {
+        for (int32_t column = 0; column < WIDTH; column++) {
+            const bool within = column >= 8 && column < 24 && row >= 4 && row < 20;
+            const bool line = ((column == 8 || column == 24) && row >= 4 && row < 20) ||
+                              ((row == 4 || row == 19) && column >= 8 && column < 24);
+            TEST_ASSERT_EQUAL_UINT8(line ? 1 : within ? 2 : BACKGROUND, outlined[row][column]);
+        }
+    }
+}
+
+/* So near that the face fills the screen: there is no edge within it. */
+void test_sides_of_the_screen_are_no_edges(void)
+{
+    const fxl_pose pose = {{0, 0, Q16(-1.5)}, 0, 0, 0};
+    tiny = tiny_make();
+    style.line = 1;
+    style.fill = 2;
+    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    TEST_ASSERT_EACH_EQUAL_UINT8(2, outlined, sizeof outlined);
+}
+
+void test_another_workspace_takes_the_style(void)
+{
+    static uint64_t memory[32];
+    static fxl_workspace workspace;
+    const fxl_pose pose = {{Q16(1), Q16(2), Q16(-4)}, 0, 0, 0};
+    const fxl_band band = {bands[0], WIDTH, WIDTH, 0, HEIGHT};
+    tiny = tiny_make();
+    style.line = LINE;
+    style.keeps_colours = true;
+    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&workspace, &renderer, memory, sizeof memory));
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, &workspace, &band));
+    TEST_ASSERT_EQUAL_MEMORY(outlined, bands, sizeof bands);
+}

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/* A sphere among cubes: it slides along them, and is never within one. */
+#include <math.h>
+
+#include "tiny.h"
+
+static tiny_scene *tiny;
+
+void setUp(void)
+{
+    tiny = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+}
+
+void tearDown(void)
+{
+}
+
+/* How far a point is from the nearest cube, in units of 1/65536; 0 within. */
+static double distance(const fxl_point *point)
+{
+    double nearest = 1e30;
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        const fxl_point *centre = &tiny->instances[i].centre;
+        const double d[3] = {fabs((double)point->x - centre->x) - 65536,
+                             fabs((double)point->y - centre->y) - 65536,
+                             fabs((double)point->z - centre->z) - 65536};
+        double square = 0;
+        for (int k = 0; k < 3; k++) {
+            square += d[k] > 0 ? d[k] * d[k] : 0;
+        }
+        nearest = sqrt(square) < nearest ? sqrt(square) : nearest;
+    }
+    return nearest;
+}
+
+void test_a_free_sphere_goes_all_the_way(void)
+{
+    fxl_sphere sphere = {{Q16(3), 0, Q16(-4)}, Q16(0.5)};
+    const fxl_point move = {Q16(1), Q16(-2), Q16(7) + 1};
+    fxl_slide slide;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
+    TEST_ASSERT_EQUAL_INT32(Q16(4), sphere.centre.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(-2), sphere.centre.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(3) + 1, sphere.centre.z);
+    TEST_ASSERT_TRUE(slide.contacts == 0 && slide.blocked == 0 && slide.instance == FXL_HIT_NONE);
+}
+
+/* Straight into a face it stops before it; at an angle it keeps the part along the face. */
+void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
+{
+    fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(0.5)};
+    const fxl_point straight = {0, 0, Q16(6)}, aslant = {Q16(0.4), Q16(0.3), Q16(0.5)};
+    fxl_slide slide;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &straight, &slide));
+    TEST_ASSERT_INT32_WITHIN(16, Q16(-1.5), sphere.centre.z);
+    TEST_ASSERT_TRUE(sphere.centre.x == 0 && sphere.centre.y == 0);
+    TEST_ASSERT_TRUE(slide.contacts > 0 && slide.blocked == 0 && slide.instance == 0 &&
+                     slide.face == 4);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &aslant, NULL));
+    TEST_ASSERT_INT32_WITHIN(16, Q16(-1.5), sphere.centre.z);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.4), sphere.centre.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.3), sphere.centre.y);
+}
+
+/* Near the seam of two faces: the edge of the neighbour is farther than the face before the sphere.
+ */
+void test_a_seam_does_not_push_aside(void)
+{
+    fxl_sphere sphere = {{Q16(0.9), Q16(-0.9), Q16(-4)}, Q16(0.5)};
+    const fxl_point straight = {0, 0, Q16(6)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &straight, NULL));
+    TEST_ASSERT_EQUAL_INT32(Q16(0.9), sphere.centre.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(-0.9), sphere.centre.y);
+    TEST_ASSERT_INT32_WITHIN(16, Q16(-1.5), sphere.centre.z);
+}
+
+/* Past an edge: the sphere rolls round it. */
+void test_a_sphere_goes_round_an_edge(void)
+{
+    fxl_sphere sphere = {{Q16(1.25), 0, Q16(-4)}, Q16(0.5)};
+    const fxl_point move = {0, 0, Q16(7)};
+    fxl_slide slide;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
+    TEST_ASSERT_INT32_WITHIN(16, Q16(1.5), sphere.centre.x);
+    TEST_ASSERT_EQUAL_INT32(0, sphere.centre.y);
+    TEST_ASSERT_TRUE(sphere.centre.z > Q16(2.5) && slide.contacts > 0);
+}
+
+/* The promise, at random: free after every call, and no cube between start and end of any step of
+ * a walk of small moves; a large move is cut into such steps by itself. */
+void test_no_sphere_is_ever_within_a_face(void)
+{
+    uint32_t contacts = 0;
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        fxl_sphere sphere = {unit_point(Q16(4)), unit_between(FXL_SLIDE_RADIUS_MIN, Q16(1.5))};
+        sphere.centre.z += unit_between(0, Q16(8));
+        if (distance(&sphere.centre) < sphere.radius + 32) {
+            continue;
+        }
+        for (int i = 0; i < 8; i++) {
+            const fxl_point move =
+                unit_point(unit_random() % 4 ? sphere.radius : 16 * sphere.radius);
+            const fxl_point before = sphere.centre;
+            fxl_slide slide;
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
+            TEST_ASSERT_TRUE(distance(&sphere.centre) >= sphere.radius - 2);
+            contacts += slide.contacts;
+            if (slide.contacts == 0) {
+                const fxl_point middle = {before.x + move.x / 2, before.y + move.y / 2,
+                                          before.z + move.z / 2};
+                TEST_ASSERT_TRUE(distance(&middle) >= sphere.radius / 2 - 2);
+                TEST_ASSERT_EQUAL_INT32(before.x + move.x, sphere.centre.x);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(contacts > 10);
+}
+
+/* Fast against a thin wall: the cube as a plate of 1/256. */
+void test_a_fast_sphere_does_not_pass_a_thin_wall(void)
+{
+    for (uint32_t i = 0; i < 8; i++) {
+        tiny->vertices[i].z /= 256;
+        tiny->vertices[i].x *= 16;
+        tiny->vertices[i].y *= 16;
+    }
+    tiny->models[0].radius = Q16(23);
+    tiny->scene.instance_count = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    for (int i = 0; i < UNIT_REPEAT / 1000 + 2; i++) {
+        fxl_sphere sphere = {{0, 0, Q16(-4)}, unit_between(FXL_SLIDE_RADIUS_MIN * 8, Q16(2))};
+        const fxl_point move = {unit_between(Q16(-4), Q16(4)), unit_between(Q16(-4), Q16(4)),
+                                unit_between(Q16(5), Q16(10))};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, NULL));
+        TEST_ASSERT_TRUE(sphere.centre.z <= -sphere.radius);
+        TEST_ASSERT_INT32_WITHIN(2, move.x, sphere.centre.x); /* it slid */
+    }
+}
+
+/* In a corner there is no way on. */
+void test_a_sphere_within_a_face_may_stay(void)
+{
+    fxl_sphere sphere = {{0, 0, 0}, Q16(1.25)}; /* in the middle of a cube */
+    const fxl_point move = {Q16(0.1), 0, 0};
+    fxl_slide slide;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
+    TEST_ASSERT_TRUE(slide.blocked == 1 && sphere.centre.x == 0);
+}
+
+void test_the_end_of_the_world_holds_a_sphere(void)
+{
+    fxl_sphere sphere = {{FXL_COORDINATE_MAX - 5, 0, 0}, Q16(1)};
+    const fxl_point move = {Q16(3), 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, NULL));
+    TEST_ASSERT_EQUAL_INT32(FXL_COORDINATE_MAX, sphere.centre.x);
+}
+
+static void expect_refused(fxl_status status, const fxl_sphere *sphere, const fxl_point *move)
+{
+    fxl_sphere moved = *sphere;
+    fxl_slide slide, before;
+    memset(&slide, 0x5A, sizeof slide);
+    before = slide;
+    TEST_ASSERT_EQUAL(status, fxl_slide_sphere(&tiny->scene, &moved, move, &slide));
+    TEST_ASSERT_EQUAL_MEMORY(sphere, &moved, sizeof moved);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &slide, sizeof slide);
+}
+
+void test_slides_that_cannot_be_are_refused(void)
+{
+    fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(1)};
+    const fxl_point none = {0, 0, 0}, wide = {FXL_COORDINATE_MAX + 1, 0, 0},
+                    far_off = {0, Q16(513), 0};
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_slide_sphere(NULL, &sphere, &none, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_slide_sphere(&tiny->scene, NULL, &none, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_slide_sphere(&tiny->scene, &sphere, NULL, NULL));
+    expect_refused(FXL_E_RANGE, &sphere, &wide);
+    expect_refused(FXL_E_RANGE, &sphere, &far_off);
+    sphere.radius = FXL_SLIDE_RADIUS_MIN - 1;
+    expect_refused(FXL_E_RANGE, &sphere, &none);
+    sphere.radius = FXL_SLIDE_RADIUS_MAX + 1;
+    expect_refused(FXL_E_RANGE, &sphere, &none);
+    sphere.radius = FXL_SLIDE_RADIUS_MAX;
+    sphere.centre.y = -FXL_COORDINATE_MAX - 1;
+    expect_refused(FXL_E_RANGE, &sphere, &none);
+    tiny->scene.order_needed = 0;
+    sphere.centre.y = 0;
+    expect_refused(FXL_E_ORDER, &sphere, &none);
+}

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/* From the world to the screen and back: where a point of the world is on the screen, and which
+ * instance and face a pixel shows. docs/extras/pick.md. */
+#ifndef FXL_PICK_H
+#define FXL_PICK_H
+
+#include "fixel/render.h"
+#include "fixel/stage/view.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where a point of the world is. */
+enum {
+    FXL_POINT_VISIBLE,    /* in the visible volume, on the screen */
+    FXL_POINT_OFF_SCREEN, /* beyond a side of the screen, or beyond the far plane */
+    FXL_POINT_NEAR,       /* nearer than the near plane, or behind the eye: not projected */
+    FXL_POINT_BEYOND      /* projected, it is outside of FXL_SCREEN_COORDINATE_MAX */
+};
+
+/* A point of the world on the screen. */
+typedef struct {
+    fxl_screen_point at; /* pixels in 16.16; 0 for FXL_POINT_NEAR and FXL_POINT_BEYOND */
+    fxl_q18_46 depth;    /* distance from the eye along forward; negative behind the eye */
+    uint8_t place;       /* FXL_POINT_... */
+} fxl_screen_place;
+
+/* Finds where a point of the world is on the screen of a view: &renderer->frame.view, or another
+ * with a pose. The pixel that holds it is (at.x >> 16, at.y >> 16). Faces that hide the point are
+ * not looked for. The near and the far plane are those of the lens, moved inward by the inset.
+ * `depth` is exact given the camera, and each coordinate has the error of fxl_project_point.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (a view without a pose), FXL_E_RANGE (a coordinate of the point
+ * outside of FXL_COORDINATE_MAX): *place untouched. */
+fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
+                              fxl_screen_place *place);
+
+/* The number that stands for no instance. Instances of a scene have lower ones. */
+#define FXL_PICK_NONE 0xFFFFu
+
+/* What a pixel shows. */
+typedef struct {
+    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: the pixel shows the background */
+    uint16_t face;     /* number within the model; 0 with the background */
+    uint8_t colour;    /* of the pixel; 0 with the background */
+} fxl_picked;
+
+/* Finds the instance and the face that pixel (x, y) of the frame shows that was begun last. It is
+ * the face that fxl_frame_draw gives the pixel to, exactly, by the fill rule, with any clipper and
+ * with light beams. The visibility method must be fxl_visibility_sorted, _box, _spans or
+ * _spans_box, or one of the caller's with the same submit function. The scene must be as it was
+ * when the frame began. It costs as much as drawing one row of the frame up to that face, near to
+ * far. It works in the renderer's workspace: no band of the frame may be drawn meanwhile, also not
+ * by fxl_frame_draw_with. The frame stays, and its counters do. FXL_E_ARGUMENT, FXL_E_ORDER (no
+ * frame begun), FXL_E_BSP (another visibility method), FXL_E_RANGE (a pixel outside of the screen):
+ * *picked untouched; counted in refused_calls. */
+fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
