@@ -41,6 +41,13 @@
 #define FXL_KERNELS_MVE 0
 #endif
 
+/* Compiled for size (-Os), Armv7-M fills rows by a text of a quarter of the bytes. */
+#if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && defined __OPTIMIZE_SIZE__
+#define FXL_FILLS_COMPACT 1
+#else
+#define FXL_FILLS_COMPACT 0
+#endif
+
 /* On a host the files in assembly have no code. This section states that they need no
  * executable stack. */
 #if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__
