@@ -192,6 +192,10 @@ void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
         entry->faces = NO_FACES;
         if (model->kind == FXL_MODEL_SORTED) {
             measure_sorted(&on, &model_view, model, &all);
+        } else if (FXL_IS_COMPACT) {
+            on.reached = &all;
+            (void)fxl_submit_instance(&on, entry);
+            on.reached = &reached;
         } else {
             entry->faces = measure_convex(&on, &model_view, model, &to, &all);
         }
@@ -258,12 +262,12 @@ static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry,
         &renderer->scene->models[renderer->scene->instances[entry->index].model];
     const bool sorted_known = model->kind == FXL_MODEL_SORTED && workspace->face_rows_known &&
                               workspace->sorted_instance == on->resume->instances;
-    if (!sorted_known && (entry->faces & UINT16_MAX) == NO_FACES) {
+    if (!sorted_known && (FXL_IS_COMPACT || (entry->faces & UINT16_MAX) == NO_FACES)) {
         return fxl_submit_instance(on, entry);
     }
     FXL_ALIGN_8 fxl_model_view model_view;
     (void)fxl_view_instance(on, entry, &model_view);
-    return sorted_known ? draw_sorted(on, &model_view, model, wanted)
+    return FXL_IS_COMPACT || sorted_known ? draw_sorted(on, &model_view, model, wanted)
                         : draw_convex(on, &model_view, model, entry->faces);
 }
 
