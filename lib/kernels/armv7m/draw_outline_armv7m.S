@@ -18,6 +18,15 @@
 #define ROW_OF_RIGHT (FRAME_RIGHT + 4)
 #define STEP         8 /* in an edge of the frame */
 
+/* Outlines of as many rows and more are drawn by fxl_draw_by_active_edges. An edge of fewer than
+ * 256 rows is lower than 2^24, so it holds for all of them, and nothing is set up by
+ * fxl_edge_set_far. */
+#if FXL_IS_COMPACT
+#define OUTLINE_ROWS_MAX 255
+#else
+#define OUTLINE_ROWS_MAX 1023 /* FXL_EDGE_HEIGHT_MAX >> 16 */
+#endif
+
     .section .text.fxl_draw_outline, "ax", %progbits
     .global fxl_draw_outline
     .type fxl_draw_outline, %function
@@ -76,7 +85,7 @@ fxl_draw_outline:
     cmp     lr, r8
     bne     .Lother /* bug: v7m-two-chains */
 .Ltwo_chains:
-    movw    lr, #1023               /* FXL_EDGE_HEIGHT_MAX >> 16 */
+    movw    lr, #OUTLINE_ROWS_MAX
     cmp     r8, lr
     bge     .Lother
 
@@ -220,8 +229,10 @@ fxl_draw_rows_below:
     clz     r1, r9                  /* shift */
     adds    r8, r8, r5, lsr #16     /* the edge's rows above this one and from it on, less 1 */
     beq     .Lone_row
+#if !FXL_IS_COMPACT
     lsrs    r8, r8, r1              /* not 0: more rows than the edge holds for */
     bne     .Lset_far
+#endif
     /* The sum of fxl_edge_dividend times 2^16, so that its upper word is the dividend: 4 dx, below
      * 2^29, by 2^14 t, and the height by 2^16 part. */
     lsl     r6, r6, #2
@@ -341,6 +352,7 @@ fxl_draw_rows_below:
     strd    r4, r5, [r3]
     b       .Lside_done
 
+#if !FXL_IS_COMPACT
     /* Start the edge from its exact remainder: fxl_edge_set_far(top, bottom, row, rows, edge). */
 .Lset_far:
     sub     r5, r12, r5
@@ -396,6 +408,7 @@ fxl_draw_rows_below:
     subs    r1, r1, #8
     strd    r1, r0, [sp, #FRAME_RIGHT]
     b       .Lside_done
+#endif
 
     .size fxl_draw_outline, . - fxl_draw_outline
 
