@@ -44,9 +44,13 @@ fxl_draw_outline:
     movw    r11, #32767
     add     r4, r4, #1
     lsl     r4, r4, #16
+#if FXL_IS_COMPACT
+    add     r1, r0, r1, lsl #3
+#else
     cmp     r1, #3
     add     r1, r0, r1, lsl #3
     beq     .Ltriangle
+#endif
     ldr     r5, [r1, #SCREEN_POINT_Y - 8]
     add     r5, r5, r11
     asr     r5, r5, #16
@@ -136,6 +140,7 @@ fxl_draw_outline:
     mov     r3, sp
     b       .Lset_edge
 
+#if !FXL_IS_COMPACT
     /* A triangle goes down once. */
 .Ltriangle:
     ldm     r0, {r5-r10}            /* x, y of each */
@@ -169,6 +174,7 @@ fxl_draw_outline:
     asr     r7, r7, #16
     sub     r8, r7, r6
     b       .Ltwo_chains
+#endif
 
 .Lno_row:
     movs    r0, #0
@@ -228,7 +234,9 @@ fxl_draw_rows_below:
     sub     r5, r12, r5             /* the centre less the top: whole rows, and t */
     clz     r1, r9                  /* shift */
     adds    r8, r8, r5, lsr #16     /* the edge's rows above this one and from it on, less 1 */
+#if !FXL_IS_COMPACT
     beq     .Lone_row
+#endif
 #if !FXL_IS_COMPACT
     lsrs    r8, r8, r1              /* not 0: more rows than the edge holds for */
     bne     .Lset_far
@@ -319,6 +327,7 @@ fxl_draw_rows_below:
     ldm     r0, {r4-r7}
     b       fxl_draw_rows_below
 
+#if !FXL_IS_COMPACT
     /* The edge crosses only this row: compute its first pixel, and no step. */
 .Lone_row:
     smull   r7, r8, r6, r5
@@ -339,6 +348,7 @@ fxl_draw_rows_below:
     add     r4, r4, r8
     str     r4, [r3]
     b       .Lside_done
+#endif
 
     /* The edge began r5 rows above the row. */
 .Ladvance:

@@ -209,7 +209,7 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
     if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
         draw_at_once(on, on->workspace, counters);
     } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
-        if (FXL_IS_SMALL || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
+        if (FXL_IS_COMPACT || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
             const uint32_t used = on->renderer->frame.display_list.used;
             return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
         }
