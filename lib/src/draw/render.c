@@ -15,7 +15,7 @@
 #include "../raster/draw_outline.h"
 #include "reach.h"
 #include "renderer.h"
-#include "submit.h"
+#include "submit_sorted.h"
 
 /* --- begin ---------------------------------------------------------------------------- */
 
@@ -128,8 +128,7 @@ static fxl_outcome deliver(const fxl_traversal *on)
         return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
     }
     if (!FXL_IS_SMALL && on->way == FXL_SUBMIT_MEASURE) {
-        on->reached->first = rows.first < on->reached->first ? rows.first : on->reached->first;
-        on->reached->end = rows.end > on->reached->end ? rows.end : on->reached->end;
+        fxl_rows_add(on->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
     return on->renderer->visibility->backend->draw_polygon(workspace, screen->points, screen->count,
