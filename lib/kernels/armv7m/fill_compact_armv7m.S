@@ -9,6 +9,10 @@
 #if FXL_KERNELS_ARMV7M && FXL_FILLS_COMPACT
 #include "fill_entry.h"
 
+    b.w     fxl_fill_rows
+    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+
+    .section .text.fxl_fill_rows, "ax", %progbits
     .global fxl_fill_rows
     .hidden fxl_fill_rows
     .type fxl_fill_rows, %function
@@ -63,6 +67,6 @@ fxl_fill_rows:
     exchange_edges
     b       .Lrow
 
-    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+    .size fxl_fill_rows, . - fxl_fill_rows
 
 #endif
