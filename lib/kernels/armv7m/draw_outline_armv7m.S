@@ -22,7 +22,7 @@
  * 256 rows is lower than 2^24, so it holds for all of them, and nothing is set up by
  * fxl_edge_set_far. */
 #if FXL_IS_COMPACT
-#define OUTLINE_ROWS_MAX 255
+#define OUTLINE_ROWS_MAX 255 /* bug: v7m-compact-rows */
 #else
 #define OUTLINE_ROWS_MAX 1023 /* FXL_EDGE_HEIGHT_MAX >> 16 */
 #endif

@@ -35,7 +35,7 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
         uint64_t left = numerator - fxl_multiply_u32(quotient, denominator);
         if (left >= denominator) {
             left -= denominator;
-            quotient += 1;
+            quotient += 1; /* bug: compact-quotient */
         }
         *rest = (uint32_t)left;
         return quotient;
