@@ -47,6 +47,10 @@ fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_boun
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                                    fxl_screen_point *screen);
 
+void portable_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
+                             const fxl_q18_46 *inside, const fxl_q18_46 *outside,
+                             fxl_view_point *point);
+
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */
