@@ -189,11 +189,9 @@ static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspac
 {
     const fxl_screen_polygon *screen = &workspace->screen;
     workspace->work.scan.colour = screen->colour;
-    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan)) {
+    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan) ||
+        fxl_outline_has_rows(screen, on->renderer->frame.view.lens.height)) {
         counters->spilled += 1;
-    } else {
-        const fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
-        counters->spilled += rows.first != rows.end;
     }
 }
 
