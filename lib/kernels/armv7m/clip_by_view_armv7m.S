@@ -113,10 +113,8 @@ fxl_clip_by_view:
     b       .Lprojected
 #endif
 
-    /* A face is outside if its first vertex is outside of a plane, and with it all others. A library
-     * for size leaves that to fxl_clip_assembled. */
+    /* A face is outside if its first vertex is outside of a plane, and with it all others. */
 .Loutside:
-#if !FXL_IS_COMPACT
     adds    r0, of_all, #1
     bne     .Lassembled
     mov     of_all, flags
@@ -136,11 +134,9 @@ fxl_clip_by_view:
     tst     of_all, #PLANES_ALL
     bne     .Lcommon
 .Lassembled:
-#endif
     pop     {r0-r12, lr}
     b.w     fxl_clip_assembled
 
-#if !FXL_IS_COMPACT
 .Lcommon_miss:
     ldr     r0, [sp]
     bl      fxl_transform_vertex
@@ -150,7 +146,6 @@ fxl_clip_by_view:
 .Lall_outside:
     movs    r0, #CLIP_OUTSIDE
     b       .Ldone
-#endif
 
 .Lrange:
     movs    r0, #CLIP_RANGE

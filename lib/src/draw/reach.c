@@ -145,6 +145,17 @@ static uint32_t measure_instance(const fxl_traversal *on, const fxl_order_entry 
     return NO_FACES;
 }
 
+static void measure_instances(const fxl_traversal *on, const fxl_frame *frame, store *to)
+{
+    for (; on->resume->instances < frame->visible_count; on->resume->instances++) {
+        fxl_order_entry *entry = &frame->order[place_of(on->renderer, on->resume->instances)];
+        *on->reached = fxl_no_rows;
+        entry->faces = measure_instance(on, entry, to);
+        entry->rows = *on->reached;
+        on->resume->faces = 0;
+    }
+}
+
 void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
 {
     const fxl_renderer *renderer = filling->renderer;
@@ -156,18 +167,12 @@ void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
     store to = {faces_of(frame), 0,
                 (renderer->instance_capacity - frame->visible_count) *
                     (uint32_t)(sizeof(fxl_order_entry) / sizeof(face_rows))};
-    for (; resume.instances < frame->visible_count; resume.instances++) {
-        fxl_order_entry *entry = &frame->order[place_of(renderer, resume.instances)];
-        fxl_rows reached = fxl_no_rows;
-        on.reached = &reached;
-        entry->faces = NO_FACES;
-        if (FXL_IS_COMPACT) {
-            (void)fxl_submit_instance(&on, entry);
-        } else {
-            entry->faces = measure_instance(&on, entry, &to);
-        }
-        entry->rows = reached;
-        resume.faces = 0;
+    fxl_rows reached;
+    on.reached = &reached;
+    if (FXL_IS_COMPACT) {
+        (void)fxl_submit_by_distance(&on);
+    } else {
+        measure_instances(&on, frame, &to);
     }
     lend_cache(renderer, &filling->workspace->cache, to.start + to.used);
     frame->state = FXL_FRAME_MEASURED;
@@ -209,7 +214,7 @@ static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_model *model =
         &renderer->scene->models[renderer->scene->instances[entry->index].model];
     const bool is_sorted = model->kind == FXL_MODEL_SORTED;
-    if (FXL_IS_COMPACT || (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES)) {
+    if (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES) {
         return fxl_submit_instance(on, entry);
     }
     FXL_ALIGN_8 fxl_model_view model_view;
@@ -222,13 +227,21 @@ bool fxl_reach_submit(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_rows wanted = fxl_rows_of_band(on->band);
-    for (; on->resume->instances < renderer->frame.visible_count; on->resume->instances++) {
-        const fxl_order_entry *entry =
-            &renderer->frame.order[place_of(renderer, on->resume->instances)];
-        if (fxl_rows_meet(entry->rows, wanted) && !draw_instance(on, entry)) {
+    const uint32_t count = renderer->frame.visible_count;
+    const int32_t step = renderer->visibility->front_to_back ? -1 : 1;
+    uint32_t number = on->resume->instances;
+    const fxl_order_entry *entry = renderer->frame.order + place_of(renderer, number);
+    for (; number < count; number++, entry += step) {
+        if (!fxl_rows_meet(entry->rows, wanted)) {
+            continue;
+        }
+        if (number != on->resume->instances) {
+            on->resume->instances = (uint16_t)number;
+            on->resume->faces = 0;
+        }
+        if (!draw_instance(on, entry)) {
             return false;
         }
-        on->resume->faces = 0;
     }
     return true;
 }

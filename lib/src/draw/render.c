@@ -43,7 +43,7 @@ static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
     if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
         return FXL_SUBMIT_ANY;
     }
-    return is_begin                                    ? FXL_SUBMIT_APPEND
+    return is_begin ? FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND
            : renderer->visibility->backend->draws_over ? FXL_SUBMIT_DRAW
                                                        : FXL_SUBMIT_ANY;
 }
@@ -183,13 +183,14 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
 }
 
 /* The polygon on the screen straight into the band. One that has no row there may have one on the
- * rest of the screen. */
+ * rest of the screen, which matters only where it is counted. */
 static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspace,
                                 fxl_counters *counters)
 {
     const fxl_screen_polygon *screen = &workspace->screen;
     workspace->work.scan.colour = screen->colour;
     if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan) ||
+        (!FXL_IS_COMPACT && workspace->rest_counted) ||
         fxl_outline_has_rows(screen, on->renderer->frame.view.lens.height)) {
         counters->spilled += 1;
     }
@@ -264,7 +265,7 @@ static bool draw_display_list(const fxl_traversal *on)
 static bool submit_rest(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
-    return !FXL_IS_SMALL && renderer->frame.state == FXL_FRAME_MEASURED
+    return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
                ? fxl_reach_submit(on)
                : renderer->visibility->submit(on);
 }

@@ -2,6 +2,11 @@
 #include "../view/facing.h"
 #include "submit_sorted.h"
 
+/* Whether the loops over a frame's instances and over a sorted model's faces measure rows and pass
+ * over what does not reach a band: in a library for size. Otherwise lib/src/draw/reach.c has loops
+ * of its own, so that a full frame pays nothing for bands. */
+#define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
+
 static inline const fxl_instance *
 view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_view *model_view)
 {
@@ -53,21 +58,30 @@ bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = view_instance(on, entry, &model_view);
     const fxl_model *model = &on->renderer->scene->models[instance->model];
-    /* A library for size has one loop: that of bands, too. */
-    return model->kind == FXL_MODEL_SORTED
-               ? fxl_submit_sorted(on, &model_view, model, FXL_IS_COMPACT && !FXL_IS_SMALL)
-               : submit_convex(on, &model_view, model);
+    return model->kind == FXL_MODEL_SORTED ? fxl_submit_sorted(on, &model_view, model, ONE_LOOP)
+                                           : submit_convex(on, &model_view, model);
 }
 
 bool fxl_submit_by_distance(const fxl_traversal *on)
 {
-    const fxl_order_entry *order = on->renderer->frame.order;
-    const uint32_t count = on->renderer->frame.visible_count;
+    const fxl_frame *frame = &on->renderer->frame;
+    const uint32_t count = frame->visible_count;
     const bool reverse = on->renderer->visibility->front_to_back;
+    const bool measures = ONE_LOOP && on->way == FXL_SUBMIT_MEASURE;
+    const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
+    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
     for (; on->resume->instances < count; on->resume->instances++) {
         const uint32_t number = on->resume->instances;
-        if (!fxl_submit_instance(on, &order[reverse ? count - 1 - number : number])) {
+        fxl_order_entry *entry = &frame->order[reverse ? count - 1 - number : number];
+        if (measures) {
+            *on->reached = fxl_no_rows;
+        }
+        if ((!passes_over || fxl_rows_meet(entry->rows, wanted)) &&
+            !fxl_submit_instance(on, entry)) {
             return false;
+        }
+        if (measures) {
+            entry->rows = *on->reached;
         }
         on->resume->faces = 0;
     }
