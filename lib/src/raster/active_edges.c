@@ -44,16 +44,23 @@ static int32_t next_vertex_row(const fxl_active_edges *edges)
 /* Moves the active edges down by a row, and finds the first crossing. */
 static void step_edges(fxl_active_edges *edges)
 {
-    for (uint32_t i = 0; i < edges->found_count; i++) {
-        fxl_slope *slope = &edges->found[i].slope;
-        slope->x += slope->step;
-        slope->error += slope->error_step;
-        if (slope->error >= slope->height) { /* bug: step-carry */
-            slope->error -= slope->height;
-            slope->x += 1;
+    int32_t first = edges->x;
+    fxl_active_edge *edge = edges->found;
+    uint32_t left = edges->found_count;
+    do { /* edges cross every row of an outline */
+        fxl_slope *slope = &edge->slope;
+        int32_t x = slope->x + slope->step;
+        uint32_t error = slope->error + slope->error_step;
+        if (error >= slope->height) { /* bug: step-carry */
+            error -= slope->height;
+            x += 1;
         }
-        edges->x = slope->x < edges->x ? slope->x : edges->x;
-    }
+        slope->x = x;
+        slope->error = error;
+        first = x < first ? x : first;
+        edge++;
+    } while (--left != 0);
+    edges->x = first;
 }
 
 void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points, uint32_t count,
