@@ -40,7 +40,7 @@ COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_test
 COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3", "core/*/lib", "core/runners", "boards/mps2-an385/boards")
 TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught too
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
-EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small")
+EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small", "equality/m3-os")
 EQUALITY_THOUSANDS = 20
 
 

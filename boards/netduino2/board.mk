@@ -3,7 +3,8 @@
 # the 512 KiB that are a power of two (the chip has 768, QEMU's 1024).
 
 BOARD_CPU := cortex-m3
-BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+# For size, but not FXL_SMALL: this is the board that draws with the compact kernels.
+BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access -Os
 BOARD_QEMU := -M netduino2
 BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f2x.cfg
 

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
 # For each core of the bench, a program that compares the core's kernels with the
 # portable ones, which it has under other names: build/equality/<core>.elf, and
-# build/equality/<core>-small.elf for the library with -Os -DFXL_SMALL. Wants
+# build/equality/<core>-small.elf for the library with -Os -DFXL_SMALL, and
+# build/equality/m3-os.elf for the library with -Os, which has kernels of its own. Wants
 # bench/bench.mk included first; a core runs where the bench runs it.
 
 EQUALITY_OUT := $(BUILD)/equality
 # Which core a program is for, and the names of its library's objects and of their flags.
-EQUALITY_KINDS := $(BENCH_CORES_HERE) $(patsubst %,%-small,$(filter m0 m3,$(BENCH_CORES_HERE)))
-EQUALITY_CORE = $(patsubst %-small,%,$(1))
-EQUALITY_LIB = $(EQUALITY_NAMES:%=$(if $(filter %-small,$(1)),small/)lib/%)
-EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_SMALL,BENCH_CC)
+EQUALITY_KINDS := $(BENCH_CORES_HERE) $(patsubst %,%-small,$(filter m0 m3,$(BENCH_CORES_HERE))) \
+    $(patsubst %,%-os,$(filter m3,$(BENCH_CORES_HERE)))
+EQUALITY_CORE = $(patsubst %-os,%,$(patsubst %-small,%,$(1)))
+EQUALITY_LIB = $(EQUALITY_NAMES:%=$(if $(filter %-small,$(1)),small/,$(if $(filter %-os,$(1)),os/))lib/%)
+EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_SMALL,$(if $(filter %-os,$(1)),BENCH_CC_OS,BENCH_CC))
 
 # The stages with kernels are in lib/src and lib/kernels; a program here names nothing of lib/extra.
 EQUALITY_NAMES := $(filter-out extra/%,$(LIB_NAMES))

@@ -49,6 +49,10 @@ void portable_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *t
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                                    fxl_screen_point *screen);
 
+void portable_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
+                             const fxl_q18_46 *inside, const fxl_q18_46 *outside,
+                             fxl_view_point *point);
+
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */

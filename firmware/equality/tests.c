@@ -5,6 +5,7 @@
 #include "estimates.h"
 #include "faces.h"
 #include "fill.h"
+#include "intersect.h"
 #include "transform_vertex.h"
 #include "divisions.h"
 #include "products.h"
@@ -29,6 +30,7 @@ const equality_test equality_tests[] = {
     {"sphere", test_sphere},
     {"front-faces", test_front_faces},
     {"clip-by-view", test_clip_by_view},
+    {"intersect", test_intersect},
     {"chains", test_chains},
     {"fill", test_fill},
     {"draw-outline", test_draw_outline},

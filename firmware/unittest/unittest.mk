@@ -27,7 +27,7 @@ BOARD_TEST_SHARED = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,$(filter-out host_
 # Unity asks for setjmp, and tests may print: these programs have a C library. The library in them
 # is optimised as a program's; of the tests themselves more is compiled than ever runs, and to
 # compile them so, or for a debugger, would take twice the time.
-BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) -O1 -Ilib/include -Ilib -Iboards \
+BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) $(if $(filter -Os,$(CORE_CC.$(1))),,-O1) -Ilib/include -Ilib -Iboards \
     -I$(UNITY_DIR)/src -Ihost_tests/unit -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # All RAM that is left is their stack (linker/sections.ld).
 BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1

@@ -9,7 +9,7 @@ import pytest
 from board_programs import ROOT, made
 from conftest import run_cli
 
-CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small")
+CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 
 
 def equality(core, journal, *more):

@@ -41,6 +41,20 @@
 #define FXL_KERNELS_MVE 0
 #endif
 
+/* Compiled for size (-Os), Armv7-M has an edge's intersection in C. */
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+#define FXL_INTERSECTS_IN_ASSEMBLY 1
+#else
+#define FXL_INTERSECTS_IN_ASSEMBLY 0
+#endif
+
+/* So compiled, it fills rows by a text of a sixth of the bytes. */
+#if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT
+#define FXL_FILLS_COMPACT 1
+#else
+#define FXL_FILLS_COMPACT 0
+#endif
+
 /* On a host the files in assembly have no code. This section states that they need no
  * executable stack. */
 #if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__

@@ -23,6 +23,14 @@
 #define FXL_IS_SMALL 0
 #endif
 
+/* A library that the compiler makes for size (-Os) omits what saves few instructions for its bytes.
+ * It keeps the algorithms that are several times faster. */
+#if defined FXL_SMALL || defined __OPTIMIZE_SIZE__
+#define FXL_IS_COMPACT 1
+#else
+#define FXL_IS_COMPACT 0
+#endif
+
 /* The most vertices of a polygon anywhere in the pipeline. It determines the size of a
  * renderer (render.h) and which faces it draws. The library and the program must be
  * built with the same value. If they are not, the linker does not find

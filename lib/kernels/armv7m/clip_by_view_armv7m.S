@@ -57,12 +57,14 @@ fxl_clip_by_view:
     bne     .Lunprojected
 .Lready:
     ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
+    stm     point!, {r0, r1}
+.Lstored:
     orr     of_any, of_any, flags
     and     of_all, of_all, flags
-    stm     point!, {r0, r1}
     subs    count, count, #1
     bne     .Lvertex
 
+.Lprojected:
     ldr     r1, [sp, #AT_FACE]
     ldr     r2, [sp, #AT_SCREEN]
     ldrh    r3, [r1, #FACE_COUNT]            /* and the colour beside it */
@@ -92,16 +94,24 @@ fxl_clip_by_view:
     adds    r2, r2, #CACHED_VERTEX_SCREEN
     bl      fxl_project_inside
     cbnz    r0, .Lrange
+    strd    r1, r3, [point], #8
     movw    r0, #0x7FFF
-    subs    r2, r2, #CACHED_VERTEX_SCREEN
     add     r1, r1, r0
     add     r3, r3, r0
     lsrs    r1, r1, #16
     lsrs    r3, r3, #16
     lsls    r3, r3, #20
     orr     flags, r3, r1, lsl #8
-    str     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
-    b       .Lready
+    str     flags, [r2, #CACHED_VERTEX_CLIP_FLAGS - CACHED_VERTEX_SCREEN]
+#if FXL_IS_COMPACT
+    b       .Lstored
+#else
+    orr     of_any, of_any, flags
+    and     of_all, of_all, flags
+    subs    count, count, #1
+    bne     .Lvertex
+    b       .Lprojected
+#endif
 
     /* A face is outside if its first vertex is outside of a plane, and with it all others. */
 .Loutside:

@@ -18,6 +18,15 @@
 #define ROW_OF_RIGHT (FRAME_RIGHT + 4)
 #define STEP         8 /* in an edge of the frame */
 
+/* Outlines of as many rows and more are drawn by fxl_draw_by_active_edges. An edge of fewer than
+ * 256 rows is lower than 2^24, so it holds for all of them, and nothing is set up by
+ * fxl_edge_set_far. */
+#if FXL_IS_COMPACT
+#define OUTLINE_ROWS_MAX 255 /* bug: v7m-compact-rows */
+#else
+#define OUTLINE_ROWS_MAX 1023 /* FXL_EDGE_HEIGHT_MAX >> 16 */
+#endif
+
     .section .text.fxl_draw_outline, "ax", %progbits
     .global fxl_draw_outline
     .type fxl_draw_outline, %function
@@ -35,9 +44,13 @@ fxl_draw_outline:
     movw    r11, #32767
     add     r4, r4, #1
     lsl     r4, r4, #16
+#if FXL_IS_COMPACT
+    add     r1, r0, r1, lsl #3
+#else
     cmp     r1, #3
     add     r1, r0, r1, lsl #3
     beq     .Ltriangle
+#endif
     ldr     r5, [r1, #SCREEN_POINT_Y - 8]
     add     r5, r5, r11
     asr     r5, r5, #16
@@ -76,7 +89,7 @@ fxl_draw_outline:
     cmp     lr, r8
     bne     .Lother /* bug: v7m-two-chains */
 .Ltwo_chains:
-    movw    lr, #1023               /* FXL_EDGE_HEIGHT_MAX >> 16 */
+    movw    lr, #OUTLINE_ROWS_MAX
     cmp     r8, lr
     bge     .Lother
 
@@ -127,6 +140,7 @@ fxl_draw_outline:
     mov     r3, sp
     b       .Lset_edge
 
+#if !FXL_IS_COMPACT
     /* A triangle goes down once. */
 .Ltriangle:
     ldm     r0, {r5-r10}            /* x, y of each */
@@ -160,6 +174,7 @@ fxl_draw_outline:
     asr     r7, r7, #16
     sub     r8, r7, r6
     b       .Ltwo_chains
+#endif
 
 .Lno_row:
     movs    r0, #0
@@ -219,9 +234,13 @@ fxl_draw_rows_below:
     sub     r5, r12, r5             /* the centre less the top: whole rows, and t */
     clz     r1, r9                  /* shift */
     adds    r8, r8, r5, lsr #16     /* the edge's rows above this one and from it on, less 1 */
+#if !FXL_IS_COMPACT
     beq     .Lone_row
+#endif
+#if !FXL_IS_COMPACT
     lsrs    r8, r8, r1              /* not 0: more rows than the edge holds for */
     bne     .Lset_far
+#endif
     /* The sum of fxl_edge_dividend times 2^16, so that its upper word is the dividend: 4 dx, below
      * 2^29, by 2^14 t, and the height by 2^16 part. */
     lsl     r6, r6, #2
@@ -308,6 +327,7 @@ fxl_draw_rows_below:
     ldm     r0, {r4-r7}
     b       fxl_draw_rows_below
 
+#if !FXL_IS_COMPACT
     /* The edge crosses only this row: compute its first pixel, and no step. */
 .Lone_row:
     smull   r7, r8, r6, r5
@@ -328,6 +348,7 @@ fxl_draw_rows_below:
     add     r4, r4, r8
     str     r4, [r3]
     b       .Lside_done
+#endif
 
     /* The edge began r5 rows above the row. */
 .Ladvance:
@@ -341,6 +362,7 @@ fxl_draw_rows_below:
     strd    r4, r5, [r3]
     b       .Lside_done
 
+#if !FXL_IS_COMPACT
     /* Start the edge from its exact remainder: fxl_edge_set_far(top, bottom, row, rows, edge). */
 .Lset_far:
     sub     r5, r12, r5
@@ -396,6 +418,7 @@ fxl_draw_rows_below:
     subs    r1, r1, #8
     strd    r1, r0, [sp, #FRAME_RIGHT]
     b       .Lside_done
+#endif
 
     .size fxl_draw_outline, . - fxl_draw_outline
 

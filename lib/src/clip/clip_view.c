@@ -5,7 +5,7 @@
 #include "clip_stats.h"
 #include "copy_point.h"
 #include "cut_polygon.h"
-#include "../math/divide_wide.h"
+#include "intersect_edge.h"
 
 /* The upper 32 bits. Compilers optimise the unsigned shift away. */
 static inline int32_t upper(int64_t value)
@@ -47,22 +47,6 @@ fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
            frustum->inset;
 }
 
-/* floor(2^64 inside / (inside - outside)): the place of the intersection on the edge.
- * Requires inside >= 0 > outside, both below 2^62. */
-static uint64_t intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
-{
-    FXL_ASSERT(inside >= 0 && outside < 0);
-    return fxl_fraction((uint64_t)inside, (uint64_t)inside - (uint64_t)outside);
-}
-
-/* from + (to - from) fraction / 2^64, rounded towards from. Error: less than one unit.
- * |to - from| is below 2^62. */
-static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
-{
-    uint64_t part = fxl_multiply_high(fxl_magnitude(to - from), fraction);
-    return to < from ? from - (int64_t)part : from + (int64_t)part;
-}
-
 static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
 {
     const fxl_view_polygon *in = (const fxl_view_polygon *)cut->in;
@@ -76,12 +60,8 @@ static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, 
     fxl_view_polygon *out = (fxl_view_polygon *)cut->out;
     const fxl_view_point *from = &in->vertices[inside].position;
     const fxl_view_point *end = &in->vertices[outside].position;
-    const uint64_t fraction =
-        intersection_fraction(cut->distances[inside], cut->distances[outside]);
-    fxl_view_point *point = &out->vertices[to].position;
-    point->x = interpolate(from->x, end->x, fraction);
-    point->y = interpolate(from->y, end->y, fraction);
-    point->z = interpolate(from->z, end->z, fraction);
+    fxl_intersect_edge(from, end, &cut->distances[inside], &cut->distances[outside],
+                       &out->vertices[to].position);
 }
 
 fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_view_frustum *frustum,

@@ -30,6 +30,10 @@ void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
                      const fxl_model *model)
 {
     fxl_workspace *workspace = on->workspace;
+    if (workspace->sorted_instance == on->resume->instances) {
+        return;
+    }
+    workspace->sorted_instance = on->resume->instances;
     if (model->first_cluster != 0) {
         on->renderer->scene->cluster_code->find_faces(on, model_view, model);
     } else {

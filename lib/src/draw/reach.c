@@ -2,6 +2,7 @@
 #include "reach.h"
 
 #include "../view/facing.h"
+#include "submit_sorted.h"
 
 /* The rows that a face reaches, in units of 2^shift rows, rounded outward; end 0: none. They are
  * kept in the order in which a method submits the faces, for those groups of consecutive faces of
@@ -37,24 +38,7 @@ static uint32_t place_of(const fxl_renderer *renderer, uint32_t number)
                                                : number;
 }
 
-static void add_rows(fxl_rows *sum, fxl_rows rows)
-{
-    sum->first = rows.first < sum->first ? rows.first : sum->first;
-    sum->end = rows.end > sum->end ? rows.end : sum->end;
-}
-
 /* --- measuring ------------------------------------------------------------------------- */
-
-/* Submits a face, adds what it reaches to *all, and returns it. */
-static fxl_rows measure_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                             const fxl_face *face, fxl_rows *all)
-{
-    const fxl_rows none = {UINT16_MAX, 0};
-    *on->reached = none;
-    (void)fxl_submit_face(model_view, face, on); /* there is room for a row's number */
-    add_rows(all, *on->reached);
-    return *on->reached;
-}
 
 /* Where the rows of faces are written. */
 typedef struct {
@@ -65,8 +49,7 @@ typedef struct {
 /* The faces of a group, from number `first` on. Returns whether one reaches a row; then their rows
  * are in the store, so far as there is room. */
 static bool measure_group(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_model *model, uint32_t first, uint32_t end, store *to,
-                          fxl_rows *all)
+                          const fxl_model *model, uint32_t first, uint32_t end, store *to)
 {
     const unsigned shift = shift_of(&on->renderer->frame);
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
@@ -78,7 +61,7 @@ static bool measure_group(const fxl_traversal *on, const fxl_model_view *model_v
         fxl_rows rows = {0, 0};
         on->counters->in += 1;
         if (fxl_model_view_face_is_front(model_view, face)) {
-            rows = measure_face(on, model_view, face, all);
+            rows = fxl_measure_face(on, model_view, face);
         } else {
             on->counters->backfacing += 1;
         }
@@ -105,14 +88,14 @@ static uint32_t group_of(const fxl_model *model)
 
 /* Returns the instance's `faces`. */
 static uint32_t measure_convex(const fxl_traversal *on, const fxl_model_view *model_view,
-                               const fxl_model *model, store *to, fxl_rows *all)
+                               const fxl_model *model, store *to)
 {
     const uint32_t place = to->used, size = group_of(model);
     uint32_t groups = 0, bit = 1u << GROUPS;
     for (uint32_t number = 0; number < model->face_count; number += size, bit <<= 1) {
         const uint32_t end = number + size < model->face_count ? number + size : model->face_count;
         const uint32_t first = number > on->resume->faces ? number : on->resume->faces;
-        if (first < end && measure_group(on, model_view, model, first, end, to, all)) {
+        if (first < end && measure_group(on, model_view, model, first, end, to)) {
             groups |= bit;
         }
     }
@@ -121,27 +104,6 @@ static uint32_t measure_convex(const fxl_traversal *on, const fxl_model_view *mo
         return NO_FACES;
     }
     return groups | place;
-}
-
-static void measure_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                           const fxl_model *model, fxl_rows *all)
-{
-    fxl_workspace *workspace = on->workspace;
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->visibility->front_to_back;
-    if (workspace->sorted_instance != on->resume->instances) {
-        workspace->sorted_instance = on->resume->instances;
-        fxl_order_model(on, model_view, model);
-    }
-    const uint32_t count = workspace->sorted_count;
-    for (uint32_t number = on->resume->faces; number < count; number++) {
-        fxl_order_entry *entry = &workspace->face_order[reverse ? count - 1 - number : number];
-        entry->rows = measure_face(on, model_view, &faces[entry->face], all);
-    }
-    workspace->face_rows_known = true;
-    on->counters->in += model->face_count - on->resume->faces;
-    on->counters->backfacing += model->face_count - workspace->front_count;
-    on->counters->outside += workspace->front_count - count;
 }
 
 /* --- a cache in what is left ----------------------------------------------------------- */
@@ -170,33 +132,47 @@ void fxl_reach_take_back(const fxl_renderer *renderer, fxl_workspace *workspace)
     }
 }
 
+/* Returns the instance's `faces`. */
+static uint32_t measure_instance(const fxl_traversal *on, const fxl_order_entry *entry, store *to)
+{
+    FXL_ALIGN_8 fxl_model_view model_view;
+    const fxl_model *model =
+        &on->renderer->scene->models[fxl_view_instance(on, entry, &model_view)->model];
+    if (model->kind != FXL_MODEL_SORTED) {
+        return measure_convex(on, &model_view, model, to);
+    }
+    (void)fxl_submit_sorted(on, &model_view, model, true);
+    return NO_FACES;
+}
+
+static void measure_instances(const fxl_traversal *on, const fxl_frame *frame, store *to)
+{
+    for (; on->resume->instances < frame->visible_count; on->resume->instances++) {
+        fxl_order_entry *entry = &frame->order[place_of(on->renderer, on->resume->instances)];
+        *on->reached = fxl_no_rows;
+        entry->faces = measure_instance(on, entry, to);
+        entry->rows = *on->reached;
+        on->resume->faces = 0;
+    }
+}
+
 void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
 {
     const fxl_renderer *renderer = filling->renderer;
-    const fxl_scene *scene = renderer->scene;
-    fxl_rows reached;
-    fxl_resume_point resume = *filling->resume;
+    fxl_resume_point resume = {filling->resume->instances, filling->resume->faces};
     fxl_traversal on = *filling;
     on.display_list = NULL;
-    on.reached = &reached;
     on.resume = &resume;
     on.way = FXL_SUBMIT_MEASURE;
     store to = {faces_of(frame), 0,
                 (renderer->instance_capacity - frame->visible_count) *
                     (uint32_t)(sizeof(fxl_order_entry) / sizeof(face_rows))};
-    for (; resume.instances < frame->visible_count; resume.instances++) {
-        fxl_order_entry *entry = &frame->order[place_of(renderer, resume.instances)];
-        fxl_rows all = {UINT16_MAX, 0};
-        fxl_model_view model_view;
-        const fxl_model *model = &scene->models[fxl_view_instance(&on, entry, &model_view)->model];
-        entry->faces = NO_FACES;
-        if (model->kind == FXL_MODEL_SORTED) {
-            measure_sorted(&on, &model_view, model, &all);
-        } else {
-            entry->faces = measure_convex(&on, &model_view, model, &to, &all);
-        }
-        entry->rows = all;
-        resume.faces = 0;
+    fxl_rows reached;
+    on.reached = &reached;
+    if (FXL_IS_COMPACT) {
+        (void)fxl_submit_by_distance(&on);
+    } else {
+        measure_instances(&on, frame, &to);
     }
     lend_cache(renderer, &filling->workspace->cache, to.start + to.used);
     frame->state = FXL_FRAME_MEASURED;
@@ -232,52 +208,40 @@ static bool draw_convex(const fxl_traversal *on, const fxl_model_view *model_vie
     return true;
 }
 
-static bool draw_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                        const fxl_model *model, fxl_rows wanted)
-{
-    const fxl_workspace *workspace = on->workspace;
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const uint32_t count = workspace->sorted_count;
-    const bool reverse = on->renderer->visibility->front_to_back;
-    for (uint32_t number = on->resume->faces; number < count; number++) {
-        const fxl_order_entry *entry =
-            &workspace->face_order[reverse ? count - 1 - number : number];
-        if (fxl_rows_meet(entry->rows, wanted) &&
-            !fxl_submit_face(model_view, &faces[entry->face], on)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_rows wanted)
+static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 {
     const fxl_renderer *renderer = on->renderer;
-    const fxl_workspace *workspace = on->workspace;
     const fxl_model *model =
         &renderer->scene->models[renderer->scene->instances[entry->index].model];
-    const bool sorted_known = model->kind == FXL_MODEL_SORTED && workspace->face_rows_known &&
-                              workspace->sorted_instance == on->resume->instances;
-    if (!sorted_known && (entry->faces & UINT16_MAX) == NO_FACES) {
+    const bool is_sorted = model->kind == FXL_MODEL_SORTED;
+    if (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES) {
         return fxl_submit_instance(on, entry);
     }
     FXL_ALIGN_8 fxl_model_view model_view;
     (void)fxl_view_instance(on, entry, &model_view);
-    return sorted_known ? draw_sorted(on, &model_view, model, wanted)
-                        : draw_convex(on, &model_view, model, entry->faces);
+    return is_sorted ? fxl_submit_sorted(on, &model_view, model, true)
+                     : draw_convex(on, &model_view, model, entry->faces);
 }
 
 bool fxl_reach_submit(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
-    const fxl_rows wanted = {on->band->first_row, (uint16_t)(on->band->first_row + on->band->rows)};
-    for (; on->resume->instances < renderer->frame.visible_count; on->resume->instances++) {
-        const fxl_order_entry *entry =
-            &renderer->frame.order[place_of(renderer, on->resume->instances)];
-        if (fxl_rows_meet(entry->rows, wanted) && !draw_instance(on, entry, wanted)) {
+    const fxl_rows wanted = fxl_rows_of_band(on->band);
+    const uint32_t count = renderer->frame.visible_count;
+    const int32_t step = renderer->visibility->front_to_back ? -1 : 1;
+    uint32_t number = on->resume->instances;
+    const fxl_order_entry *entry = renderer->frame.order + place_of(renderer, number);
+    for (; number < count; number++, entry += step) {
+        if (!fxl_rows_meet(entry->rows, wanted)) {
+            continue;
+        }
+        if (number != on->resume->instances) {
+            on->resume->instances = (uint16_t)number;
+            on->resume->faces = 0;
+        }
+        if (!draw_instance(on, entry)) {
             return false;
         }
-        on->resume->faces = 0;
     }
     return true;
 }

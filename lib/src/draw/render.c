@@ -15,7 +15,7 @@
 #include "../raster/draw_outline.h"
 #include "reach.h"
 #include "renderer.h"
-#include "submit.h"
+#include "submit_sorted.h"
 
 /* --- begin ---------------------------------------------------------------------------- */
 
@@ -43,7 +43,7 @@ static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
     if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
         return FXL_SUBMIT_ANY;
     }
-    return is_begin                                    ? FXL_SUBMIT_APPEND
+    return is_begin ? FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND
            : renderer->visibility->backend->draws_over ? FXL_SUBMIT_DRAW
                                                        : FXL_SUBMIT_ANY;
 }
@@ -128,8 +128,7 @@ static fxl_outcome deliver(const fxl_traversal *on)
         return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
     }
     if (!FXL_IS_SMALL && on->way == FXL_SUBMIT_MEASURE) {
-        on->reached->first = rows.first < on->reached->first ? rows.first : on->reached->first;
-        on->reached->end = rows.end > on->reached->end ? rows.end : on->reached->end;
+        fxl_rows_add(on->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
     return on->renderer->visibility->backend->draw_polygon(workspace, screen->points, screen->count,
@@ -184,17 +183,16 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
 }
 
 /* The polygon on the screen straight into the band. One that has no row there may have one on the
- * rest of the screen. */
+ * rest of the screen, which matters only where it is counted. */
 static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspace,
                                 fxl_counters *counters)
 {
     const fxl_screen_polygon *screen = &workspace->screen;
     workspace->work.scan.colour = screen->colour;
-    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan)) {
+    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan) ||
+        (!FXL_IS_COMPACT && workspace->rest_counted) ||
+        fxl_outline_has_rows(screen, on->renderer->frame.view.lens.height)) {
         counters->spilled += 1;
-    } else {
-        const fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
-        counters->spilled += rows.first != rows.end;
     }
 }
 
@@ -209,7 +207,7 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
     if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
         draw_at_once(on, on->workspace, counters);
     } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
-        if (FXL_IS_SMALL || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
+        if (FXL_IS_COMPACT || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
             const uint32_t used = on->renderer->frame.display_list.used;
             return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
         }
@@ -267,7 +265,7 @@ static bool draw_display_list(const fxl_traversal *on)
 static bool submit_rest(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
-    return !FXL_IS_SMALL && renderer->frame.state == FXL_FRAME_MEASURED
+    return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
                ? fxl_reach_submit(on)
                : renderer->visibility->submit(on);
 }

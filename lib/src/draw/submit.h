@@ -43,9 +43,9 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
 bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
                        const fxl_model *model);
 
-/* Puts the faces of a sorted model that face the eye into workspace->face_order, in the order of
- * drawing, and sets the workspace's two counts of them. Faces that the clipper would find outside
- * may be left out of the order. */
+/* Unless the workspace has done so for this instance: puts the faces of a sorted model that face
+ * the eye into workspace->face_order, in the order of drawing, and sets the workspace's two counts
+ * of them. Faces that the clipper would find outside may be left out of the order. */
 void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
                      const fxl_model *model);
 

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "../view/facing.h"
-#include "submit.h"
+#include "submit_sorted.h"
+
+/* Whether the loops over a frame's instances and over a sorted model's faces measure rows and pass
+ * over what does not reach a band: in a library for size. Otherwise lib/src/draw/reach.c has loops
+ * of its own, so that a full frame pays nothing for bands. */
+#define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
 
 static inline const fxl_instance *
 view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_view *model_view)
@@ -48,56 +53,35 @@ static bool submit_convex(const fxl_traversal *on, const fxl_model_view *model_v
     return number == model->face_count;
 }
 
-/* The faces that face the eye, in their order; then the others are counted. */
-static bool submit_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_model *model)
-{
-    const fxl_scene *scene = on->renderer->scene;
-    fxl_workspace *workspace = on->workspace;
-    fxl_order_entry *order = workspace->face_order;
-    if (workspace->sorted_instance != on->resume->instances) {
-        workspace->sorted_instance = on->resume->instances;
-        fxl_order_model(on, model_view, model);
-    }
-    const fxl_face *faces = &scene->faces[model->first_face];
-    const uint32_t first = on->resume->faces, front = workspace->sorted_count;
-    const bool reverse = on->renderer->visibility->front_to_back;
-    /* Where no face is left, the last instance's entry is before the first face's. */
-    const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
-    const fxl_order_entry *at = order + place;
-    uint32_t number = first;
-    while (number < front && fxl_submit_face(model_view, &faces[at->face], on)) {
-        at += reverse ? -1 : 1;
-        number++;
-    }
-    on->resume->faces = (uint16_t)number;
-    on->counters->in += (number < front ? number : model->face_count) - first;
-    if (number < front) {
-        return false;
-    }
-    on->counters->backfacing += model->face_count - workspace->front_count;
-    on->counters->outside += workspace->front_count - front;
-    return true;
-}
-
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 {
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = view_instance(on, entry, &model_view);
     const fxl_model *model = &on->renderer->scene->models[instance->model];
-    return model->kind == FXL_MODEL_SORTED ? submit_sorted(on, &model_view, model)
+    return model->kind == FXL_MODEL_SORTED ? fxl_submit_sorted(on, &model_view, model, ONE_LOOP)
                                            : submit_convex(on, &model_view, model);
 }
 
 bool fxl_submit_by_distance(const fxl_traversal *on)
 {
-    const fxl_order_entry *order = on->renderer->frame.order;
-    const uint32_t count = on->renderer->frame.visible_count;
+    const fxl_frame *frame = &on->renderer->frame;
+    const uint32_t count = frame->visible_count;
     const bool reverse = on->renderer->visibility->front_to_back;
+    const bool measures = ONE_LOOP && on->way == FXL_SUBMIT_MEASURE;
+    const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
+    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
     for (; on->resume->instances < count; on->resume->instances++) {
         const uint32_t number = on->resume->instances;
-        if (!fxl_submit_instance(on, &order[reverse ? count - 1 - number : number])) {
+        fxl_order_entry *entry = &frame->order[reverse ? count - 1 - number : number];
+        if (measures) {
+            *on->reached = fxl_no_rows;
+        }
+        if ((!passes_over || fxl_rows_meet(entry->rows, wanted)) &&
+            !fxl_submit_instance(on, entry)) {
             return false;
+        }
+        if (measures) {
+            entry->rows = *on->reached;
         }
         on->resume->faces = 0;
     }

@@ -27,6 +27,19 @@ static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
 uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
 {
     FXL_ASSERT(numerator >> 32 < denominator);
+    if (FXL_IS_COMPACT && !FXL_IS_SMALL) {
+        /* numerator / 2 is below 2^31 denominator, which is below 2^63. Without the last bit of the
+         * numerator the quotient is at most one too small. */
+        uint32_t quotient =
+            (uint32_t)(fxl_fraction(numerator >> 1, (uint64_t)denominator << 31) >> 32);
+        uint64_t left = numerator - fxl_multiply_u32(quotient, denominator);
+        if (left >= denominator) {
+            left -= denominator;
+            quotient += 1; /* bug: compact-quotient */
+        }
+        *rest = (uint32_t)left;
+        return quotient;
+    }
     if (numerator >> 32 == 0) {
         return fxl_divide_u32((uint32_t)numerator, denominator, rest);
     }

@@ -3,6 +3,7 @@
  * rows from there to the next such row they are the same edges, and each takes a step. */
 #include "active_edges.h"
 
+#include "../math/memory.h"
 #include "edge.h"
 
 /* Finds the edges that cross the row, and the first crossing. An edge is always divided from its
@@ -41,19 +42,32 @@ static int32_t next_vertex_row(const fxl_active_edges *edges)
     return next;
 }
 
+/* Moves an edge down by a row. Returns its x there. */
+static int32_t step(fxl_slope *slope)
+{
+    int32_t x = slope->x + slope->step;
+    uint32_t error = slope->error + slope->error_step;
+    if (error >= slope->height) { /* bug: step-carry */
+        error -= slope->height;
+        x += 1;
+    }
+    slope->x = x;
+    slope->error = error;
+    return x;
+}
+
 /* Moves the active edges down by a row, and finds the first crossing. */
 static void step_edges(fxl_active_edges *edges)
 {
-    for (uint32_t i = 0; i < edges->found_count; i++) {
-        fxl_slope *slope = &edges->found[i].slope;
-        slope->x += slope->step;
-        slope->error += slope->error_step;
-        if (slope->error >= slope->height) { /* bug: step-carry */
-            slope->error -= slope->height;
-            slope->x += 1;
-        }
-        edges->x = slope->x < edges->x ? slope->x : edges->x;
-    }
+    int32_t first = edges->x;
+    fxl_active_edge *edge = edges->found;
+    uint32_t left = edges->found_count;
+    do { /* edges cross every row of an outline */
+        const int32_t x = step(&edge->slope);
+        first = x < first ? x : first;
+        edge++;
+    } while (--left != 0);
+    edges->x = first;
 }
 
 void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points, uint32_t count,
@@ -143,4 +157,28 @@ bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span)
         }
     }
     return false;
+}
+
+void fxl_active_edges_fill(fxl_active_edges *edges, const fxl_span *span, const fxl_band *band,
+                           uint8_t colour)
+{
+    uint8_t *row = band->pixels + (size_t)(span->y - band->first_row) * band->stride;
+    int32_t x0 = span->x0, x1 = span->x1;
+    /* bug: small-rows-below */
+    int32_t below = edges->found_count == 2 ? edges->steady_end - 1 - span->y : 0;
+    edges->row = (int16_t)(edges->row + below);
+    for (;; below--) {
+        if (x0 < x1) {
+            memset(row + x0, colour, (size_t)(x1 - x0));
+        }
+        if (below == 0) {
+            return;
+        }
+        row += band->stride;
+        const int32_t a = step(&edges->found[0].slope), b = step(&edges->found[1].slope);
+        x0 = a < b ? a : b;
+        x1 = a < b ? b : a;
+        x0 = x0 < 0 ? 0 : x0;
+        x1 = x1 > edges->width ? edges->width : x1;
+    }
 }

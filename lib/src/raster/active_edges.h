@@ -18,4 +18,9 @@ void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *poi
 /* Finds the next span. Returns false if there are no more: span untouched. */
 bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span);
 
+/* For FXL_SMALL: fills the span that fxl_active_edges_next found. Where two edges cross its row, it
+ * fills the rows below that the same two cross, too, and goes to the last of them. */
+void fxl_active_edges_fill(fxl_active_edges *edges, const fxl_span *span, const fxl_band *band,
+                           uint8_t colour);
+
 #endif

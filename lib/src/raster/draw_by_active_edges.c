@@ -12,7 +12,11 @@ bool fxl_draw_by_active_edges(const fxl_screen_point *points, uint32_t count, co
         fxl_rows_of_points(points, count, (uint16_t)(band->first_row + band->rows));
     fxl_active_edges_begin(&scan->active_edges, points, count, rows.first, rows.end, band);
     while (fxl_active_edges_next(&scan->active_edges, &span)) {
-        fxl_fill_span(band, &span, scan->colour);
+        if (FXL_IS_SMALL) {
+            fxl_active_edges_fill(&scan->active_edges, &span, band, scan->colour);
+        } else {
+            fxl_fill_span(band, &span, scan->colour);
+        }
     }
     return FXL_IS_SMALL || (rows.first < rows.end && rows.end > band->first_row);
 }

@@ -25,6 +25,9 @@ bool fxl_draw_by_active_edges(const fxl_screen_point *points, uint32_t count, co
 /* fxl_scan_rows of count points. */
 fxl_rows fxl_rows_of_points(const fxl_screen_point *points, uint32_t count, uint16_t height);
 
+/* Whether fxl_scan_rows finds a row. */
+bool fxl_outline_has_rows(const fxl_screen_polygon *polygon, uint16_t height);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,12 +4,12 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 
-/* With FXL_SMALL a row is a call of memset, and no trapezoid is filled: 240 bytes less on a
- * Cortex-M3, and fewer instructions. */
+/* In a library for size a row is a call of memset, and no trapezoid is filled here: 110 bytes less
+ * on a Cortex-M3, and 240 with FXL_SMALL. */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)
 {
     FXL_ASSERT(span->x0 >= 0 && span->x0 < span->x1 && span->x1 <= band->width);
-    if (FXL_IS_SMALL) {
+    if (FXL_IS_COMPACT) {
         uint8_t *row = band->pixels + (size_t)(span->y - band->first_row) * band->stride;
         memset(row + span->x0, colour, (size_t)(span->x1 - span->x0));
         return;
@@ -21,7 +21,7 @@ void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)
 
 void fxl_fill_band(const fxl_band *band, uint8_t colour)
 {
-    if (FXL_IS_SMALL) {
+    if (FXL_IS_COMPACT) {
         for (uint32_t row = 0; row < band->rows; row++) {
             memset(band->pixels + (size_t)row * band->stride, colour, band->width);
         }

@@ -162,6 +162,12 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height)
     return fxl_rows_of_points(polygon->points, polygon->count, height);
 }
 
+bool fxl_outline_has_rows(const fxl_screen_polygon *polygon, uint16_t height)
+{
+    const fxl_rows rows = fxl_scan_rows(polygon, height);
+    return rows.first != rows.end;
+}
+
 const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan)
 {
     fxl_span span;

@@ -78,6 +78,13 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
+/* Whether normal . (vertex - eye) < 0: normal . eye > height, as each coordinate of the difference
+ * of two points of the world is below 2^30. Exact. */
+static inline bool is_front(const fxl_face *face, const fxl_point *vertex, const fxl_point *eye)
+{
+    return fxl_dot(&face->normal, vertex->x - eye->x, vertex->y - eye->y, vertex->z - eye->z) < 0;
+}
+
 /* The same as fxl_front_faces, for a scene without face bounds: bounds is null, and they are
  * computed from the vertices. With FXL_SMALL it serves both kinds of scenes. */
 static uint32_t find_front(const fxl_scene *scene, const fxl_model *model,
@@ -90,9 +97,9 @@ static uint32_t find_front(const fxl_scene *scene, const fxl_model *model,
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face_bounds *known = FXL_IS_SMALL && bounds != NULL ? bounds++ : NULL;
         const uint16_t *indices = &scene->indices[faces[i].first_index];
-        const fxl_q18_46 height = known != NULL ? fxl_face_bounds_height(known)
-                                                : fxl_face_height(vertices, indices, &faces[i]);
-        if (fxl_dot(&faces[i].normal, eye->x, eye->y, eye->z) > height) {
+        if (known != NULL
+                ? fxl_dot(&faces[i].normal, eye->x, eye->y, eye->z) > fxl_face_bounds_height(known)
+                : is_front(&faces[i], &vertices[*indices], eye)) {
             fxl_point box;
             if (known != NULL) {
                 box.x = known->box_x;

@@ -6,6 +6,9 @@
 /* Sorts faces as instances of one layer, 0. */
 static void sort_as_instances(fxl_order_entry *entries, uint32_t count)
 {
+    for (uint32_t i = 0; !FXL_IS_SMALL && i < count; i++) {
+        entries[i].next = 0; /* a link of the sort by buckets, in the bytes of the layer */
+    }
     fxl_order_sort(entries, count);
     for (uint32_t i = 0; i < count; i++) {
         entries[i].face = entries[i].index;
@@ -210,9 +213,12 @@ static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count, uint16_t *
 
 void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count, fxl_order_work *work)
 {
-    if (FXL_IS_SMALL) {
+    if (!FXL_IS_SMALL && sort_by_buckets(entries, count, work->chains)) {
+        return;
+    }
+    if (FXL_IS_COMPACT) {
         sort_as_instances(entries, count);
-    } else if (!sort_by_buckets(entries, count, work->chains)) {
+    } else {
         sort_by_merging(entries, count);
     }
 }

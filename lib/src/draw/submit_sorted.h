@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/* The traversal of a sorted model. Internal. */
+#ifndef FXL_SUBMIT_SORTED_H
+#define FXL_SUBMIT_SORTED_H
+
+#include "submit.h"
+
+static const fxl_rows fxl_no_rows = {UINT16_MAX, 0};
+
+static inline void fxl_rows_add(fxl_rows *sum, fxl_rows rows)
+{
+    sum->first = rows.first < sum->first ? rows.first : sum->first;
+    sum->end = rows.end > sum->end ? rows.end : sum->end;
+}
+
+static inline fxl_rows fxl_rows_of_band(const fxl_band *band)
+{
+    const fxl_rows rows = {band->first_row, (uint16_t)(band->first_row + band->rows)};
+    return rows;
+}
+
+/* Submits a face, adds the rows that it reaches to *on->reached, and returns them. Requires the way
+ * FXL_SUBMIT_MEASURE, which always has room. */
+static inline fxl_rows fxl_measure_face(const fxl_traversal *on, const fxl_model_view *model_view,
+                                        const fxl_face *face)
+{
+    const fxl_rows before = *on->reached;
+    *on->reached = fxl_no_rows;
+    (void)fxl_submit_face(model_view, face, on);
+    const fxl_rows rows = *on->reached;
+    fxl_rows_add(on->reached, before);
+    return rows;
+}
+
+/* The faces that face the eye, in their order; then the others are counted. by_rows is constant
+ * where this is called: if the way is to measure, keep which rows each face reaches; if that is
+ * known and a band is drawn, pass over the faces that do not reach it. */
+static inline bool fxl_submit_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
+                                     const fxl_model *model, bool by_rows)
+{
+    fxl_workspace *workspace = on->workspace;
+    fxl_order_entry *order = workspace->face_order;
+    fxl_order_model(on, model_view, model);
+    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
+    const uint32_t first = on->resume->faces, front = workspace->sorted_count;
+    const bool reverse = on->renderer->visibility->front_to_back;
+    const bool measures = by_rows && on->way == FXL_SUBMIT_MEASURE;
+    const bool passes_over = by_rows && !measures && workspace->face_rows_known;
+    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
+    /* Where no face is left, the last instance's entry is before the first face's. */
+    const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
+    fxl_order_entry *at = order + place;
+    uint32_t number = first;
+    for (; number < front; number++) {
+        const fxl_face *face = &faces[at->face];
+        if (passes_over && !fxl_rows_meet(at->rows, wanted)) {
+            /* The face does not reach the band. */
+        } else if (measures) {
+            at->rows = fxl_measure_face(on, model_view, face);
+        } else if (!fxl_submit_face(model_view, face, on)) {
+            break;
+        }
+        at += reverse ? -1 : 1;
+    }
+    if (measures) {
+        workspace->face_rows_known = true;
+    }
+    on->resume->faces = (uint16_t)number;
+    on->counters->in += (number < front ? number : model->face_count) - first;
+    if (number < front) {
+        return false;
+    }
+    on->counters->backfacing += model->face_count - workspace->front_count;
+    on->counters->outside += workspace->front_count - front;
+    return true;
+}
+
+#endif
