@@ -68,6 +68,9 @@ tiny_scene *tiny_make(void)
                              NULL,
                              NULL,
                              0,
+                             NULL,
+                             NULL,
+                             0,
                              NULL};
     return &tiny;
 }

@@ -33,6 +33,7 @@
 #include "fixel/stage/scan.h"
 #include "fixel/stage/sphere.h"
 #include "fixel/stage/transform.h"
+#include "fixel/stage/turn.h"
 #include "fixel/stage/view.h"
 #include "fixel/stage/visibility.h"
 

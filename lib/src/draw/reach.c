@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reach.h"
 
+#include "../scene/turn_code.h"
 #include "../view/facing.h"
 #include "submit_sorted.h"
 
@@ -136,12 +137,17 @@ void fxl_reach_take_back(const fxl_renderer *renderer, fxl_workspace *workspace)
 static uint32_t measure_instance(const fxl_traversal *on, const fxl_order_entry *entry, store *to)
 {
     FXL_ALIGN_8 fxl_model_view model_view;
+    const fxl_turn_code *turned = fxl_turn_code_of(on->renderer->scene, entry->index);
+    if (turned != NULL) {
+        (void)turned->submit_instance(on, entry, false); /* there is room for rows' numbers */
+        return NO_FACES;
+    }
     const fxl_model *model =
         &on->renderer->scene->models[fxl_view_instance(on, entry, &model_view)->model];
     if (model->kind != FXL_MODEL_SORTED) {
         return measure_convex(on, &model_view, model, to);
     }
-    (void)fxl_submit_sorted(on, &model_view, model, true);
+    (void)fxl_submit_sorted(on, &model_view, model, fxl_order_model, true);
     return NO_FACES;
 }
 
@@ -214,12 +220,13 @@ static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_model *model =
         &renderer->scene->models[renderer->scene->instances[entry->index].model];
     const bool is_sorted = model->kind == FXL_MODEL_SORTED;
-    if (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES) {
-        return fxl_submit_instance(on, entry);
+    if (fxl_turn_code_of(renderer->scene, entry->index) != NULL ||
+        (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES)) {
+        return fxl_submit_any_instance(on, entry);
     }
     FXL_ALIGN_8 fxl_model_view model_view;
     (void)fxl_view_instance(on, entry, &model_view);
-    return is_sorted ? fxl_submit_sorted(on, &model_view, model, true)
+    return is_sorted ? fxl_submit_sorted(on, &model_view, model, fxl_order_model, true)
                      : draw_convex(on, &model_view, model, entry->faces);
 }
 

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../view/facing.h"
-#include "submit_sorted.h"
-
-/* Whether the loops over a frame's instances and over a sorted model's faces measure rows and pass
- * over what does not reach a band: in a library for size. Otherwise lib/src/draw/reach.c has loops
- * of its own, so that a full frame pays nothing for bands. */
-#define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
+#include "../scene/turn_code.h"
+#include "submit_instance.h"
 
 static inline const fxl_instance *
 view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_view *model_view)
@@ -28,62 +24,21 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_e
     return view_instance(on, entry, model_view);
 }
 
-/* A convex instance: none of its faces hides another, so any order will do. Front to back
- * they come in reverse, so that the first face to cover a pixel is the one that would cover it
- * last back to front. */
-static bool submit_convex(const fxl_traversal *on, const fxl_model_view *model_view,
-                          const fxl_model *model)
-{
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->visibility->front_to_back; /* bug: reverse-rising */
-    const uint32_t first = on->resume->faces, step = reverse ? UINT32_MAX : 1;
-    uint32_t at = reverse ? model->face_count - 1 - first : first;
-    uint32_t number, backfacing = 0;
-    for (number = first; number < model->face_count; number++) {
-        if (!fxl_model_view_face_is_front(model_view, &faces[at])) {
-            backfacing++;
-        } else if (!fxl_submit_face(model_view, &faces[at], on)) {
-            break;
-        }
-        at += step;
-    }
-    on->resume->faces = (uint16_t)number;
-    on->counters->in += number - first;
-    on->counters->backfacing += backfacing;
-    return number == model->face_count;
-}
-
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
 {
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = view_instance(on, entry, &model_view);
     const fxl_model *model = &on->renderer->scene->models[instance->model];
-    return model->kind == FXL_MODEL_SORTED ? fxl_submit_sorted(on, &model_view, model, ONE_LOOP)
-                                           : submit_convex(on, &model_view, model);
+    return model->kind == FXL_MODEL_SORTED
+               ? fxl_submit_sorted(on, &model_view, model, fxl_order_model, ONE_LOOP)
+               : fxl_submit_convex(on, &model_view, model, fxl_model_view_face_is_front);
 }
 
 bool fxl_submit_by_distance(const fxl_traversal *on)
 {
-    const fxl_frame *frame = &on->renderer->frame;
-    const uint32_t count = frame->visible_count;
-    const bool reverse = on->renderer->visibility->front_to_back;
-    const bool measures = ONE_LOOP && on->way == FXL_SUBMIT_MEASURE;
-    const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
-    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
-    for (; on->resume->instances < count; on->resume->instances++) {
-        const uint32_t number = on->resume->instances;
-        fxl_order_entry *entry = &frame->order[reverse ? count - 1 - number : number];
-        if (measures) {
-            *on->reached = fxl_no_rows;
-        }
-        if ((!passes_over || fxl_rows_meet(entry->rows, wanted)) &&
-            !fxl_submit_instance(on, entry)) {
-            return false;
-        }
-        if (measures) {
-            entry->rows = *on->reached;
-        }
-        on->resume->faces = 0;
+    const fxl_scene *scene = on->renderer->scene;
+    if (scene->turns != NULL) {
+        return scene->turn_code->submit(on);
     }
-    return true;
+    return fxl_submit_all(on, fxl_submit_instance);
 }

@@ -32,15 +32,20 @@ static inline fxl_rows fxl_measure_face(const fxl_traversal *on, const fxl_model
     return rows;
 }
 
+/* fxl_order_model: sorts the faces of the instance that is next, unless they are. */
+typedef void fxl_face_orderer(const fxl_traversal *on, const fxl_model_view *model_view,
+                              const fxl_model *model);
+
 /* The faces that face the eye, in their order; then the others are counted. by_rows is constant
  * where this is called: if the way is to measure, keep which rows each face reaches; if that is
  * known and a band is drawn, pass over the faces that do not reach it. */
 static inline bool fxl_submit_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                                     const fxl_model *model, bool by_rows)
+                                     const fxl_model *model, fxl_face_orderer *order_faces,
+                                     bool by_rows)
 {
     fxl_workspace *workspace = on->workspace;
     fxl_order_entry *order = workspace->face_order;
-    fxl_order_model(on, model_view, model);
+    order_faces(on, model_view, model);
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
     const uint32_t first = on->resume->faces, front = workspace->sorted_count;
     const bool reverse = on->renderer->visibility->front_to_back;

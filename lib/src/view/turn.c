@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/* The numbers of a turned instance. Rows and columns of a checked orientation are at most
+ * 1 + 11 2^-28 long (turn_check.c), so a product of one with differences below 2^30 is below 2^61,
+ * as with a unit vector (fxl_dot). Their entries exceed 2^30 by less than 2^6, which
+ * fxl_multiply_s31 allows for both factors: where the upper half of a factor is 2^14 or more, its
+ * lower half is below 2^6, and where it is -2^14 - 1, the middle products add up to more than
+ * -2^31. */
+#include "fixel/stage/turn.h"
+
+#include "../math/arith.h"
+
+/* floor(value * scale / 2^32). |value| < 2^61 and scale <= 2^24: the result is below 2^53. */
+static int64_t scaled(int64_t value, fxl_q16_16 scale)
+{
+    const uint64_t low = fxl_multiply_u32((uint32_t)value, (uint32_t)scale);
+    return fxl_multiply_s32((int32_t)(value >> 32), scale) + (int64_t)(low >> 32);
+}
+
+/* Column n of the orientation along a row of the view, in units of 2^-60. */
+#define ALONG(row, of, n) \
+    (fxl_multiply_s31((row)->x, (of)->x.n) + fxl_multiply_s31((row)->y, (of)->y.n) + \
+     fxl_multiply_s31((row)->z, (of)->z.n))
+
+/* A row of the matrix without a scale. */
+static inline void turn_row(const fxl_direction *row, const fxl_orientation *of, fxl_direction *to)
+{
+    to->x = (fxl_q2_30)fxl_round_shift(ALONG(row, of, x), 30);
+    to->y = (fxl_q2_30)fxl_round_shift(ALONG(row, of, y), 30);
+    to->z = (fxl_q2_30)fxl_round_shift(ALONG(row, of, z), 30);
+}
+
+/* A row of the matrix / 2^shift. The 32 bits that `scaled` leaves out are below the half unit that
+ * the rounding adds. */
+static void scale_row(const fxl_direction *row, const fxl_turn *turn, unsigned shift,
+                      fxl_direction *to)
+{
+    const fxl_orientation *of = &turn->orientation;
+    to->x = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, x), turn->scale), 14 + shift);
+    to->y = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, y), turn->scale), 14 + shift);
+    to->z = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, z), turn->scale), 14 + shift);
+}
+
+unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *matrix)
+{
+    unsigned shift = 0;
+    if (turn->scale == FXL_Q16_16_ONE) {
+        turn_row(&view->right, &turn->orientation, &matrix->right);
+        turn_row(&view->up, &turn->orientation, &matrix->up);
+        turn_row(&view->forward, &turn->orientation, &matrix->forward);
+        return 0;
+    }
+    while (FXL_Q16_16_ONE << shift < turn->scale) { /* bug: turn-shift */
+        shift++;
+    }
+    scale_row(&view->right, turn, shift, &matrix->right);
+    scale_row(&view->up, turn, shift, &matrix->up);
+    scale_row(&view->forward, turn, shift, &matrix->forward);
+    return shift;
+}
+
+static int32_t along(const fxl_direction *row, const fxl_point *vertex, fxl_q16_16 scale)
+{
+    const int64_t sum = fxl_multiply_s31(row->x, vertex->x) + fxl_multiply_s31(row->y, vertex->y) +
+                        fxl_multiply_s31(row->z, vertex->z);
+    return (int32_t)fxl_round_shift(scaled(sum, scale), 14);
+}
+
+void fxl_turn_point(const fxl_turn *turn, const fxl_point *centre, const fxl_point *vertex,
+                    fxl_point *point)
+{
+    point->x = centre->x + along(&turn->orientation.x, vertex, turn->scale);
+    point->y = centre->y + along(&turn->orientation.y, vertex, turn->scale);
+    point->z = centre->z + along(&turn->orientation.z, vertex, turn->scale);
+    FXL_ASSERT(fxl_point_in_range(point));
+}
+
+void fxl_turn_direction(const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned)
+{
+    const fxl_point as_point = {direction->x, direction->y, direction->z};
+    turned->x = along(&turn->orientation.x, &as_point, FXL_Q16_16_ONE);
+    turned->y = along(&turn->orientation.y, &as_point, FXL_Q16_16_ONE);
+    turned->z = along(&turn->orientation.z, &as_point, FXL_Q16_16_ONE);
+}
+
+/* orientation^T . (eye - centre), exact, in units of 2^-46. */
+static inline void eye_along(const fxl_orientation *of, const fxl_point *from_eye,
+                             fxl_q18_46 eye[3])
+{
+    const fxl_point to_eye = {-from_eye->x, -from_eye->y, -from_eye->z};
+    eye[0] = ALONG(&to_eye, of, x);
+    eye[1] = ALONG(&to_eye, of, y);
+    eye[2] = ALONG(&to_eye, of, z);
+}
+
+/* Whether no coordinate exceeds the limit, which is at least 0. */
+static inline bool is_within(const fxl_point *point, int32_t limit)
+{
+    const uint32_t most = (uint32_t)limit;
+    return (uint32_t)point->x + most <= 2 * most && (uint32_t)point->y + most <= 2 * most &&
+           (uint32_t)point->z + most <= 2 * most;
+}
+
+/* value / (scale 2^(14 + shift)), rounded: floor((value + half) / divisor), in two exact floors.
+ * half is below 2^24 2^23. Returns false if the quotient exceeds 2^30. */
+static bool divide(int64_t value, fxl_q16_16 scale, unsigned shift, int32_t *quotient)
+{
+    const int64_t half = (int64_t)scale << (13 + shift);
+    const int64_t numerator = (value + half) >> (14 + shift);
+    if (!fxl_within(numerator, (int64_t)scale << 30)) {
+        return false;
+    }
+    *quotient = fxl_divide_down(numerator, (uint32_t)scale);
+    return true;
+}
+
+unsigned fxl_turn_eye(const fxl_turn *turn, const fxl_point *from_eye, fxl_q16_16 radius,
+                      fxl_point *eye)
+{
+    const fxl_q16_16 scale = turn->scale;
+    fxl_q18_46 exact[3];
+    unsigned shift = 0;
+    int32_t limit = (1 << 30) - 1 - radius; /* bug: turn-eye-near */
+    eye_along(&turn->orientation, from_eye, exact);
+    if (scale == FXL_Q16_16_ONE) { /* sums below 2^61: the results fit */
+        eye->x = (int32_t)fxl_round_shift(exact[0], 30);
+        eye->y = (int32_t)fxl_round_shift(exact[1], 30);
+        eye->z = (int32_t)fxl_round_shift(exact[2], 30);
+        if (is_within(eye, limit)) {
+            return 0;
+        }
+    }
+    while (!(divide(exact[0], scale, shift, &eye->x) && divide(exact[1], scale, shift, &eye->y) &&
+             divide(exact[2], scale, shift, &eye->z) && limit >= 0 && is_within(eye, limit))) {
+        shift++;
+        limit = (1 << 30) - 1 - (radius >> shift);
+    }
+    return shift;
+}
+
+/* Both sides in units of 2^-76, as upper * 2^32 + lower, 0 <= lower < 2^32. Left: with
+ * e = upper * 2^32 + lower along each axis, |upper| < 2^29 and |normal| sums up to less than
+ * 1.74 2^30, so both sums are below 2^63. Right: scale * height * 2^14, with |scale * height| below
+ * 2^14 units, 2^76 of 2^-62. */
+bool fxl_turn_is_front(const fxl_turn *turn, const fxl_point *from_eye, const fxl_direction *normal,
+                       fxl_q18_46 height)
+{
+    const int32_t of[3] = {normal->x, normal->y, normal->z};
+    fxl_q18_46 eye[3];
+    int64_t upper = 0, lower = 0;
+    eye_along(&turn->orientation, from_eye, eye);
+    for (uint32_t i = 0; i < 3; i++) {
+        upper += fxl_multiply_s32(of[i], (int32_t)(eye[i] >> 32));
+        lower += fxl_multiply_su32(of[i], (uint32_t)eye[i]);
+    }
+    const uint64_t low = fxl_multiply_u32((uint32_t)height, (uint32_t)turn->scale);
+    const int64_t high =
+        fxl_multiply_s32((int32_t)(height >> 32), turn->scale) + (int64_t)(low >> 32);
+    const int64_t right_upper = (int64_t)((uint64_t)high << 14) + (int64_t)((uint32_t)low >> 18);
+    const uint32_t right_lower = (uint32_t)low << 14;
+    upper += (lower >> 32) - right_upper;
+    return upper > 0 || (upper == 0 && (uint32_t)lower > right_lower); /* bug: turn-facing-low */
+}
