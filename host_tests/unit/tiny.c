@@ -68,7 +68,9 @@ tiny_scene *tiny_make(void)
                              NULL,
                              NULL,
                              0,
-                             NULL};
+                             NULL,
+                             NULL,
+                             0};
     return &tiny;
 }
 

@@ -9,6 +9,7 @@
 #include "fixel/extra/clippers.h"
 #include "fixel/extra/player.h"
 #include "fixel/extra/spans.h"
+#include "fixel/extra/turn.h"
 #include "fixel/extra/wire.h"
 #include "fixel/stage/angle.h"
 #include "fixel/stage/camera.h"

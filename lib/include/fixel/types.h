@@ -174,10 +174,14 @@ typedef struct {
     fxl_direction x, y, z;
 } fxl_orientation;
 
+/* The scale of an instance that is turned: 1/256..256. */
+#define FXL_SCALE_MIN FXL_CAST(fxl_q16_16, 256)
+#define FXL_SCALE_MAX FXL_CAST(fxl_q16_16, 256 * 65536)
+
 /* How an instance is turned and scaled: its point v is at centre + scale * (orientation . v). */
 typedef struct {
     fxl_orientation orientation;
-    fxl_q16_16 scale; /* 1/256..256 */
+    fxl_q16_16 scale; /* FXL_SCALE_MIN..FXL_SCALE_MAX */
 } fxl_turn;
 
 /* A plane. A point is inside it if normal . point >= distance; the normal points
