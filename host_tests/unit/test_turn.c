@@ -3,47 +3,21 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "exact_turn.h"
 #include "src/math/is_rotation.h"
-#include "unit.h"
-
-#define PI  3.14159265358979323846264338327950288L
-#define ONE ((long double)FXL_Q2_30_ONE)
-
-typedef struct {
-    long double at[3][3];
-} exact;
 
 static const fxl_orientation identity = FXL_ORIENTATION_IDENTITY;
 
-static void entries(const fxl_orientation *o, fxl_q2_30 out[3][3])
+static void expect_near(const exact_turn *wanted, const fxl_orientation *actual, long double bound)
 {
-    memcpy(out, o, sizeof *o);
-}
-
-/* The largest difference of an entry, in units of 2^-30. */
-static long double distance(const exact *wanted, const fxl_orientation *actual)
-{
-    fxl_q2_30 found[3][3];
-    long double most = 0;
-    entries(actual, found);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            most = fmaxl(most, fabsl(wanted->at[i][j] * ONE - found[i][j]));
-        }
-    }
-    return most;
-}
-
-static void expect_near(const exact *wanted, const fxl_orientation *actual, long double bound)
-{
-    TEST_ASSERT_NEAR(distance(wanted, actual), 0, bound);
+    TEST_ASSERT_NEAR(exact_distance(wanted, actual), 0, bound);
 }
 
 /* The rows are 1.8 units from unit length and right angles, which is less than the range's 4. */
 static void expect_rows(const fxl_orientation *o)
 {
     fxl_q2_30 rows[3][3];
-    entries(o, rows);
+    exact_entries(o, rows);
     TEST_ASSERT_TRUE(fxl_is_rotation(o));
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
@@ -82,33 +56,6 @@ static fxl_orientation any_orientation(void)
     return by_angles(unit_random(), unit_random(), unit_random());
 }
 
-static exact exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
-{
-    const long double turn = PI / 2147483648.0L;
-    const long double sy = sinl(yaw * turn), cy = cosl(yaw * turn);
-    const long double sp = sinl(pitch * turn), cp = cosl(pitch * turn);
-    const long double sr = sinl(roll * turn), cr = cosl(roll * turn);
-    return (exact){{{cr * cy - sr * sp * sy, -sr * cy - cr * sp * sy, cp * sy},
-                    {sr * cp, cr * cp, sp},
-                    {-cr * sy - sr * sp * cy, sr * sy - cr * sp * cy, cp * cy}}};
-}
-
-static exact exact_axis(fxl_point axis, fxl_angle angle)
-{
-    const long double length = sqrtl((long double)axis.x * axis.x + (long double)axis.y * axis.y +
-                                     (long double)axis.z * axis.z);
-    const long double a[3] = {axis.x / length, axis.y / length, axis.z / length};
-    const long double s = sinl(angle * PI / 2147483648.0L), c = cosl(angle * PI / 2147483648.0L);
-    exact result;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        result.at[i][i] = c + (1 - c) * a[i] * a[i];
-        result.at[i][j] = (1 - c) * a[i] * a[j] - s * a[k];
-        result.at[j][i] = (1 - c) * a[i] * a[j] + s * a[k];
-    }
-    return result;
-}
-
 static void cross(const long double a[3], const long double b[3], long double out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -124,11 +71,11 @@ static void unit_vector(long double v[3])
     }
 }
 
-static exact exact_look(fxl_point direction, fxl_point up)
+static exact_turn exact_look(fxl_point direction, fxl_point up)
 {
     long double forward[3] = {direction.x, direction.y, direction.z};
     long double above[3] = {up.x, up.y, up.z}, right[3], top[3];
-    exact result;
+    exact_turn result;
     cross(above, forward, right);
     unit_vector(forward);
     unit_vector(right);
@@ -164,7 +111,7 @@ void test_quarter_turns_are_exact(void)
 {
     for (uint32_t i = 0; i < 64; i++) {
         const fxl_angle yaw = (i & 3) << 30, pitch = (i >> 2 & 3) << 30, roll = (i >> 4) << 30;
-        const exact wanted = exact_angles(yaw, pitch, roll);
+        const exact_turn wanted = exact_angles(yaw, pitch, roll);
         const fxl_orientation o = by_angles(yaw, pitch, roll);
         expect_near(&wanted, &o, 1e-6L);
         TEST_ASSERT_EQUAL_INT32(0, (o.x.x | o.x.y | o.x.z | o.y.x) & 0x3FFFFFFF);
@@ -175,7 +122,7 @@ void test_angles_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
         const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
-        const exact wanted = exact_angles(yaw, pitch, roll);
+        const exact_turn wanted = exact_angles(yaw, pitch, roll);
         const fxl_orientation o = by_angles(yaw, pitch, roll);
         expect_near(&wanted, &o, 4);
         expect_rows(&o);
@@ -186,8 +133,8 @@ void test_angles_are_within_four_units(void)
 void test_an_axis_turns_as_the_angles_do(void)
 {
     const fxl_angle angle = DEGREES(37);
-    const exact yaw = exact_angles(angle, 0, 0), pitch = exact_angles(0, angle, 0),
-                roll = exact_angles(0, 0, angle);
+    const exact_turn yaw = exact_angles(angle, 0, 0), pitch = exact_angles(0, angle, 0),
+                     roll = exact_angles(0, 0, angle);
     fxl_orientation o = by_axis((fxl_point){0, 7, 0}, angle);
     expect_near(&yaw, &o, 4);
     o = by_axis((fxl_point){-1, 0, 0}, angle);
@@ -203,7 +150,7 @@ void test_an_axis_is_within_four_units(void)
         fxl_point axis = unit_point(limit < FXL_COORDINATE_MAX ? limit : FXL_COORDINATE_MAX);
         axis.x += (axis.x | axis.y | axis.z) == 0;
         const fxl_angle angle = unit_random() >> unit_random() % 31;
-        const exact wanted = exact_axis(axis, angle);
+        const exact_turn wanted = exact_axis(axis, angle);
         const fxl_orientation o = by_axis(axis, angle);
         expect_near(&wanted, &o, 4);
         expect_rows(&o);
@@ -241,7 +188,7 @@ void test_look_at_is_within_four_units(void)
         fxl_orientation o;
         const fxl_status status = fxl_orientation_look_at(&direction, &up, &o);
         if (status == FXL_OK) {
-            const exact wanted = exact_look(direction, up);
+            const exact_turn wanted = exact_look(direction, up);
             expect_near(&wanted, &o, i % 4 == 0 && sizeof wanted.at[0][0] == 8 ? 1e9L : 4);
             expect_rows(&o);
         } else {
@@ -272,17 +219,17 @@ void test_directions_without_a_turn_are_refused(void)
 }
 
 /* The rotation nearest to the exact product, by Newton's method in long double. */
-static exact nearest(const fxl_orientation *a, const fxl_orientation *b)
+static exact_turn nearest(const fxl_orientation *a, const fxl_orientation *b)
 {
     fxl_q2_30 p[3][3], q[3][3];
-    exact m, next;
-    entries(a, p);
-    entries(b, q);
+    exact_turn m, next;
+    exact_entries(a, p);
+    exact_entries(b, q);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             m.at[i][j] = 0;
             for (int k = 0; k < 3; k++) {
-                m.at[i][j] += p[i][k] / ONE * (q[k][j] / ONE);
+                m.at[i][j] += p[i][k] / EXACT_ONE * (q[k][j] / EXACT_ONE);
             }
         }
     }
@@ -308,7 +255,7 @@ void test_a_product_is_the_nearest_rotation(void)
         fxl_orientation a = any_orientation(), b = any_orientation();
         a.x.y += unit_between(-1, 1); /* also where the rows are not the best ones */
         b.z.x += unit_between(-1, 1);
-        const exact wanted = nearest(&a, &b);
+        const exact_turn wanted = nearest(&a, &b);
         const fxl_orientation o = times(&a, &b);
         expect_near(&wanted, &o, 0.501L);
         expect_rows(&o);
@@ -319,7 +266,7 @@ void test_a_product_is_the_nearest_rotation(void)
 void test_the_second_factor_turns_first(void)
 {
     const fxl_orientation yaw = by_angles(DEGREES(40), 0, 0), roll = by_angles(0, 0, DEGREES(70));
-    const exact wanted = exact_angles(DEGREES(40), 0, DEGREES(70));
+    const exact_turn wanted = exact_angles(DEGREES(40), 0, DEGREES(70));
     const fxl_orientation o = times(&yaw, &roll);
     expect_near(&wanted, &o, 8);
 }
@@ -336,7 +283,7 @@ void test_a_million_products_stay_in_range(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_multiply(&o, &small, &o));
     }
     expect_rows(&o);
-    const exact wanted = exact_axis((fxl_point){2, 3, 6}, (fxl_angle)((uint32_t)count * step));
+    const exact_turn wanted = exact_axis((fxl_point){2, 3, 6}, (fxl_angle)((uint32_t)count * step));
     expect_near(&wanted, &o, 6.0L * count);
 }
 

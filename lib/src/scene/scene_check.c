@@ -133,9 +133,13 @@ static bool sum_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
     return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
 }
 
+/* Of the instances that stand still: those that are turned are checked with their turns. */
 static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
+    const uint32_t still = scene->turns != NULL && scene->first_turned < scene->instance_count
+                               ? scene->first_turned
+                               : scene->instance_count;
+    for (uint32_t i = 0; i < still; i++) {
         const fxl_instance *instance = &scene->instances[i];
         const fxl_model *model = &scene->models[instance->model];
         for (uint32_t j = 0; j < model->vertex_count; j++) {
@@ -316,6 +320,9 @@ static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
     }
     if (scene->beam_count != 0) {
         return fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
+    }
+    if (scene->turns != NULL) {
+        return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
     }
     return check_no_clusters(scene, fault);
 }

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The check of a scene that may have clusters, a BSP tree and beams. It is a file of its own, so
- * that a program whose scene has none of them does not link these checks. */
+/* The check of a scene that may have clusters, a BSP tree, beams and turns. It is a file of its
+ * own, so that a program whose scene has none of them does not link these checks. */
 #include "fixel/extra/beams/beam.h"
 #include "scene_check.h"
 #include "bsp_check.h"
 #include "cluster_check.h"
 #include "fault.h"
+#include "turn_check.h"
 
 static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 {
@@ -34,7 +35,10 @@ static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 
 static fxl_status check_more(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    fxl_status status = fxl_cluster_check(scene, fault);
+    fxl_status status = fxl_turn_check(scene, fault);
+    if (status == FXL_OK) {
+        status = fxl_cluster_check(scene, fault);
+    }
     if (status == FXL_OK) {
         status = fxl_bsp_check(scene, fault);
     }
