@@ -7,7 +7,7 @@
 #define ONE   ((long double)FXL_Q2_30_ONE)
 #define DEPTH 8
 
-static const fxl_turn still = {FXL_ORIENTATION_IDENTITY, FXL_Q16_16_ONE};
+static const fxl_turn still = FXL_TURN_NONE;
 
 static fxl_turn any_turn(fxl_q16_16 low, fxl_q16_16 high)
 {
@@ -126,7 +126,7 @@ static fxl_status attach(const fxl_point *at, const fxl_turn *parent, const fxl_
                          const fxl_turn *child)
 {
     const fxl_point before = {1, 2, 3};
-    const fxl_turn turn_before = {FXL_ORIENTATION_IDENTITY, 77};
+    const fxl_turn turn_before = {FXL_ORIENTATION_NONE, 77};
     fxl_point centre = before;
     fxl_turn turn = turn_before;
     const fxl_status status = fxl_turn_attach(at, parent, child_at, child, &centre, &turn);
@@ -139,8 +139,10 @@ static fxl_status attach(const fxl_point *at, const fxl_turn *parent, const fxl_
 
 void test_what_is_out_of_range_is_refused(void)
 {
-    const fxl_point zero = {0, 0, 0}, edge = {0, FXL_COORDINATE_MAX, 0}, one = {0, 1, 0};
-    const fxl_point outside = {FXL_COORDINATE_MAX + 1, 0, 0}, far = {0, 0, 1 << 30};
+    const fxl_point zero = {0, 0, 0}, edge = {0, FXL_COORDINATE_MAX - FXL_TURN_SLACK, 0},
+                    one = {0, 1, 0};
+    const fxl_point outside = {FXL_COORDINATE_MAX - FXL_TURN_SLACK + 1, 0, 0},
+                    far = {0, 0, 1 << 30};
     fxl_turn small = still, large = still, none = still, beyond = still, bad = still;
     small.scale = FXL_SCALE_MIN;
     large.scale = FXL_SCALE_MAX;
@@ -153,8 +155,8 @@ void test_what_is_out_of_range_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &far, &still));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &none, &zero, &still));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &zero, &beyond));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &bad, &zero, &still));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &zero, &bad));
+    TEST_ASSERT_EQUAL(FXL_E_TURN, attach(&zero, &bad, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_TURN, attach(&zero, &still, &zero, &bad));
     TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &small, &zero, &large));
     TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &large, &zero, &still));
     TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &small, &zero, &still));

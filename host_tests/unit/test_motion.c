@@ -15,8 +15,7 @@ static fxl_motion motions[MOTIONS];
 static fxl_motion_key keys[KEYS];
 static fxl_instance instances[TINY_INSTANCES];
 static fxl_turn turns[MOTIONS];
-static const fxl_turn still[MOTIONS] = {{FXL_ORIENTATION_IDENTITY, FXL_Q16_16_ONE},
-                                        {FXL_ORIENTATION_IDENTITY, FXL_Q16_16_ONE}};
+static const fxl_turn still[MOTIONS] = {FXL_TURN_NONE, FXL_TURN_NONE};
 static const fxl_motion_memory memory = {instances, TINY_INSTANCES, turns, MOTIONS};
 
 /* Two motions of a key each: that of instance 1, and that of instance 2. */

@@ -13,7 +13,7 @@ static fxl_turn turns[TINY_INSTANCES];
 static fxl_motion_set set;
 static fxl_scene scene;
 
-static const fxl_turn still = {FXL_ORIENTATION_IDENTITY, FXL_Q16_16_ONE};
+static const fxl_turn still = FXL_TURN_NONE;
 
 /* Every instance of tiny's scene has a turn, a motion and a key; the last has two keys. */
 static void make(void)
@@ -68,53 +68,6 @@ void test_a_scene_with_turns_is_fine(void)
     set.motions = NULL;
     set.keys = NULL;
     expect_fine();
-}
-
-/* A program that calls fxl_scene_check links no check of turns. */
-void test_the_small_check_refuses_turns(void)
-{
-    fxl_scene_fault fault;
-    make();
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check(&scene, &fault));
-    TEST_ASSERT_EQUAL_STRING("turn table", fault.what);
-}
-
-void test_turns_that_are_none_are_refused(void)
-{
-    make();
-    scene.first_turned = TINY_INSTANCES;
-    expect_scene(FXL_E_COUNT, "turn table", 0);
-    make();
-    turns[1].orientation.y.x = 5;
-    expect_scene(FXL_E_RANGE, "turn", 1);
-    make();
-    turns[2].scale = FXL_SCALE_MIN - 1;
-    expect_scene(FXL_E_RANGE, "turn", 2);
-    turns[2].scale = FXL_SCALE_MIN;
-    expect_scene(FXL_OK, "-", 99);
-    turns[2].scale = FXL_SCALE_MAX;
-    expect_scene(FXL_OK, "-", 99);
-    turns[2].scale = FXL_SCALE_MAX + 1;
-    expect_scene(FXL_E_RANGE, "turn", 2);
-}
-
-/* |coordinate| + scale * radius is at most 8191, exactly. */
-void test_a_turned_instance_keeps_its_sphere_in_the_world(void)
-{
-    make();
-    fxl_instance *last = (fxl_instance *)(uintptr_t)&scene.instances[2];
-    turns[2].scale = FXL_UNITS(3) + 1;
-    const int64_t reach = ((int64_t)TINY_RADIUS * turns[2].scale + 65535) >> 16;
-    for (int axis = 0; axis < 6; axis++) {
-        int32_t at[3] = {0, 0, 0};
-        at[axis / 2] = (axis % 2 ? 1 : -1) * (int32_t)(FXL_COORDINATE_MAX - reach);
-        last->centre = (fxl_point){at[0], at[1], at[2]};
-        expect_scene(FXL_OK, "-", 99);
-        at[axis / 2] += axis % 2 ? 1 : -1;
-        last->centre = (fxl_point){at[0], at[1], at[2]};
-        expect_scene(FXL_E_RANGE, "instance", 2);
-    }
-    last->centre = (fxl_point){0, 0, 0};
 }
 
 void test_missing_tables_are_refused(void)
@@ -220,10 +173,10 @@ void test_numbers_of_a_motion_are_in_range(void)
     expect(FXL_E_RANGE, "motion", 0);
 }
 
-/* A motion without a parent reaches its extent, its circle, its sphere and 8 units. */
+/* A motion without a parent reaches its extent, its circle, its sphere and the slack. */
 void test_no_frame_leaves_the_world(void)
 {
-    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - 8;
+    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_TURN_SLACK;
     make();
     motions[0].extent.y = room;
     expect_fine();
@@ -244,8 +197,9 @@ void test_a_chain_stays_in_the_world(void)
     motions[1].parent = 1;
     motions[1].extent = (fxl_point){FXL_UNITS(300), FXL_UNITS(400), FXL_UNITS(1200)};
     motions[1].scale_high = FXL_Q16_16_ONE;
-    /* 2 * (1300 + 1/65536) + 8, and 2 * radius + 8 */
-    const fxl_q16_16 room = FXL_COORDINATE_MAX - FXL_UNITS(2600) - 2 - 8 - 2 * TINY_RADIUS - 8;
+    /* 2 * (1300 + 1/65536), and 2 * radius, each with the slack */
+    const fxl_q16_16 room =
+        FXL_COORDINATE_MAX - FXL_UNITS(2600) - 2 - 2 * FXL_TURN_SLACK - 2 * TINY_RADIUS;
     motions[0].extent.z = room;
     const fxl_motion first = motions[0], second = motions[1];
     expect_fine();

@@ -31,8 +31,7 @@ static tiny_image *make(void)
 {
     static const uint32_t tables[] = {AT_PALETTE, AT_VERTICES,  AT_CORNERS, AT_FACES,
                                       AT_MODELS,  AT_INSTANCES, AT_PATH,    AT_KEYS};
-    static const fxl_turn turns[2] = {{FXL_ORIENTATION_IDENTITY, FXL_UNITS(2)},
-                                      {FXL_ORIENTATION_IDENTITY, FXL_Q16_16_ONE}};
+    static const fxl_turn turns[2] = {{FXL_ORIENTATION_NONE, FXL_UNITS(2)}, FXL_TURN_NONE};
     static const fxl_motion motion = {
         .yaw_step = 7, .scale_low = 65536, .scale_high = 65536, .key_count = 1};
     static const fxl_motion_key key = {.scale = 65536};
@@ -133,7 +132,7 @@ void test_there_are_no_more_motions_than_turns(void)
 
 void test_entries_are_checked(void)
 {
-    entry_word(FXL_E_RANGE, AT_TURNS, 4, 5);
+    entry_word(FXL_E_TURN, AT_TURNS, 4, 5);
     entry_word(FXL_E_RANGE, AT_TURNS, 36, 0);
     entry_word(FXL_E_RESERVED, AT_MOTIONS, 72, 1);
     entry_word(FXL_E_INDEX, AT_MOTIONS, 64, 1);

@@ -70,7 +70,8 @@ tiny_scene *tiny_make(void)
                              0,
                              NULL,
                              NULL,
-                             0};
+                             0,
+                             NULL};
     return &tiny;
 }
 

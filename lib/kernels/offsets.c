@@ -85,6 +85,8 @@ AT(fxl_model_view, indices, MODEL_VIEW_INDICES);
 AT(fxl_model_view, planes, MODEL_VIEW_PLANES);
 AT(fxl_model_view, axes, MODEL_VIEW_AXES);
 AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
+AT(fxl_model_view, scale_vertex, MODEL_VIEW_SCALE_VERTEX);
+VALUE(FXL_MODEL_VIEW_SCALED, 0x80); /* the sign of the planes' byte */
 AT(fxl_view, projection, VIEW_PROJECTION);
 AT(fxl_view, view_frustum, VIEW_FRUSTUM);
 

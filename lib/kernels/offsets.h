@@ -82,15 +82,16 @@
 #define CACHED_VERTEX_SIZE       40
 
 /* fxl_model_view */
-#define MODEL_VIEW_VIEW        0
-#define MODEL_VIEW_ENTRIES     4
-#define MODEL_VIEW_MASK        8
-#define MODEL_VIEW_TAG         12
-#define MODEL_VIEW_VERTICES    16
-#define MODEL_VIEW_INDICES     20
-#define MODEL_VIEW_AXES        24
-#define MODEL_VIEW_PLANES      28
-#define MODEL_VIEW_TRANSLATION 32
+#define MODEL_VIEW_VIEW         0
+#define MODEL_VIEW_ENTRIES      4
+#define MODEL_VIEW_MASK         8
+#define MODEL_VIEW_TAG          12
+#define MODEL_VIEW_VERTICES     16
+#define MODEL_VIEW_INDICES      20
+#define MODEL_VIEW_AXES         24
+#define MODEL_VIEW_PLANES       28
+#define MODEL_VIEW_TRANSLATION  32
+#define MODEL_VIEW_SCALE_VERTEX 76
 
 /* fxl_view */
 #define VIEW_PROJECTION 68

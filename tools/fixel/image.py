@@ -389,12 +389,12 @@ def unpack(blob):
                         f"face {j} of model {i}")
     image_keys.check(models, [first for _, first, _ in extras], keys)
     radii = [extras[item.model][0] for item in objects]
-    turns = image_turn.read_turns(turns, objects, radii, fields[43] if nodes else None)
+    turns = image_turn.read_turns(turns, objects, radii)
     image_cluster.read(models, [first for *_, first in extras], clusters)
     tree = None
     if nodes:
         tree = Tree([Node.unpack(node) for node in nodes], fields[43])
-        check_tree(tree, models, objects)
+        check_tree(tree, models, objects, len(objects) - len(turns))
     elif fields[43]:
         fail("count", "the header names a BSP instance, but there is no BSP tree")
     beams = [image_beam.unpack(beam, i) for i, beam in enumerate(beams)]

@@ -12,9 +12,8 @@ SCALE_MIN, SCALE_MAX = 256, 256 << 16
 KEYS_MAX, FRAME_MAX = 1_000_000, 1_000_000
 DEPTH_MAX = 8
 PLACE_MAX = (1 << 30) - 1       # of a coordinate of a place, and of an axis
-REACH_SLACK = 8
-ROW_SQUARE_MAX_ERROR, ROW_ANGLE_MAX_ERROR = (1 << 33) + 16, 1 << 32
-ENTRY_MAX = (1 << 30) + 4
+SLACK = 32                      # FXL_TURN_SLACK
+TOLERANCE = 1 << 32             # 2^-28 in units of 2^-60
 TURN = struct.Struct("<9ii")
 MOTION = struct.Struct("<3I3i2Ii2I3i2i2IHBB")
 KEY = struct.Struct("<I3i3Ii")
@@ -87,36 +86,35 @@ def _dot(a, b):
 
 
 def _is_rotation(rows):
+    """x and y of unit length and at right angles, to within 2^-28, and z their cross product, to within 2^-26."""
     x, y, z = rows[:3], rows[3:6], rows[6:]
-    if any(abs(entry) > ENTRY_MAX for entry in rows):
-        return False
-    if any(abs(_dot(row, row) - (1 << 60)) > ROW_SQUARE_MAX_ERROR for row in (x, y, z)):
-        return False
-    if any(abs(_dot(a, b)) > ROW_ANGLE_MAX_ERROR for a, b in ((x, y), (y, z), (z, x))):
-        return False
-    across = [(x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3]) >> 30 for i in range(3)]
-    return _dot(across, z) >= 0
+    narrow = _dot(x, x) - (1 << 60), _dot(y, y) - (1 << 60), _dot(x, y)
+    wide = [x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3] - (z[i] << 30) for i in range(3)]
+    return all(-TOLERANCE <= value < TOLERANCE for value in narrow) and \
+        all(-4 * TOLERANCE <= value < 4 * TOLERANCE for value in wide)
 
 
 def _is_scale(scale):
     return SCALE_MIN <= scale <= SCALE_MAX
 
 
-def read_turns(table, objects, radii, tree_object):
-    """The turns of the last objects. radii: of each object's model. tree_object: that of the tree, or None."""
-    first = len(objects) - len(table)
-    if table and tree_object is not None and tree_object >= first:
-        fail("bsp", f"the BSP instance {tree_object} is turned")
-    turns = []
-    for i, (*rows, scale) in enumerate(table):
+def _check_place(centre, scale, radius, what):
+    """That a turned object's sphere lies in the world."""
+    if not _is_scale(scale):
+        fail("range", f"{what}: a scale of {scale / 65536:.6g} is outside 1/256..256")
+    reach = -(-scale * radius // 65536) + SLACK
+    if any(abs(c) > COORDINATE_MAX - reach for c in centre):
+        fail("range", f"{what}: its centre ({', '.join(f'{c / 65536:.6g}' for c in centre)}) and its radius of "
+             f"{reach / 65536:.6g} leave -8191..8191")
+
+
+def read_turns(table, objects, radii):
+    """The turns of the last objects. radii: of each object's model."""
+    first, turns = len(objects) - len(table), []
+    for i, (*rows, scale) in enumerate(table, first):
+        _check_place(objects[i].centre, scale, radii[i], f"instance {i}")
         if not _is_rotation(rows):
-            fail("range", f"turn {i}: its rows are those of no rotation")
-        if not _is_scale(scale):
-            fail("range", f"turn {i}: a scale of {scale / 65536:.6g} is outside 1/256..256")
-        for c in objects[first + i].centre:
-            if abs(c) * 65536 + scale * radii[first + i] > COORDINATE_MAX * 65536:
-                fail("range", f"instance {first + i}: its centre at {c / 65536:.6g} and a radius of "
-                     f"{scale * radii[first + i] / 2**32:.6g} leave -8191..8191")
+            fail("turn", f"instance {i}: the rows of its turn are those of no rotation")
         turns.append(Turn(tuple(rows), scale))
     return turns
 
@@ -151,7 +149,7 @@ def _check_own(motion, number):
 
 
 def _reach(scale, length):
-    return (scale * length + 65535) // 65536 + REACH_SLACK
+    return (scale * length + 65535) // 65536 + SLACK
 
 
 def _length(place):

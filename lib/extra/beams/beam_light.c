@@ -39,7 +39,7 @@ static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
                     const fxl_instance *instance)
 {
     const lighting *of = (const lighting *)light;
-    const fxl_q16_16 radius = scene->models[instance->model].radius;
+    const fxl_q16_16 radius = fxl_instance_radius(scene, instance);
     for (uint32_t i = 0; i < of->beam_count; i++) {
         if (fxl_beam_reaches(&of->beams[i], &instance->centre, radius)) {
             return true;

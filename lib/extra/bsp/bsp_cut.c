@@ -74,6 +74,18 @@ static bool append(const fxl_bsp_cutter *cutter, vertex_ring *to, uint32_t verte
     return true;
 }
 
+/* The points of a face in the world. Within FXL_COORDINATE_MAX, because the scene is checked. */
+static void place_face(const fxl_point *vertices, const uint16_t *indices, const fxl_face *face,
+                       const fxl_instance *instance, fxl_point *points)
+{
+    for (uint32_t k = 0; k < face->count; k++) {
+        const fxl_point *from = &vertices[indices[k]];
+        points[k].x = from->x + instance->centre.x;
+        points[k].y = from->y + instance->centre.y;
+        points[k].z = from->z + instance->centre.z;
+    }
+}
+
 /* Makes the faces that face the eye into pieces at the root. */
 static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, const fxl_point *eye,
                        uint32_t entry)
@@ -81,10 +93,14 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
     const fxl_scene *scene = cutter->scene;
     const fxl_model *model = &scene->models[instance->model];
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const uint32_t number = fxl_instance_number(scene, instance);
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    fxl_point points[FXL_FACE_VERTICES_MAX];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        const uint16_t *indices = &scene->indices[face->first_index];
-        if (!fxl_face_is_front(scene, instance, face, eye)) {
+        const bool is_front = turned != NULL ? turned->face_is_front(scene, number, face, eye)
+                                             : fxl_face_is_front(scene, instance, face, eye);
+        if (!is_front) {
             continue;
         }
         fxl_bsp_item *item = new_item(cutter);
@@ -92,12 +108,13 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
         if (item == NULL) {
             return false;
         }
+        if (turned != NULL) {
+            turned->place_face(scene, number, face, points);
+        } else {
+            place_face(vertices, &scene->indices[face->first_index], face, instance, points);
+        }
         for (uint32_t k = 0; k < face->count; k++) {
-            const fxl_point *from = &vertices[indices[k]];
-            /* Within FXL_COORDINATE_MAX, because the scene is checked. */
-            fxl_point point = {from->x + instance->centre.x, from->y + instance->centre.y,
-                               from->z + instance->centre.z};
-            if (!append(cutter, &outline, new_vertex(cutter, &point, i))) {
+            if (!append(cutter, &outline, new_vertex(cutter, &points[k], i))) {
                 return false;
             }
         }

@@ -71,6 +71,39 @@ static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *
     return outcome;
 }
 
+/* The outcome of a whole face of a turned instance, from its rounded points. */
+static fxl_outcome outcome_of_turned(const fxl_turn_code *turned, const fxl_order_entry *entry,
+                                     const fxl_face *face, const fxl_traversal *on)
+{
+    fxl_point points[FXL_FACE_VERTICES_MAX];
+    fxl_model_view model_view;
+    fxl_face whole = *face;
+    turned->place_face(on->renderer->scene, entry->index, face, points);
+    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
+                              &on->workspace->cache);
+    model_view.planes = entry->instance.planes;
+    whole.first_index = 0;
+    return outcome_of(&model_view, &whole, on);
+}
+
+static void count_turned_faces(const fxl_turn_code *turned, const fxl_traversal *on,
+                               const fxl_order_entry *entry)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    const fxl_model *model = &scene->models[scene->instances[entry->index].model];
+    const fxl_point *eye = &on->renderer->frame.view.camera.position;
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const fxl_face *face = &scene->faces[model->first_face + i];
+        on->counters->in += 1;
+        if (turned->face_is_front(scene, entry->index, face, eye)) {
+            (void)fxl_count_outcome(on, outcome_of_turned(turned, entry, face, on),
+                                    on->display_list->used);
+        } else {
+            on->counters->backfacing += 1;
+        }
+    }
+}
+
 /* Counts the faces of an instance, each once, however many pieces they are cut into. */
 static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
 {
@@ -78,7 +111,12 @@ static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, entry->index);
     fxl_model_view model_view;
+    if (turned != NULL) {
+        count_turned_faces(turned, on, entry);
+        return;
+    }
     fxl_model_view_of_instance(&model_view, scene, instance, &on->renderer->frame.view,
                                &on->workspace->cache);
     model_view.planes = entry->instance.planes;
@@ -161,16 +199,22 @@ static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, 
     fxl_resume_point resume = {.faces = *number};
     fxl_traversal faces = *on;
     faces.resume = &resume;
-    bool done = fxl_submit_instance(&faces, entry);
+    const fxl_turn_code *turned = fxl_turn_code_of(on->renderer->scene, entry->index);
+    bool done = turned != NULL ? turned->submit_instance(&faces, entry, true)
+                               : fxl_submit_instance(&faces, entry);
     *number = done ? 0 : resume.faces;
     return done;
 }
 
 /* The normal of a face of an instance: it decides whether the face's pieces are turned to a light.
  */
-static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *instance, uint32_t face)
+static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *instance,
+                               uint32_t number)
 {
-    return scene->faces[scene->models[instance->model].first_face + face].normal;
+    const fxl_face *face = &scene->faces[scene->models[instance->model].first_face + number];
+    const uint32_t of = fxl_instance_number(scene, instance);
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, of);
+    return turned != NULL ? turned->normal(scene, of, face) : face->normal;
 }
 
 static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,

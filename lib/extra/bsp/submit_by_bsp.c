@@ -319,6 +319,10 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
     if (on->display_list != NULL) {
         find_layer(on, workspace);
+        if (renderer->scene->turns != NULL) {
+            on->counters->rounded = (uint16_t)renderer->scene->turn_code->count_rounded(
+                on, workspace->first, workspace->end);
+        }
         fxl_bsp_cut_movers(on, workspace);
     }
     while (on->resume->instances < count) {
@@ -326,7 +330,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
         const uint32_t at = renderer->visibility->front_to_back ? count - 1 - number : number;
         const bool by_bsp = at >= workspace->first && at < workspace->end;
         if (!(by_bsp ? submit_layer(on, workspace, &parts)
-                     : fxl_submit_instance(on, &on->renderer->frame.order[at]))) {
+                     : fxl_submit_any_instance(on, &on->renderer->frame.order[at]))) {
             return false;
         }
         on->resume->instances =

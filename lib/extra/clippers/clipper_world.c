@@ -60,5 +60,5 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
     return FXL_CLIP_CUT;
 }
 
-const fxl_clipper fxl_clipper_world = {.clip = fxl_clip_by_world,
-                                       .begin = fxl_view_set_world_frustum};
+const fxl_clipper fxl_clipper_world = {
+    .clip = fxl_clip_by_world, .begin = fxl_view_set_world_frustum, .by_points = true};

@@ -5,7 +5,7 @@
 #include "../../src/math/arith.h"
 #include "../../src/math/memory.h"
 #include "../../src/math/sine.h"
-#include "fixel/extra/turn.h"
+#include "fixel/extra/orientation.h"
 
 /* What the keys say of a frame. */
 typedef struct {

@@ -17,7 +17,9 @@ void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
         } else {
             FXL_ASSERT(part.rows > 1);
             workspace->counters = before; /* bug: begun-again */
-            workspace->counters.split_bands += 1;
+            if (workspace->counters.split_bands < UINT16_MAX) {
+                workspace->counters.split_bands++;
+            }
             rows = (uint16_t)((part.rows + 1) / 2);
         }
     }

@@ -10,7 +10,7 @@
 #include "fixel/extra/motion.h"
 #include "fixel/extra/player.h"
 #include "fixel/extra/spans.h"
-#include "fixel/extra/turn.h"
+#include "fixel/extra/orientation.h"
 #include "fixel/extra/wire.h"
 #include "fixel/stage/angle.h"
 #include "fixel/stage/camera.h"
@@ -29,6 +29,7 @@
 #include "fixel/stage/scan.h"
 #include "fixel/stage/sphere.h"
 #include "fixel/stage/transform.h"
+#include "fixel/stage/turn.h"
 #include "fixel/stage/view.h"
 #include "fixel/stage/visibility.h"
 

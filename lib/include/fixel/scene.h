@@ -123,6 +123,11 @@ typedef struct {
 typedef struct fxl_cluster_code fxl_cluster_code;
 extern const fxl_cluster_code fxl_clusters;
 
+/* The code that draws instances that turn and scale. A scene with turns names it, so that a program
+ * whose scenes have none does not link it. */
+typedef struct fxl_turn_code fxl_turn_code;
+extern const fxl_turn_code fxl_turned_instances;
+
 /* The most planes of a beam, and the most beams of a scene. */
 #define FXL_BEAM_PLANES_MAX 8
 #define FXL_BEAMS_MAX       4
@@ -239,6 +244,7 @@ typedef struct {
     const fxl_cluster_code *cluster_code; /* &fxl_clusters, set by the checks; null: no clusters */
     const fxl_turn *turns; /* of each instance from first_turned on; null: no instance is turned */
     uint32_t first_turned; /* where there are turns: the first instance that has one */
+    const fxl_turn_code *turn_code; /* where there are turns: &fxl_turned_instances */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */

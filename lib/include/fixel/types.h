@@ -133,6 +133,7 @@ typedef enum {
     FXL_E_FACE_BOUNDS, /* a face's bounds differ from those of its vertices and its normal */
     FXL_E_BSP,         /* no tree, too deep a tree, or an instance that may not be with it */
     FXL_E_CLUSTER,     /* the front of a cluster's face may be seen from the cluster's cone */
+    FXL_E_TURN,        /* an orientation that is no rotation */
     FXL_STATUS_COUNT
 } fxl_status;
 
@@ -183,6 +184,20 @@ typedef struct {
     fxl_orientation orientation;
     fxl_q16_16 scale; /* FXL_SCALE_MIN..FXL_SCALE_MAX */
 } fxl_turn;
+
+/* An initialiser of an fxl_orientation that turns nothing, and one of an fxl_turn that neither
+ * turns nor scales. */
+#define FXL_ORIENTATION_NONE \
+    { \
+        {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, \
+        { \
+            0, 0, FXL_Q2_30_ONE \
+        } \
+    }
+#define FXL_TURN_NONE \
+    { \
+        FXL_ORIENTATION_NONE, FXL_Q16_16_ONE \
+    }
 
 /* A plane. A point is inside it if normal . point >= distance; the normal points
  * inside. The distance is exact. Source: A1, A2 (Listing 65.1). */
@@ -339,7 +354,8 @@ typedef struct {
     uint32_t clipped;       /* of those drawn: cut by at least one plane */
     uint32_t refused_calls; /* public calls that returned an error */
     uint32_t spilled;       /* of those drawn: not in the display list, computed for every band */
-    uint32_t split_bands;   /* bands, or parts of bands, that were drawn again in halves */
+    uint16_t split_bands;   /* bands, or parts of bands, drawn again in halves; 65535: or more */
+    uint16_t rounded;       /* turned instances in sight whose points were rounded in the world */
 } fxl_counters;
 
 #ifdef __cplusplus

@@ -134,7 +134,7 @@ fxl_transform_vertex:
     movs    r6, #0
     ldr     r1, [sp, #MODEL_VIEW]
     ldrb    r0, [r1, #MODEL_VIEW_PLANES]
-    cmp     r0, #0
+    lsls    r0, r0, #24
     bne     some_planes
 decided:
     movs    r0, #VERTEX_UNPROJECTED
@@ -154,7 +154,16 @@ undecided:
     ldr     r2, [sp, #ENTRY]
     b       decided
 
+scaled:
+    movs    r0, r1
+    movs    r1, r2
+    ldr     r3, [r0, #MODEL_VIEW_SCALE_VERTEX]
+    blx     r3
+    add     sp, sp, #20
+    pop     {r4-r7, pc}
+
 some_planes:
+    bmi     scaled
     ldr     r1, [r1]                        /* view */
     adds    r1, r1, #VIEW_FRUSTUM
     ldr     r0, [r1, #FRUSTUM_INSET_UPPER]
@@ -174,16 +183,14 @@ some_planes:
     ldr     r5, [r1, #FRUSTUM_FAR_Z + 4]
     subs    r0, r0, r3
     sbcs    r5, r5, r4
-    lsrs    r5, r5, #31
-    lsls    r6, r6, #1
-    orrs    r6, r6, r5
+    lsls    r5, r5, #1
+    adcs    r6, r6
     ldr     r0, [r1, #FRUSTUM_NEAR_Z]
     ldr     r5, [r1, #FRUSTUM_NEAR_Z + 4]
     subs    r3, r3, r0
     sbcs    r4, r4, r5
-    lsrs    r4, r4, #31
-    lsls    r6, r6, #1
-    orrs    r6, r6, r4
+    lsls    r4, r4, #1
+    adcs    r6, r6
     ldr     r0, [sp, #MODEL_VIEW]
     ldrb    r0, [r0, #MODEL_VIEW_PLANES]
     ands    r6, r6, r0

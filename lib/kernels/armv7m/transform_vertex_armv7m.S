@@ -35,7 +35,7 @@ planes      .req lr         /* in the lowest byte */
 /* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view r1 returns the clip flags, and r2 is
  * kept. */
 fxl_transform_vertex:
-    push    {r3-r11, lr}
+    push    {r0, r4-r11, lr}
     ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
     add     r6, r6, r1
     str     r6, [entry]
@@ -49,19 +49,19 @@ fxl_transform_vertex:
 
     lsls    r1, planes, #24
     beq     decided                         /* inside all planes */
+    bmi     scaled
     adds    view, view, #VIEW_FRUSTUM
     ldm     view, {r4-r7}
     ldr     r9, [view, #FRUSTUM_INSET_UPPER]
-    asr     r9, r9, #2
-    subs    r9, r9, #4                      /* distances become 4 larger: 0..7 is undecided */
+    subs    r9, r9, #16                     /* distances become 4 larger: 0..7 is undecided */
     smull   r1, r4, r4, r11
     smull   r1, r5, r5, r0
-    subs    r5, r5, r9
+    sub     r5, r5, r9, asr #2
     add     r8, r5, r4                      /* left */
     sub     r11, r5, r4                     /* right */
     smull   r1, r6, r6, r12
     smull   r1, r7, r7, r0
-    subs    r7, r7, r9
+    sub     r7, r7, r9, asr #2
     add     r12, r7, r6                     /* bottom */
     sub     r9, r7, r6                      /* top */
 
@@ -113,6 +113,16 @@ undecided:
     mov     entry, r4
     orr     r1, r0, #VERTEX_UNPROJECTED
     str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
+    pop     {r3-r11, pc}
+
+scaled:
+    mov     r4, entry
+    ldr     r0, [sp]                        /* the model view */
+    mov     r1, entry
+    ldr     r3, [r0, #MODEL_VIEW_SCALE_VERTEX]
+    blx     r3
+    mov     r1, r0
+    mov     entry, r4
     pop     {r3-r11, pc}
 
     .size fxl_transform_vertex, . - fxl_transform_vertex

@@ -188,6 +188,15 @@ void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
         fxl_order_entry *entry = &frame->order[place_of(renderer, resume.instances)];
         fxl_rows all = {UINT16_MAX, 0};
         fxl_model_view model_view;
+        const fxl_turn_code *turned = fxl_turn_code_of(scene, entry->index);
+        if (turned != NULL) {
+            reached = all;
+            (void)turned->submit_instance(&on, entry, false); /* there is room for rows' numbers */
+            entry->faces = NO_FACES;
+            entry->rows = reached;
+            resume.faces = 0;
+            continue;
+        }
         const fxl_model *model = &scene->models[fxl_view_instance(&on, entry, &model_view)->model];
         entry->faces = NO_FACES;
         if (model->kind == FXL_MODEL_SORTED) {
@@ -259,7 +268,7 @@ static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry,
     const bool sorted_known = model->kind == FXL_MODEL_SORTED && workspace->face_rows_known &&
                               workspace->sorted_instance == on->resume->instances;
     if (!sorted_known && (entry->faces & UINT16_MAX) == NO_FACES) {
-        return fxl_submit_instance(on, entry);
+        return fxl_submit_any_instance(on, entry);
     }
     FXL_ALIGN_8 fxl_model_view model_view;
     (void)fxl_view_instance(on, entry, &model_view);

@@ -56,6 +56,12 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->visibility->submit == fxl_submit_by_distance;
 }
 
+static fxl_status check_turns(const fxl_scene *scene)
+{
+    uint32_t number;
+    return scene->turn_code == NULL ? FXL_E_ORDER : scene->turn_code->check(scene, &number);
+}
+
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands)
 {
     if (renderer == NULL) {
@@ -66,6 +72,12 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
     }
     if (renderer->scene->instance_count > renderer->instance_capacity) {
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
+    }
+    if (renderer->scene->turns != NULL) {
+        const fxl_status turned = check_turns(renderer->scene);
+        if (turned != FXL_OK) {
+            return fxl_refuse(&renderer->workspace, turned);
+        }
     }
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;
@@ -277,7 +289,10 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     const fxl_visibility *visibility = renderer->visibility;
     const fxl_raster_backend *backend = visibility->backend;
     fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */
-    fxl_counters uncounted = {0};
+    fxl_counters uncounted;
+    if (workspace->rest_counted) {
+        memset(&uncounted, 0, sizeof uncounted);
+    }
     const fxl_traversal on = {.renderer = renderer,
                               .clipper = renderer->clipper,
                               .workspace = workspace,

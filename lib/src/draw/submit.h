@@ -4,6 +4,7 @@
 #define FXL_SUBMIT_H
 
 #include "fixel/render.h"
+#include "../scene/turn_code.h"
 
 /* What becomes of a face of which the clipper gives one polygon at most. */
 typedef enum {
@@ -52,6 +53,14 @@ void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
 /* The faces of an instance that are left, from on->resume->faces on: all of them counted, by
  * number or by distance, in the order of the method. False where the traversal was stopped. */
 bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry);
+
+/* fxl_submit_instance of an instance that may be turned. */
+static inline bool fxl_submit_any_instance(const fxl_traversal *on, const fxl_order_entry *entry)
+{
+    const fxl_turn_code *turned = fxl_turn_code_of(on->renderer->scene, entry->index);
+    return turned != NULL ? turned->submit_instance(on, entry, false)
+                          : fxl_submit_instance(on, entry);
+}
 
 /* fxl_visibility.submit: the instances in sight by layer and distance. */
 bool fxl_submit_by_distance(const fxl_traversal *on);

@@ -3,6 +3,7 @@
 
 #include "bsp_node.h"
 #include "fault.h"
+#include "turn_code.h"
 #include "../math/unit_vector.h"
 
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
@@ -13,6 +14,9 @@ static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_instance >= scene->instance_count) {
         return fxl_fault_at(fault, "BSP tree", 0, FXL_E_INDEX);
+    }
+    if (fxl_turn_code_of(scene, scene->bsp_instance) != NULL) {
+        return fxl_fault_at(fault, "BSP tree", 0, FXL_E_BSP);
     }
     const fxl_instance *owner = &scene->instances[scene->bsp_instance];
     uint32_t model = owner->model;

@@ -2,15 +2,14 @@
 /* Checks of a scene's motions (docs/extras/motion.md, section 4). A motion states the extent of its
  * keys, so that the reach of a chain of parents takes a step a parent, and no key. */
 #include "../math/arith.h"
-#include "../math/is_rotation.h"
 #include "../math/square_root.h"
 #include "fault.h"
-#include "fixel/scene.h"
+#include "fixel/stage/turn.h"
 
-/* What rounding adds to the reach at each parent, in units of 2^-16: an orientation's rows are
- * within 2^-28 of unit length, which is 2 units of 2^30, and each of three coordinates is rounded.
- */
-#define REACH_SLACK 8
+static bool is_scale(fxl_q16_16 scale)
+{
+    return scale >= FXL_SCALE_MIN && scale <= FXL_SCALE_MAX;
+}
 
 static bool motion_is_plain(const fxl_motion *motion, uint32_t number)
 {
@@ -34,8 +33,8 @@ static bool extents_in_range(const fxl_motion *motion)
     return motion->extent.x >= 0 && motion->extent.y >= 0 && motion->extent.z >= 0 &&
            motion->radius >= 0 && extent[0] <= limit && extent[1] <= limit && extent[2] <= limit &&
            fxl_within(motion->axis.x, limit) && fxl_within(motion->axis.y, limit) &&
-           fxl_within(motion->axis.z, limit) && fxl_is_scale(motion->scale_low) &&
-           fxl_is_scale(motion->scale_high);
+           fxl_within(motion->axis.z, limit) && is_scale(motion->scale_low) &&
+           is_scale(motion->scale_high);
 }
 
 /* A key within what its motion states. */
@@ -83,10 +82,11 @@ static uint32_t chain_of(const fxl_motion_set *set, const fxl_motion *motion,
     return 0;
 }
 
-/* scale * length / 2^16, rounded up, and the slack. Below 2^24 * 2^31 / 2^16 + 2^4. */
+/* scale * length / 2^16, rounded up, and what the rounding of an orientation and a centre adds:
+ * less than for fxl_turn_radius. Below 2^40. */
 static int64_t reach_of(fxl_q16_16 scale, int64_t length)
 {
-    return (fxl_multiply_s64(scale, length) + 65535) / 65536 + REACH_SLACK;
+    return (fxl_multiply_s64(scale, length) + 65535) / 65536 + FXL_TURN_SLACK;
 }
 
 /* |place|, rounded up. Components below 2^30. */

@@ -8,6 +8,7 @@
 #include "face_bounds.h"
 #include "fault.h"
 #include "scene_check.h"
+#include "turn_code.h"
 #include "../math/unit_vector.h"
 
 static bool count_in(uint32_t count, uint32_t low, uint32_t high)
@@ -133,13 +134,10 @@ static bool sum_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
     return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
 }
 
-/* Of the instances that stand still: those that are turned are checked with their turns. */
 static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    const uint32_t still = scene->turns != NULL && scene->first_turned < scene->instance_count
-                               ? scene->first_turned
-                               : scene->instance_count;
-    for (uint32_t i = 0; i < still; i++) {
+    const uint32_t end = fxl_first_turned(scene);
+    for (uint32_t i = 0; i < end; i++) {
         const fxl_instance *instance = &scene->instances[i];
         const fxl_model *model = &scene->models[instance->model];
         for (uint32_t j = 0; j < model->vertex_count; j++) {
@@ -152,6 +150,20 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
         }
     }
     return FXL_OK;
+}
+
+/* Turned instances. Their vertices lie in their spheres, because check_radii checks the models. */
+static fxl_status check_turns(const fxl_scene *scene, fxl_scene_fault *fault)
+{
+    uint32_t number = 0;
+    if (scene->turns == NULL) {
+        return FXL_OK;
+    }
+    if (scene->turn_code == NULL) {
+        return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
+    }
+    const fxl_status status = scene->turn_code->check(scene, &number);
+    return status == FXL_OK ? FXL_OK : fxl_fault_at(fault, "instance", number, status);
 }
 
 /* A model may have no instance, so its vertices are checked too: against twice the range. */
@@ -280,7 +292,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 {
     static fxl_scene_checker *const checks[] = {
         check_counts,   check_faces, check_models,  check_instances,   check_placed_vertices,
-        check_vertices, check_radii, check_normals, check_face_bounds,
+        check_vertices, check_radii, check_normals, check_face_bounds, check_turns,
     };
     if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {
@@ -320,9 +332,6 @@ static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
     }
     if (scene->beam_count != 0) {
         return fxl_fault_at(fault, "beam table", 0, FXL_E_ARGUMENT);
-    }
-    if (scene->turns != NULL) {
-        return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
     }
     return check_no_clusters(scene, fault);
 }

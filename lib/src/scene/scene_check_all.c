@@ -6,7 +6,6 @@
 #include "bsp_check.h"
 #include "cluster_check.h"
 #include "fault.h"
-#include "turn_check.h"
 
 static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 {
@@ -35,10 +34,7 @@ static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 
 static fxl_status check_more(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    fxl_status status = fxl_turn_check(scene, fault);
-    if (status == FXL_OK) {
-        status = fxl_cluster_check(scene, fault);
-    }
+    fxl_status status = fxl_cluster_check(scene, fault);
     if (status == FXL_OK) {
         status = fxl_bsp_check(scene, fault);
     }
@@ -47,9 +43,18 @@ static fxl_status check_more(const fxl_scene *scene, fxl_scene_fault *fault)
 
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault)
 {
+    if (scene == NULL) {
+        return fxl_scene_check_with(scene, fault, check_more);
+    }
+    const fxl_turn_code *const before = scene->turn_code;
+    if (scene->turns != NULL) {
+        scene->turn_code = &fxl_turned_instances;
+    }
     fxl_status status = fxl_scene_check_with(scene, fault, check_more);
     if (status == FXL_OK) {
         scene->cluster_code = scene->cluster_count > 0 ? &fxl_clusters : NULL;
+    } else {
+        scene->turn_code = before;
     }
     return status;
 }

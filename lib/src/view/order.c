@@ -4,6 +4,7 @@
 #include "../math/arith.h"
 #include "../scene/face_bounds.h"
 #include "front_faces.h"
+#include "order_instance.h"
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
@@ -55,9 +56,9 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
     }
 }
 
-uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
-                             const fxl_view_frustum *frustum, fxl_order_entry *entries,
-                             uint32_t *left_out)
+uint32_t fxl_order_still_instances(const fxl_scene *scene, const fxl_camera *camera,
+                                   const fxl_view_frustum *frustum, fxl_order_entry *entries,
+                                   uint32_t *left_out)
 {
     uint32_t count = 0;
     *left_out = 0;
@@ -69,10 +70,7 @@ uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
             *left_out += model->face_count; /* below 2^16 * 2^16 */
             continue;
         }
-        fxl_order_entry *entry = &entries[count++];
-        *entry = fxl_order_entry_of(fxl_distance_squared(&camera->position, &instance->centre),
-                                    (uint16_t)i, instance->layer);
-        entry->instance.planes = (uint8_t)planes;
+        entries[count++] = fxl_order_instance_of(instance, i, planes, camera);
     }
     fxl_order_sort(entries, count);
     return count;

@@ -15,7 +15,7 @@ typedef struct {
 } fxl_axes;
 
 /* The view matrix: the position of the eye, and the world-to-view rotation. */
-typedef struct {
+typedef struct fxl_camera {
     fxl_point position;
     fxl_axes axes;
 } fxl_camera;

@@ -49,6 +49,9 @@ typedef struct {
     /* clip answers FXL_CLIP_OUTSIDE for each face whose vertices, as fxl_fetch_vertex gives them,
      * all have the clip flag of one plane. Then the renderer may leave such faces out. */
     bool by_clip_flags;
+    /* clip works from the points of the world, and not from vertices that fxl_fetch_vertex gives.
+     * Then the points of turned instances are rounded in the world (SPEC.md, section 8.5). */
+    bool by_points;
 } fxl_clipper;
 
 /* These two need no workspace. If the caller gives them an fxl_clip_stats, and its

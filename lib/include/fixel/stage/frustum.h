@@ -34,7 +34,7 @@ typedef struct {
  *   far           if  z <= far_z.
  * These integers are the planes: every clipper in the view clips to them exactly.
  * near_z and far_z include the inset. */
-typedef struct {
+typedef struct fxl_view_frustum {
     fxl_q2_30 x_side, x_depth;
     fxl_q2_30 y_side, y_depth;
     fxl_q18_46 near_z, far_z, inset;

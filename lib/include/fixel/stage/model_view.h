@@ -40,8 +40,11 @@ typedef struct {
 
 struct fxl_beam_light;
 
+/* A bit beside the planes of a model view: fxl_transform_vertex calls scale_vertex. */
+#define FXL_MODEL_VIEW_SCALED 0x80u
+
 /* A model view. The caller owns it. */
-typedef struct {
+typedef struct fxl_model_view {
     const fxl_view *view;
     fxl_cached_vertex *entries; /* of the cache */
     uint32_t mask;              /* of the cache */
@@ -49,11 +52,15 @@ typedef struct {
     const fxl_point *vertices;  /* of the model */
     const uint16_t *indices;    /* of the scene */
     const fxl_axes *axes;       /* rows of the rotation from the model to the view */
-    fxl_planes planes;          /* those that a vertex may lie outside of */
+    fxl_planes planes;          /* those that a vertex may lie outside of; FXL_MODEL_VIEW_SCALED */
+    uint8_t shift;              /* with FXL_MODEL_VIEW_SCALED: of the axes, 1..8 */
     fxl_view_point translation; /* where the model's origin is in the view */
     fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
     const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
     void *clipper_workspace;                 /* the clipper's, of the caller's memory; or null */
+    /* With FXL_MODEL_VIEW_SCALED: makes a vertex that was transformed without the shift one with
+     * the shift, with its clip flags, which it returns. */
+    uint32_t (*scale_vertex)(const struct fxl_model_view *model_view, fxl_cached_vertex *entry);
 } fxl_model_view;
 
 /* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that

@@ -20,7 +20,7 @@ typedef struct {
 /* An instance or a face, with its key. The squared distance is an integer, in units of
  * 2^-32 (instances) or 2^-34 (faces). It has two halves because a member of 64 bits
  * would make the entry 16 bytes instead of 12. */
-typedef struct {
+typedef struct fxl_order_entry {
     union {
         uint32_t distance_low;
         uint32_t face;  /* after fxl_order_sort_faces: the face at this place of the order */

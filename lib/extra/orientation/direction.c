@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Orientations from an axis, and from a direction to look in. */
-#include "fixel/extra/turn.h"
+#include "fixel/extra/orientation.h"
 
 #include "../../src/math/arith.h"
 #include "../../src/math/sine.h"

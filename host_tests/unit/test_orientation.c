@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "exact_turn.h"
-#include "src/math/is_rotation.h"
 
-static const fxl_orientation identity = FXL_ORIENTATION_IDENTITY;
+static const fxl_point origin = {0, 0, 0};
+static const fxl_orientation identity = FXL_ORIENTATION_NONE;
 
 static void expect_near(const exact_turn *wanted, const fxl_orientation *actual, long double bound)
 {
@@ -18,7 +18,8 @@ static void expect_rows(const fxl_orientation *o)
 {
     fxl_q2_30 rows[3][3];
     exact_entries(o, rows);
-    TEST_ASSERT_TRUE(fxl_is_rotation(o));
+    const fxl_turn turn = {*o, FXL_Q16_16_ONE};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_check(&turn, &origin, 0));
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             int64_t sum = i == j ? -((int64_t)1 << 60) : 0;
@@ -299,11 +300,11 @@ void test_rows_that_are_no_rotation_are_refused(void)
     bad[4].x.x += 5;                       /* 5 units too long */
     bad[5].x.y = 5;                        /* 5 units off a right angle */
     for (int i = 0; i < 6; i++) {
-        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_orientation_multiply(&bad[i], &good, &out));
-        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_orientation_multiply(&good, &bad[i], &out));
+        TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_orientation_multiply(&bad[i], &good, &out));
+        TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_orientation_multiply(&good, &bad[i], &out));
     }
-    bad[4].x.x -= 1; /* within 2^-28 */
-    bad[5].x.y = 4;
+    bad[4].x.x -= 4; /* within 2^-28: a squared length, and a right angle */
+    bad[5].x.y = 3;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_orientation_multiply(NULL, &good, &out));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_orientation_multiply(&good, NULL, &out));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_orientation_multiply(&good, &good, NULL));

@@ -11,7 +11,7 @@ typedef struct {
 } fxl_wide_matrix;
 
 /* Writes the rotation that is nearest to a matrix. Requires a matrix C for which no eigenvalue of
- * C C' - I is above 2^-24 in magnitude; the matrices of this folder stay below 2^-25 (1 + 2^-20).
+ * C C' - I is above 2^-22 in magnitude.
  * Error: at most 0.501 unit of 2^-30 an entry. So a row is at most
  * sqrt(3) * 0.501 = 0.87 unit off unit length, and two rows are 1.74 units off a right angle. */
 void fxl_orthonormalise(const fxl_wide_matrix *matrix, fxl_orientation *orientation);

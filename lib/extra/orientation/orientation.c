@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Orientations from angles and from products. */
-#include "fixel/extra/turn.h"
+#include "fixel/extra/orientation.h"
 
 #include "../../src/math/arith.h"
-#include "../../src/math/is_rotation.h"
 #include "fixel/stage/camera.h"
 #include "orthonormal.h"
 
@@ -35,7 +34,7 @@ fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle
     return FXL_OK;
 }
 
-/* A row of a times b. By Cauchy-Schwarz an entry is at most 2^60 (1 + 2^-28)^2, and so is every
+/* A row of a times b. By Cauchy-Schwarz an entry is at most 2^60 (1 + 2^-24)^2, and so is every
  * partial sum. Exact. */
 static void multiply_row(const fxl_direction *row, const fxl_orientation *b, int64_t out[3])
 {
@@ -47,16 +46,24 @@ static void multiply_row(const fxl_direction *row, const fxl_orientation *b, int
              fxl_multiply_s32(row->z, b->z.z);
 }
 
-/* The rows of a and b are within 2^-28, so no eigenvalue of A A' - I is above
- * 2^-27 + 2 * 2^-28 = 2^-26, nor of B B' - I; of the product none is above 2^-25 (1 + 2^-26). */
+static bool is_rotation(const fxl_orientation *orientation)
+{
+    const fxl_point origin = {0, 0, 0};
+    const fxl_turn turn = {*orientation, FXL_Q16_16_ONE};
+    return fxl_turn_check(&turn, &origin, 0) == FXL_OK;
+}
+
+/* Two rows of a checked orientation are within 2^-28, and the third is within 2^-26 a component of
+ * their cross product. So no eigenvalue of A A' - I is above 2^-24, nor of B B' - I; of the product
+ * none is above 2^-23 (1 + 2^-24). */
 fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
                                     fxl_orientation *product)
 {
     if (a == NULL || b == NULL || product == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (!fxl_is_rotation(a) || !fxl_is_rotation(b)) {
-        return FXL_E_RANGE;
+    if (!is_rotation(a) || !is_rotation(b)) {
+        return FXL_E_TURN;
     }
     fxl_wide_matrix matrix;
     multiply_row(&a->x, b, matrix.rows[0]);

@@ -1,27 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* Orientations for instances that turn: from angles, from an axis, from a direction, and products;
- * and an instance that is attached to another. docs/extras/turn.md. */
-#ifndef FXL_TURN_H
-#define FXL_TURN_H
+ * and an instance that is attached to another. docs/extras/orientation.md. */
+#ifndef FXL_ORIENTATION_H
+#define FXL_ORIENTATION_H
 
-#include "fixel/types.h"
+#include "fixel/stage/turn.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* The orientation that turns nothing, as an initialiser. */
-#define FXL_ORIENTATION_IDENTITY \
-    { \
-        {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, \
-        { \
-            0, 0, FXL_Q2_30_ONE \
-        } \
-    }
-
 /* The rows that these functions write are within 1.8 units of 2^-30 of unit length and of right
- * angles. Each function takes orientations whose rows are within 2^-28, which is 4 units, and
- * refuses others and mirrors (FXL_E_RANGE). An output may be one of the inputs. Errors are those of
+ * angles. Each function takes the orientations that fxl_turn_check takes, and refuses others
+ * (FXL_E_TURN). An output may be one of the inputs. Errors are those of
  * an entry, in units of 2^-30, against the exact rotation.
  * On every status but FXL_OK the output is untouched. FXL_E_ARGUMENT: a null pointer. */
 
@@ -49,7 +40,7 @@ fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *
 /* The turn b and then the turn a: a point v goes to a . (b . v). The product's rows are brought to
  * unit length and to right angles again, so a chain of products of any length keeps within the
  * range that every function takes.
- * FXL_E_RANGE: a or b is no rotation.
+ * FXL_E_TURN: a or b is no rotation.
  * Error: at most 0.501 from the rotation nearest to the exact product. */
 fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
                                     fxl_orientation *product);
@@ -60,10 +51,10 @@ fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientat
  *   centre      = parent's centre + parent's scale * (parent's orientation . child's centre)
  *   orientation = parent's orientation . child's orientation
  *   scale       = parent's scale * child's scale
- * A child may be the parent of another. docs/extras/turn.md states the error by depth.
- * FXL_E_RANGE: an input or an output is out of range: a centre in the world within
- * FXL_COORDINATE_MAX, an orientation that is a rotation, a scale from FXL_SCALE_MIN to
- * FXL_SCALE_MAX.
+ * A child may be the parent of another. docs/extras/orientation.md states the error by depth.
+ * FXL_E_RANGE, FXL_E_TURN: an input or an output is out of range. The parent's centre and turn, and
+ * those that would be written, must be such as fxl_turn_check takes with a radius of 0, and so must
+ * the child's turn.
  * Error: of the centre and of the scale half a unit of 1/65536, of the orientation that of
  * fxl_orientation_multiply. */
 fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *parent,

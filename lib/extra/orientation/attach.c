@@ -1,14 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* An instance that is attached to another. */
-#include "fixel/extra/turn.h"
+#include "fixel/extra/orientation.h"
 
 #include "../../src/math/arith.h"
-#include "../../src/math/is_rotation.h"
-
-static bool is_turn(const fxl_turn *turn)
-{
-    return fxl_is_rotation(&turn->orientation) && fxl_is_scale(turn->scale);
-}
 
 /* scale * length in 16.16, for a length of at most 2^61 in units of 2^-46 and a scale of at most
  * 2^24. The length is split at 2^30, so that each product is below 2^56. Rounded once: error half
@@ -36,8 +30,15 @@ fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *paren
         centre == NULL || turn == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (!fxl_point_in_range(parent_centre) || !below_2_to_30(child_centre) || !is_turn(parent) ||
-        !is_turn(child)) {
+    const fxl_point origin = {0, 0, 0};
+    fxl_status status = fxl_turn_check(parent, parent_centre, 0);
+    if (status == FXL_OK) {
+        status = fxl_turn_check(child, &origin, 0);
+    }
+    if (status != FXL_OK) {
+        return status;
+    }
+    if (!below_2_to_30(child_centre)) {
         return FXL_E_RANGE;
     }
     const fxl_direction *rows[3] = {&parent->orientation.x, &parent->orientation.y,
@@ -50,18 +51,20 @@ fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *paren
             return FXL_E_RANGE;
         }
     }
-    /* Both are at most 2^24, so the product is below 2^49. */
+    /* Both are at most 2^24, so the product is below 2^49 before it is rounded. */
     const int64_t scale = fxl_round_shift(fxl_multiply_s32(parent->scale, child->scale), 16);
-    if (scale < FXL_SCALE_MIN || scale > FXL_SCALE_MAX) {
+    if (scale > FXL_SCALE_MAX) {
         return FXL_E_RANGE;
     }
-    const fxl_status status =
-        fxl_orientation_multiply(&parent->orientation, &child->orientation, &turn->orientation);
+    const fxl_point place = {(fxl_q16_16)at[0], (fxl_q16_16)at[1], (fxl_q16_16)at[2]};
+    fxl_turn made;
+    made.scale = (fxl_q16_16)scale;
+    status = fxl_orientation_multiply(&parent->orientation, &child->orientation, &made.orientation);
     FXL_ASSERT(status == FXL_OK);
-    (void)status;
-    centre->x = (fxl_q16_16)at[0];
-    centre->y = (fxl_q16_16)at[1];
-    centre->z = (fxl_q16_16)at[2];
-    turn->scale = (fxl_q16_16)scale;
-    return FXL_OK;
+    status = fxl_turn_check(&made, &place, 0);
+    if (status == FXL_OK) {
+        *centre = place;
+        *turn = made;
+    }
+    return status;
 }

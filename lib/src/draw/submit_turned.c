@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/* Instances that turn and scale. Only a scene with turns names this file's record. */
+#include "../scene/face_bounds.h"
+#include "../scene/turn_code.h"
+#include "../view/order_instance.h"
+#include "../view/turned_view.h"
+#include "submit_instance.h"
+
+/* --- the scene ----------------------------------------------------------------------------- */
+
+static const fxl_model *model_of(const fxl_scene *scene, uint32_t number)
+{
+    return &scene->models[scene->instances[number].model];
+}
+
+static fxl_status check(const fxl_scene *scene, uint32_t *number)
+{
+    for (uint32_t i = scene->first_turned; i < scene->instance_count; i++) {
+        const fxl_status status = fxl_turn_check(fxl_turn_of(scene, i), &scene->instances[i].centre,
+                                                 model_of(scene, i)->radius);
+        if (status != FXL_OK) {
+            *number = i;
+            return status;
+        }
+    }
+    return FXL_OK;
+}
+
+static fxl_q16_16 radius_of(const fxl_scene *scene, uint32_t number)
+{
+    return fxl_turn_radius(fxl_turn_of(scene, number), model_of(scene, number)->radius);
+}
+
+static bool face_is_front(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                          const fxl_point *eye)
+{
+    const fxl_point *vertices = &scene->vertices[model_of(scene, number)->first_vertex];
+    fxl_point from_eye;
+    fxl_subtract(&scene->instances[number].centre, eye, &from_eye);
+    return fxl_turn_is_front(fxl_turn_of(scene, number), &from_eye, &face->normal,
+                             fxl_face_height(vertices, &scene->indices[face->first_index], face));
+}
+
+static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                       fxl_point *points)
+{
+    const fxl_point *vertices = &scene->vertices[model_of(scene, number)->first_vertex];
+    const uint16_t *indices = &scene->indices[face->first_index];
+    FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
+    for (uint32_t i = 0; i < face->count; i++) {
+        fxl_turn_point(fxl_turn_of(scene, number), &scene->instances[number].centre,
+                       &vertices[indices[i]], &points[i]);
+    }
+}
+
+static fxl_direction normal_of(const fxl_scene *scene, uint32_t number, const fxl_face *face)
+{
+    fxl_direction normal;
+    fxl_turn_direction(fxl_turn_of(scene, number), &face->normal, &normal);
+    return normal;
+}
+
+static uint32_t order(const fxl_scene *scene, const fxl_camera *camera,
+                      const fxl_view_frustum *frustum, fxl_order_entry *entries, uint32_t *left_out)
+{
+    const uint32_t first_turned = fxl_first_turned(scene);
+    uint32_t count = 0;
+    *left_out = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const fxl_model *model = model_of(scene, i);
+        const fxl_q16_16 radius = i < first_turned
+                                      ? model->radius
+                                      : fxl_turn_radius(fxl_turn_of(scene, i), model->radius);
+        const uint32_t planes =
+            fxl_sphere_planes(camera, frustum, &scene->instances[i].centre, radius);
+        if (planes == FXL_SPHERE_OUTSIDE) {
+            *left_out += model->face_count;
+            continue;
+        }
+        entries[count++] = fxl_order_instance_of(&scene->instances[i], i, planes, camera);
+    }
+    fxl_order_sort(entries, count);
+    return count;
+}
+
+/* --- points rounded in the world ------------------------------------------------------------ */
+
+/* The instance whose faces are rounded. It is the model view's light, so that fxl_submit_face
+ * leaves the faces to it. */
+typedef struct {
+    fxl_beam_light light;
+    uint32_t number;
+    const fxl_beam_light *beams; /* that may reach it; or null */
+    fxl_planes planes;           /* that its points may lie outside of */
+} rounded_instance;
+
+static const fxl_beam_light *beams_at(const fxl_traversal *on, uint32_t number)
+{
+    const fxl_renderer *renderer = on->renderer;
+    const fxl_beam_light *light = renderer->beam_light;
+    const bool reaches = light != NULL && light->reaches(light, renderer->scene,
+                                                         &renderer->scene->instances[number]);
+    return reaches ? light : NULL;
+}
+
+static bool is_rounded(const fxl_traversal *on, uint32_t number)
+{
+    return on->clipper->by_points || beams_at(on, number) != NULL;
+}
+
+static uint32_t count_rounded(const fxl_traversal *on, uint32_t first, uint32_t end)
+{
+    const fxl_frame *frame = &on->renderer->frame;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < frame->visible_count; i++) {
+        const uint32_t number = frame->order[i].index;
+        count += fxl_turn_code_of(on->renderer->scene, number) != NULL &&
+                 ((i >= first && i < end) || is_rounded(on, number));
+    }
+    return count;
+}
+
+/* The face's rounded points are a polygon of the world, which any clipper takes. */
+static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face *face,
+                                const fxl_traversal *on)
+{
+    const rounded_instance *instance = (const rounded_instance *)model_view->beam_light;
+    const fxl_scene *scene = on->renderer->scene;
+    fxl_point points[FXL_FACE_VERTICES_MAX];
+    fxl_pieces pieces;
+    place_face(scene, instance->number, face, points);
+    fxl_pieces_begin(&pieces, on);
+    pieces.planes = instance->planes;
+    if (instance->beams != NULL) {
+        fxl_face turned = *face;
+        turned.normal = normal_of(scene, instance->number, face);
+        (void)instance->beams->split(instance->beams, &pieces, &turned, points, face->count);
+    } else {
+        (void)fxl_submit_piece(&pieces, points, face->count, face->material);
+    }
+    return fxl_pieces_end(&pieces);
+}
+
+/* --- submission ----------------------------------------------------------------------------- */
+
+static bool view_face_is_front(const fxl_model_view *model_view, const fxl_face *face)
+{
+    return fxl_turned_view_face_is_front((const fxl_turned_view *)model_view, face);
+}
+
+/* fxl_order_model. The clusters of a turned instance are not tested. */
+static void order_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+                        const fxl_model *model)
+{
+    fxl_workspace *workspace = on->workspace;
+    const fxl_scene *scene = on->renderer->scene;
+    uint32_t count = fxl_order_turned_faces((const fxl_turned_view *)model_view, scene, model,
+                                            workspace->face_order);
+    workspace->front_count = (uint16_t)count;
+    if (fxl_drops_outside(on, model_view, model)) {
+        count = fxl_order_drop_outside(model_view, &scene->faces[model->first_face],
+                                       workspace->face_order, count);
+    }
+    workspace->sorted_count = (uint16_t)count;
+    workspace->face_rows_known = false;
+    fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
+}
+
+static bool submit_turned(const fxl_traversal *on, const fxl_order_entry *entry, bool rounded)
+{
+    const fxl_renderer *renderer = on->renderer;
+    FXL_ALIGN_8 fxl_turned_view view;
+    rounded_instance instance;
+    const fxl_model *model = model_of(renderer->scene, entry->index);
+    fxl_turned_view_of_instance(&view, renderer->scene, entry->index, &renderer->frame.view,
+                                &on->workspace->cache, entry->instance.planes);
+    instance.beams = beams_at(on, entry->index);
+    if (rounded || instance.beams != NULL || on->clipper->by_points) {
+        instance.light.face = submit_rounded_face;
+        instance.number = entry->index;
+        instance.planes = entry->instance.planes;
+        view.model_view.beam_light = &instance.light;
+    }
+    return model->kind == FXL_MODEL_SORTED
+               ? fxl_submit_sorted(on, &view.model_view, model, order_faces)
+               : fxl_submit_convex(on, &view.model_view, model, view_face_is_front);
+}
+
+static bool submit_one(const fxl_traversal *on, const fxl_order_entry *entry)
+{
+    return fxl_submit_any_instance(on, entry);
+}
+
+static bool submit(const fxl_traversal *on)
+{
+    if (on->display_list != NULL) {
+        on->counters->rounded = (uint16_t)count_rounded(on, 0, 0);
+    }
+    return fxl_submit_all(on, submit_one);
+}
+
+const fxl_turn_code fxl_turned_instances = {.check = check,
+                                            .radius = radius_of,
+                                            .face_is_front = face_is_front,
+                                            .place_face = place_face,
+                                            .normal = normal_of,
+                                            .order = order,
+                                            .submit = submit,
+                                            .submit_instance = submit_turned,
+                                            .count_rounded = count_rounded};

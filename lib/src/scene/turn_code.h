@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* What a scene with turns links. All other code reaches turned instances through this record, so
+ * that a program whose scenes have no turns links none of it. Internal. */
+#ifndef FXL_TURN_CODE_H
+#define FXL_TURN_CODE_H
+
+#include "fixel/scene.h"
+
+struct fxl_camera;
+struct fxl_view_frustum;
+struct fxl_order_entry;
+struct fxl_traversal;
+
+struct fxl_turn_code {
+    /* Whether all instances from first_turned on may be turned as they are: fxl_turn_check. On
+     * failure *number is the instance. */
+    fxl_status (*check)(const fxl_scene *scene, uint32_t *number);
+    /* fxl_turn_radius of a turned instance. */
+    fxl_q16_16 (*radius)(const fxl_scene *scene, uint32_t number);
+    /* fxl_face_is_front of a turned instance. */
+    bool (*face_is_front)(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                          const fxl_point *eye);
+    /* The points of a face of a turned instance in the world, rounded once, at most
+     * FXL_FACE_VERTICES_MAX. */
+    void (*place_face)(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                       fxl_point *points);
+    /* The normal of a face of a turned instance in the world, rounded once. */
+    fxl_direction (*normal)(const fxl_scene *scene, uint32_t number, const fxl_face *face);
+    /* fxl_order_instances. */
+    uint32_t (*order)(const fxl_scene *scene, const struct fxl_camera *camera,
+                      const struct fxl_view_frustum *frustum, struct fxl_order_entry *entries,
+                      uint32_t *left_out);
+    /* fxl_submit_by_distance. */
+    bool (*submit)(const struct fxl_traversal *on);
+    /* fxl_submit_instance of a turned instance. rounded: its points are rounded in the world,
+     * whatever the clipper needs. */
+    bool (*submit_instance)(const struct fxl_traversal *on, const struct fxl_order_entry *entry,
+                            bool rounded);
+    /* The instances in sight whose points are rounded in the world, if all in the places from first
+     * to end - 1 of the frame's order are: fxl_counters.rounded. */
+    uint32_t (*count_rounded)(const struct fxl_traversal *on, uint32_t first, uint32_t end);
+};
+
+/* The number of the first turned instance; the number of instances where none is turned. */
+static inline uint32_t fxl_first_turned(const fxl_scene *scene)
+{
+    return scene->turns != NULL && scene->first_turned < scene->instance_count
+               ? scene->first_turned
+               : scene->instance_count;
+}
+
+/* The code for an instance; null for one that is not turned. */
+static inline const fxl_turn_code *fxl_turn_code_of(const fxl_scene *scene, uint32_t number)
+{
+    return scene->turns != NULL && number >= scene->first_turned ? scene->turn_code : NULL;
+}
+
+static inline const fxl_turn *fxl_turn_of(const fxl_scene *scene, uint32_t number)
+{
+    return &scene->turns[number - scene->first_turned];
+}
+
+/* The number of an instance of the scene. */
+static inline uint32_t fxl_instance_number(const fxl_scene *scene, const fxl_instance *instance)
+{
+    return (uint32_t)(instance - scene->instances);
+}
+
+/* The radius of an instance, turned or not. */
+static inline fxl_q16_16 fxl_instance_radius(const fxl_scene *scene, const fxl_instance *instance)
+{
+    const uint32_t number = fxl_instance_number(scene, instance);
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    return turned != NULL ? turned->radius(scene, number) : scene->models[instance->model].radius;
+}
+
+#endif
