@@ -16,7 +16,8 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 static uint8_t band_pixels[WALK_BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
-static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* what light wants is taken from it */
+static _Alignas(
+    8) uint32_t list[WALK_LIST_BYTES / 4]; /* what light and motion want is taken from it */
 #else
 static uint32_t *const list = NULL;           /* every band walks the scene */
 #endif
@@ -26,6 +27,7 @@ static fxl_cached_vertex cache[WALK_CACHE_ENTRIES];
 static fxl_cached_vertex *const cache = NULL; /* every face works its vertices out anew */
 #endif
 static fxl_renderer renderer;
+static fxl_motion_player motion; /* of a scene in which something moves */
 
 /* What drawing took, without what the display does with it. */
 typedef struct {
@@ -118,20 +120,51 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-static int open_renderer(const fxl_scene_image *image)
+/* The bytes of the copies of what moves: a multiple of 8. */
+static uint32_t motion_room(const fxl_scene_image *image)
 {
     const fxl_scene *scene = &image->scene;
-    const uint32_t room = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
+
+    return image->motion.motion_count == 0
+               ? 0
+               : scene->instance_count * (uint32_t)sizeof(fxl_instance) +
+                     (scene->instance_count - scene->first_turned) * (uint32_t)sizeof(fxl_turn);
+}
+
+/* Points the scene to copies in the display list's memory, from its word at on. */
+static fxl_status open_motion(fxl_scene_image *image, uint32_t at)
+{
+    fxl_scene *scene = &image->scene;
+    fxl_motion_memory memory;
+
+    if (image->motion.motion_count == 0) {
+        return FXL_OK;
+    }
+    memory.instances = (fxl_instance *)(void *)(list + at);
+    memory.instance_capacity = scene->instance_count;
+    memory.turns = (fxl_turn *)(void *)(memory.instances + scene->instance_count);
+    memory.turn_capacity = scene->instance_count - scene->first_turned;
+    return fxl_motion_begin(&motion, &image->motion, scene, &memory);
+}
+
+static int open_renderer(fxl_scene_image *image)
+{
+    const fxl_scene *scene = &image->scene;
+    const uint32_t light = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
+    const uint32_t room = light + motion_room(image);
     if (room > WALK_LIST_BYTES / 4 * 4) {
-        print_with_number("walk: the scene's beams need ", room, " bytes");
+        print_with_number("walk: the scene's beams and motions need ", room, " bytes");
         print_with_number(", this board's display list has ", WALK_LIST_BYTES, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
     const fxl_memory memory = {
         order, WALK_ORDER_ENTRIES, room > 0 ? list + room / 4 : list, (WALK_LIST_BYTES - room) / 4,
         cache, WALK_CACHE_ENTRIES};
-    fxl_status status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
+    fxl_status status = open_motion(image, light / 4);
 
+    if (status == FXL_OK) {
+        status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
+    }
     if (status == FXL_E_CAPACITY) {
         print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
         print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
@@ -139,7 +172,7 @@ static int open_renderer(const fxl_scene_image *image)
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
-                                        list, room);
+                                        list, light);
     }
     if (status != FXL_OK) {
         return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
@@ -193,6 +226,9 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
         return fail_frame("the pose could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     stopwatch_start(&watch);
+    if (image->motion.motion_count > 0) {
+        fxl_motion_play(&motion, frame);
+    }
     status = fxl_frame_begin(&renderer, &path->viewer.pose);
     stopwatch_stop(&watch);
     if (status != FXL_OK) {
