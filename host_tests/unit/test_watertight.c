@@ -93,3 +93,9 @@ void test_through_the_frustum_of_the_world(void)
 {
     expect_through(&fxl_clipper_world);
 }
+
+void test_through_the_frustum_of_the_view_turned_and_scaled(void)
+{
+    static fxl_screen_polygon screens[2];
+    watertight_expect_turned(&fxl_clipper_view, UNIT_REPEAT / 4, screens, 2);
+}

@@ -5,6 +5,8 @@
 
 #include "picture.h"
 #include "polygon_face.h"
+#include "src/view/turned_view.h"
+#include "turns.h"
 
 /* The outline around both: all edges but those that one walks one way and the
  * other the other. Its winding number says what the two must cover. */
@@ -95,6 +97,44 @@ int64_t watertight_area(const fxl_screen_polygon *polygon)
     return area;
 }
 
+/* The turn of the instance that the polygons belong to, about its centre; null: none. */
+static fxl_turn *the_turn;
+static fxl_point turned_centre;
+
+/* The vertex of the turned instance that lies at a point of the world, as near as can be. */
+static fxl_point in_the_model(const fxl_point *point)
+{
+    const fxl_direction *x = &the_turn->orientation.x, *y = &the_turn->orientation.y,
+                        *z = &the_turn->orientation.z;
+    const double at[3] = {point->x - turned_centre.x, point->y - turned_centre.y,
+                          point->z - turned_centre.z};
+    const double unit = (double)FXL_Q2_30_ONE * the_turn->scale / 65536.0;
+    return (fxl_point){
+        (fxl_q16_16)floor((x->x * at[0] + y->x * at[1] + z->x * at[2]) / unit + 0.5),
+        (fxl_q16_16)floor((x->y * at[0] + y->y * at[1] + z->y * at[2]) / unit + 0.5),
+        (fxl_q16_16)floor((x->z * at[0] + y->z * at[1] + z->z * at[2]) / unit + 0.5)};
+}
+
+/* The face as one of a turned instance. */
+static const fxl_model_view *turned_view_of(polygon_face *face, const fxl_view *view)
+{
+    static fxl_turned_view turned;
+    const fxl_model model = {.vertex_count = face->face.count,
+                             .face_count = 1,
+                             .radius = Q16(1) /* its vertices' limits are the test's own */};
+    const fxl_instance instance = {turned_centre, 0, 0, 0};
+    const fxl_scene scene = {.vertices = face->vertices,
+                             .indices = face->corners,
+                             .models = &model,
+                             .instances = &instance,
+                             .turns = the_turn};
+    for (uint32_t i = 0; i < face->face.count; i++) {
+        face->vertices[i] = in_the_model(&face->vertices[i]);
+    }
+    fxl_turned_view_of_instance(&turned, &scene, 0, view, &face->cache, FXL_PLANES_ALL);
+    return &turned.model_view;
+}
+
 /* From world to screen, as the frame loop does it. */
 static int to_screen(const fxl_clipper *clipper, fxl_clipper_workspace *workspace,
                      const fxl_polygon *polygon, fxl_view *view, fxl_screen_polygon *screens,
@@ -102,10 +142,14 @@ static int to_screen(const fxl_clipper *clipper, fxl_clipper_workspace *workspac
 {
     static fxl_clipper_work work;
     static polygon_face face;
+    const fxl_model_view *model_view = &face.model_view;
     int count = 0;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     face.model_view.clipper_workspace = workspace;
-    fxl_clip_result result = clipper->clip(&face.model_view, &face.face, &work, &screens[0]);
+    if (the_turn != NULL) {
+        model_view = turned_view_of(&face, view);
+    }
+    fxl_clip_result result = clipper->clip(model_view, &face.face, &work, &screens[0]);
     *cut = result == FXL_CLIP_CUT;
     while (result == FXL_CLIP_CUT || result == FXL_CLIP_INSIDE || result == FXL_CLIP_BETWEEN) {
         count++;
@@ -113,7 +157,7 @@ static int to_screen(const fxl_clipper *clipper, fxl_clipper_workspace *workspac
             break;
         }
         TEST_ASSERT_TRUE(count < workspace_for);
-        result = clipper->next(&face.model_view, &work, &screens[count]);
+        result = clipper->next(model_view, &work, &screens[count]);
     }
     return count;
 }
@@ -199,6 +243,20 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
     return leave - enter > 0.01;
 }
 
+/* A turn for which the vertices of a random quad are in range: it lies within 200 units of the eye,
+ * so scale * radius is below 500, and the eye is near enough. */
+static void random_turn(fxl_turn *random, const fxl_camera *camera)
+{
+    *random = turns_any();
+    if (random->scale < Q16(0.25)) {
+        random->scale = Q16(0.25);
+    }
+    turned_centre = camera->position;
+    turned_centre.x += unit_between(-Q16(20), Q16(20));
+    turned_centre.y += unit_between(-Q16(20), Q16(20));
+    turned_centre.z += unit_between(-Q16(20), Q16(20));
+}
+
 void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *workspace,
                                int few, fxl_screen_polygon *screens, int workspace_for)
 {
@@ -210,6 +268,9 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
             uint32_t frame = view.frame;
             random_view(&view);
             view.frame += frame;
+        }
+        if (the_turn != NULL && judged % 4 == 0) {
+            random_turn(the_turn, &view.camera);
         }
         random_quad(&view.camera, corners);
         fxl_polygon first = world_triangle(corners[0], corners[1], corners[2]);
@@ -233,4 +294,13 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
     }
     TEST_ASSERT_TRUE_MESSAGE(edges_cut > UNIT_REPEAT / 4, "too few shared edges were cut");
     TEST_ASSERT_TRUE_MESSAGE(both_cut > few, "too few pairs were cut");
+}
+
+void watertight_expect_turned(const fxl_clipper *clipper, int few, fxl_screen_polygon *screens,
+                              int workspace_for)
+{
+    static fxl_turn random;
+    the_turn = &random;
+    watertight_expect_through(clipper, NULL, few, screens, workspace_for);
+    the_turn = NULL;
 }

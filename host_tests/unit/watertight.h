@@ -21,6 +21,10 @@ void watertight_expect(const fxl_screen_polygon *polygons, int first, int count)
 void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace *workspace,
                                int few, fxl_screen_polygon *screens, int workspace_for);
 
+/* The same for random pairs of triangles of an instance that is turned and scaled. */
+void watertight_expect_turned(const fxl_clipper *clipper, int few, fxl_screen_polygon *screens,
+                              int workspace_for);
+
 /* Twice the area in units of 2^-32, positive clockwise. */
 int64_t watertight_area(const fxl_screen_polygon *polygon);
 

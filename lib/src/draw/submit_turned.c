@@ -13,19 +13,6 @@ static const fxl_model *model_of(const fxl_scene *scene, uint32_t number)
     return &scene->models[scene->instances[number].model];
 }
 
-static fxl_status check(const fxl_scene *scene, uint32_t *number)
-{
-    for (uint32_t i = scene->first_turned; i < scene->instance_count; i++) {
-        const fxl_status status = fxl_turn_check(fxl_turn_of(scene, i), &scene->instances[i].centre,
-                                                 model_of(scene, i)->radius);
-        if (status != FXL_OK) {
-            *number = i;
-            return status;
-        }
-    }
-    return FXL_OK;
-}
-
 static fxl_q16_16 radius_of(const fxl_scene *scene, uint32_t number)
 {
     return fxl_turn_radius(fxl_turn_of(scene, number), model_of(scene, number)->radius);
@@ -199,7 +186,7 @@ static bool submit(const fxl_traversal *on)
     return fxl_submit_all(on, submit_one);
 }
 
-const fxl_turn_code fxl_turned_instances = {.check = check,
+const fxl_turn_code fxl_turned_instances = {.check = fxl_turn_check_all,
                                             .radius = radius_of,
                                             .face_is_front = face_is_front,
                                             .place_face = place_face,

@@ -2,21 +2,32 @@
 #include "fixel/stage/turn.h"
 
 #include "../math/arith.h"
+#include "turn_code.h"
 
-/* 1, and 2^-28, in units of 2^-60. */
-#define ONE       ((uint64_t)1 << 60)
-#define TOLERANCE ((uint64_t)1 << 32)
+/* In units of 2^-60: 1; 2^-28; and a component of z. */
+#define ONE           ((uint64_t)1 << 60)
+#define TOLERANCE     ((uint64_t)1 << 32)
+#define COMPONENT_ONE (-FXL_Q2_30_ONE)
 
-static uint64_t product(int32_t a, int32_t b)
+static inline uint64_t product(int32_t a, int32_t b)
 {
     return (uint64_t)fxl_multiply_s32(a, b);
 }
 
-/* The upper word of sum - expected + tolerance; tolerance is 2^32 << bits. It is below 2 << bits if
- * and only if -tolerance <= sum - expected < tolerance. */
-static uint32_t beyond(uint64_t sum, uint64_t expected, unsigned bits)
+/* The upper word of start + a . b. With start = limit - expected it is below limit / 2^31 if and
+ * only if -limit <= a . b - expected < limit. */
+static inline uint32_t upper_sum(uint64_t start, const fxl_direction *a, int32_t x, int32_t y,
+                                 int32_t z)
 {
-    return (uint32_t)((sum - expected + (TOLERANCE << bits)) >> 32);
+    return (uint32_t)((start + product(a->x, x) + product(a->y, y) + product(a->z, z)) >> 32);
+}
+
+/* The upper word of start + (a d - b c) - z. */
+static inline uint32_t upper_minor(uint64_t start, int32_t a, int32_t d, int32_t b, int32_t minus_c,
+                                   int32_t z)
+{
+    return (uint32_t)((start + product(a, d) + product(b, minus_c) + product(z, COMPONENT_ONE)) >>
+                      32);
 }
 
 /* Whether the rows are those of a rotation: x and y are of unit length and at right angles, to
@@ -26,19 +37,20 @@ static uint32_t beyond(uint64_t sum, uint64_t expected, unsigned bits)
  *
  * A sum of three squares is below 3 2^62, so it does not wrap. If both squared lengths pass, all
  * components of x and y are below 2^30 + 2^2 and no other sum wraps. */
-static bool is_rotation(const fxl_orientation *rows)
+static inline bool is_rotation(const fxl_orientation *rows)
 {
-    const fxl_direction x = rows->x, y = rows->y, z = rows->z;
-    const uint32_t narrow =
-        beyond(product(x.x, x.x) + product(x.y, x.y) + product(x.z, x.z), ONE, 0) |
-        beyond(product(y.x, y.x) + product(y.y, y.y) + product(y.z, y.z), ONE, 0) |
-        beyond(product(x.x, y.x) + product(x.y, y.y) + product(x.z, y.z), 0, 0);
+    const fxl_direction x = rows->x, y = rows->y;
+    uint32_t narrow = upper_sum(TOLERANCE - ONE, &x, x.x, x.y, x.z);
+    narrow |= upper_sum(TOLERANCE - ONE, &y, y.x, y.y, y.z);
+    narrow |= upper_sum(TOLERANCE, &x, y.x, y.y, y.z);
+    if (narrow > 1) { /* also keeps the negations below in range */
+        return false;
+    }
     /* bug: turn-mirror */
-    const uint32_t wide =
-        beyond(product(x.y, y.z) - product(x.z, y.y) - product(z.x, FXL_Q2_30_ONE), 0, 2) |
-        beyond(product(x.z, y.x) - product(x.x, y.z) - product(z.y, FXL_Q2_30_ONE), 0, 2) |
-        beyond(product(x.x, y.y) - product(x.y, y.x) - product(z.z, FXL_Q2_30_ONE), 0, 2);
-    return (narrow >> 1 | wide >> 3) == 0;
+    const uint32_t wide = upper_minor(4 * TOLERANCE, x.y, y.z, x.z, -y.y, rows->z.x) |
+                          upper_minor(4 * TOLERANCE, x.z, y.x, x.x, -y.z, rows->z.y) |
+                          upper_minor(4 * TOLERANCE, x.x, y.y, x.y, -y.x, rows->z.z);
+    return wide < 8;
 }
 
 /* scale * radius is below 2^24 2^31. */
@@ -48,21 +60,47 @@ fxl_q16_16 fxl_turn_radius(const fxl_turn *turn, fxl_q16_16 radius)
     return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_TURN_SLACK; /* bug: turn-radius */
 }
 
-fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
+/* Whether a scale and a radius are in range, and the sphere lies in the world. */
+static inline bool is_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q16_16 radius)
 {
-    if (turn == NULL || centre == NULL) {
-        return FXL_E_ARGUMENT;
+    if ((uint32_t)scale - FXL_SCALE_MIN > FXL_SCALE_MAX - FXL_SCALE_MIN ||
+        (uint32_t)radius > FXL_RADIUS_MAX) {
+        return false;
     }
-    if (turn->scale < FXL_SCALE_MIN || turn->scale > FXL_SCALE_MAX || radius < 0 ||
-        radius > FXL_RADIUS_MAX ||
-        /* Below 2^14 units, so that fxl_turn_radius is in range. */
-        fxl_multiply_u32((uint32_t)turn->scale, (uint32_t)radius) >> 46 != 0) {
-        return FXL_E_RANGE;
-    }
-    const int32_t limit = FXL_COORDINATE_MAX - fxl_turn_radius(turn, radius);
-    if (!fxl_within(centre->x, limit) || !fxl_within(centre->y, limit) ||
-        !fxl_within(centre->z, limit)) { /* bug: turn-reach */
+    const uint64_t scaled = fxl_multiply_u32((uint32_t)scale, (uint32_t)radius);
+    /* fxl_turn_radius, of which the lower words are those of a number below 2^39. */
+    const uint32_t limit =
+        (uint32_t)(FXL_COORDINATE_MAX - FXL_TURN_SLACK) - (uint32_t)((scaled + 0xFFFF) >> 16);
+    /* bug: turn-reach */
+    return scaled >> 32 < 1u << 14 && limit <= FXL_COORDINATE_MAX &&
+           (uint32_t)centre->x + limit <= 2 * limit && (uint32_t)centre->y + limit <= 2 * limit &&
+           (uint32_t)centre->z + limit <= 2 * limit;
+}
+
+static inline fxl_status check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
+{
+    if (!is_in_range(turn->scale, centre, radius)) {
         return FXL_E_RANGE;
     }
     return is_rotation(&turn->orientation) ? FXL_OK : FXL_E_TURN;
+}
+
+fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
+{
+    return turn == NULL || centre == NULL ? FXL_E_ARGUMENT : check(turn, centre, radius);
+}
+
+fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number)
+{
+    const fxl_turn *turn = scene->turns;
+    for (uint32_t i = scene->first_turned; i < scene->instance_count; i++, turn++) {
+        const fxl_instance *instance = &scene->instances[i];
+        const fxl_status status =
+            check(turn, &instance->centre, scene->models[instance->model].radius);
+        if (status != FXL_OK) {
+            *number = i;
+            return status;
+        }
+    }
+    return FXL_OK;
 }

@@ -41,6 +41,17 @@ struct fxl_turn_code {
     uint32_t (*count_rounded)(const struct fxl_traversal *on, uint32_t first, uint32_t end);
 };
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* fxl_turn_code.check. */
+fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number);
+
+#ifdef __cplusplus
+}
+#endif
+
 /* The number of the first turned instance; the number of instances where none is turned. */
 static inline uint32_t fxl_first_turned(const fxl_scene *scene)
 {

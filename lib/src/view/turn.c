@@ -16,43 +16,45 @@ static int64_t scaled(int64_t value, fxl_q16_16 scale)
     return fxl_multiply_s32((int32_t)(value >> 32), scale) + (int64_t)(low >> 32);
 }
 
-/* One row of the matrix, in units of 2^-60: a row of the view times the orientation's columns. */
-static void row_times(const fxl_direction *row, const fxl_orientation *of, int64_t entries[3])
+/* Column n of the orientation along a row of the view, in units of 2^-60. */
+#define ALONG(row, of, n) \
+    (fxl_multiply_s31((row)->x, (of)->x.n) + fxl_multiply_s31((row)->y, (of)->y.n) + \
+     fxl_multiply_s31((row)->z, (of)->z.n))
+
+/* A row of the matrix without a scale. */
+static inline void turn_row(const fxl_direction *row, const fxl_orientation *of, fxl_direction *to)
 {
-    entries[0] = fxl_multiply_s31(row->x, of->x.x) + fxl_multiply_s31(row->y, of->y.x) +
-                 fxl_multiply_s31(row->z, of->z.x);
-    entries[1] = fxl_multiply_s31(row->x, of->x.y) + fxl_multiply_s31(row->y, of->y.y) +
-                 fxl_multiply_s31(row->z, of->z.y);
-    entries[2] = fxl_multiply_s31(row->x, of->x.z) + fxl_multiply_s31(row->y, of->y.z) +
-                 fxl_multiply_s31(row->z, of->z.z);
+    to->x = (fxl_q2_30)fxl_round_shift(ALONG(row, of, x), 30);
+    to->y = (fxl_q2_30)fxl_round_shift(ALONG(row, of, y), 30);
+    to->z = (fxl_q2_30)fxl_round_shift(ALONG(row, of, z), 30);
+}
+
+/* A row of the matrix / 2^shift. The 32 bits that `scaled` leaves out are below the half unit that
+ * the rounding adds. */
+static void scale_row(const fxl_direction *row, const fxl_turn *turn, unsigned shift,
+                      fxl_direction *to)
+{
+    const fxl_orientation *of = &turn->orientation;
+    to->x = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, x), turn->scale), 14 + shift);
+    to->y = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, y), turn->scale), 14 + shift);
+    to->z = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, z), turn->scale), 14 + shift);
 }
 
 unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *matrix)
 {
-    const fxl_direction *const from[3] = {&view->right, &view->up, &view->forward};
-    fxl_direction *const to[3] = {&matrix->right, &matrix->up, &matrix->forward};
-    const fxl_q16_16 scale = turn->scale;
     unsigned shift = 0;
-    int64_t entries[3];
-    if (scale == FXL_Q16_16_ONE) {
-        for (uint32_t i = 0; i < 3; i++) {
-            row_times(from[i], &turn->orientation, entries);
-            to[i]->x = (fxl_q2_30)fxl_round_shift(entries[0], 30);
-            to[i]->y = (fxl_q2_30)fxl_round_shift(entries[1], 30);
-            to[i]->z = (fxl_q2_30)fxl_round_shift(entries[2], 30);
-        }
+    if (turn->scale == FXL_Q16_16_ONE) {
+        turn_row(&view->right, &turn->orientation, &matrix->right);
+        turn_row(&view->up, &turn->orientation, &matrix->up);
+        turn_row(&view->forward, &turn->orientation, &matrix->forward);
         return 0;
     }
-    while (FXL_Q16_16_ONE << shift < scale) { /* bug: turn-shift */
+    while (FXL_Q16_16_ONE << shift < turn->scale) { /* bug: turn-shift */
         shift++;
     }
-    for (uint32_t i = 0; i < 3; i++) {
-        /* The 32 bits that scaled leaves out are below the half unit that the rounding adds. */
-        row_times(from[i], &turn->orientation, entries);
-        to[i]->x = (fxl_q2_30)fxl_round_shift(scaled(entries[0], scale), 14 + shift);
-        to[i]->y = (fxl_q2_30)fxl_round_shift(scaled(entries[1], scale), 14 + shift);
-        to[i]->z = (fxl_q2_30)fxl_round_shift(scaled(entries[2], scale), 14 + shift);
-    }
+    scale_row(&view->right, turn, shift, &matrix->right);
+    scale_row(&view->up, turn, shift, &matrix->up);
+    scale_row(&view->forward, turn, shift, &matrix->forward);
     return shift;
 }
 
@@ -81,28 +83,33 @@ void fxl_turn_direction(const fxl_turn *turn, const fxl_direction *direction, fx
 }
 
 /* orientation^T . (eye - centre), exact, in units of 2^-46. */
-static void eye_along(const fxl_orientation *of, const fxl_point *from_eye, fxl_q18_46 eye[3])
+static inline void eye_along(const fxl_orientation *of, const fxl_point *from_eye,
+                             fxl_q18_46 eye[3])
 {
-    const int32_t x = -from_eye->x, y = -from_eye->y, z = -from_eye->z;
-    eye[0] =
-        fxl_multiply_s31(of->x.x, x) + fxl_multiply_s31(of->y.x, y) + fxl_multiply_s31(of->z.x, z);
-    eye[1] =
-        fxl_multiply_s31(of->x.y, x) + fxl_multiply_s31(of->y.y, y) + fxl_multiply_s31(of->z.y, z);
-    eye[2] =
-        fxl_multiply_s31(of->x.z, x) + fxl_multiply_s31(of->y.z, y) + fxl_multiply_s31(of->z.z, z);
+    const fxl_point to_eye = {-from_eye->x, -from_eye->y, -from_eye->z};
+    eye[0] = ALONG(&to_eye, of, x);
+    eye[1] = ALONG(&to_eye, of, y);
+    eye[2] = ALONG(&to_eye, of, z);
+}
+
+/* Whether no coordinate exceeds the limit, which is at least 0. */
+static inline bool is_within(const fxl_point *point, int32_t limit)
+{
+    const uint32_t most = (uint32_t)limit;
+    return (uint32_t)point->x + most <= 2 * most && (uint32_t)point->y + most <= 2 * most &&
+           (uint32_t)point->z + most <= 2 * most;
 }
 
 /* value / (scale 2^(14 + shift)), rounded: floor((value + half) / divisor), in two exact floors.
  * half is below 2^24 2^23. Returns false if the quotient exceeds 2^30. */
-static inline bool divide(int64_t value, fxl_q16_16 scale, unsigned shift, int32_t *quotient)
+static bool divide(int64_t value, fxl_q16_16 scale, unsigned shift, int32_t *quotient)
 {
     const int64_t half = (int64_t)scale << (13 + shift);
     const int64_t numerator = (value + half) >> (14 + shift);
     if (!fxl_within(numerator, (int64_t)scale << 30)) {
         return false;
     }
-    *quotient = scale == FXL_Q16_16_ONE ? (int32_t)(numerator >> 16)
-                                        : fxl_divide_down(numerator, (uint32_t)scale);
+    *quotient = fxl_divide_down(numerator, (uint32_t)scale);
     return true;
 }
 
@@ -114,9 +121,16 @@ unsigned fxl_turn_eye(const fxl_turn *turn, const fxl_point *from_eye, fxl_q16_1
     unsigned shift = 0;
     int32_t limit = (1 << 30) - 1 - radius; /* bug: turn-eye-near */
     eye_along(&turn->orientation, from_eye, exact);
+    if (scale == FXL_Q16_16_ONE) { /* sums below 2^61: the results fit */
+        eye->x = (int32_t)fxl_round_shift(exact[0], 30);
+        eye->y = (int32_t)fxl_round_shift(exact[1], 30);
+        eye->z = (int32_t)fxl_round_shift(exact[2], 30);
+        if (is_within(eye, limit)) {
+            return 0;
+        }
+    }
     while (!(divide(exact[0], scale, shift, &eye->x) && divide(exact[1], scale, shift, &eye->y) &&
-             divide(exact[2], scale, shift, &eye->z) && fxl_within(eye->x, limit) &&
-             fxl_within(eye->y, limit) && fxl_within(eye->z, limit))) {
+             divide(exact[2], scale, shift, &eye->z) && limit >= 0 && is_within(eye, limit))) {
         shift++;
         limit = (1 << 30) - 1 - (radius >> shift);
     }

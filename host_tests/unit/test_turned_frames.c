@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: MIT */
+/* Turned instances in a renderer: whole frames, with every clipper and method. */
+#include "clippers_list.h"
+#include "fixel/extra/spans.h"
+#include "turns.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    PIXELS = WIDTH * HEIGHT,
+    BACKGROUND = 200,
+    LIST_WORDS = 40 * FXL_DISPLAY_LIST_WORDS(8),
+    SPANS = 4096
+};
+
+static FXL_ALIGN_8 fxl_clipper_workspace room;
+static FXL_ALIGN_8 uint8_t span_room[SPANS];
+static uint8_t frames[2][PIXELS];
+static fxl_order_entry order[64];
+static uint32_t list[LIST_WORDS];
+static fxl_cached_vertex cache[9];
+static fxl_renderer renderer;
+static fxl_turn turns[TINY_INSTANCES];
+static tiny_scene *tiny;
+
+/* The family's clippers, then the two of the first chapter. */
+static const fxl_clipper *clipper_of(int which)
+{
+    return which < CLIPPERS    ? clippers[which]
+           : which == CLIPPERS ? &fxl_clipper_view
+                               : &fxl_clipper_world;
+}
+
+/* The tiny scene, of which the instances from first on are turned. */
+static void make(uint32_t first)
+{
+    tiny = tiny_make();
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        turns[i] = (fxl_turn)FXL_TURN_NONE;
+    }
+    if (first < TINY_INSTANCES) {
+        tiny->scene.turns = turns;
+        tiny->scene.first_turned = first;
+        tiny->scene.turn_code = &fxl_turned_instances;
+    }
+}
+
+static void start(int which, uint32_t list_words, uint32_t entries, bool front_to_back)
+{
+    fxl_scene_fault fault = {"", 0};
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, 64, list, list_words, cache, entries};
+    const fxl_clipper *clipper = clipper_of(which);
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_clipper(&renderer, clipper, &room, clipper->workspace_size));
+    if (front_to_back) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
+                                                              span_room, SPANS));
+    }
+}
+
+static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (int row = 0; row < HEIGHT; row += rows) {
+        int left = HEIGHT - row;
+        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                         (uint16_t)(rows < left ? rows : left)};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+}
+
+/* Between and beside the cubes, where many faces are cut. */
+static fxl_pose random_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(3));
+    pose.position.z += Q16(5) * unit_between(0, 2);
+    return pose;
+}
+
+/* Turns that leave the cubes about as large as they are. */
+static void turn_all(void)
+{
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        turns[i].orientation = turns_orientation();
+        turns[i].scale = unit_between(0, 2) == 0 ? Q16(1) : unit_between(Q16(0.25), Q16(4));
+    }
+}
+
+static fxl_counters counters_but_spilled(void)
+{
+    fxl_counters counters = renderer.workspace.counters;
+    counters.spilled = counters.split_bands = 0;
+    return counters;
+}
+
+/* Without a turn the bits are those of an instance that has none: the same pixels and counters,
+ * but for the count of the rounded. */
+void test_turns_that_turn_nothing(void)
+{
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        const fxl_pose pose = random_pose();
+        const bool keyed = unit_between(0, 1);
+        for (int which = 0; which < CLIPPERS + 2; which++) {
+            const uint32_t words = (uint32_t)unit_between(0, LIST_WORDS);
+            const bool front_to_back = unit_between(0, 1);
+            const uint32_t first = (uint32_t)unit_between(0, TINY_INSTANCES - 1);
+            const int rows = unit_between(1, HEIGHT);
+            fxl_counters counters[2];
+            for (int turned = 0; turned < 2; turned++) {
+                make(turned ? first : TINY_INSTANCES);
+                if (!keyed) {
+                    tiny->scene.face_bounds = NULL;
+                    tiny->scene.face_bounds_count = 0;
+                }
+                start(which, words, 9, front_to_back);
+                draw(&pose, rows, frames[turned]);
+                counters[turned] = renderer.workspace.counters;
+                counters[turned].split_bands = 0;
+            }
+            TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+            TEST_ASSERT_EQUAL_UINT16(0, counters[0].rounded);
+            TEST_ASSERT_TRUE(clipper_of(which)->by_points ? counters[1].rounded <= TINY_INSTANCES
+                                                          : counters[1].rounded == 0);
+            counters[1].rounded = 0;
+            TEST_ASSERT_EQUAL_MEMORY(&counters[0], &counters[1], sizeof counters[0]);
+        }
+    }
+}
+
+/* Bands, list and cache change no pixel and no counter. */
+void test_bands_of_turned_instances(void)
+{
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        const fxl_pose pose = random_pose();
+        make((uint32_t)unit_between(0, TINY_INSTANCES - 1));
+        turn_all();
+        for (int which = 0; which < CLIPPERS + 2; which++) {
+            start(which, LIST_WORDS, 9, false);
+            draw(&pose, HEIGHT, frames[0]);
+            const fxl_counters counters = counters_but_spilled();
+            TEST_ASSERT_EQUAL_UINT32(counters.in, counters.backfacing + counters.outside +
+                                                      counters.degenerate + counters.refused +
+                                                      counters.drawn);
+            TEST_ASSERT_EQUAL_UINT32(0, counters.refused);
+            start(which, (uint32_t)unit_between(0, 60), (uint32_t)unit_between(0, 9), false);
+            draw(&pose, unit_between(1, HEIGHT), frames[1]);
+            TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+            const fxl_counters again = counters_but_spilled();
+            TEST_ASSERT_EQUAL_MEMORY(&counters, &again, sizeof counters);
+        }
+    }
+}
+
+/* Front to back, the frame is that of the reverse order: cubes that are apart look the same. */
+void test_front_to_back(void)
+{
+    int differing = 0;
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        const fxl_pose pose = random_pose();
+        make(0);
+        turn_all();
+        start(CLIPPERS, LIST_WORDS, 9, false);
+        draw(&pose, HEIGHT, frames[0]);
+        start(CLIPPERS, (uint32_t)unit_between(0, LIST_WORDS), 9, true);
+        draw(&pose, unit_between(1, HEIGHT), frames[1]);
+        for (int i = 0; i < PIXELS; i++) {
+            differing += frames[0][i] != frames[1][i];
+        }
+    }
+    TEST_ASSERT_EQUAL(0, differing);
+}
+
+/* The clippers' outlines are less than a hundredth of a pixel apart. */
+void test_clippers_agree(void)
+{
+    const int rounds = UNIT_REPEAT / 100;
+    int differing = 0, drawn = 0;
+    for (int round = 0; round < rounds; round++) {
+        const fxl_pose pose = random_pose();
+        make(0);
+        turn_all();
+        start(CLIPPERS, LIST_WORDS, 9, false);
+        draw(&pose, HEIGHT, frames[0]);
+        for (int which = 0; which < CLIPPERS + 2; which++) {
+            start(which, LIST_WORDS, 9, false);
+            draw(&pose, HEIGHT, frames[1]);
+            TEST_ASSERT_EQUAL(
+                clipper_of(which)->by_points,
+                renderer.workspace.counters.rounded > 0 ||
+                    (clipper_of(which)->by_points && renderer.frame.visible_count == 0));
+            for (int i = 0; i < PIXELS; i++) {
+                differing += frames[0][i] != frames[1][i];
+                drawn += frames[1][i] != BACKGROUND;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(drawn > rounds * PIXELS / 4);
+    TEST_ASSERT_TRUE(differing <= 1 + rounds / 4);
+}
+
+/* --- misuse --------------------------------------------------------------------------------- */
+
+static void expect_refused(fxl_status status)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-5)}};
+    const uint32_t refused = renderer.workspace.counters.refused_calls;
+    TEST_ASSERT_EQUAL(status, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
+}
+
+/* The frame before stays current: it is drawn again as it was, bands and all. */
+void test_a_bad_turn_leaves_the_frame_before(void)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
+    for (int list_words = 0; list_words <= LIST_WORDS; list_words += LIST_WORDS) {
+        make(1);
+        start(CLIPPERS, (uint32_t)list_words, 9, false);
+        draw(&pose, HEIGHT, frames[0]);
+        const fxl_turn good = turns[1];
+        turns[1].scale = 0;
+        expect_refused(FXL_E_RANGE);
+        turns[1].scale = -FXL_Q16_16_ONE;
+        expect_refused(FXL_E_RANGE);
+        turns[1] = good;
+        turns[1].orientation.y.y -= 1 << 10;
+        expect_refused(FXL_E_TURN);
+        turns[1] = good;
+        turns[1].scale = Q16(200);
+        tiny->instances[2].centre.x = Q16(8000);
+        expect_refused(FXL_E_RANGE);
+        turns[1] = good;
+        tiny->instances[2].centre.x = Q16(5);
+        const fxl_turn_code *const code = tiny->scene.turn_code;
+        tiny->scene.turn_code = NULL;
+        expect_refused(FXL_E_ORDER);
+        tiny->scene.turn_code = code;
+        const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+        draw(&pose, HEIGHT, frames[1]);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+    }
+}
+
+/* Instances may come and go, the turned ones at the end of the table. */
+void test_the_number_of_instances_may_change(void)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
+    make(1);
+    start(CLIPPERS, LIST_WORDS, 9, false);
+    for (uint32_t count = 0; count <= TINY_INSTANCES; count++) {
+        tiny->scene.instance_count = count;
+        draw(&pose, HEIGHT, frames[0]);
+        TEST_ASSERT_EQUAL_UINT32(6 * count, renderer.workspace.counters.in);
+    }
+}
+
+static void expect_fault(fxl_status status, const char *what, uint32_t index)
+{
+    fxl_scene_fault fault = {"", 99};
+    tiny->scene.order_needed = 77;
+    TEST_ASSERT_EQUAL(status, fxl_scene_check(&tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    TEST_ASSERT_EQUAL_UINT32(77, tiny->scene.order_needed);
+}
+
+void test_the_check_of_a_scene_with_turns(void)
+{
+    make(1);
+    turns[1].scale = FXL_SCALE_MAX + 1;
+    expect_fault(FXL_E_RANGE, "instance", 2);
+    turns[1].scale = FXL_SCALE_MAX;
+    turns[0].orientation.x.x = 0;
+    expect_fault(FXL_E_TURN, "instance", 1);
+    make(0);
+    tiny->instances[0].centre.y = Q16(8190); /* a corner would be outside if it stood still */
+    expect_fault(FXL_E_RANGE, "instance", 0);
+    turns[0].scale = Q16(0.5);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    tiny->scene.turn_code = NULL;
+    expect_fault(FXL_E_ARGUMENT, "turn table", 0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL_PTR(&fxl_turned_instances, tiny->scene.turn_code);
+    turns[0].scale = 0;
+    tiny->scene.turn_code = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scene_check_all(&tiny->scene, NULL));
+    TEST_ASSERT_NULL(tiny->scene.turn_code);
+}
