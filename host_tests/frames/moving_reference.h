@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* A scene of the reference renderer in which things move: the library plays the motions of the
+ * image, and the reference takes its integers. The ray-cast oracle plays them by itself. */
+#ifndef FRAMES_MOVING_REFERENCE_H
+#define FRAMES_MOVING_REFERENCE_H
+
+#include "fixel/extra/motion.h"
+#include "reference/scene.h"
+
+typedef struct {
+    ref_scene scene; /* that of the image, with instances and turns of its own */
+    uint8_t *image;  /* null: nothing moves, and the scene is that of the image */
+    fxl_scene moved;
+    fxl_instance *instances;
+    fxl_turn *turns;
+    fxl_motion_player player;
+} moving_reference;
+
+/* Makes a scene that moves of an image and its bytes, which may be freed then. Returns false where
+ * memory is short, or where the library refuses the image; moving_reference_close is then due too. */
+bool moving_reference_open(moving_reference *moving, const ref_scene_image *of,
+                           const uint8_t *bytes, size_t size);
+
+/* Moves what moves to where it is in a frame. */
+void moving_reference_play(moving_reference *moving, uint32_t frame);
+
+void moving_reference_close(moving_reference *moving);
+
+#endif
