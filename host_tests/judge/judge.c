@@ -19,7 +19,8 @@
 typedef struct {
     const char *scene, *dump, *json, *twin;
     unsigned cuts; /* the planes that the board's clipper cuts by */
-    bool by_bsp;   /* the board drew in the order of the scene's BSP */
+    bool by_points;
+    bool by_bsp; /* the board drew in the order of the scene's BSP */
     double distance;
 } options;
 
@@ -160,7 +161,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
         } else if (strcmp(name, "--twin") == 0) {
             wanted->twin = value;
         } else if (strcmp(name, "--clipper") == 0) {
-            if (!ref_clipper_cuts(value, &wanted->cuts)) {
+            if (!ref_clipper_cuts(value, &wanted->cuts, &wanted->by_points)) {
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
@@ -221,8 +222,8 @@ static int judge(const options *wanted, session *run)
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_bsp, wanted->distance,
-                      run->frames, wanted->twin ? &run->twin : NULL)) {
+        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
+                      wanted->distance, run->frames, wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s", wanted->dump);
     }
     if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {

@@ -11,6 +11,7 @@
 #include "judge/explain.h"
 #include "oracle/tie.h"
 #include "reference/fill.h"
+#include "reference/turn.h"
 
 enum {
     THREADS_MAX = 16
@@ -22,6 +23,7 @@ typedef struct {
     const ref_scene_image *image;
     const judge_dump *dump;
     unsigned cuts;
+    bool by_points;
     bool by_bsp;
     double distance;
     judge_frame *frames;
@@ -107,6 +109,9 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
             continue;
         }
         const ref_instance *instance = &scene->instances[renderer->display_list.drawn[i].instance];
+        if (ref_turn_of(scene, instance) && !renderer->by_points) {
+            continue; /* its vertices are no integers */
+        }
         const ref_model *model = &scene->models[instance->model];
         const ref_face *face =
             &scene->faces[model->first_face + renderer->display_list.drawn[i].face];
@@ -190,6 +195,7 @@ static void *run_worker(void *argument)
     bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
     bool sound = pixels && ready;
     renderer.cuts = work->cuts;
+    renderer.by_points = work->by_points;
     renderer.by_bsp = work->by_bsp;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
@@ -210,12 +216,14 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
-                  double distance, judge_frame *frames, judge_dump *twin)
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts,
+                  bool by_points, bool by_bsp, double distance, judge_frame *frames,
+                  judge_dump *twin)
 {
     job work = {.image = image,
                 .dump = dump,
                 .cuts = cuts,
+                .by_points = by_points,
                 .by_bsp = by_bsp,
                 .distance = distance,
                 .frames = frames,

@@ -28,9 +28,11 @@ typedef struct {
 
 /* Judges every frame, on as many threads as there are processors. frames has room for
  * dump->frame_count. cuts: the planes that the board's clipper cuts by (reference/clipper.h).
- * by_bsp: the board drew in the order of the scene's BSP. twin (may be null) receives the pixels
- * of the reference renderer. Prints progress on stderr. Returns false where memory is short. */
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts, bool by_bsp,
-                  double distance, judge_frame *frames, judge_dump *twin);
+ * by_points: that clipper works from points rounded in the world. by_bsp: the board drew in the
+ * order of the scene's BSP. twin (may be null) receives the pixels of the reference renderer.
+ * Prints progress on stderr. Returns false where memory is short. */
+bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts,
+                  bool by_points, bool by_bsp, double distance, judge_frame *frames,
+                  judge_dump *twin);
 
 #endif

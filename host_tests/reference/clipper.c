@@ -9,24 +9,26 @@
 static const struct {
     const char *name;
     unsigned planes;
+    bool by_points;
 } clippers[] = {
-    {"view", REF_CUT_ALL},
-    {"world", REF_CUT_ALL},
-    {"normalised", REF_CUT_ALL},
-    {"once", REF_CUT_ALL},
-    {"half-spaces", REF_CUT_ALL},
+    {"view", REF_CUT_ALL, false},
+    {"world", REF_CUT_ALL, true},
+    {"normalised", REF_CUT_ALL, true},
+    {"once", REF_CUT_ALL, true},
+    {"half-spaces", REF_CUT_ALL, true},
     /* It clips to the borders of the screen, and so does the scan. */
-    {"triangles", DEPTHS},
-    {"near", DEPTHS},
-    {"near-box", DEPTHS},
-    {"left", DEPTHS | 1u << REF_PLANE_LEFT},
+    {"triangles", DEPTHS, false},
+    {"near", DEPTHS, false},
+    {"near-box", DEPTHS, false},
+    {"left", DEPTHS | 1u << REF_PLANE_LEFT, false},
 };
 
-bool ref_clipper_cuts(const char *name, unsigned *planes)
+bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points)
 {
     for (size_t i = 0; i < sizeof clippers / sizeof *clippers; i++) {
         if (strcmp(name, clippers[i].name) == 0) {
             *planes = clippers[i].planes;
+            *by_points = clippers[i].by_points;
             return true;
         }
     }

@@ -16,6 +16,6 @@
 #define REF_GUARD_PIXELS 3500
 
 /* Looks a clipper up by its name. Returns false where no clipper has that name. */
-bool ref_clipper_cuts(const char *name, unsigned *planes);
+bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points);
 
 #endif

@@ -2,12 +2,18 @@
 #include "reference/cull.h"
 
 #include "reference/camera.h"
+#include "reference/turn.h"
 
 __extension__ typedef __int128 wide;
 
 bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye)
 {
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    if (turn) {
+        const ref_lattice_point corner = ref_face_corner(scene, instance, face, 0);
+        return ref_turn_is_front(turn, &instance->centre, eye, face->normal, &corner);
+    }
     ref_lattice_point first = ref_face_vertex(scene, instance, face, 0);
     wide sum = (wide)face->normal[0] * ((int64_t)eye->x - first.x) +
                (wide)face->normal[1] * ((int64_t)eye->y - first.y) +
@@ -16,12 +22,19 @@ bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, con
 }
 
 void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
-                         ref_polygon *polygon)
+                         bool rounded, ref_polygon *polygon)
 {
+    const ref_turn *turn = rounded ? NULL : ref_turn_of(scene, instance);
     polygon->colour = face->material;
     polygon->count = face->count;
     for (int i = 0; i < face->count; i++) {
-        ref_lattice_point corner = ref_face_vertex(scene, instance, face, i);
-        polygon->vertices[i] = (ref_vertex){.position = ref_point_from_lattice(&corner)};
+        if (turn) {
+            const ref_lattice_point corner = ref_face_corner(scene, instance, face, i);
+            polygon->vertices[i] =
+                (ref_vertex){.position = ref_turn_point(turn, &instance->centre, &corner)};
+        } else {
+            const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, i);
+            polygon->vertices[i] = (ref_vertex){.position = ref_point_from_lattice(&vertex)};
+        }
     }
 }

@@ -7,7 +7,9 @@
 
 bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye);
+
+/* rounded: the points of a turned instance are rounded in the world. */
 void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
-                         ref_polygon *polygon);
+                         bool rounded, ref_polygon *polygon);
 
 #endif

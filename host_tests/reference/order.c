@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "reference/cull.h"
+#include "reference/turn.h"
 
 static ref_square square(int64_t value)
 {
@@ -26,13 +27,23 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
                                      const ref_instance *instance, const ref_face *face)
 {
+    const ref_turn *turn = ref_turn_of(scene, instance);
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
     int64_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
-        ref_lattice_point corner = ref_face_vertex(scene, instance, face, i);
+        ref_lattice_point corner = turn ? ref_face_corner(scene, instance, face, i)
+                                        : ref_face_vertex(scene, instance, face, i);
         widen(&low[0], &high[0], corner.x);
         widen(&low[1], &high[1], corner.y);
         widen(&low[2], &high[2], corner.z);
+    }
+    if (turn) {
+        ref_lattice_point at;
+        const int shift =
+            ref_turn_eye(turn, &instance->centre, eye, scene->models[instance->model].radius, &at);
+        return square(((low[0] + high[0]) >> shift) - 2 * (int64_t)at.x) +
+               square(((low[1] + high[1]) >> shift) - 2 * (int64_t)at.y) +
+               square(((low[2] + high[2]) >> shift) - 2 * (int64_t)at.z);
     }
     return square(low[0] + high[0] - 2 * (int64_t)eye->x) +
            square(low[1] + high[1] - 2 * (int64_t)eye->y) +
@@ -65,7 +76,7 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
         const ref_instance *instance = &scene->instances[i];
         ref_point centre = ref_point_from_lattice(&instance->centre);
         ref_sphere_distances distances = ref_sphere_measure(camera, frustum, &centre);
-        double radius = scene->models[instance->model].radius / REF_ONE;
+        double radius = ref_instance_radius(scene, instance) / REF_ONE;
         if (ref_sphere_planes(&distances, radius) != REF_SPHERE_OUTSIDE) {
             entries[count++] =
                 (ref_order_entry){ref_distance_squared(eye, &instance->centre), i, instance->layer};
@@ -93,7 +104,8 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                          uint32_t *left_out)
 {
     const ref_model *model = &scene->models[instance->model];
-    uint32_t count = 0, cluster = model->first_cluster, left = 0;
+    /* The clusters of a turned instance are not tested. */
+    uint32_t count = 0, cluster = ref_turn_of(scene, instance) ? 0 : model->first_cluster, left = 0;
     bool outside = false;
     *left_out = 0;
     for (uint32_t i = 0; i < model->face_count; i++) {

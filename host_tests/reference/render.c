@@ -14,6 +14,7 @@
 #include "reference/scan.h"
 #include "reference/submit_by_bsp.h"
 #include "reference/transform.h"
+#include "reference/turn.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
 {
@@ -103,7 +104,9 @@ static void count(ref_clip_result result, ref_counters *counters)
 /* Notes what the rounding of depths may make of the polygon, if it may change it. */
 static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, ref_drawn *drawn)
 {
-    double bound = ref_depth_bound(whole, &renderer->camera.position, &renderer->lens);
+    double bound =
+        ref_depth_bound(whole, &renderer->camera.position, &renderer->lens) +
+        ref_turn_depth_bound(renderer->scene, &renderer->scene->instances[drawn->instance]);
     if (ref_depth_is_in_doubt(&renderer->view_frustum, &renderer->camera, whole, bound)) {
         drawn->in_doubt = true;
         clip_and_project(renderer, whole, -bound, &drawn->least);
@@ -156,7 +159,13 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
     for (int i = 0; i < whole.count; i++) {
         whole.points[i] = ref_face_vertex(scene, instance, face, i);
     }
-    if (!ref_beam_light_split(scene, &whole, face->normal, &pieces)) {
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    int32_t normal[3];
+    memcpy(normal, face->normal, sizeof normal);
+    if (turn) {
+        ref_turn_normal(turn, face->normal, normal);
+    }
+    if (!ref_beam_light_split(scene, &whole, normal, &pieces)) {
         pieces.count = 1;
         pieces.pieces[0] = (ref_lit_piece){whole, false};
     }
@@ -179,12 +188,14 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
 {
     const ref_instance *instance = &renderer->scene->instances[instance_number];
     const ref_model *model = &renderer->scene->models[instance->model];
-    if (ref_beam_light_reaches(renderer->scene, &instance->centre, model->radius)) {
+    if (ref_beam_light_reaches(renderer->scene, &instance->centre,
+                               ref_instance_radius(renderer->scene, instance))) {
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
     ref_face_to_polygon(renderer->scene, instance,
-                        &renderer->scene->faces[model->first_face + face_number], &whole);
+                        &renderer->scene->faces[model->first_face + face_number],
+                        renderer->by_points, &whole);
     return ref_submit_polygon(renderer, &whole, instance_number, face_number, &renderer->counters);
 }
 

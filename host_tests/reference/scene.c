@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
+#include "reference/turn.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,12 +53,22 @@ ref_pose ref_pose_read(const uint8_t *bytes)
                       ref_u32(bytes + 20)};
 }
 
-ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
+ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner)
 {
     const ref_model *model = &scene->models[instance->model];
     uint32_t number = scene->indices[face->first_index + (uint32_t)corner];
-    ref_lattice_point vertex = scene->vertices[model->first_vertex + number];
+    return scene->vertices[model->first_vertex + number];
+}
+
+ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
+                                  const ref_face *face, int corner)
+{
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    ref_lattice_point vertex = ref_face_corner(scene, instance, face, corner);
+    if (turn) {
+        return ref_turn_rounded(turn, &instance->centre, &vertex);
+    }
     return (ref_lattice_point){instance->centre.x + vertex.x, instance->centre.y + vertex.y,
                                instance->centre.z + vertex.z};
 }

@@ -38,6 +38,12 @@ typedef struct {
     uint8_t layer;
 } ref_instance;
 
+/* How an instance is turned and scaled. */
+typedef struct {
+    int32_t rows[3][3]; /* 2.30: the world's axes as the model sees them */
+    int32_t scale;      /* 16.16 */
+} ref_turn;
+
 #define REF_BSP_NONE 65535u
 
 /* A node of the BSP (docs/extras/bsp.md), relative to the centre of the BSP's instance. */
@@ -78,6 +84,8 @@ typedef struct {
     uint8_t lit[256];      /* the colour of each colour in a beam */
     ref_cluster *clusters; /* null where there are none */
     uint32_t cluster_count;
+    ref_turn *turns; /* of the instances from first_turned on; null where there are none */
+    uint32_t first_turned;
 } ref_scene;
 
 typedef struct {
@@ -109,7 +117,11 @@ int32_t ref_i32(const uint8_t *bytes);
 /* Reads a pose of 24 bytes (position, yaw, pitch, roll), as here and in the frame dump. */
 ref_pose ref_pose_read(const uint8_t *bytes);
 
-/* Returns a vertex of a face in the world, exactly. */
+/* Returns a vertex of a face in the model. */
+ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_instance *instance,
+                                  const ref_face *face, int corner);
+
+/* Returns a vertex of a face in the world, exactly; of an instance that is turned, rounded once. */
 ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner);
 

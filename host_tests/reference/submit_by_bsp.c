@@ -42,9 +42,9 @@ static bool submit_leaf(const bsp_traversal *traversal, uint32_t node, bool behi
         }
         const ref_model *model =
             &traversal->scene->models[traversal->scene->instances[piece->instance].model];
-        ref_polygon polygon = {.colour =
-                                   traversal->scene->faces[model->first_face + piece->face].material,
-                               .count = piece->shape.count};
+        ref_polygon polygon = {
+            .colour = traversal->scene->faces[model->first_face + piece->face].material,
+            .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
@@ -88,7 +88,7 @@ static bool count_faces(ref_renderer *renderer, uint32_t number)
             continue;
         }
         ref_polygon polygon;
-        ref_face_to_polygon(renderer->scene, instance, face, &polygon);
+        ref_face_to_polygon(renderer->scene, instance, face, true, &polygon);
         if (!ref_submit_polygon(renderer, &polygon, number, REF_NO_FACE, &renderer->counters)) {
             return false;
         }

@@ -30,7 +30,8 @@ typedef struct {
 } options;
 
 typedef struct {
-    stages_tally sphere, clip, clip_world, transform, project, list, fill, cover, split, light;
+    stages_tally sphere, clip, clip_world, transform, project, list, fill, cover, split, light,
+        turn;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
@@ -45,11 +46,11 @@ static int fail(const char *where, const char *what)
 
 static tallies tallies_for(const char *input)
 {
-    return (tallies){stages_sphere_tally(input),     stages_clip_tally(input),
-                     stages_clip_world_tally(input), stages_transform_tally(input),
-                     stages_project_tally(input),    stages_list_tally(input),
-                     stages_fill_tally(input),       stages_cover_tally(input),
-                     stages_split_tally(input),      stages_light_tally(input)};
+    return (tallies){
+        stages_sphere_tally(input),    stages_clip_tally(input),    stages_clip_world_tally(input),
+        stages_transform_tally(input), stages_project_tally(input), stages_list_tally(input),
+        stages_fill_tally(input),      stages_cover_tally(input),   stages_split_tally(input),
+        stages_light_tally(input),     stages_turn_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -325,7 +326,9 @@ static void take_random(tallies *to, const options *wanted)
     stages_random lists = stages_random_start(wanted->seed, 4);
     stages_random spheres = stages_random_start(wanted->seed, 5);
     stages_random lights = stages_random_start(wanted->seed, 6);
+    stages_random turns = stages_random_start(wanted->seed, 7);
     for (uint64_t i = 0; i < wanted->samples; i++) {
+        stages_measure_turn(&to->turn, &turns);
         stages_measure_light(&to->light, &lights);
         take_random_polygon(to, &polygons);
         take_random_points(to, &points);
@@ -340,12 +343,13 @@ static void take_random(tallies *to, const options *wanted)
 
 static void print_tallies(const tallies *of, const char *end)
 {
-    const stages_tally *all[] = {&of->sphere,  &of->clip, &of->clip_world, &of->transform,
-                                 &of->project, &of->list, &of->fill,       &of->cover,
-                                 &of->split,   &of->light};
-    for (int i = 0; i < 10; i++) {
+    const stages_tally *all[] = {&of->sphere,  &of->clip,  &of->clip_world, &of->transform,
+                                 &of->project, &of->list,  &of->fill,       &of->cover,
+                                 &of->split,   &of->light, &of->turn};
+    const int count = (int)(sizeof all / sizeof *all);
+    for (int i = 0; i < count; i++) {
         stages_print(all[i]);
-        puts(i < 9 ? "," : end);
+        puts(i < count - 1 ? "," : end);
     }
 }
 

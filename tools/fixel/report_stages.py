@@ -6,7 +6,7 @@ from fixel import image, output
 from fixel.programs import HostPrograms
 from fixel.progress import Progress
 
-STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light")
+STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light", "turn")
 KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", "beyond_bound", "mismatched")
 # A stage gets one random sample for this many samples of the report.
 SAMPLES_PER = 50
