@@ -32,12 +32,8 @@ bool moving_reference_open(moving_reference *moving, const ref_scene_image *of,
     if (!of->motion_count) {
         return true;
     }
-    moving->image = malloc(size);
-    if (!moving->image || !reserve(moving)) {
-        return false;
-    }
-    memcpy(moving->image, bytes, size);
-    if (fxl_scene_open(moving->image, size, &opened, NULL) != FXL_OK) {
+    moving->moves = true;
+    if (!reserve(moving) || fxl_scene_open(bytes, size, &opened, NULL) != FXL_OK) {
         return false;
     }
     moving->moved = opened.scene;
@@ -49,7 +45,7 @@ bool moving_reference_open(moving_reference *moving, const ref_scene_image *of,
 
 void moving_reference_play(moving_reference *moving, uint32_t frame)
 {
-    if (!moving->image) {
+    if (!moving->moves) {
         return;
     }
     ref_scene *scene = &moving->scene;
@@ -67,12 +63,11 @@ void moving_reference_play(moving_reference *moving, uint32_t frame)
 
 void moving_reference_close(moving_reference *moving)
 {
-    if (moving->image && moving->instances) {
+    if (moving->moves) { /* else they are the image's */
         free(moving->scene.instances);
         free(moving->scene.turns);
     }
     free(moving->instances);
     free(moving->turns);
-    free(moving->image);
     memset(moving, 0, sizeof *moving);
 }

@@ -9,15 +9,16 @@
 
 typedef struct {
     ref_scene scene; /* that of the image, with instances and turns of its own */
-    uint8_t *image;  /* null: nothing moves, and the scene is that of the image */
+    bool moves;      /* false: the scene is that of the image */
     fxl_scene moved;
     fxl_instance *instances;
     fxl_turn *turns;
     fxl_motion_player player;
 } moving_reference;
 
-/* Makes a scene that moves of an image and its bytes, which may be freed then. Returns false where
- * memory is short, or where the library refuses the image; moving_reference_close is then due too. */
+/* Makes a scene that moves of an image and its bytes, aligned to four; both must outlive it.
+ * Returns false where memory is short, or where the library refuses the image;
+ * moving_reference_close is then due too. */
 bool moving_reference_open(moving_reference *moving, const ref_scene_image *of,
                            const uint8_t *bytes, size_t size);
 
