@@ -134,6 +134,8 @@ def summary(scene):
         "faces": sum(len(model.faces) for model in scene.models),
         "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
         "clusters": sum(len(model.clusters) for model in scene.models),
+        "turned_objects": len(scene.turns), "moving_objects": len(scene.motions),
+        "motion_keys": sum(len(motion.keys) for motion in scene.motions),
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
         "path": "poses" if scene.path_kind == image.POSES else "strides",
@@ -154,6 +156,9 @@ def info(file, as_json):
           f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")
     print(f"  models   {data['models']}: {data['vertices']:,} vertices, {data['faces']:,} faces "
           f"({data['faces_placed']:,} placed), {data['colours']} colours")
+    if data["turned_objects"]:
+        print(f"  turned   {data['turned_objects']} objects; {data['moving_objects']} of them move, by "
+              f"{data['motion_keys']:,} keys")
     if data["clusters"]:
         print(f"  clusters {data['clusters']:,} of faces")
     if data["tree_nodes"]:

@@ -1,24 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* What happens in the scene from frame to frame. A program links one act: the camera's path alone
- * (firmware/walk/act_path.c), or a game (firmware/game/act_game.c). */
+/* What happens in the scene from frame to frame. A program links one act: the scene's own path and
+ * motions (firmware/walk/act_path.c), or a game (firmware/game/act_game.c). */
 #ifndef WALK_ACT_H
 #define WALK_ACT_H
 
 #include "fixel/render.h"
 #include "path.h"
 
-/* Before the renderer is set up. *scene is then what it is to draw: the image's own scene, or
+/* Bytes of memory that the act wants for a scene: a multiple of 8. */
+uint32_t act_bytes(const fxl_scene_image *image);
+
+/* Before the renderer is set up. memory: act_bytes, aligned to 8, for as long as the program runs.
+ * *scene is then what the renderer is to draw: the image's own scene, which the act may change, or
  * another one of the act's. */
-fxl_status act_open(const fxl_scene_image *image, const fxl_scene **scene);
+fxl_status act_open(fxl_scene_image *image, void *memory, const fxl_scene **scene);
 
 /* After the renderer is set up, before the first frame. */
 fxl_status act_attach(fxl_renderer *renderer);
 
-/* Goes on to the next frame; path->viewer.pose is then the eye. held: the keys of a player, where
- * walk_path_wants_keys. */
-fxl_status act_step(walk_path *path, uint32_t held);
+/* Goes on to the next frame; path->viewer.pose is then the eye. frame: its number, from 0. held:
+ * the keys of a player, where walk_path_wants_keys. */
+fxl_status act_step(walk_path *path, uint32_t frame, uint32_t held);
 
 /* Draws over a band, which has the 3-D picture. */
 fxl_status act_draw_over(const fxl_band *band, const fxl_lens *lens);
+
+/* After the last band of a frame. */
+fxl_status act_end(fxl_renderer *renderer);
 
 #endif

@@ -1,11 +1,40 @@
 /* SPDX-License-Identifier: MIT */
-/* The act of the walk: nothing but the camera moves. */
+/* The act of the walk: the camera follows the scene's path, and what has a motion moves. */
 #include "act.h"
 
-fxl_status act_open(const fxl_scene_image *image, const fxl_scene **scene)
+#include "fixel/extra/motion.h"
+
+static fxl_motion_player motion;
+static bool moves;
+
+uint32_t act_bytes(const fxl_scene_image *image)
 {
-    *scene = &image->scene;
-    return FXL_OK;
+    const fxl_scene *scene = &image->scene;
+
+    if (image->motion.motion_count == 0) {
+        return 0;
+    }
+    return (scene->instance_count * (uint32_t)sizeof(fxl_instance) +
+            (scene->instance_count - scene->first_turned) * (uint32_t)sizeof(fxl_turn) + 7u) &
+           ~7u;
+}
+
+/* Motions move copies of the instances. */
+fxl_status act_open(fxl_scene_image *image, void *memory, const fxl_scene **scene)
+{
+    fxl_scene *of = &image->scene;
+    fxl_motion_memory copies;
+
+    *scene = of;
+    moves = image->motion.motion_count > 0;
+    if (!moves) {
+        return FXL_OK;
+    }
+    copies.instances = memory;
+    copies.instance_capacity = of->instance_count;
+    copies.turns = (fxl_turn *)(void *)(copies.instances + of->instance_count);
+    copies.turn_capacity = of->instance_count - of->first_turned;
+    return fxl_motion_begin(&motion, &image->motion, of, &copies);
 }
 
 fxl_status act_attach(fxl_renderer *renderer)
@@ -14,8 +43,11 @@ fxl_status act_attach(fxl_renderer *renderer)
     return FXL_OK;
 }
 
-fxl_status act_step(walk_path *path, uint32_t held)
+fxl_status act_step(walk_path *path, uint32_t frame, uint32_t held)
 {
+    if (moves) {
+        fxl_motion_play(&motion, frame);
+    }
     return walk_path_next(path, held);
 }
 
@@ -23,5 +55,11 @@ fxl_status act_draw_over(const fxl_band *band, const fxl_lens *lens)
 {
     (void)band;
     (void)lens;
+    return FXL_OK;
+}
+
+fxl_status act_end(fxl_renderer *renderer)
+{
+    (void)renderer;
     return FXL_OK;
 }

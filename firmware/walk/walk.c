@@ -121,21 +121,29 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-/* The first bytes of the list's memory are for what draws, the rest is the list. */
-static int share_list(const fxl_scene_image *image, uint32_t *beams)
+/* How the list's memory is shared: what the act wants, what beams want, then what the methods
+ * want; the rest is the list. In bytes, multiples of 8. */
+typedef struct {
+    uint32_t act, beams, taken;
+} shares;
+
+static int share_list(const fxl_scene_image *image, shares *of)
 {
     const fxl_scene *scene = &image->scene;
     const uint32_t room = WALK_LIST_BYTES / 8 * 8;
 
-    *beams = (fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u;
-    if (!walk_methods_choose(&methods, image, *beams < room ? room - *beams : 0)) {
+    of->act = act_bytes(image);
+    of->beams = (fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u;
+    of->taken = of->act + of->beams;
+    if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree; "
                     "VISIBILITY=sorted draws without\n");
         return SYSTEM_EXIT_CAPACITY;
     }
-    if (*beams > room || walk_methods_bytes(&methods) > room - *beams) {
-        print_with_number("walk: beams, clipper and visibility method need ",
-                          *beams + walk_methods_bytes(&methods), " bytes");
+    of->taken += walk_methods_bytes(&methods);
+    if (of->taken > room) {
+        print_with_number("walk: motions, beams, clipper and visibility method need ", of->taken,
+                          " bytes");
         print_with_number(", this board's display list has ", room, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
@@ -154,24 +162,25 @@ static uint32_t list_bytes(uint32_t taken)
 #endif
 }
 
-static int open_renderer(const fxl_scene_image *image)
+static int open_renderer(fxl_scene_image *image)
 {
+    uint8_t *const bytes = (uint8_t *)list;
     const fxl_scene *scene;
-    uint32_t beams, taken;
-    fxl_status status = act_open(image, &scene);
-    int code = share_list(image, &beams);
+    shares of;
+    fxl_status status;
+    int code = share_list(image, &of);
 
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
+    status = act_open(image, list, &scene);
     if (status != FXL_OK) {
         return fail_status("scene", status, SYSTEM_EXIT_RENDER);
     }
-    taken = beams + walk_methods_bytes(&methods);
     const fxl_memory memory = {.order = order,
                                .order_capacity = WALK_ORDER_ENTRIES,
-                               .display_list = taken > 0 ? list + taken / 4 : list,
-                               .display_list_capacity = list_bytes(taken) / 4,
+                               .display_list = of.taken > 0 ? list + of.taken / 4 : list,
+                               .display_list_capacity = list_bytes(of.taken) / 4,
                                .cache = cache,
                                .cache_capacity = WALK_CACHE_ENTRIES};
     status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
@@ -181,11 +190,11 @@ static int open_renderer(const fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer, (uint8_t *)list + beams);
+        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.beams);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
-                                        list, beams);
+                                        bytes + of.act, of.beams);
     }
     if (status == FXL_OK) {
         status = act_attach(&renderer);
@@ -234,10 +243,13 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
 static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
-    fxl_status status = act_step(path, held);
     stopwatch watch = {0, 0, false};
+    fxl_status status;
     int code;
 
+    stopwatch_start(&watch);
+    status = act_step(path, frame, held);
+    stopwatch_stop(&watch);
     if (status != FXL_OK) {
         return fail_status("step", status, SYSTEM_EXIT_INPUT);
     }
@@ -251,6 +263,10 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
         return fail_status("frame", status, SYSTEM_EXIT_RENDER);
     }
     code = draw_bands(image, frame, &watch);
+    status = act_end(&renderer);
+    if (code == SYSTEM_EXIT_DONE && status != FXL_OK) {
+        return fail_status("end", status, SYSTEM_EXIT_RENDER);
+    }
     if (code == SYSTEM_EXIT_DONE && walk_methods_unsplit(&methods, &renderer) > 0) {
         return fail_frame("the display list's memory is too small to cut what moves among the tree",
                           frame, SYSTEM_EXIT_CAPACITY);

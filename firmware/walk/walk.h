@@ -6,7 +6,8 @@
 /* Opens the board's scene, draws the frames that system.h asks for, and prints the end marker
  * "walk: done N frames". Requires that system_start was called. Returns a SYSTEM_EXIT_... code.
  * Unless it is SYSTEM_EXIT_DONE, a sentence was printed before. Memory: WALK_BAND_BYTES for
- * pixels and WALK_ORDER_ENTRIES for the order of drawing. The board's board.mk sets both. */
+ * pixels, WALK_ORDER_ENTRIES for the order of drawing, and WALK_LIST_BYTES, of which beams and
+ * motions take what they need. The board's board.mk sets both. */
 int walk(void);
 
 #endif

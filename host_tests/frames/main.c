@@ -128,6 +128,7 @@ static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32
     walk_path_begin(&path, &run->image, false);
     for (uint32_t i = 0; i < frames; i++) {
         fxl_status status = walk_path_next(&path, 0);
+        session_play(run, i);
         if (status == FXL_OK) {
             status = session_draw(run, &path.viewer.pose, wanted->rows, run->image.background,
                                   pixels);

@@ -24,7 +24,22 @@ const char *session_open(session *run, const char *path)
         return "it cannot be read";
     }
     fxl_status status = fxl_scene_open(bytes, size, &run->image, NULL);
+    if (status == FXL_OK && run->image.motion.motion_count > 0) {
+        fxl_scene *scene = &run->image.scene;
+        const uint32_t turned = scene->instance_count - scene->first_turned;
+        const fxl_motion_memory memory = {
+            session_memory(scene->instance_count * sizeof(fxl_instance)), scene->instance_count,
+            session_memory(turned * sizeof(fxl_turn)), turned};
+        status = fxl_motion_begin(&run->motion, &run->image.motion, scene, &memory);
+    }
     return status == FXL_OK ? NULL : fxl_status_text(status);
+}
+
+void session_play(const session *run, uint32_t frame)
+{
+    if (run->image.motion.motion_count > 0) {
+        fxl_motion_play(&run->motion, frame);
+    }
 }
 
 uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility)
@@ -49,8 +64,8 @@ void session_reserve(session *run, const session_settings *most)
                                most->display_list_words,
                                session_memory(most->cache_entries * sizeof(fxl_cached_vertex)),
                                most->cache_entries};
-    run->workspace = session_memory(session_submit_bytes(run, most->visibility) +
-                                    (size_t)most->raster_bytes);
+    run->workspace =
+        session_memory(session_submit_bytes(run, most->visibility) + (size_t)most->raster_bytes);
     run->pieces = session_memory(most->pieces_bytes);
     run->beam_light = session_memory(beam_light_bytes(scene));
 }
@@ -74,9 +89,9 @@ fxl_status session_set_up(session *run, const session_settings *settings)
                                           sizeof run->clipper_workspace);
     }
     if (status == FXL_OK) {
-        status = fxl_renderer_set_visibility(
-            renderer, settings->visibility, run->workspace,
-            session_submit_bytes(run, settings->visibility) + settings->raster_bytes);
+        status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,
+                                             session_submit_bytes(run, settings->visibility) +
+                                                 settings->raster_bytes);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,

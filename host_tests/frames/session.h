@@ -17,6 +17,7 @@ typedef struct {
 
 typedef struct {
     fxl_scene_image image;
+    fxl_motion_player motion; /* if the image has motions */
     fxl_renderer renderer;
     fxl_clipper_workspace clipper_workspace;
     fxl_memory memory;
@@ -26,9 +27,12 @@ typedef struct {
 /* Zeroed memory that lives until the program ends. Without memory, the program ends with 2. */
 void *session_memory(size_t size);
 
-/* Reads and opens a scene image, which stays open until the program ends. Null, or what is
- * wrong. */
+/* Reads and opens a scene image, which stays open until the program ends; what moves is as in
+ * frame 0. Null, or what is wrong. */
 const char *session_open(session *run, const char *path);
+
+/* Moves what moves to where it is in a frame. */
+void session_play(const session *run, uint32_t frame);
 
 /* Allocates the memory of a renderer that is set up with these settings or smaller ones, and
  * with any visibility method if the settings name a method by BSP tree. */

@@ -27,6 +27,8 @@ typedef struct {
 
 typedef struct {
     ref_scene_image image;
+    uint8_t *bytes; /* of the image */
+    size_t size;
     judge_dump dump, twin;
     judge_frame *frames;
     judge_walk walk;
@@ -185,13 +187,11 @@ static bool parse_options(int count, char **arguments, options *wanted)
 /* Returns 0, or 2 after it said why. */
 static int open_inputs(const options *wanted, session *run)
 {
-    size_t size;
-    uint8_t *bytes = read_file(wanted->scene, &size);
-    if (!bytes) {
+    run->bytes = read_file(wanted->scene, &run->size);
+    if (!run->bytes) {
         return fail("%s: it cannot be read", wanted->scene);
     }
-    const char *wrong = ref_scene_open(bytes, size, &run->image);
-    free(bytes);
+    const char *wrong = ref_scene_open(run->bytes, run->size, &run->image);
     if (wrong) {
         return fail("%s: %s", wanted->scene, wrong);
     }
@@ -219,11 +219,13 @@ static int judge(const options *wanted, session *run)
     if (code != 0) {
         return code;
     }
+    const judge_scene scene = {&run->image, run->bytes, run->size};
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        !judge_frames(&run->image, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
+        !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
                       wanted->distance, run->frames, wanted->twin ? &run->twin : NULL)) {
-        return fail("there is not enough memory to judge %s", wanted->dump);
+        return fail("there is not enough memory to judge %s, or the library refuses its scene",
+                    wanted->dump);
     }
     if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
         return fail("%s: it cannot be written", wanted->twin);
@@ -245,6 +247,7 @@ int main(int count, char **arguments)
     session run = {0};
     int code = judge(&wanted, &run);
     free(run.frames);
+    free(run.bytes);
     judge_dump_close(&run.twin);
     judge_dump_close(&run.dump);
     ref_scene_close(&run.image);

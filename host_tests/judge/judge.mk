@@ -9,8 +9,10 @@ $(BUILD)/host/objects/judge/%.o: host_tests/judge/%.c
 	@mkdir -p $(@D)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -pthread \
-	    -Ihost_tests -MMD -MP -c $< -o $@
+	    -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 
-$(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o $(BUILD)/host/libreference.a $(BUILD)/host/liboracle.a
+$(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o \
+        $(BUILD)/host/objects/frames/moving_reference.o $(BUILD)/host/libreference.a \
+        $(BUILD)/host/liboracle.a $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) -pthread $^ -lm -o $@

@@ -8,6 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "frames/moving_reference.h"
 #include "judge/explain.h"
 #include "oracle/tie.h"
 #include "reference/fill.h"
@@ -20,7 +21,8 @@ enum {
 /* What the threads share. Each takes the next frame under the lock. It writes only to that
  * frame's place in frames and twin. */
 typedef struct {
-    const ref_scene_image *image;
+    const judge_scene *scene;
+    const ref_scene_image *image; /* the scene's */
     const judge_dump *dump;
     unsigned cuts;
     bool by_points;
@@ -191,9 +193,11 @@ static void *run_worker(void *argument)
     job *work = argument;
     size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
     ref_renderer renderer;
+    moving_reference moving; /* each thread's own: it is at the thread's frame */
     uint8_t *pixels = malloc(area);
-    bool ready = ref_renderer_init(&renderer, &work->image->scene, &work->image->lens);
-    bool sound = pixels && ready;
+    bool moves = moving_reference_open(&moving, work->image, work->scene->bytes, work->scene->size);
+    bool ready = ref_renderer_init(&renderer, &moving.scene, &work->image->lens);
+    bool sound = pixels && ready && moves;
     renderer.cuts = work->cuts;
     renderer.by_points = work->by_points;
     renderer.by_bsp = work->by_bsp;
@@ -202,6 +206,7 @@ static void *run_worker(void *argument)
     while (sound && !work->failed && work->next < work->dump->frame_count) {
         uint32_t number = work->next++;
         pthread_mutex_unlock(&work->lock);
+        moving_reference_play(&moving, number);
         sound = judge_one(work, &renderer, pixels, number);
         pthread_mutex_lock(&work->lock);
         work->done++;
@@ -212,15 +217,16 @@ static void *run_worker(void *argument)
     if (ready) {
         ref_renderer_close(&renderer);
     }
+    moving_reference_close(&moving);
     free(pixels);
     return NULL;
 }
 
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts,
-                  bool by_points, bool by_bsp, double distance, judge_frame *frames,
-                  judge_dump *twin)
+bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
+                  bool by_bsp, double distance, judge_frame *frames, judge_dump *twin)
 {
-    job work = {.image = image,
+    job work = {.scene = scene,
+                .image = scene->image,
                 .dump = dump,
                 .cuts = cuts,
                 .by_points = by_points,

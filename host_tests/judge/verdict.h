@@ -26,13 +26,20 @@ typedef struct {
     judge_sample samples[JUDGE_SAMPLES_MAX]; /* the first unexplained pixels */
 } judge_frame;
 
+/* A scene: the image, and the bytes that it was read from. */
+typedef struct {
+    const ref_scene_image *image;
+    const uint8_t *bytes;
+    size_t size;
+} judge_scene;
+
 /* Judges every frame, on as many threads as there are processors. frames has room for
  * dump->frame_count. cuts: the planes that the board's clipper cuts by (reference/clipper.h).
  * by_points: that clipper works from points rounded in the world. by_bsp: the board drew in the
  * order of the scene's BSP. twin (may be null) receives the pixels of the reference renderer.
- * Prints progress on stderr. Returns false where memory is short. */
-bool judge_frames(const ref_scene_image *image, const judge_dump *dump, unsigned cuts,
-                  bool by_points, bool by_bsp, double distance, judge_frame *frames,
-                  judge_dump *twin);
+ * Prints progress on stderr. Returns false where memory is short, or where the library
+ * refuses a scene in which something moves. */
+bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
+                  bool by_bsp, double distance, judge_frame *frames, judge_dump *twin);
 
 #endif

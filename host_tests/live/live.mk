@@ -7,9 +7,9 @@ HOST_TOOLS += $(BUILD)/host/live
 $(BUILD)/host/objects/live/%.o: host_tests/live/%.c
 	@mkdir -p $(@D)
 	$(HOST_SAY)
-	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -MMD -MP -c $< -o $@
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 
 $(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o \
-    $(BUILD)/host/libreference.a
+    $(BUILD)/host/objects/frames/moving_reference.o $(BUILD)/host/libreference.a $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@

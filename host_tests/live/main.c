@@ -2,10 +2,11 @@
 /* live SCENE.fxls [--clipper NAME] [--hidden NAME]
  *
  * Draws with the reference renderer, pose by pose. A request on standard
- * input is 32 bytes, an answer on standard output a head of 16 bytes and what
+ * input is 36 bytes, an answer on standard output a head of 16 bytes and what
  * the request asked for; all little-endian, as in docs/formats.md, section 1:
  *
- *   request  bytes A S K S; u8 wants (1 frame, 2 outlines); u8 x 3, 0; pose
+ *   request  bytes A S K S; u8 wants (1 frame, 2 outlines); u8 x 3, 0; pose; u32
+ *            number of the frame, which says where things are that move
  *   answer   bytes T W I N; u32 number of the request, from 0; u32 bytes of the
  *            frame (0 or width x height); u32 bytes of the outlines; the frame,
  *            rows downward; the outlines in the order of drawing: u16 points,
@@ -17,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "frames/moving_reference.h"
 #include "frames/read_file.h"
 #include "reference/clipper.h"
 #include "reference/render.h"
@@ -24,15 +26,18 @@
 #include "reference/fill.h"
 
 enum {
-    REQUEST_SIZE = 32,
+    REQUEST_SIZE = 36,
     ANSWER_HEAD = 16,
     POSE_AT = 8,
+    FRAME_AT = 32,
     WANT_FRAME = 1,
     WANT_OUTLINES = 2
 };
 
 typedef struct {
     ref_scene_image image;
+    uint8_t *bytes; /* of the image */
+    moving_reference moving;
     ref_renderer renderer;
     uint8_t *frame;
     uint8_t *outlines;
@@ -120,6 +125,7 @@ static int answer(session *run, uint32_t number, const uint8_t *request)
     }
     const ref_pose pose = ref_pose_read(request + POSE_AT);
     size_t frame_size = 0, outline_size = 0;
+    moving_reference_play(&run->moving, ref_u32(request + FRAME_AT));
     if (!ref_frame_begin(&run->renderer, &pose) ||
         ((wants & WANT_OUTLINES) != 0 && !collect_outlines(run, &outline_size))) {
         return fail("a frame", "there is not enough memory");
@@ -164,12 +170,15 @@ static int open_scene(const char *path, session *run)
         return fail(path, "it cannot be read");
     }
     const char *wrong = ref_scene_open(bytes, size, &run->image);
-    free(bytes);
+    if (!wrong && !moving_reference_open(&run->moving, &run->image, bytes, size)) {
+        wrong = "there is not enough memory for it, or the library refuses it";
+    }
+    run->bytes = bytes;
     if (wrong) {
         return fail(path, wrong);
     }
     run->frame = malloc((size_t)run->image.lens.width * (size_t)run->image.lens.height);
-    if (!run->frame || !ref_renderer_init(&run->renderer, &run->image.scene, &run->image.lens)) {
+    if (!run->frame || !ref_renderer_init(&run->renderer, &run->moving.scene, &run->image.lens)) {
         return fail(path, "there is not enough memory for it");
     }
     return 0;
@@ -202,7 +211,9 @@ int main(int count, char **arguments)
         code = serve(&run);
     }
     ref_renderer_close(&run.renderer);
+    moving_reference_close(&run.moving);
     ref_scene_close(&run.image);
+    free(run.bytes);
     free(run.frame);
     free(run.outlines);
     return code;

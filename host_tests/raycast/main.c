@@ -75,9 +75,12 @@ static void *shared(size_t size)
 static void judge_share(const work *w, uint32_t worker, uint32_t workers, int done)
 {
     size_t size = (size_t)w->s->width * w->s->height;
+    scene own = *w->s; /* of this process */
     for (uint32_t i = worker; i < w->judged; i += workers) {
         uint8_t *pixels = w->pixels ? w->pixels + i * size : NULL;
-        judge_frame(w->s, &w->d->frames[i * w->every], &w->verdicts[i], pixels);
+        if (own.moves)
+            scene_play(&own, w->d->frames[i * w->every].number);
+        judge_frame(&own, &w->d->frames[i * w->every], &w->verdicts[i], pixels);
         if (write(done, "", 1) != 1)
             _exit(1);
     }

@@ -2,6 +2,7 @@
 #include "scene_file.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "file.h"
@@ -9,12 +10,16 @@
 enum {
     HEADER = 160,
     CLUSTER_HEADER = 184,
+    TURN_HEADER = 208,
     BEAM_COUNT = 164,
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
     MODEL = 28,
-    INSTANCE = 16
+    INSTANCE = 16,
+    TURN = 40,
+    MOTION = 76,
+    KEY = 32
 };
 
 typedef struct {
@@ -22,10 +27,11 @@ typedef struct {
     uint32_t count;
 } table;
 
-typedef struct {
+typedef struct reader {
     const char *path;
     file_block image;
     table vertices, corners, faces, models, instances;
+    play_tables play;
 } reader;
 
 static double q16(const uint8_t *at)
@@ -55,6 +61,24 @@ static const uint8_t *entry_of(const reader *r, table t, uint64_t index, uint32_
     return t.at + index * size;
 }
 
+/* Of an image of version 5: its turns, and its motions if it has some. */
+static void open_turns(reader *r)
+{
+    const table turns = table_at(r, CLUSTER_HEADER, TURN, "turns");
+    r->play.turns = turns.at;
+    r->play.turn_count = turns.count;
+    if (get_u32(r->image.bytes + CLUSTER_HEADER + 12) > 0) {
+        const table motions = table_at(r, CLUSTER_HEADER + 8, MOTION, "motions");
+        const table keys = table_at(r, CLUSTER_HEADER + 16, KEY, "keys");
+        r->play.motions = motions.at;
+        r->play.motion_count = motions.count;
+        r->play.keys = keys.at;
+        r->play.key_count = keys.count;
+    }
+    if (turns.count > r->instances.count || r->play.motion_count > turns.count)
+        unusable("%s: more turns than instances, or more motions than turns", r->path);
+}
+
 static void open_image(reader *r, const char *path)
 {
     r->path = path;
@@ -64,7 +88,9 @@ static void open_image(reader *r, const char *path)
         unusable("%s: not a scene image", path);
     uint16_t version = get_u16(bytes + 4), header = get_u16(bytes + 6);
     if (!((version == 2 || version == 3) && header == HEADER) &&
-        !(version == 4 && header == CLUSTER_HEADER && get_u32(bytes + BEAM_COUNT) == 0))
+        !(version == 4 && header == CLUSTER_HEADER && get_u32(bytes + BEAM_COUNT) == 0) &&
+        !(version == 5 && header == TURN_HEADER && r->image.size >= TURN_HEADER &&
+          get_u32(bytes + BEAM_COUNT) == 0))
         unusable("%s: this version of the scene image is not known", path);
     uint32_t size = get_u32(bytes + 8);
     if (size < HEADER || size > r->image.size)
@@ -77,6 +103,10 @@ static void open_image(reader *r, const char *path)
     r->faces = table_at(r, 104, FACE, "faces");
     r->models = table_at(r, 112, MODEL, "models");
     r->instances = table_at(r, 120, INSTANCE, "instances");
+    r->play.instances = r->instances.at;
+    r->play.instance_count = r->instances.count;
+    if (version == 5)
+        open_turns(r);
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *instance)
@@ -84,7 +114,7 @@ static const uint8_t *model_of(const reader *r, const uint8_t *instance)
     return entry_of(r, r->models, get_u16(instance + 12), MODEL, "model");
 }
 
-static void add_face(const reader *r, const uint8_t *instance, const uint8_t *model,
+static void add_face(const reader *r, const placing *place, const uint8_t *model,
                      const uint8_t *face, world *w)
 {
     world_polygon *polygon = &w->polygons[w->polygon_count++];
@@ -96,14 +126,16 @@ static void add_face(const reader *r, const uint8_t *instance, const uint8_t *mo
         uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
         vertex += get_u32(model);
         const uint8_t *at = entry_of(r, r->vertices, vertex, VERTEX, "vertex");
-        w->corners[w->corner_count++] = vector_plus(point_at(instance), point_at(at));
+        w->corners[w->corner_count++] = placing_point(place, point_at(at));
     }
 }
 
 /* Counts faces and vertices first, so that each array is allocated once. */
-static world world_of(const reader *r)
+static world world_of(const reader *r, uint32_t frame)
 {
     world w = {0};
+    placing *places = allocate(r->instances.count, sizeof *places);
+    play_frame(&r->play, frame, places);
     uint64_t faces = 0, corners = 0;
     for (int pass = 0; pass < 2; pass++) {
         for (uint32_t o = 0; o < r->instances.count; o++) {
@@ -113,7 +145,7 @@ static world world_of(const reader *r)
                 uint64_t number = (uint64_t)get_u32(model + 8) + f;
                 const uint8_t *face = entry_of(r, r->faces, number, FACE, "face");
                 if (pass == 1)
-                    add_face(r, instance, model, face, &w);
+                    add_face(r, &places[o], model, face, &w);
                 faces++;
                 corners += face[16];
             }
@@ -125,14 +157,24 @@ static world world_of(const reader *r)
             w.corners = allocate(corners, sizeof *w.corners);
         }
     }
+    free(places);
+    world_prepare(&w);
     return w;
+}
+
+void scene_play(scene *s, uint32_t frame)
+{
+    free(s->world.polygons);
+    free(s->world.corners);
+    free(s->world.nodes);
+    s->world = world_of(s->image, frame);
 }
 
 scene scene_read(const char *path)
 {
-    reader r;
-    open_image(&r, path);
-    const uint8_t *bytes = r.image.bytes;
+    reader *r = allocate(1, sizeof *r);
+    open_image(r, path);
+    const uint8_t *bytes = r->image.bytes;
     double turn = get_u32(bytes + 20) / 4294967296.0;
     double inset = q16(bytes + 32);
     scene s = {
@@ -147,7 +189,8 @@ scene scene_read(const char *path)
     s.focal = s.width / 2.0 / tan(turn * acos(-1.0));
     if (s.width == 0 || s.height == 0 || !(s.focal > 0) || !(s.near > 0) || !(s.far > s.near))
         unusable("%s: its screen or its depths make no sense", path);
-    s.world = world_of(&r);
-    world_prepare(&s.world);
+    s.image = r;
+    s.moves = r->play.motion_count > 0;
+    s.world = world_of(r, 0);
     return s;
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene image (docs/formats.md, section 1) as the polygons of a world. */
+/* A scene image (docs/formats.md, section 1) as the polygons of a world, in any frame. */
 #ifndef RAYCAST_SCENE_FILE_H
 #define RAYCAST_SCENE_FILE_H
 
+#include "play.h"
 #include "world.h"
 
 typedef struct {
@@ -11,9 +12,14 @@ typedef struct {
     double near, far; /* the visible depths, with the inset taken off */
     uint8_t background;
     world world;
+    struct reader *image; /* of which scene_play makes the world anew */
+    bool moves;
 } scene;
 
 /* Reads a scene image. Does not return if the image is unusable. */
 scene scene_read(const char *path);
+
+/* Makes the world of a frame. */
+void scene_play(scene *s, uint32_t frame);
 
 #endif

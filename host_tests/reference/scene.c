@@ -185,6 +185,9 @@ static bool geometry_is_sound(const ref_scene *scene)
         if (instance->model >= scene->model_count || !inside_world(&instance->centre)) {
             return false;
         }
+        if (scene->turns && i >= scene->first_turned) {
+            continue; /* the library's loader checks where its sphere is */
+        }
         const ref_model *model = &scene->models[instance->model];
         for (uint32_t v = 0; v < model->vertex_count; v++) {
             ref_lattice_point p = scene->vertices[model->first_vertex + v];
@@ -194,6 +197,31 @@ static bool geometry_is_sound(const ref_scene *scene)
                 return false;
             }
         }
+    }
+    return true;
+}
+
+/* Reads the turns of an image of version 5. Returns true also where there are none. */
+static bool read_turns(const uint8_t *bytes, size_t size, ref_scene_image *image)
+{
+    ref_scene *scene = &image->scene;
+    uint32_t count;
+    if (ref_u16(bytes + 4) < 5) {
+        return true;
+    }
+    const uint8_t *turns = table_at(bytes, size, 184, 40, scene->instance_count, &count);
+    image->motion_count = ref_u32(bytes + 196);
+    scene->turns = turns ? calloc(count, sizeof *scene->turns) : NULL;
+    if (!scene->turns || image->motion_count > count) {
+        return false;
+    }
+    scene->first_turned = scene->instance_count - count;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint8_t *p = turns + 40 * (size_t)i;
+        for (int k = 0; k < 9; k++) {
+            scene->turns[i].rows[k / 3][k % 3] = ref_i32(p + 4 * k);
+        }
+        scene->turns[i].scale = ref_i32(p + 36);
     }
     return true;
 }
@@ -295,7 +323,7 @@ static bool clusters_are_sound(const ref_scene *scene, const ref_model *model)
 /* Reads the clusters. Returns true also where there are none. */
 static bool read_clusters(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
-    if (ref_u16(bytes + 6) == 184) {
+    if (ref_u16(bytes + 6) >= 184 && (ref_u16(bytes + 4) == 4 || ref_u32(bytes + 180) > 0)) {
         const uint8_t *clusters = table_at(bytes, size, 176, 48, 65535, &scene->cluster_count);
         scene->clusters = clusters ? calloc(scene->cluster_count, sizeof *scene->clusters) : NULL;
         for (uint32_t i = 0; scene->clusters && i < scene->cluster_count; i++) {
@@ -337,8 +365,8 @@ static void beam_read(const uint8_t *bytes, ref_beam *beam)
 
 static bool read_beams(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
-    /* With clusters the header has the fields of beams also where there are none. */
-    if (ref_u16(bytes + 6) == 160 || (ref_u16(bytes + 6) == 184 && ref_u32(bytes + 164) == 0)) {
+    /* With clusters or turns the header has the fields of beams also where there are none. */
+    if (ref_u16(bytes + 6) == 160 || (ref_u16(bytes + 6) >= 184 && ref_u32(bytes + 164) == 0)) {
         return true;
     }
     const uint8_t *beams = table_at(bytes, size, 160, 176, 4, &scene->beam_count);
@@ -364,7 +392,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "it is not a scene image (no FXLS at its start)";
     }
     uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
-    if (version < 2 || version > 4 || (header != 160 && header != 176 && header != 184)) {
+    if (version < 2 || version > 5 || header != (version == 5 ? 208 : header == 176 || header == 184 ? header : 160)) {
         return "this version of the scene image is not known";
     }
     uint32_t stated = ref_u32(bytes + 8);
@@ -388,7 +416,8 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "the scene image's palette is not usable";
     }
     memcpy(image->palette, palette, sizeof image->palette);
-    if (!read_geometry(bytes, stated, &image->scene) || !geometry_is_sound(&image->scene)) {
+    if (!read_geometry(bytes, stated, &image->scene) || !read_turns(bytes, stated, image) ||
+        !geometry_is_sound(&image->scene)) {
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";
     }

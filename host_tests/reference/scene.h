@@ -98,6 +98,7 @@ typedef struct {
     ref_pose *poses;            /* null where the path is segments */
     ref_path_segment *segments; /* null where the path is poses */
     uint32_t path_count, frame_count;
+    uint32_t motion_count; /* instances that move; the reference draws them as in frame 0 */
 } ref_scene_image;
 
 /* Reads an image. Returns null, or one sentence that says what is wrong; *image then holds

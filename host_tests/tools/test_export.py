@@ -17,10 +17,11 @@ CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]
 COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11"], ["g++", "-std=c++11", "-Wold-style-cast"],
              ["g++", "-std=c++20", "-Wold-style-cast"], ["clang++", "-std=c++11", "-Wold-style-cast"]]
-# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters.
+# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; turns and motions.
 SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
-          "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None)}
+          "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
+          "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None)}
 
 
 @functools.cache
@@ -85,6 +86,17 @@ int main(int argc, char **argv)
     TABLE(models, model_count) TABLE(instances, instance_count) TABLE(face_bounds, face_bounds_count)
     TABLE(bsp_nodes, bsp_node_count) TABLE(beams, beam_count) TABLE(clusters, cluster_count)
     if (scene->cluster_code != image.scene.cluster_code) { return 7; }
+    if (scene->turn_code != image.scene.turn_code || scene->first_turned != image.scene.first_turned) { return 8; }
+    if (scene->turns != NULL) { compare("turns", scene->turns, image.scene.turns,
+        (scene->instance_count - scene->first_turned) * sizeof *scene->turns); }
+#ifdef MOTION
+    const fxl_motion_set *set = &OF(_motion);
+    if (set->motion_count != image.motion.motion_count || set->key_count != image.motion.key_count) { return 9; }
+    compare("motions", set->motions, image.motion.motions, set->motion_count * sizeof *set->motions);
+    compare("motion keys", set->keys, image.motion.keys, set->key_count * sizeof *set->keys);
+#else
+    if (image.motion.motion_count != 0) { return 10; }
+#endif
     compare("lit", scene->lit, image.scene.lit, 256);
     if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
     compare("palette", OF(_palette), image.palette, sizeof OF(_palette));
@@ -106,7 +118,8 @@ int main(int argc, char **argv)
 
 def test_a_header_holds_what_the_image_holds(exported):
     path = [f"-DPATH={exported.name.upper()}_FRAMES"] if exported.frames else []
-    program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path)
+    motion = ["-DMOTION"] if exported.scene.motions else []
+    program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path, *motion)
     done = subprocess.run([program, exported.folder / "scene.fxls"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, "")
 

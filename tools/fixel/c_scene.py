@@ -4,6 +4,7 @@
 The header says everything that a check of the scene would compute, so a program that draws the
 scene links no check."""
 
+import itertools
 import re
 
 from fixel import c_text, image, image_beam, image_keys, memory_needed
@@ -97,6 +98,9 @@ class _Tables:
             made.append(self._table("fxl_cluster", "clusters", self.clusters,
                                     "Centre and radius of the sphere; axis, cutoff and apex of the cone; faces, "
                                     "reserved."))
+        if self.scene.turns:
+            made.append(self._table("fxl_turn", "turns", list(map(_turn, self.scene.turns)),
+                                    "Of the last instances: the rows of the orientation in 2.30, scale in 16.16."))
         if self.scene.beams:
             made += [self._table("fxl_beam", "beams", list(map(_beam, self.scene.beams)),
                                  "Point or direction, kind, count of planes, reserved; each plane's normal "
@@ -122,9 +126,48 @@ class _Tables:
             rows(scene.beams, "beams", len(scene.beams)),
             rows(scene.beams, "lit"),
             rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
+            rows(scene.turns, "turns", len(scene.objects) - len(scene.turns) if scene.turns else 0,
+                 "&fxl_turned_instances" if scene.turns else "NULL"),
         ]
         return "\n".join([f"static const fxl_scene {name}_scene = {{",
                           ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])
+
+
+def _turn(turn):
+    return braces(braces(*(braces(*turn.rows[i:i + 3]) for i in (0, 3, 6))), turn.scale)
+
+
+def _hex(angle):
+    return f"0x{angle:08X}u"
+
+
+def _motion(motion, first_key):
+    return braces(*map(_hex, motion.steps), braces(*motion.axis), *map(_hex, motion.spin), motion.radius,
+                  *map(_hex, motion.circle), braces(*motion.extent), *motion.scales, first_key, len(motion.keys),
+                  motion.parent, motion.repeats, 0)
+
+
+def _key(key):
+    return braces(key.frame, braces(*key.centre), *map(_hex, key.angles), key.scale)
+
+
+def _motions(scene, name):
+    """The motions, for fxl_motion_begin, and how much memory they want."""
+    if not scene.motions:
+        return []
+    keys = [key for motion in scene.motions for key in motion.keys]
+    firsts = itertools.accumulate((len(motion.keys) for motion in scene.motions), initial=0)
+    return [
+        table("fxl_motion", f"{name}_motions", list(map(_motion, scene.motions, firsts)),
+              "Steps of yaw, pitch and roll; axis, start and step of the spin; radius, start and step of the circle; "
+              "extent; least and largest scale; first key, keys, parent, whether it repeats, reserved."),
+        table("fxl_motion_key", f"{name}_motion_keys", list(map(_key, keys)),
+              "Frame, centre, yaw, pitch, roll, scale."),
+        "\n".join([*comment("For fxl_motion_begin, with a copy of the scene, and as many instances and turns of memory."),
+                   f"#define {name.upper()}_INSTANCES {len(scene.objects)}",
+                   f"#define {name.upper()}_TURNS     {len(scene.turns)}",
+                   f"static const fxl_motion_set {name}_motion = {{",
+                   f"{c_text.INDENT}{name}_motions, {len(scene.motions)}, {name}_motion_keys, {len(keys)}", "};", ""])]
 
 
 def _node(node):
@@ -145,7 +188,7 @@ def _beam(beam):
 
 def _pose(pose):
     position, angles = pose[:3], pose[3:]
-    return braces(braces(*position), *(f"0x{angle:08X}u" for angle in angles))
+    return braces(braces(*position), *map(_hex, angles))
 
 
 def _palette(scene, name):
@@ -218,4 +261,5 @@ def header(scene, name, source, frames=False):
                  "no program need call fxl_scene_check."),
         f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", "",
         _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
+        *_motions(scene, name),
         *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])

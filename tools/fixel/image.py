@@ -6,16 +6,17 @@ from math import isqrt
 import struct
 import zlib
 
-from fixel import image_beam, image_cluster, image_keys, image_lens, reading
+from fixel import image_beam, image_cluster, image_keys, image_lens, image_turn, reading
 from fixel.errors import ToolError
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
 MAGIC = b"FXLS"
-VERSION, VERSION_MORE, VERSION_CLUSTERS = 2, 3, 4
+VERSION, VERSION_MORE, VERSION_CLUSTERS, VERSION_TURNS = 2, 3, 4, 5
 HEADER_SIZE = 160
 LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size               # of a scene with beams
 CLUSTER_HEADER_SIZE = LIT_HEADER_SIZE + image_cluster.HEADER.size        # of a scene with clusters
+TURN_HEADER_SIZE = CLUSTER_HEADER_SIZE + image_turn.HEADER.size          # of a scene with turned objects
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
@@ -85,6 +86,8 @@ class SceneImage:
     tree: Tree = None
     beams: list = field(default_factory=list)
     lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
+    turns: list = field(default_factory=list)       # of the last objects
+    motions: list = field(default_factory=list)     # of the last of those
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
     size: int = field(default=0, compare=False)
@@ -124,8 +127,10 @@ def _model_tables(image):
     return [vertices, corners, faces, models], keys, clusters
 
 
-def _kind(nodes, beams, clusters):
+def _kind(nodes, beams, clusters, turns):
     """The version of an image, and the size of its header."""
+    if turns:
+        return VERSION_TURNS, TURN_HEADER_SIZE
     if clusters:
         return VERSION_CLUSTERS, CLUSTER_HEADER_SIZE
     return VERSION_MORE if nodes or beams else VERSION, LIT_HEADER_SIZE if beams else HEADER_SIZE
@@ -138,7 +143,8 @@ def pack(image):
     model_tables, keys, clusters = _model_tables(image)
     nodes = [node.pack() for node in image.tree.nodes] if image.tree else []
     beams = [beam.pack() for beam in image.beams]
-    version, header_size = _kind(nodes, beams, clusters)
+    turns, motions, motion_keys = image_turn.tables(image.turns, image.motions)
+    version, header_size = _kind(nodes, beams, clusters, turns)
     body, where = b"", []
 
     def place(table):
@@ -154,7 +160,9 @@ def pack(image):
         where += place(table)
     where_more = place(keys) + place(nodes)
     more = image_beam.LIT_HEADER.pack(*place(beams), place([bytes(image.lit)] if beams else [])[0], 0)
-    more = (more + image_cluster.HEADER.pack(*place(clusters)))[:header_size - HEADER_SIZE]
+    more += image_cluster.HEADER.pack(*place(clusters))
+    more += image_turn.HEADER.pack(*place(turns), *place(motions), *place(motion_keys))
+    more = more[:header_size - HEADER_SIZE]
     size = header_size + len(body)
     if size > IMAGE_MAX:
         fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
@@ -180,10 +188,10 @@ def _head(blob):
     if magic != MAGIC:
         fail("magic", "this is not a scene image (it does not begin with FXLS)")
     sizes = {VERSION: [HEADER_SIZE], VERSION_MORE: [HEADER_SIZE, LIT_HEADER_SIZE],
-             VERSION_CLUSTERS: [CLUSTER_HEADER_SIZE]}
+             VERSION_CLUSTERS: [CLUSTER_HEADER_SIZE], VERSION_TURNS: [TURN_HEADER_SIZE]}
     if version not in sizes:
         fail("version", f"a scene image of version {version}; this tool knows versions {VERSION} "
-             f"to {VERSION_CLUSTERS}")
+             f"to {VERSION_TURNS}")
     if header_size not in sizes[version]:
         fail("size", f"a header of {header_size} bytes is not one of version {version}")
     if size % 4 or not header_size <= size <= IMAGE_MAX or size > len(blob):
@@ -227,19 +235,25 @@ def _tables(blob, fields):
               ("path", _POSE if fields[12] == POSES else _STRIDE, 1, 1_000_000),
               ("keys", image_keys.KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX),
               ("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1),
-              ("clusters", image_cluster.CLUSTER, 1, image_cluster.CLUSTERS_MAX)]
-    optional = {"keys", "nodes", "beams", "lit", "clusters"}
-    beams, lit, clusters = (0, 0), (0, 0), (0, 0)
+              ("clusters", image_cluster.CLUSTER, 1, image_cluster.CLUSTERS_MAX),
+              ("turns", image_turn.TURN, 1, 65_535), ("motions", image_turn.MOTION, 1, 65_535),
+              ("motion keys", image_turn.KEY, 1, image_turn.KEYS_MAX)]
+    optional = {"keys", "nodes", "beams", "lit", "clusters", "turns", "motions", "motion keys"}
+    beams, lit, clusters, turns = (0, 0), (0, 0), (0, 0), (0,) * 6
     if fields[2] != HEADER_SIZE:
         *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
         if reserved:
             fail("reserved", "a reserved field of the header is not zero")
         lit = lit, min(beams[1], 1)
         optional -= {"beams", "lit"}
-    if fields[2] == CLUSTER_HEADER_SIZE:
+    if fields[2] >= CLUSTER_HEADER_SIZE:
         clusters = image_cluster.HEADER.unpack_from(blob, LIT_HEADER_SIZE)
         optional = optional - {"clusters"} | {"beams", "lit"}
-    places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters]
+    if fields[2] == TURN_HEADER_SIZE:
+        turns = image_turn.HEADER.unpack_from(blob, CLUSTER_HEADER_SIZE)
+        optional = optional - {"turns"} | {"clusters"}
+    places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters,
+              turns[:2], turns[2:4], turns[4:]]
     size, tables = fields[3], []
     for (offset, count), (name, entry, low, high) in zip(places, limits):
         if name in optional and not count:
@@ -257,6 +271,8 @@ def _tables(blob, fields):
     for name, held in (("vertices", tables[1]), ("corners", tables[2])):
         if len(held) < 3:
             fail("count", f"{len(held)} {name} are fewer than 3")
+    if len(tables[12]) > len(tables[5]) or len(tables[13]) > len(tables[12]):
+        fail("count", f"{len(tables[5])} objects, {len(tables[12])} turns and {len(tables[13])} motions do not go together")
     return tables
 
 
@@ -360,12 +376,12 @@ def unpack(blob):
     start, gait = fields[14:20], fields[20:24]
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
-    palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters = \
-        _tables(blob, fields)
+    palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters, turns, motions, \
+        motion_keys = _tables(blob, fields)
     _check_faces(faces, corners)
     models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
-    _check_extents(objects, models)
+    _check_extents(objects[:len(objects) - len(turns)], models)
     _check_vertices(models)
     _check_radii(models, extras)
     for i, model in enumerate(models):
@@ -373,19 +389,22 @@ def unpack(blob):
             check_plane(face.normal, [model.vertices[c] for c in face.corners],
                         f"face {j} of model {i}")
     image_keys.check(models, [first for _, first, _ in extras], keys)
+    radii = [extras[item.model][0] for item in objects]
+    turns = image_turn.read_turns(turns, objects, radii)
     image_cluster.read(models, [first for *_, first in extras], clusters)
     tree = None
     if nodes:
         tree = Tree([Node.unpack(node) for node in nodes], fields[43])
-        check_tree(tree, models, objects)
+        check_tree(tree, models, objects, len(objects) - len(turns))
     elif fields[43]:
         fail("count", "the header names a BSP instance, but there is no BSP tree")
     beams = [image_beam.unpack(beam, i) for i, beam in enumerate(beams)]
     lit = bytes(lit[0]) if lit else bytes(range(256))
     image_beam.check(beams, models)
+    motions = image_turn.read_motions(motions, motion_keys, radii)
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, beams, lit, size=fields[3], crc=fields[4])
+                      kind, path, start, gait, tree, beams, lit, turns, motions, size=fields[3], crc=fields[4])
 
 
 def load(path):

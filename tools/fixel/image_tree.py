@@ -49,9 +49,11 @@ class Tree:
     object: int         # whose faces it is over
 
 
-def _check_owner(tree, models, objects):
+def _check_owner(tree, models, objects, still):
     if tree.object >= len(objects):
         fail("index", f"the BSP instance is {tree.object} of {len(objects)}")
+    if tree.object >= still:
+        fail("bsp", f"the BSP instance {tree.object} is turned")
     number = objects[tree.object].model
     if models[number].kind != SORTED:
         fail("reserved", f"the BSP instance {tree.object} has a model that is not sorted")
@@ -100,9 +102,10 @@ def _check_sphere(i, node, tree, model, origin):
             fail("radius", f"the sphere of node {i} reaches out of that above it")
 
 
-def check_tree(tree, models, objects):
-    """What the loader asks of a tree, with the loader's integers."""
-    model, first = _check_owner(tree, models, objects), 0
+def check_tree(tree, models, objects, still):
+    """What the loader asks of a tree, with the loader's integers. still: so many objects are not
+    turned."""
+    model, first = _check_owner(tree, models, objects, still), 0
     for i, node in enumerate(tree.nodes):
         if abs(sum(c * c for c in node.normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
             fail("normal", f"the normal of node {i} is not of unit length")

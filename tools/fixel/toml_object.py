@@ -7,18 +7,19 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import image, obj, palette, quantity, solids
+from fixel import image, obj, palette, quantity, solids, toml_motion
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
 from fixel.reading import quoted
 from fixel.toml_table import Table
+from fixel.turning import matrix, sine_cosine
 
 KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves", "two_sided", "clusters"}
-_RING = {"count", "radius", "start", "turn"}
+        "moves", "two_sided", "clusters", *toml_motion.KEYS}
+_RING = {"count", "radius", "start", "turn", "turned"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
 MADE_MAX = 40_000       # faces of all models, beside those of the scene's OBJ files
@@ -36,28 +37,8 @@ class Placement:
     moves: bool
     clusters: bool
     where: str
-
-
-def _turn(angle):
-    """Sine and cosine of degrees; exact at quarter turns."""
-    angle %= 360
-    if angle % 90 == 0:
-        quarter = int(angle // 90)
-        return Fraction((0, 1, 0, -1)[quarter]), Fraction((1, 0, -1, 0)[quarter])
-    radians = math.radians(float(angle))
-    return (Fraction(round(math.sin(radians) * 2 ** 52), 2 ** 52),
-            Fraction(round(math.cos(radians) * 2 ** 52), 2 ** 52))
-
-
-def matrix(scale, rotation):
-    """Scale, then turn: an object turned by yaw, pitch and roll looks where a
-    camera turned so would look. Its columns are the camera's rows (SPEC.md,
-    section 1)."""
-    (sy, cy), (sp, cp), (sr, cr) = (_turn(a) for a in rotation)
-    right = (cr * cy - sr * sp * sy, sr * cp, -cr * sy - sr * sp * cy)
-    up = (-sr * cy - cr * sp * sy, cr * cp, sr * sy - cr * sp * cy)
-    forward = (cp * sy, sp, cp * cy)
-    return [[axis[row] * s for axis, s in zip((right, up, forward), scale)] for row in range(3)]
+    name: str = None
+    life: object = None     # a toml_motion.Life, of what is turned; its centre is then without the rise
 
 
 def _scale(table):
@@ -102,6 +83,11 @@ def _ring_count(table):
     return table.table("ring", _RING).whole("count", None, 1, 1000) if "ring" in table else 1
 
 
+def _ring_is_turned(table):
+    """Whether the copies on a ring are one model, each with a turn of its own."""
+    return "ring" in table and table.table("ring", _RING).switch("turned", False)
+
+
 def _ring_places(table, count):
     """(offset, yaw) of each place on a ring about the position."""
     if "ring" not in table:
@@ -112,7 +98,7 @@ def _ring_places(table, count):
     places = []
     for i in range(count):
         yaw = start + Fraction(360 * i, count)
-        sine, cosine = _turn(yaw)
+        sine, cosine = sine_cosine(yaw)
         places.append(((radius * sine, 0, radius * cosine), yaw if turn else 0))
     return places
 
@@ -297,12 +283,14 @@ class Objects:
         if len(places) > 1:
             different = len(places) if "colour_next" in table else len({yaw for _, yaw in places})
             self._check_made(different * len(self.mesh(table)[0].faces) - self.made, where)
+        life, turned = toml_motion.read(table), _ring_is_turned(table)
         known, result = {}, []      # by yaw and, where copies differ, by number: the shape and its colours
         for i, (position, yaw) in enumerate(places):
-            key = yaw, i if "colour_next" in table else 0
+            baked = 0 if turned else yaw
+            key = baked, i if "colour_next" in table else 0
             place = where + (f", copy {i}" if i else "")
             if key not in known:
-                made, convex = self._shape(table, scale, (rotation[0] + yaw, *rotation[1:]))
+                made, convex = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]))
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
                 known[key] = (made, moved, self._kind(table, convex), self._colours(made, wish, i, clusters, place),
                               _ends(made, moved))
@@ -311,8 +299,13 @@ class Objects:
             if clusters and kind != image.SORTED:
                 raise ToolError(f"{table.at('clusters')}: the faces of a convex model have no clusters; leave clusters "
                                 "away or say kind = \"sorted\"")
-            centre = _centre(position, made.half_height if anchor == "base" else 0, ends, place)
-            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place))
+            rise = made.half_height if anchor == "base" else 0
+            if life or turned:
+                own = (life or toml_motion.Life()).on_ring(yaw if turned else 0, rise)
+                result.append(Placement((made, moved), colours, kind, position, layer, True, clusters, place, name, own))
+                continue
+            centre = _centre(position, rise, ends, place)
+            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name))
         return result
 
 

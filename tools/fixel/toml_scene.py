@@ -6,7 +6,7 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import clusters, image, image_beam, image_lens, palette, quantity, toml_table
+from fixel import clusters, image, image_beam, image_lens, palette, quantity, toml_motion, toml_table
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -274,6 +274,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
+    placements, turns, motions = toml_motion.settle(placements)
     try:
         colours, indices, merged = palette.allocate(background, _count_colours(placements, lit), reserved)
     except ToolError as error:
@@ -282,7 +283,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     models, placed = _models(placements, indices)
     scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
-    scene.beams = beams
+    scene.beams, scene.turns, scene.motions = beams, turns, motions
     scene.lit = _lit_table(placements, indices, lit)
     scene.reserved = len(reserved)
     scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)

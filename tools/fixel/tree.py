@@ -313,7 +313,8 @@ def _most(beams):
 
 def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
-    last of them; answers the counts. The others stay as they are; the new object is the last."""
+    last of them; answers the counts. The others stay as they are; the new object is the last that
+    is not turned."""
     members = _members(scene, layers, moving)
     origin, lines = _middle(scene, members), Lines()
     nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress,
@@ -329,13 +330,13 @@ def plant(scene, layers, moving=(), progress=None):
     for vertex in vertices:
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
     _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
-    scene.tree = Tree(nodes, len(scene.objects) - 1)
+    scene.tree = Tree(nodes, len(scene.objects) - len(scene.turns) - 1)
     return counts
 
 
 def _put(scene, members, model, item):
     """Takes the members out of a scene, and the models that no object has any more; puts the new
-    model and its object at the end."""
+    model at the end, and its object after those that are not turned."""
     taken = set(members)
     scene.objects = [o for i, o in enumerate(scene.objects) if i not in taken]
     kept = sorted({o.model for o in scene.objects})
@@ -343,4 +344,4 @@ def _put(scene, members, model, item):
     scene.models = [scene.models[old] for old in kept] + [model]
     scene.objects = [Object(o.centre, new[o.model], o.layer) for o in scene.objects]
     item.model = len(kept)
-    scene.objects.append(item)
+    scene.objects.insert(len(scene.objects) - len(scene.turns), item)

@@ -14,7 +14,7 @@ from fixel import children, dump
 from fixel.errors import ToolError
 
 FRAME, OUTLINES = 1, 2      # what may be wanted, as bits
-REQUEST = struct.Struct("<4sB3x3i3I")
+REQUEST = struct.Struct("<4sB3x3i3II")
 ANSWER = struct.Struct("<4sIII")
 
 
@@ -68,7 +68,7 @@ class Reference:
         return None if self._closing else asked
 
     def _answer(self, frame, wants):
-        self._process.stdin.write(REQUEST.pack(b"ASKS", wants, *frame.position, *frame.angles))
+        self._process.stdin.write(REQUEST.pack(b"ASKS", wants, *frame.position, *frame.angles, frame.number))
         self._process.stdin.flush()
         magic, number, pixels, outlines = ANSWER.unpack(self._read(ANSWER.size))
         if magic != b"TWIN" or number != self._asked or pixels not in (0, frame.pixels.size):

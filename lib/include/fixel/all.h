@@ -9,6 +9,8 @@
 #include "fixel/extra/clippers.h"
 #include "fixel/extra/collide.h"
 #include "fixel/extra/display.h"
+#include "fixel/extra/motion.h"
+#include "fixel/extra/orientation.h"
 #include "fixel/extra/overlay.h"
 #include "fixel/extra/pick.h"
 #include "fixel/extra/pixels.h"

@@ -27,6 +27,8 @@ extern "C" {
 #define FXL_BSP_NODES_MAX           65535u
 #define FXL_BSP_DEPTH_MAX           1023u /* of a node below the root */
 #define FXL_SCENE_CLUSTERS_MAX      65535u
+#define FXL_MOTION_KEYS_MAX         1000000u
+#define FXL_MOTION_DEPTH_MAX        8u /* of a chain of parents */
 
 /* The largest distance of a vertex of a BSP node's faces from the node's plane, in units of
  * 1/65536. */
@@ -187,6 +189,38 @@ typedef struct {
     uint16_t frames; /* >= 1 */
 } fxl_path_segment;
 
+/* A key of a motion: centre, angles and scale in a frame (docs/extras/motion.md). */
+typedef struct {
+    uint32_t frame;   /* 0 for the first key, more than the key's before for the others */
+    fxl_point centre; /* in the world, or in the parent's model; each coordinate below 2^30 */
+    fxl_angle yaw, pitch, roll;
+    fxl_q16_16 scale; /* FXL_SCALE_MIN..FXL_SCALE_MAX */
+} fxl_motion_key;
+
+/* How an instance moves: along its keys, and on a circle about that place, while its angles grow
+ * and it spins about an axis of its own. Angles and steps are 0 for what a motion does not use. */
+typedef struct {
+    fxl_angle yaw_step, pitch_step, roll_step; /* a frame, on top of the keys' angles */
+    fxl_point axis;                   /* of the spin, in the model, of any length; 0: no spin */
+    fxl_angle spin, spin_step;        /* the spin in frame 0, and what a frame adds */
+    fxl_q16_16 radius;                /* of the circle; 0: none */
+    fxl_angle circle, circle_step;    /* 0 is +z of the place, a quarter +x */
+    fxl_point extent;                 /* the largest |coordinate| of a key's centre */
+    fxl_q16_16 scale_low, scale_high; /* the least and the largest scale of a key */
+    uint32_t first_key, key_count;    /* the motions take the keys in turn; at least one each */
+    uint16_t parent;  /* the number of a motion before this one, counted from 1; 0: none */
+    uint8_t repeats;  /* 1: after the last key comes the first, in the same frame; else 0 */
+    uint8_t reserved; /* 0 */
+} fxl_motion;
+
+/* The motions of a scene: of its last motion_count instances. All of them have turns. */
+typedef struct {
+    const fxl_motion *motions; /* null: nothing moves */
+    uint32_t motion_count;
+    const fxl_motion_key *keys;
+    uint32_t key_count;
+} fxl_motion_set;
+
 /* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
  * the same frames; its sorted models take longer. */
 typedef struct {
@@ -225,6 +259,7 @@ typedef struct {
     const fxl_path_segment *segments; /* null if the path is poses */
     uint32_t path_count;              /* poses or segments */
     uint32_t frame_count;             /* frames of the whole path */
+    fxl_motion_set motion;            /* for fxl_motion_begin */
 } fxl_scene_image;
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */
@@ -241,14 +276,24 @@ typedef struct {
  * FXL_E_PLANARITY, FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
  * FXL_E_CAPACITY is for a face of more than FXL_FACE_VERTICES_MAX vertices, which a build with a
  * larger FXL_POLYGON_CAPACITY would draw. On FXL_OK *fault is untouched.
- * A scene that has clusters, a BSP tree or beams is refused (FXL_E_ARGUMENT); fxl_scene_check_all
- * checks them. They are two functions so that a program without any links none of their checks. */
+ * A scene that has clusters, a BSP tree, beams or turns is refused (FXL_E_ARGUMENT);
+ * fxl_scene_check_all checks them. They are two functions so that a program without any links none
+ * of their checks. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
-/* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
- * fxl_scene_check, and also FXL_E_CLUSTER and FXL_E_BSP. On FXL_OK scene->cluster_code is set too.
+/* Checks a scene that may have clusters, a BSP tree, beams and turns: these too. A turned instance
+ * must lie in the world with all its model's sphere. Otherwise as fxl_scene_check, and also
+ * FXL_E_CLUSTER and FXL_E_BSP. On FXL_OK scene->cluster_code is set too.
  */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
+
+/* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,
+ * and that no frame takes an instance out of the world or a scale out of its range. The time is
+ * linear in the counts. fault may be null.
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_RESERVED: *fault
+ * written. On FXL_OK *fault is untouched. */
+fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
+                            fxl_scene_fault *fault);
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
  * version, size, checksum, every table, every count, index and range. Nothing is copied, so the

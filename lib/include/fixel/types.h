@@ -176,19 +176,28 @@ typedef struct {
     fxl_direction x, y, z;
 } fxl_orientation;
 
-/* How an instance is turned and scaled: its point v is at centre + scale * (orientation . v). */
-typedef struct {
-    fxl_orientation orientation;
-    fxl_q16_16 scale; /* 1/256..256 */
-} fxl_turn;
-
+/* The scale of an instance that is turned: 1/256..256. */
 #define FXL_SCALE_MIN FXL_CAST(fxl_q16_16, 256)
 #define FXL_SCALE_MAX FXL_CAST(fxl_q16_16, 256 * 65536)
 
-/* An initialiser of an fxl_turn: neither turned nor scaled. */
+/* How an instance is turned and scaled: its point v is at centre + scale * (orientation . v). */
+typedef struct {
+    fxl_orientation orientation;
+    fxl_q16_16 scale; /* FXL_SCALE_MIN..FXL_SCALE_MAX */
+} fxl_turn;
+
+/* An initialiser of an fxl_orientation that turns nothing, and one of an fxl_turn that neither
+ * turns nor scales. */
+#define FXL_ORIENTATION_NONE \
+    { \
+        {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, \
+        { \
+            0, 0, FXL_Q2_30_ONE \
+        } \
+    }
 #define FXL_TURN_NONE \
     { \
-        {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}}, FXL_Q16_16_ONE \
+        FXL_ORIENTATION_NONE, FXL_Q16_16_ONE \
     }
 
 /* A plane. A point is inside it if normal . point >= distance; the normal points

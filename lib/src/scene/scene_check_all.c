@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The check of a scene that may have clusters, a BSP tree and beams. It is a file of its own, so
- * that a program whose scene has none of them does not link these checks. */
+/* The check of a scene that may have clusters, a BSP tree, beams and turns. It is a file of its
+ * own, so that a program whose scene has none of them does not link these checks. */
 #include "fixel/extra/beams/beam.h"
 #include "scene_check.h"
 #include "bsp_check.h"

@@ -7,83 +7,19 @@
 #include "fixel/scene.h"
 #include "fixel/stage/lens.h"
 #include "motion_limits.h"
-
-typedef struct {
-    uint32_t offset, count;
-} table;
-
-/* The header of an image, byte for byte. */
-typedef struct {
-    uint32_t magic;
-    uint16_t version, header_size;
-    uint32_t image_size, crc;
-    uint16_t width, height;
-    uint32_t fov;
-    int32_t near_z, far_z, inset;
-    uint8_t background, path_kind;
-    uint16_t reserved;
-    fxl_pose start;
-    int32_t acceleration, friction, speed_max;
-    uint32_t turn;
-    table palette, vertices, indices, faces, models, instances, path;
-    uint32_t frame_count;
-    table face_bounds, bsp_nodes;
-    uint32_t bsp_instance;
-} header;
-
-/* The rest of the header, only if the scene has beams. */
-typedef struct {
-    table beams;
-    uint32_t lit; /* offset of 256 bytes */
-    uint32_t reserved;
-} beam_header;
-
-/* The rest of the header after that of beams, only if the scene has clusters. */
-typedef struct {
-    table clusters;
-} cluster_header;
-
-FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(offsetof(header, frame_count) == 136, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_point) == 12, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_face) == 20, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_model) == 28, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(beam_header) == 16, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(cluster_header) == 8, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_cluster) == 48, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(offsetof(fxl_model, first_cluster) == 18, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
-
-#define MAGIC            0x534C5846u /* "FXLS" */
-#define VERSION          2u
-#define VERSION_MORE     3u /* has a BSP tree, or beams, or both */
-#define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */
-#define PALETTE_ENTRIES  256u
-
-#define BEAM_HEADER_SIZE    (sizeof(header) + sizeof(beam_header))
-#define CLUSTER_HEADER_SIZE (BEAM_HEADER_SIZE + sizeof(cluster_header))
+#include "scene_header.h"
 
 enum {
     PATH_POSES = 0,
     PATH_SEGMENTS = 1
 };
 
-/* Null where the header has no such part. With clusters, the part of beams may be 0. */
+/* Null where the header has no such part. A part before another may be 0. */
 static const beam_header *beam_header_of(const header *head)
 {
     return head->header_size > sizeof *head ? (const beam_header *)(const void *)(head + 1) : NULL;
 }
 
-/* Null where the scene has no clusters. */
 static const cluster_header *cluster_header_of(const header *head)
 {
     return head->header_size > BEAM_HEADER_SIZE
@@ -91,8 +27,18 @@ static const cluster_header *cluster_header_of(const header *head)
                : NULL;
 }
 
+static const turn_header *turn_header_of(const header *head)
+{
+    return head->header_size > CLUSTER_HEADER_SIZE
+               ? (const turn_header *)(const void *)(cluster_header_of(head) + 1)
+               : NULL;
+}
+
 static bool header_size_is_known(const header *head)
 {
+    if (head->version == VERSION_TURNS) {
+        return head->header_size == TURN_HEADER_SIZE;
+    }
     if (head->version == VERSION_CLUSTERS) {
         return head->header_size == CLUSTER_HEADER_SIZE;
     }
@@ -109,7 +55,7 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     if (head->magic != MAGIC) {
         return FXL_E_MAGIC;
     }
-    if (head->version < VERSION || head->version > VERSION_CLUSTERS) {
+    if (head->version < VERSION || head->version > VERSION_TURNS) {
         return FXL_E_VERSION;
     }
     if (!header_size_is_known(head)) {
@@ -203,19 +149,30 @@ static const struct {
     {offsetof(header, bsp_nodes), sizeof(fxl_bsp_node), FXL_BSP_NODES_MAX, "BSP node table"},
     {sizeof(header) + offsetof(beam_header, beams), sizeof(fxl_beam), FXL_BEAMS_MAX, "beam table"},
     {BEAM_HEADER_SIZE, sizeof(fxl_cluster), FXL_SCENE_CLUSTERS_MAX, "cluster table"},
+    {CLUSTER_HEADER_SIZE, sizeof(fxl_turn), FXL_SCENE_INSTANCES_MAX, "turn table"},
+    {CLUSTER_HEADER_SIZE + offsetof(turn_header, motions), sizeof(fxl_motion),
+     FXL_SCENE_INSTANCES_MAX, "motion table"},
+    {CLUSTER_HEADER_SIZE + offsetof(turn_header, keys), sizeof(fxl_motion_key), FXL_MOTION_KEYS_MAX,
+     "motion key table"},
 };
 
 enum {
     PATH_TABLE = 6,
     BEAM_TABLE = 9,
-    CLUSTER_TABLE = 10
+    CLUSTER_TABLE = 10,
+    TURN_TABLE = 11,
+    TABLE_COUNT = 14
 };
 
-/* Of the tables behind that of the path, a header of its own size needs the last. */
+FXL_STATIC_ASSERT(sizeof tables / sizeof tables[0] == TABLE_COUNT, "one for each");
+
+/* Of the tables behind that of the path, a header needs that for which it is so long. */
 static bool is_needed(const header *head, size_t number)
 {
-    return number <= PATH_TABLE || number == CLUSTER_TABLE ||
-           (number == BEAM_TABLE && cluster_header_of(head) == NULL);
+    const size_t last = head->header_size == TURN_HEADER_SIZE      ? TURN_TABLE
+                        : head->header_size == CLUSTER_HEADER_SIZE ? CLUSTER_TABLE
+                                                                   : BEAM_TABLE;
+    return number <= PATH_TABLE || number == last;
 }
 
 /* The lit colours are there if beams are. */
@@ -228,6 +185,21 @@ static fxl_status check_lit(const header *head, fxl_scene_fault *fault)
     return check_table(head, &lit, sizeof(uint8_t), PALETTE_ENTRIES, "lit table", fault);
 }
 
+/* Turns are those of the last instances, and motions those of the last turns. */
+static fxl_status check_turn_counts(const header *head, fxl_scene_fault *fault)
+{
+    const turn_header *more = turn_header_of(head);
+    if (more == NULL) {
+        return FXL_OK;
+    }
+    if (more->turns.count > head->instances.count) {
+        return fxl_fault_at(fault, "turn table", 0, FXL_E_COUNT);
+    }
+    return more->motions.count <= more->turns.count
+               ? FXL_OK
+               : fxl_fault_at(fault, "motion table", 0, FXL_E_COUNT);
+}
+
 static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
 {
     const uint32_t path_entry =
@@ -235,7 +207,7 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
     if (head->palette.count != PALETTE_ENTRIES) {
         return fxl_fault_at(fault, "palette table", 0, FXL_E_COUNT);
     }
-    for (size_t i = 0; i <= CLUSTER_TABLE && tables[i].at < head->header_size; i++) {
+    for (size_t i = 0; i < TABLE_COUNT && tables[i].at < head->header_size; i++) {
         const table *entry = (const table *)(const void *)((const uint8_t *)head + tables[i].at);
         const uint32_t entry_size = i == PATH_TABLE ? path_entry : tables[i].entry_size;
         fxl_status status = FXL_OK;
@@ -252,12 +224,30 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
             return status;
         }
     }
-    return FXL_OK;
+    return check_turn_counts(head, fault);
 }
 
 static const void *at(const header *head, uint32_t offset)
 {
     return (const uint8_t *)head + offset;
+}
+
+static void point_to_turns(const header *head, fxl_scene_image *opened)
+{
+    const turn_header *more = turn_header_of(head);
+    if (more == NULL) {
+        return;
+    }
+    opened->scene.turns = (const fxl_turn *)at(head, more->turns.offset);
+    opened->scene.first_turned = head->instances.count - more->turns.count;
+    if (more->motions.count > 0) {
+        opened->motion.motions = (const fxl_motion *)at(head, more->motions.offset);
+        opened->motion.motion_count = more->motions.count;
+    }
+    if (more->keys.count > 0) {
+        opened->motion.keys = (const fxl_motion_key *)at(head, more->keys.offset);
+        opened->motion.key_count = more->keys.count;
+    }
 }
 
 static void point_to_tables(const header *head, fxl_scene_image *opened)
@@ -276,7 +266,7 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
         head->bsp_nodes.count > 0 ? (const fxl_bsp_node *)at(head, head->bsp_nodes.offset) : NULL;
     opened->scene.bsp_node_count = head->bsp_nodes.count;
     opened->scene.bsp_instance = head->bsp_instance;
-    if (cluster_header_of(head) != NULL) {
+    if (cluster_header_of(head) != NULL && cluster_header_of(head)->clusters.count > 0) {
         const table *clusters = &cluster_header_of(head)->clusters;
         opened->scene.clusters = (const fxl_cluster *)at(head, clusters->offset);
         opened->scene.cluster_count = clusters->count;
@@ -286,6 +276,7 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
         opened->scene.beam_count = beam_header_of(head)->beams.count;
         opened->scene.lit = (const uint8_t *)at(head, beam_header_of(head)->lit);
     }
+    point_to_turns(head, opened);
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.index_count = head->indices.count;
     opened->scene.face_count = head->faces.count;
@@ -356,7 +347,12 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
     if (status != FXL_OK) {
         return status;
     }
-    status = check_path(&found, fault);
+    if (turn_header_of(head) != NULL) {
+        status = fxl_motion_check(&found.motion, &found.scene, fault);
+    }
+    if (status == FXL_OK) {
+        status = check_path(&found, fault);
+    }
     if (status == FXL_OK) {
         *opened = found;
     }

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/* Instances that are attached to others, against long double. */
+#include <math.h>
+
+#include "unit.h"
+
+#define ONE   ((long double)FXL_Q2_30_ONE)
+#define DEPTH 8
+
+static const fxl_turn still = FXL_TURN_NONE;
+
+static fxl_turn any_turn(fxl_q16_16 low, fxl_q16_16 high)
+{
+    fxl_turn turn;
+    turn.scale = unit_between(low, high);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(unit_random(), unit_random(),
+                                                          unit_random(), &turn.orientation));
+    return turn;
+}
+
+/* A place in a chain of parents, without rounding. */
+typedef struct {
+    long double centre[3], rows[3][3], scale; /* in units of 2^-16, of 1 and of 1 */
+} place;
+
+static place exact_place(const fxl_point *centre, const fxl_turn *turn)
+{
+    fxl_q2_30 rows[3][3];
+    place at = {{centre->x, centre->y, centre->z}, {{0}}, turn->scale / 65536.0L};
+    memcpy(rows, &turn->orientation, sizeof rows);
+    for (int i = 0; i < 9; i++) {
+        at.rows[i / 3][i % 3] = rows[i / 3][i % 3] / ONE;
+    }
+    return at;
+}
+
+static place exact_attach(const place *parent, const place *child)
+{
+    place at = *parent;
+    at.scale *= child->scale;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            at.centre[i] += parent->scale * parent->rows[i][j] * child->centre[j];
+            at.rows[i][j] = 0;
+            for (int k = 0; k < 3; k++) {
+                at.rows[i][j] += parent->rows[i][k] * child->rows[k][j];
+            }
+        }
+    }
+    return at;
+}
+
+static void expect_centre(const place *wanted, const fxl_point *actual, long double bound)
+{
+    TEST_ASSERT_NEAR(wanted->centre[0], actual->x, bound);
+    TEST_ASSERT_NEAR(wanted->centre[1], actual->y, bound);
+    TEST_ASSERT_NEAR(wanted->centre[2], actual->z, bound);
+}
+
+void test_a_wheel_goes_with_its_car(void)
+{
+    const fxl_point car = {Q16(10), 0, Q16(-3)}, wheel = {Q16(1), Q16(0.5), Q16(2)};
+    fxl_turn turned = still, turn;
+    fxl_point centre;
+    turned.scale = Q16(2);
+    fxl_orientation_from_angles(FXL_ANGLE_QUARTER, 0, 0, &turned.orientation);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_attach(&car, &turned, &wheel, &still, &centre, &turn));
+    /* The car looks along +x: its right side is -z, what is before it is +x. */
+    TEST_ASSERT_EQUAL_INT32(Q16(10 + 4), centre.x);
+    TEST_ASSERT_EQUAL_INT32(Q16(1), centre.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(-3 - 2), centre.z);
+    TEST_ASSERT_EQUAL_MEMORY(&turned, &turn, sizeof turn);
+}
+
+/* A centre is exact but for one rounding, with any scale. */
+void test_a_centre_is_within_half_a_unit(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        const fxl_turn parent = any_turn(FXL_SCALE_MIN, i % 2 ? FXL_SCALE_MAX : 2 * 65536);
+        const fxl_point at = unit_point(FXL_COORDINATE_MAX / 2);
+        const int64_t room = ((int64_t)FXL_COORDINATE_MAX / 4 << 16) / parent.scale;
+        const fxl_point child = unit_point(room < 0x3FFFFFFF ? (fxl_q16_16)room : 0x3FFFFFFF);
+        fxl_point centre;
+        fxl_turn turn;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_attach(&at, &parent, &child, &still, &centre, &turn));
+        const place p = exact_place(&at, &parent), c = exact_place(&child, &still);
+        const place wanted = exact_attach(&p, &c);
+        expect_centre(&wanted, &centre, 0.5L + (sizeof p.scale == 8 ? 1e-6L : 1e-9L));
+        TEST_ASSERT_EQUAL_INT32(parent.scale, turn.scale);
+    }
+}
+
+/* docs/extras/turn.md, section 3: the bound by depth. */
+void test_a_chain_of_eight_is_within_its_bound(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        fxl_point centre = unit_point(FXL_UNITS(1000)), local;
+        fxl_turn turn = any_turn(Q16(0.5), Q16(2)), child;
+        place wanted = exact_place(&centre, &turn);
+        long double at_bound = 0, turn_bound = 0, scale_bound = 0;
+        for (int depth = 1; depth <= DEPTH; depth++) {
+            local = unit_point(FXL_UNITS(20));
+            child = any_turn(Q16(0.7), Q16(1.4));
+            const place step = exact_place(&local, &child);
+            const long double reach =
+                sqrtl((long double)local.x * local.x + (long double)local.y * local.y +
+                      (long double)local.z * local.z);
+            at_bound += 0.5L + reach * (wanted.scale * turn_bound / ONE + scale_bound / 65536);
+            turn_bound += 4.5L;
+            scale_bound = scale_bound * child.scale / 65536 + 0.5L;
+            wanted = exact_attach(&wanted, &step);
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              fxl_turn_attach(&centre, &turn, &local, &child, &centre, &turn));
+            const place found = exact_place(&centre, &turn);
+            expect_centre(&wanted, &centre, at_bound + 1e-6L);
+            TEST_ASSERT_NEAR(wanted.scale * 65536, turn.scale, scale_bound + 1e-6L);
+            for (int k = 0; k < 9; k++) {
+                TEST_ASSERT_NEAR(wanted.rows[k / 3][k % 3] * ONE, found.rows[k / 3][k % 3] * ONE,
+                                 turn_bound + 1e-6L);
+            }
+        }
+    }
+}
+
+static fxl_status attach(const fxl_point *at, const fxl_turn *parent, const fxl_point *child_at,
+                         const fxl_turn *child)
+{
+    const fxl_point before = {1, 2, 3};
+    const fxl_turn turn_before = {FXL_ORIENTATION_NONE, 77};
+    fxl_point centre = before;
+    fxl_turn turn = turn_before;
+    const fxl_status status = fxl_turn_attach(at, parent, child_at, child, &centre, &turn);
+    if (status != FXL_OK) {
+        TEST_ASSERT_EQUAL_MEMORY(&before, &centre, sizeof centre);
+        TEST_ASSERT_EQUAL_MEMORY(&turn_before, &turn, sizeof turn);
+    }
+    return status;
+}
+
+void test_what_is_out_of_range_is_refused(void)
+{
+    const fxl_point zero = {0, 0, 0}, edge = {0, FXL_COORDINATE_MAX - FXL_TURN_SLACK, 0},
+                    one = {0, 1, 0};
+    const fxl_point outside = {FXL_COORDINATE_MAX - FXL_TURN_SLACK + 1, 0, 0},
+                    far = {0, 0, 1 << 30};
+    fxl_turn small = still, large = still, none = still, beyond = still, bad = still;
+    small.scale = FXL_SCALE_MIN;
+    large.scale = FXL_SCALE_MAX;
+    none.scale = 0;
+    beyond.scale = FXL_SCALE_MAX + 1;
+    bad.orientation.x.x = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, attach(&edge, &still, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&edge, &still, &one, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&outside, &still, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &far, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &none, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &zero, &beyond));
+    TEST_ASSERT_EQUAL(FXL_E_TURN, attach(&zero, &bad, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_TURN, attach(&zero, &still, &zero, &bad));
+    TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &small, &zero, &large));
+    TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &large, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &small, &zero, &still));
+    small.scale = 65535;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &(fxl_turn){small.orientation, 256}, &zero,
+                                          &(fxl_turn){small.orientation, 65000}));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE,
+                      attach(&zero, &large, &zero, &(fxl_turn){small.orientation, 65537}));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(NULL, &still, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(&zero, NULL, &zero, &still));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(&zero, &still, NULL, &still));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(&zero, &still, &zero, NULL));
+    fxl_turn turn;
+    fxl_point centre;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_turn_attach(&zero, &still, &zero, &still, NULL, &turn));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_turn_attach(&zero, &still, &zero, &still, &centre, NULL));
+}

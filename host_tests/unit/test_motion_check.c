@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* The checks of turns and of motions, each boundary from both sides. */
+#include "tiny.h"
+
+enum {
+    MOTIONS = 3,
+    KEYS = 4
+};
+
+static fxl_motion motions[MOTIONS];
+static fxl_motion_key keys[KEYS];
+static fxl_turn turns[TINY_INSTANCES];
+static fxl_motion_set set;
+static fxl_scene scene;
+
+static const fxl_turn still = FXL_TURN_NONE;
+
+/* Every instance of tiny's scene has a turn, a motion and a key; the last has two keys. */
+static void make(void)
+{
+    scene = tiny_make()->scene;
+    scene.turns = turns;
+    scene.first_turned = 0;
+    for (uint32_t i = 0; i < MOTIONS; i++) {
+        turns[i] = still;
+        motions[i] = (fxl_motion){.extent = {FXL_UNITS(9), FXL_UNITS(9), FXL_UNITS(9)},
+                                  .scale_low = 32768,
+                                  .scale_high = FXL_UNITS(2),
+                                  .first_key = i,
+                                  .key_count = 1 + i / 2};
+    }
+    for (uint32_t i = 0; i < KEYS; i++) {
+        keys[i] = (fxl_motion_key){.frame = i / 3 * 5, .scale = FXL_Q16_16_ONE};
+    }
+    set = (fxl_motion_set){motions, MOTIONS, keys, KEYS};
+}
+
+static void expect_scene(fxl_status status, const char *what, uint32_t index)
+{
+    fxl_scene_fault fault = {"-", 99};
+    TEST_ASSERT_EQUAL_STRING(fxl_status_text(status),
+                             fxl_status_text(fxl_scene_check_all(&scene, &fault)));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+}
+
+static void expect(fxl_status status, const char *what, uint32_t index)
+{
+    fxl_scene_fault fault = {"-", 99};
+    TEST_ASSERT_EQUAL_STRING(fxl_status_text(status),
+                             fxl_status_text(fxl_motion_check(&set, &scene, &fault)));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    make();
+}
+
+static void expect_fine(void)
+{
+    expect(FXL_OK, "-", 99);
+}
+
+void test_a_scene_with_turns_is_fine(void)
+{
+    make();
+    expect_scene(FXL_OK, "-", 99);
+    expect_fine();
+    set.motion_count = set.key_count = 0;
+    set.motions = NULL;
+    set.keys = NULL;
+    expect_fine();
+}
+
+void test_missing_tables_are_refused(void)
+{
+    fxl_scene_fault fault;
+    make();
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_motion_check(NULL, &scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_motion_check(&set, NULL, &fault));
+    set.motions = NULL;
+    expect(FXL_E_ARGUMENT, "motion table", 0);
+    set.keys = NULL;
+    expect(FXL_E_ARGUMENT, "motion table", 0);
+    scene.first_turned = 1;
+    expect(FXL_E_COUNT, "motion table", 0);
+    scene.turns = NULL;
+    expect(FXL_E_COUNT, "motion table", 0);
+}
+
+void test_motions_take_the_keys_in_turn(void)
+{
+    make();
+    motions[1].first_key = 2;
+    expect(FXL_E_INDEX, "motion", 1);
+    motions[1].key_count = 0;
+    expect(FXL_E_INDEX, "motion", 1);
+    motions[2].key_count = 3;
+    expect(FXL_E_INDEX, "motion", 2);
+    motions[2].key_count = 1;
+    expect(FXL_E_COUNT, "motion key table", 0);
+}
+
+void test_keys_are_in_order(void)
+{
+    make();
+    keys[0].frame = 1;
+    expect(FXL_E_INDEX, "motion key", 0);
+    keys[3].frame = 0;
+    expect(FXL_E_INDEX, "motion key", 3);
+    keys[3].frame = 1000000;
+    expect_fine();
+    keys[3].frame = 1000001;
+    expect(FXL_E_INDEX, "motion key", 3);
+}
+
+void test_reserved_fields_are_checked(void)
+{
+    make();
+    motions[1].reserved = 1;
+    expect(FXL_E_RESERVED, "motion", 1);
+    motions[1].repeats = 1;
+    expect_fine();
+    motions[1].repeats = 2;
+    expect(FXL_E_RESERVED, "motion", 1);
+    motions[1].parent = 1;
+    expect_fine();
+    motions[1].parent = 2; /* itself */
+    expect(FXL_E_RESERVED, "motion", 1);
+}
+
+void test_a_key_is_within_the_extent(void)
+{
+    make();
+    keys[3].centre = (fxl_point){FXL_UNITS(9), -FXL_UNITS(9), FXL_UNITS(9)};
+    expect_fine();
+    keys[3].centre.x = FXL_UNITS(9) + 1;
+    expect(FXL_E_RANGE, "motion key", 3);
+    keys[3].centre.y = -FXL_UNITS(9) - 1;
+    expect(FXL_E_RANGE, "motion key", 3);
+    keys[2].centre.z = INT32_MIN;
+    expect(FXL_E_RANGE, "motion key", 2);
+    keys[2].scale = 32767;
+    expect(FXL_E_RANGE, "motion key", 2);
+    keys[2].scale = FXL_UNITS(2);
+    expect_fine();
+    keys[2].scale = FXL_UNITS(2) + 1;
+    expect(FXL_E_RANGE, "motion key", 2);
+}
+
+void test_numbers_of_a_motion_are_in_range(void)
+{
+    make();
+    motions[0].radius = -1;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].extent.x = -1;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].extent.y = -1;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].extent.z = INT32_MIN;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].extent.y = 1 << 30;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].radius = INT32_MAX;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].axis.x = (1 << 30) - 1;
+    expect_fine();
+    motions[0].axis.y = 1 << 30;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].axis.z = INT32_MIN;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].scale_low = FXL_SCALE_MIN - 1;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].scale_high = FXL_SCALE_MAX + 1;
+    expect(FXL_E_RANGE, "motion", 0);
+}
+
+/* A motion without a parent reaches its extent, its circle, its sphere and the slack. */
+void test_no_frame_leaves_the_world(void)
+{
+    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_TURN_SLACK;
+    make();
+    motions[0].extent.y = room;
+    expect_fine();
+    motions[0].extent.y = room + 1;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].radius = room - FXL_UNITS(9);
+    expect_fine();
+    motions[0].radius = room - FXL_UNITS(9) + 1;
+    expect(FXL_E_RANGE, "motion", 0);
+}
+
+/* With a parent the places add up, times the parent's scale. */
+void test_a_chain_stays_in_the_world(void)
+{
+    make();
+    motions[0].extent = (fxl_point){0, 0, 0};
+    motions[0].scale_high = FXL_UNITS(2);
+    motions[1].parent = 1;
+    motions[1].extent = (fxl_point){FXL_UNITS(300), FXL_UNITS(400), FXL_UNITS(1200)};
+    motions[1].scale_high = FXL_Q16_16_ONE;
+    /* 2 * (1300 + 1/65536), and 2 * radius, each with the slack */
+    const fxl_q16_16 room =
+        FXL_COORDINATE_MAX - FXL_UNITS(2600) - 2 - 2 * FXL_TURN_SLACK - 2 * TINY_RADIUS;
+    motions[0].extent.z = room;
+    const fxl_motion first = motions[0], second = motions[1];
+    expect_fine();
+    motions[0] = first;
+    motions[1] = second;
+    motions[0].extent.z = room + 1;
+    expect(FXL_E_RANGE, "motion", 1);
+}
+
+void test_the_scales_of_a_chain_are_in_range(void)
+{
+    make();
+    motions[1].parent = 1;
+    motions[0].scale_high = FXL_UNITS(16);
+    motions[1].scale_high = FXL_UNITS(16);
+    expect_fine();
+    motions[1].parent = 1;
+    motions[0].scale_high = FXL_UNITS(16);
+    motions[1].scale_high = FXL_UNITS(16) + 16;
+    expect(FXL_E_RANGE, "motion", 1);
+    motions[1].parent = 1;
+    motions[0].scale_low = 4096;
+    motions[1].scale_low = 4096;
+    expect_fine();
+    motions[1].parent = 1;
+    motions[0].scale_low = 4096;
+    motions[1].scale_low = 4080;
+    expect(FXL_E_RANGE, "motion", 1);
+}
+
+/* Eight parents are allowed, nine are not: a scene of ten instances of one model. */
+void test_a_chain_has_at_most_eight_parents(void)
+{
+    static fxl_instance many[10];
+    static fxl_turn many_turns[10];
+    static fxl_motion many_motions[10];
+    static fxl_motion_key many_keys[10];
+    make();
+    for (uint32_t i = 0; i < 10; i++) {
+        many[i] = scene.instances[0];
+        many_turns[i] = still;
+        many_motions[i] = (fxl_motion){.scale_low = FXL_Q16_16_ONE,
+                                       .scale_high = FXL_Q16_16_ONE,
+                                       .first_key = i,
+                                       .key_count = 1,
+                                       .parent = (uint16_t)i};
+        many_keys[i] = (fxl_motion_key){.scale = FXL_Q16_16_ONE};
+    }
+    scene.instances = many;
+    scene.turns = many_turns;
+    scene.instance_count = 9;
+    set = (fxl_motion_set){many_motions, 9, many_keys, 9};
+    fxl_scene_fault fault = {"-", 99};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_check(&set, &scene, &fault));
+    scene.instance_count = 10;
+    set = (fxl_motion_set){many_motions, 10, many_keys, 10};
+    expect(FXL_E_COUNT, "motion", 9);
+}

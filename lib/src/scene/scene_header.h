@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+/* The header of a scene image, byte for byte (docs/formats.md, section 1.1). Internal. */
+#ifndef SCENE_HEADER_H
+#define SCENE_HEADER_H
+
+#include "fixel/scene.h"
+
+typedef struct {
+    uint32_t offset, count;
+} table;
+
+/* The header of an image, byte for byte. */
+typedef struct {
+    uint32_t magic;
+    uint16_t version, header_size;
+    uint32_t image_size, crc;
+    uint16_t width, height;
+    uint32_t fov;
+    int32_t near_z, far_z, inset;
+    uint8_t background, path_kind;
+    uint16_t reserved;
+    fxl_pose start;
+    int32_t acceleration, friction, speed_max;
+    uint32_t turn;
+    table palette, vertices, indices, faces, models, instances, path;
+    uint32_t frame_count;
+    table face_bounds, bsp_nodes;
+    uint32_t bsp_instance;
+} header;
+
+/* The rest of the header, only if the scene has beams. */
+typedef struct {
+    table beams;
+    uint32_t lit; /* offset of 256 bytes */
+    uint32_t reserved;
+} beam_header;
+
+/* The rest of the header after that of beams, only if the scene has clusters. */
+typedef struct {
+    table clusters;
+} cluster_header;
+
+/* The rest of the header after that of clusters, only if the scene has turned instances. */
+typedef struct {
+    table turns, motions, keys;
+} turn_header;
+
+FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, frame_count) == 136, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_point) == 12, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_face) == 20, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_model) == 28, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(beam_header) == 16, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(cluster_header) == 8, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_cluster) == 48, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(offsetof(fxl_model, first_cluster) == 18, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(turn_header) == 24, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_turn) == 40, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_motion) == 76, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_motion_key) == 32, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
+
+#define MAGIC            0x534C5846u /* "FXLS" */
+#define VERSION          2u
+#define VERSION_MORE     3u /* has a BSP tree, or beams, or both */
+#define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */
+#define VERSION_TURNS    5u /* has turned instances, and may have all the others */
+#define PALETTE_ENTRIES  256u
+
+#define BEAM_HEADER_SIZE    (sizeof(header) + sizeof(beam_header))
+#define CLUSTER_HEADER_SIZE (BEAM_HEADER_SIZE + sizeof(cluster_header))
+#define TURN_HEADER_SIZE    (CLUSTER_HEADER_SIZE + sizeof(turn_header))
+
+#endif
