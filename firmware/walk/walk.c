@@ -244,12 +244,9 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
     stopwatch watch = {0, 0, false};
-    fxl_status status;
+    fxl_status status = act_step(path, frame, held);
     int code;
 
-    stopwatch_start(&watch);
-    status = act_step(path, frame, held);
-    stopwatch_stop(&watch);
     if (status != FXL_OK) {
         return fail_status("step", status, SYSTEM_EXIT_INPUT);
     }

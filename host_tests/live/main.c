@@ -184,19 +184,18 @@ static int open_scene(const char *path, session *run)
     return 0;
 }
 
-static bool choose(const char *option, const char *name, unsigned *cuts, bool *by_bsp)
+static bool choose(const char *option, const char *name, ref_renderer *as)
 {
-    return strcmp(option, "--clipper") == 0  ? ref_clipper_cuts(name, cuts)
-           : strcmp(option, "--hidden") == 0 ? ref_visibility_goes_by_bsp(name, by_bsp)
+    return strcmp(option, "--clipper") == 0  ? ref_clipper_cuts(name, &as->cuts, &as->by_points)
+           : strcmp(option, "--hidden") == 0 ? ref_visibility_goes_by_bsp(name, &as->by_bsp)
                                              : false;
 }
 
 int main(int count, char **arguments)
 {
-    bool by_bsp = true; /* where the scene has a tree */
-    unsigned cuts = REF_CUT_ALL;
+    ref_renderer as = {.by_bsp = true /* where the scene has a tree */, .cuts = REF_CUT_ALL};
     for (int i = 2; i < count; i += 2) {
-        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &cuts, &by_bsp)) {
+        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as)) {
             count = 0;
         }
     }
@@ -205,8 +204,9 @@ int main(int count, char **arguments)
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
-    run.renderer.by_bsp = by_bsp;
-    run.renderer.cuts = cuts;
+    run.renderer.by_bsp = as.by_bsp;
+    run.renderer.cuts = as.cuts;
+    run.renderer.by_points = as.by_points;
     if (code == 0) {
         code = serve(&run);
     }
