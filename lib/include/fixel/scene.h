@@ -203,6 +203,8 @@ typedef struct {
     const fxl_cluster *clusters; /* of the models that have some, in turn; or null */
     uint32_t cluster_count;
     const fxl_cluster_code *cluster_code; /* &fxl_clusters, set by the checks; null: no clusters */
+    const fxl_turn *turns; /* of each instance from first_turned on; null: no instance is turned */
+    uint32_t first_turned; /* where there are turns: the first instance that has one */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */

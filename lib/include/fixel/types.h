@@ -168,6 +168,18 @@ typedef struct {
     fxl_q2_30 x, y, z;
 } fxl_direction;
 
+/* A rotation from a model's axes to the world's. A point v of the model is (x . v, y . v, z . v)
+ * along the world's axes: the rows are the world's axes as the model sees them. */
+typedef struct {
+    fxl_direction x, y, z;
+} fxl_orientation;
+
+/* How an instance is turned and scaled: its point v is at centre + scale * (orientation . v). */
+typedef struct {
+    fxl_orientation orientation;
+    fxl_q16_16 scale; /* 1/256..256 */
+} fxl_turn;
+
 /* A plane. A point is inside it if normal . point >= distance; the normal points
  * inside. The distance is exact. Source: A1, A2 (Listing 65.1). */
 typedef struct {
