@@ -68,7 +68,10 @@ tiny_scene *tiny_make(void)
                              NULL,
                              NULL,
                              0,
-                             NULL};
+                             NULL,
+                             NULL,
+                             0,
+                             0};
     return &tiny;
 }
 

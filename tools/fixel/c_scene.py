@@ -83,7 +83,7 @@ class _Tables:
                         "16.16, first face bounds."),
             self._table("fxl_instance", "instances",
                         [braces(braces(*item.centre), item.model, item.layer, 0) for item in self.scene.objects],
-                        "Centre in 16.16, model, layer, reserved."),
+                        "Centre in 16.16, model, layer, recolour."),
         ]
         if self.bounds:
             made.append(self._table("fxl_face_bounds", "face_bounds", self.bounds,
@@ -122,6 +122,7 @@ class _Tables:
             rows(scene.beams, "beams", len(scene.beams)),
             rows(scene.beams, "lit"),
             rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
+            "NULL, 0 /* turns */, 0 /* instance_capacity */",
         ]
         return "\n".join([f"static const fxl_scene {name}_scene = {{",
                           ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])

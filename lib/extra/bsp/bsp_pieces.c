@@ -8,6 +8,9 @@
 uint32_t fxl_bsp_movers(const fxl_scene *scene)
 {
     uint32_t count = 0;
+    if (scene->instance_capacity > 0) {
+        return scene->instance_capacity - 1; /* of a world: whichever they become */
+    }
     if (scene->bsp_nodes != NULL) {
         const uint32_t layer = scene->instances[scene->bsp_instance].layer;
         for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -166,11 +169,25 @@ static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, 
     return done;
 }
 
-/* The normal of a face of an instance: it decides whether the face's pieces are turned to a light.
- */
-static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *instance, uint32_t face)
+/* A piece of a face, by all shaders that reach the instance. The normal decides whether the piece
+ * is turned to a light. */
+static void shade_piece(fxl_pieces *pieces, const fxl_instance *instance, const fxl_face *whole,
+                        const fxl_point *points, uint32_t count)
 {
-    return scene->faces[scene->models[instance->model].first_face + face].normal;
+    const fxl_renderer *renderer = pieces->on->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_shader *shader = fxl_shader_reaching(renderer->shader, scene, instance);
+    fxl_face piece = {
+        .normal = whole->normal, .count = (uint8_t)count, .material = whole->material};
+    while (shader != NULL && shader->code->split == NULL) {
+        piece.material = shader->code->colour(shader, renderer, instance, whole, piece.material);
+        shader = fxl_shader_reaching(shader->next, scene, instance);
+    }
+    if (shader != NULL) {
+        (void)shader->code->split(shader, pieces, &piece, points, count);
+    } else {
+        (void)fxl_submit_piece(pieces, points, count, piece.material);
+    }
 }
 
 static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
@@ -180,7 +197,6 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     const fxl_scene *scene = renderer->scene;
     const fxl_order_entry *entry = &on->renderer->frame.order[item->entry];
     const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_beam_light *light = renderer->beam_light;
     fxl_point points[FXL_FACE_VERTICES_MAX];
     uint32_t vertex = item->first;
     for (uint32_t i = 0; i < item->count; i++) {
@@ -191,12 +207,10 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     fxl_pieces pieces;
     fxl_pieces_begin(&pieces, on);
     pieces.planes = entry->instance.planes;
-    if (light != NULL && light->reaches(light, scene, instance)) {
-        const fxl_face face = {
-            .normal = normal_of(scene, instance, fxl_bsp_vertex_of(parts, item->first)->face),
-            .count = item->count,
-            .material = item->colour};
-        (void)light->split(light, &pieces, &face, points, item->count);
+    if (renderer->shader != NULL) {
+        const uint32_t face =
+            scene->models[instance->model].first_face + fxl_bsp_vertex_of(parts, item->first)->face;
+        shade_piece(&pieces, instance, &scene->faces[face], points, item->count);
     } else {
         (void)fxl_submit_piece(&pieces, points, item->count, item->colour);
     }

@@ -28,10 +28,9 @@ bool fxl_pieces_end(fxl_pieces *pieces)
     return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);
 }
 
-bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
-                         const fxl_traversal *on)
+bool fxl_submit_split_face(const fxl_shader *shader, const fxl_model_view *model_view,
+                           const fxl_face *face, const fxl_traversal *on)
 {
-    const fxl_beam_light *light = model_view->beam_light;
     const fxl_point *eye = &model_view->view->camera.position;
     const uint16_t *corners = model_view->indices + face->first_index;
     fxl_point points[FXL_FACE_VERTICES_MAX];
@@ -45,6 +44,6 @@ bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
     }
     fxl_pieces_begin(&pieces, on);
     pieces.planes = model_view->planes;
-    (void)light->split(light, &pieces, face, points, face->count);
+    (void)shader->code->split(shader, &pieces, face, points, face->count);
     return fxl_pieces_end(&pieces);
 }

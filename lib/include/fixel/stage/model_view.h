@@ -38,7 +38,7 @@ typedef struct {
     fxl_cached_vertex own;      /* all of the cache where the caller gave no memory */
 } fxl_vertex_cache;
 
-struct fxl_beam_light;
+struct fxl_shader;
 
 /* A model view. The caller owns it. */
 typedef struct {
@@ -52,8 +52,9 @@ typedef struct {
     fxl_planes planes;          /* those that a vertex may lie outside of */
     fxl_view_point translation; /* where the model's origin is in the view */
     fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
-    const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
-    void *clipper_workspace;                 /* the clipper's, of the caller's memory; or null */
+    const struct fxl_shader *shader; /* the first that takes the instance's faces; null: none */
+    const fxl_instance *instance;    /* of the model view, where there is a shader */
+    void *clipper_workspace;         /* the clipper's, of the caller's memory; or null */
 } fxl_model_view;
 
 /* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that
