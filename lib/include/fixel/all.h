@@ -10,6 +10,7 @@
 #include "fixel/extra/player.h"
 #include "fixel/extra/spans.h"
 #include "fixel/extra/wire.h"
+#include "fixel/extra/world.h"
 #include "fixel/stage/angle.h"
 #include "fixel/stage/camera.h"
 #include "fixel/stage/clip_view.h"

@@ -133,6 +133,7 @@ typedef enum {
     FXL_E_FACE_BOUNDS, /* a face's bounds differ from those of its vertices and its normal */
     FXL_E_BSP,         /* no tree, too deep a tree, or an instance that may not be with it */
     FXL_E_CLUSTER,     /* the front of a cluster's face may be seen from the cluster's cone */
+    FXL_E_STALE,       /* the handle of an instance that was removed, or that never was */
     FXL_STATUS_COUNT
 } fxl_status;
 

@@ -48,6 +48,8 @@ const char *fxl_status_text(fxl_status status)
                "the tree's model or layer, or that model has clusters";
     case FXL_E_CLUSTER:
         return "a cluster's face may show its front to an eye in the cluster's cone";
+    case FXL_E_STALE:
+        return "the handle is that of an instance that was removed, or that never was";
     case FXL_STATUS_COUNT:
         break;
     }
