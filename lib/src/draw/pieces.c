@@ -28,8 +28,8 @@ bool fxl_pieces_end(fxl_pieces *pieces)
     return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);
 }
 
-bool fxl_submit_split_face(const fxl_shader *shader, const fxl_model_view *model_view,
-                           const fxl_face *face, const fxl_traversal *on)
+bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *on, const fxl_shader *shader)
 {
     const fxl_point *eye = &model_view->view->camera.position;
     const uint16_t *corners = model_view->indices + face->first_index;

@@ -225,7 +225,7 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on)
 {
     const fxl_shader *shader = model_view->shader;
-    return shader != NULL ? shader->code->face(shader, model_view, face, on)
+    return shader != NULL ? shader->code->face(model_view, face, on, shader)
                           : submit_flat_face(model_view, face, on);
 }
 

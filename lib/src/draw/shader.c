@@ -22,13 +22,13 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
     renderer->frame.state = FXL_FRAME_NONE;
 }
 
-bool fxl_submit_coloured_face(const fxl_shader *shader, const fxl_model_view *model_view,
-                              const fxl_face *face, const fxl_traversal *on)
+bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on, const fxl_shader *shader)
 {
     const fxl_instance *instance = model_view->instance;
     fxl_face coloured = *face;
     coloured.material = shader->code->colour(shader, on->renderer, instance, face, face->material);
     const fxl_shader *next = fxl_shader_reaching(shader->next, on->renderer->scene, instance);
-    return next != NULL ? next->code->face(next, model_view, &coloured, on)
+    return next != NULL ? next->code->face(model_view, &coloured, on, next)
                         : fxl_submit_shaded_face(model_view, &coloured, on);
 }

@@ -151,8 +151,8 @@ typedef struct fxl_shader_code {
     bool (*reaches)(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance);
     /* Takes the faces of an instance that it reaches: fxl_submit_split_face,
      * fxl_submit_coloured_face, or another. */
-    bool (*face)(const fxl_shader *shader, const fxl_model_view *model_view, const fxl_face *face,
-                 const fxl_traversal *on);
+    bool (*face)(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+                 const fxl_shader *shader);
     /* Splits a polygon of the world, a piece or all of a face, and gives what it makes of it
      * to fxl_submit_piece. False where that answers false. Null: it colours. */
     bool (*split)(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
@@ -177,11 +177,11 @@ fxl_shader_reaching(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader);
 
 /* fxl_shader_code.face: the face's polygon of the world, split, counted once. */
-bool fxl_submit_split_face(const fxl_shader *shader, const fxl_model_view *model_view,
-                           const fxl_face *face, const fxl_traversal *on);
+bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *on, const fxl_shader *shader);
 
 /* fxl_shader_code.face: the face in another colour, to the next shader or to the clipper. */
-bool fxl_submit_coloured_face(const fxl_shader *shader, const fxl_model_view *model_view,
-                              const fxl_face *face, const fxl_traversal *on);
+bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on, const fxl_shader *shader);
 
 #endif
