@@ -12,7 +12,7 @@ enum {
     PLACES = MADE_INSTANCES + 2 * MORE,
     TURNS = MADE_INSTANCES + MORE,
     LIST = 256,
-    STEPS = 40
+    STEPS = 120
 };
 
 typedef struct {
@@ -119,6 +119,35 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
     DEMAND(renderer->workspace.counters.in == faces);
 }
 
+/* Calls without a world, or without what they need. */
+static void misuse_world(fxl_world *world, fxl_renderer *renderer)
+{
+    const fxl_handle handle = fxl_world_handle(0);
+    const fxl_point centre = {0, 0, 0};
+    const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
+    fxl_handle made;
+    const uint32_t refused = world->refused_calls;
+    DEMAND(fxl_world_spawn(NULL, &instance, NULL, &made) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_spawn(world, NULL, NULL, &made) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_spawn(world, &instance, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_remove(NULL, handle) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_hide(NULL, handle) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_show(NULL, handle) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_move(NULL, handle, &centre) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_move(world, handle, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_turn(NULL, handle, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_model(NULL, handle, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_layer(NULL, handle, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_recolour(NULL, handle, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_attach(NULL, renderer) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_attach(world, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_detach(NULL, renderer) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_detach(world, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_colours(NULL, renderer, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_end(NULL) == FXL_E_ARGUMENT);
+    DEMAND(world->refused_calls == refused + 5);
+}
+
 static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
 {
     static fxl_renderer renderer;
@@ -148,15 +177,66 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
     demand_frame(&renderer, in);
     DEMAND(fxl_world_detach(&of->world, &renderer) == FXL_OK);
     DEMAND(fxl_world_detach(&of->world, &renderer) == FXL_E_INDEX);
-    DEMAND(fxl_world_attach(&of->world, NULL) == FXL_E_ARGUMENT);
+    misuse_world(&of->world, &renderer);
 }
 
+/* Squares that are seen from both sides: of a convex model, and of a sorted one that may have a
+ * tree. */
+static fxl_scene squares(bool with_tree)
+{
+    enum {
+        SIDE = 65536
+    };
+    static const fxl_point vertices[8] = {{-SIDE, -SIDE, 0}, {-SIDE, SIDE, 0},  {SIDE, SIDE, 0},
+                                          {SIDE, -SIDE, 0},  {-SIDE, -SIDE, 0}, {-SIDE, SIDE, 0},
+                                          {SIDE, SIDE, 0},   {SIDE, -SIDE, 0}};
+    static const uint16_t indices[8] = {0, 1, 2, 3, 3, 2, 1, 0};
+    static const fxl_face faces[4] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0},
+                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, 2, 0},
+                                      {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 3, 0},
+                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, 4, 0}};
+    static const fxl_model models[2] = {{0, 4, 0, 2, FXL_MODEL_CONVEX, 0, 0, 2 * SIDE, 0},
+                                        {4, 4, 2, 2, FXL_MODEL_SORTED, 0, 0, 2 * SIDE, 0}};
+    static const fxl_instance instances[3] = {
+        {{0, 0, 5 * SIDE}, 0, 0, 0}, {{0, 0, 7 * SIDE}, 1, 0, 0}, {{SIDE, 0, 6 * SIDE}, 0, 1, 0}};
+    static const fxl_bsp_node node = {{0, 0, FXL_Q2_30_ONE},
+                                      0,
+                                      0,
+                                      FXL_BSP_NONE,
+                                      FXL_BSP_NONE,
+                                      FXL_BSP_NONE,
+                                      0,
+                                      2,
+                                      0,
+                                      {0, 0, 0},
+                                      2 * SIDE};
+    fxl_scene scene = {.vertices = vertices,
+                       .indices = indices,
+                       .faces = faces,
+                       .models = models,
+                       .instances = instances,
+                       .vertex_count = 8,
+                       .index_count = 8,
+                       .face_count = 4,
+                       .model_count = 2,
+                       .instance_count = 3};
+    if (with_tree) {
+        scene.bsp_nodes = &node;
+        scene.bsp_node_count = 1;
+        scene.bsp_instance = 1;
+    }
+    return scene;
+}
+
+/* The scene is the fuzzer's, or, if it is not in order, one of the two above. */
 void fuzz_world(fuzz_input *in)
 {
     static any_world of;
     const fxl_lens lens = fuzz_lens(in, PIXELS);
-    const uint32_t capacity = fuzz_below(in, PLACES - MORE + 1), turned = fuzz_below(in, MORE + 1);
+    const uint32_t more = fuzz_below(in, 8), turned = fuzz_below(in, MORE + 1);
+    const uint32_t which = fuzz_below(in, 4);
     made_scene *made = make_scene(in);
+    fxl_scene scene = made->scene;
     memset(&of, 0, sizeof of);
     for (int i = 0; i < 512; i++) {
         of.colours[i] = (uint8_t)(i * 7);
@@ -164,18 +244,18 @@ void fuzz_world(fuzz_input *in)
     for (uint32_t i = 0; i < PLACES; i++) {
         of.handles[i] = fxl_world_handle(i);
     }
-    const fxl_world_memory memory = {of.instances, of.slots,   of.turns, capacity,
-                                     turned,       of.colours, 2};
-    DEMAND(fxl_world_init(NULL, &made->scene, &memory) == FXL_E_ARGUMENT);
-    made->scene.order_needed = 0;
-    if (fxl_scene_check_all(&made->scene, NULL) == FXL_OK) {
-        const fxl_status status = fxl_world_init(&of.world, &made->scene, &memory);
-        DEMAND(status == FXL_OK || status == FXL_E_COUNT || status == FXL_E_CAPACITY);
-        if (status == FXL_OK) {
-            play(&of, &lens, in);
-        }
-    } else {
-        DEMAND(fxl_world_init(&of.world, &made->scene, &memory) != FXL_OK);
+    scene.order_needed = 0;
+    fxl_world_memory memory = {of.instances, of.slots, of.turns, 1, turned, of.colours, 2};
+    DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ORDER);
+    if (which < 2 || fxl_scene_check_all(&scene, NULL) != FXL_OK) {
+        scene = squares(which == 0);
+        DEMAND(fxl_scene_check_all(&scene, NULL) == FXL_OK);
+    }
+    memory.capacity = more > MORE ? more - MORE - 1 : scene.instance_count + more;
+    const fxl_status status = fxl_world_init(&of.world, &scene, &memory);
+    DEMAND(status == FXL_OK || status == FXL_E_COUNT || status == FXL_E_CAPACITY);
+    if (status == FXL_OK) {
+        play(&of, &lens, in);
     }
     free_scene(made);
 }

@@ -64,7 +64,7 @@ static fxl_turn any_turn(bool *is_right)
         {{0, 0, FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}},
         {{644245094, -858993459, 0}, {858993459, 644245094, 0}, {0, 0, FXL_Q2_30_ONE}},
         {{0, -FXL_Q2_30_ONE, 0}, {0, 0, -FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}}};
-    fxl_turn turn = {orientations[unit_between(0, 3)], unit_between(Q16(0.25), Q16(4))};
+    fxl_turn turn = {orientations[unit_between(0, 3)], unit_between(Q16(1), Q16(4))};
     const int wrong = unit_between(0, 39);
     if (wrong == 0) { /* a mirror */
         turn.orientation.z.x = -turn.orientation.z.x;

@@ -140,6 +140,29 @@ void test_another_workspace_has_room_for_the_largest_model(void)
     TEST_ASSERT_EQUAL(size, fxl_workspace_size(&world_renderer));
 }
 
+/* To a unit: the radius times the scale is rounded up. */
+void test_the_edge_of_the_world_is_exact(void)
+{
+    fxl_turn turn = {{{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
+                     FXL_Q16_16_ONE};
+    fxl_instance instance = world_cube_at(0, 0);
+    (void)world_start();
+    const fxl_handle handle = world_spawned(&instance, &turn);
+    fxl_point edge = {0, -(FXL_COORDINATE_MAX - TINY_RADIUS), 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
+    turn.scale += 1; /* the product is not whole */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_turn(&world, handle, &turn));
+    turn.scale = 1 * 65536 + 1;
+    edge.y += 1; /* TINY_RADIUS is 1.75: a scale of 1 + 1/65536 makes it 1.75/65536 longer */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_turn(&world, handle, &turn));
+    edge.y += 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, handle, &turn));
+    edge.y -= 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, handle, &edge));
+}
+
 void test_init_refuses(void)
 {
     const fxl_world_memory right = world_memory();

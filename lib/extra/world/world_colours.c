@@ -16,11 +16,11 @@ static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
                       const fxl_instance *instance, const fxl_face *face, uint8_t of_model)
 {
     const fxl_world *world = ((const fxl_world_colours *)(const void *)shader)->world;
+    const uint32_t table = instance->recolour - 1u; /* bug: world-colours */
     (void)renderer;
     (void)face;
     FXL_ASSERT(instance->recolour <= world->memory.colour_count);
-    return world->memory
-        .colours[256u * (instance->recolour - 1u) + of_model]; /* bug: world-colours */
+    return world->memory.colours[256u * table + of_model];
 }
 
 fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
