@@ -7,6 +7,7 @@
 #include "fixel/extra/beams.h"
 #include "fixel/extra/bsp.h"
 #include "fixel/extra/clippers.h"
+#include "fixel/extra/light.h"
 #include "fixel/extra/player.h"
 #include "fixel/extra/spans.h"
 #include "fixel/extra/wire.h"
