@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "frames/read_file.h"
 
@@ -49,8 +50,8 @@ void session_reserve(session *run, const session_settings *most)
                                most->display_list_words,
                                session_memory(most->cache_entries * sizeof(fxl_cached_vertex)),
                                most->cache_entries};
-    run->workspace = session_memory(session_submit_bytes(run, most->visibility) +
-                                    (size_t)most->raster_bytes);
+    run->workspace =
+        session_memory(session_submit_bytes(run, most->visibility) + (size_t)most->raster_bytes);
     run->pieces = session_memory(most->pieces_bytes);
     run->beam_light = session_memory(beam_light_bytes(scene));
 }
@@ -74,9 +75,9 @@ fxl_status session_set_up(session *run, const session_settings *settings)
                                           sizeof run->clipper_workspace);
     }
     if (status == FXL_OK) {
-        status = fxl_renderer_set_visibility(
-            renderer, settings->visibility, run->workspace,
-            session_submit_bytes(run, settings->visibility) + settings->raster_bytes);
+        status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,
+                                             session_submit_bytes(run, settings->visibility) +
+                                                 settings->raster_bytes);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,
@@ -88,6 +89,30 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         bsp->pieces_size = settings->pieces_bytes;
     }
     return status;
+}
+
+fxl_status session_light(session *run, const named_light *light)
+{
+    fxl_light_settings settings;
+    memset(&settings, 0, sizeof settings);
+    settings.ambient = light->ambient;
+    settings.strength = light->strength;
+    settings.direction =
+        (fxl_direction){light->direction[0], light->direction[1], light->direction[2]};
+    settings.point_count = (uint32_t)light->point_count;
+    for (int i = 0; i < light->point_count; i++) {
+        const int32_t *at = light->points[i].position;
+        settings.points[i] = (fxl_point_light){
+            {at[0], at[1], at[2]}, light->points[i].range, light->points[i].strength};
+    }
+    settings.fog_near = light->fog_near;
+    settings.fog_far = light->fog_far;
+    settings.levels = (uint32_t)light->levels;
+    settings.ramp = run->ramp;
+    fxl_status status =
+        fxl_light_make_ramp(run->image.palette, light->dark, settings.levels, run->ramp);
+    return status == FXL_OK ? fxl_renderer_set_light(&run->renderer, &run->light, &settings)
+                            : status;
 }
 
 fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,

@@ -64,6 +64,8 @@ typedef struct {
     ref_plane planes[8];
 } ref_beam;
 
+typedef struct ref_light ref_light;
+
 typedef struct {
     ref_lattice_point *vertices; /* relative to the instance's centre */
     uint16_t *indices;
@@ -78,6 +80,7 @@ typedef struct {
     uint8_t lit[256];      /* the colour of each colour in a beam */
     ref_cluster *clusters; /* null where there are none */
     uint32_t cluster_count;
+    const ref_light *light; /* light at run time, which no image has; or null */
 } ref_scene;
 
 typedef struct {
