@@ -33,8 +33,8 @@ static inline const named_light *find_light(const char *name)
                                           {715827883, -715827883, 357913941},
                                           0,
                                           {{{0}, 0, 0}},
-                                          15 * UNIT,
-                                          90 * UNIT,
+                                          30 * UNIT,
+                                          170 * UNIT,
                                           32,
                                           {226, 220, 246}},
                                          /* Night, and four lamps that overlap. */
