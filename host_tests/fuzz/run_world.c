@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A world over any scene, changed in any way and drawn between changes. */
+/* A world over any scene, changed in any way and drawn between changes, in any light. */
 #include <string.h>
 
 #include "demand.h"
@@ -164,6 +164,9 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
     for (int i = 0; i < STEPS && in->left > 0; i++) {
         const uint32_t what = fuzz_below(in, 8);
         if (what == 0) {
+            if (fuzz_below(in, 4) == 0) {
+                fuzz_set_light(&renderer, in);
+            }
             demand_frame(&renderer, in);
         } else if (what == 1) {
             const fxl_pose pose = fuzz_pose(in);
