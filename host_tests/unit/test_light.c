@@ -8,8 +8,8 @@
 #include "tiny.h"
 
 enum {
-    WIDTH = 32,
-    HEIGHT = 24,
+    WIDTH = 24,
+    HEIGHT = 16,
     BACKGROUND = 255,
     LEVELS = 8
 };
@@ -316,12 +316,12 @@ void test_light_goes_with_beams(void)
 {
     static FXL_ALIGN_8 uint8_t room[2400];
     static uint8_t lit[256];
-    const fxl_pose pose = {{0, Q16(3), Q16(-5)}, 0, 0, 0};
+    const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
     const fxl_direction way = {0, 0, FXL_Q2_30_ONE};
-    const fxl_point window[4] = {{-Q16(0.5), -Q16(0.5), -Q16(3)},
-                                 {-Q16(0.5), Q16(0.5), -Q16(3)},
-                                 {Q16(0.5), Q16(0.5), -Q16(3)},
-                                 {Q16(0.5), -Q16(0.5), -Q16(3)}};
+    const fxl_point window[4] = {{-Q16(0.75), -Q16(0.75), -Q16(3)},
+                                 {-Q16(0.75), Q16(0.75), -Q16(3)},
+                                 {Q16(0.75), Q16(0.75), -Q16(3)},
+                                 {Q16(0.75), -Q16(0.75), -Q16(3)}};
     fxl_beam beam;
     fxl_light_settings of;
     uint32_t changed = 0, plain = 0;
