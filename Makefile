@@ -148,7 +148,7 @@ screen: ## save what a board's screen shows after the last frame [BOARD= SCENE= 
 
 pictures: ## renew the pictures of the documents (needs make run and make report)
 	@tools/setup.sh test
-	@$(MAKE) $(BOARD_WALK.$(BOARD)) $(BUILD)/host/live $(BUILD)/host/libfixel.a
+	@$(MAKE) $(BOARD_WALK.$(BOARD)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
 	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(PY) tools/first_program.py --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
@@ -159,6 +159,9 @@ pictures: ## renew the pictures of the documents (needs make run and make report
 	@$(PY) tools/pictures.py --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
 	@$(MAKE) wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
 	@$(PY) tools/pictures.py --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
+	@$(PY) tools/scene.py build scenes/plaza.toml -o $(BUILD)/lit.fxls
+	@for light in day lamps dusk; do $(BUILD)/host/frames $(BUILD)/lit.fxls $(BUILD)/$$light.fxld --light $$light || exit 1; done
+	@$(PY) tools/pictures.py --dumps $(BUILD)/day.fxld $(BUILD)/lamps.fxld $(BUILD)/dusk.fxld --frames 40,40,20 --out docs/light.png
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.

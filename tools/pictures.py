@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes a picture of a document: frames of `make run` or `make wire`, side by side."""
+"""Makes a picture of a document: frames of `make run` or `make wire`, or of frame dumps, side by side."""
 
 from fixel import interpreter
 
@@ -11,24 +11,43 @@ import pathlib
 
 from PIL import Image
 
-from fixel import output, picture
+from fixel import dump, output, picture
 from fixel.errors import ToolError, run_main
 
 FRAMES = "30,45,105"       # of the plaza
 GAP = 8
 
 
-def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--run", type=pathlib.Path, required=True, help="folder of make run's frames")
-    parser.add_argument("--frames", default=FRAMES, help="numbers of the frames, like 30,45,105")
-    parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture")
-    options = parser.parse_args(argv)
-    files = [options.run / f"frame_{number:04d}.png" for number in map(int, options.frames.split(","))]
+def of_run(folder, numbers):
+    """Pictures of frames of make run."""
+    files = [folder / f"frame_{number:04d}.png" for number in numbers]
     missing = [str(file) for file in files if not file.exists()]
     if missing:
         raise ToolError(f"{missing[0]} does not exist: run `make run` on its scene first")
-    frames = [Image.open(file).convert("RGB") for file in files]
+    return [Image.open(file).convert("RGB") for file in files]
+
+
+def of_dumps(files, numbers):
+    """A picture of each frame dump."""
+    made = []
+    for file, number in zip(files, numbers, strict=True):
+        drawn = dump.read_dump(file)
+        made.append(picture.palette_image(drawn.frames[number].pixels, drawn.palette).convert("RGB"))
+    return made
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    source = parser.add_mutually_exclusive_group(required=True)
+    source.add_argument("--run", type=pathlib.Path, help="folder of make run's frames")
+    source.add_argument("--dumps", type=pathlib.Path, nargs="+", help="frame dumps, one for each number")
+    parser.add_argument("--frames", default=FRAMES, help="numbers of the frames, like 30,45,105")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture")
+    options = parser.parse_args(argv)
+    numbers = list(map(int, options.frames.split(",")))
+    if options.dumps and len(options.dumps) != len(numbers):
+        raise ToolError("--frames must have a number for each of --dumps")
+    frames = of_dumps(options.dumps, numbers) if options.dumps else of_run(options.run, numbers)
     width, height = frames[0].size
     row = Image.new("RGB", (len(frames) * (width + GAP) - GAP, height), (255, 255, 255))
     for place, frame in enumerate(frames):

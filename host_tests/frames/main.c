@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] [--frames N] [--rows N]
- *     [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES]
+ *     [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES] [--light NAME]
  *
  * Draws a scene's path by a clipper and a visibility method into a frame dump, in bands of
  * --rows rows (0: whole frames), and prints the sums of the counters as JSON. The unit of
@@ -19,6 +19,7 @@ typedef struct {
     const char *scene, *out;
     const named_clipper *clipper;
     const named_visibility *visibility;
+    const named_light *light;
     uint32_t frames, rows, list, cache, sliver, pieces;
 } options;
 
@@ -66,6 +67,11 @@ static bool parse(int count, char **arguments, options *wanted)
             wanted->clipper = find_clipper(value);
         } else if (strcmp(name, "--hidden") == 0) {
             wanted->visibility = find_visibility(value);
+        } else if (strcmp(name, "--light") == 0) {
+            wanted->light = find_light(value);
+            if (!wanted->light) {
+                return false;
+            }
         } else {
             uint32_t *number = strcmp(name, "--frames") == 0   ? &wanted->frames
                                : strcmp(name, "--rows") == 0   ? &wanted->rows
@@ -108,13 +114,15 @@ static const char *open_scene(const options *wanted, session *run)
         .visibility = &visibility,
         .display_list_words = wanted->list,
         .cache_entries = wanted->cache,
-        .raster_bytes = visibility.backend->workspace_size
-                            ? visibility.backend->workspace_size(lens) * 16
-                            : 0,
+        .raster_bytes =
+            visibility.backend->workspace_size ? visibility.backend->workspace_size(lens) * 16 : 0,
         .pieces_bytes = wanted->pieces};
     session_reserve(run, &settings);
     fxl_status status = session_set_up(run, &settings);
     run->clipper_workspace.stats.sliver = (fxl_q18_46)wanted->sliver << 30;
+    if (status == FXL_OK && wanted->light) {
+        status = session_light(run, wanted->light);
+    }
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 
@@ -130,8 +138,8 @@ static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32
         fxl_status status = walk_path_next(&path, 0);
         session_play(run, i);
         if (status == FXL_OK) {
-            status = session_draw(run, &path.viewer.pose, wanted->rows, run->image.background,
-                                  pixels);
+            status =
+                session_draw(run, &path.viewer.pose, wanted->rows, run->image.background, pixels);
         }
         if (status != FXL_OK) {
             return status;

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "frames/read_file.h"
 
@@ -103,6 +104,30 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         bsp->pieces_size = settings->pieces_bytes;
     }
     return status;
+}
+
+fxl_status session_light(session *run, const named_light *light)
+{
+    fxl_light_settings settings;
+    memset(&settings, 0, sizeof settings);
+    settings.ambient = light->ambient;
+    settings.strength = light->strength;
+    settings.direction =
+        (fxl_direction){light->direction[0], light->direction[1], light->direction[2]};
+    settings.point_count = (uint32_t)light->point_count;
+    for (int i = 0; i < light->point_count; i++) {
+        const int32_t *at = light->points[i].position;
+        settings.points[i] = (fxl_point_light){
+            {at[0], at[1], at[2]}, light->points[i].range, light->points[i].strength};
+    }
+    settings.fog_near = light->fog_near;
+    settings.fog_far = light->fog_far;
+    settings.levels = (uint32_t)light->levels;
+    settings.ramp = run->ramp;
+    fxl_status status =
+        fxl_light_make_ramp(run->image.palette, light->dark, settings.levels, run->ramp);
+    return status == FXL_OK ? fxl_renderer_set_light(&run->renderer, &run->light, &settings)
+                            : status;
 }
 
 fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,

@@ -5,6 +5,7 @@
 #define FRAMES_SESSION_H
 
 #include "fixel/all.h"
+#include "lights/named.h"
 
 /* How frames are drawn. In session_reserve: the largest that session_set_up is given. */
 typedef struct {
@@ -21,6 +22,8 @@ typedef struct {
     fxl_renderer renderer;
     fxl_clipper_workspace clipper_workspace;
     fxl_memory memory;
+    fxl_light light;
+    uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
     void *workspace, *pieces, *beam_light; /* the visibility method's, the tree's, the beams' */
 } session;
 
@@ -40,6 +43,9 @@ void session_reserve(session *run, const session_settings *most);
 
 /* Sets the renderer up anew. What the library answers. */
 fxl_status session_set_up(session *run, const session_settings *settings);
+
+/* Has the renderer, which is set up, draw in a light. What the library answers. */
+fxl_status session_light(session *run, const named_light *light);
 
 /* Bytes of the workspace that stand before the raster backend's. */
 uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility);

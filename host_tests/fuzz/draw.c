@@ -213,7 +213,7 @@ static void free_renderer(fxl_renderer *renderer)
         free(renderer->workspace.cache.entries);
     }
     free(renderer->frame.order);
-    free((void *)(uintptr_t)renderer->beam_light); /* it lies at the beginning of its room */
+    free((void *)(uintptr_t)renderer->shader); /* it lies at the beginning of its room */
     free(renderer);
 }
 

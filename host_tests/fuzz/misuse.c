@@ -137,7 +137,7 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_beams(renderer, beams, FXL_BEAMS_MAX + 1, lit, room, 64) ==
            FXL_E_COUNT);
     DEMAND(before.clipper == renderer->clipper && before.visibility == renderer->visibility &&
-           before.beam_light == renderer->beam_light);
+           before.shader == renderer->shader);
     DEMAND(fxl_renderer_set_beams(renderer, NULL, 0, NULL, NULL, 0) == FXL_OK);
 }
 

@@ -21,5 +21,9 @@ void fuzz_normalised(fuzz_input *in);
 void fuzz_first_program(fuzz_input *in);
 void fuzz_overlay(fuzz_input *in);
 void fuzz_geometry(fuzz_input *in);
+void fuzz_world(fuzz_input *in);
+
+/* Lights a renderer, or not: settings of any kind. */
+void fuzz_set_light(fxl_renderer *renderer, fuzz_input *in);
 
 #endif

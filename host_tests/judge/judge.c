@@ -15,6 +15,7 @@
 
 #include "frames/read_file.h"
 #include "judge/verdict.h"
+#include "judge/light.h"
 #include "judge/walk.h"
 
 typedef struct {
@@ -23,6 +24,7 @@ typedef struct {
     bool by_points;
     bool by_bsp; /* the board drew in the order of the scene's BSP */
     double distance;
+    const named_light *light; /* in which the board drew; or null */
 } options;
 
 typedef struct {
@@ -32,6 +34,7 @@ typedef struct {
     judge_dump dump, twin;
     judge_frame *frames;
     judge_walk walk;
+    ref_light light;
 } session;
 
 /* A text that grows. */
@@ -171,6 +174,11 @@ static bool parse_options(int count, char **arguments, options *wanted)
             if (!ref_visibility_goes_by_bsp(value, &wanted->by_bsp)) {
                 return false;
             }
+        } else if (strcmp(name, "--light") == 0) {
+            wanted->light = find_light(value);
+            if (!wanted->light) {
+                return false;
+            }
         } else if (strcmp(name, "--distance") == 0) {
             char *end;
             wanted->distance = strtod(value, &end);
@@ -220,6 +228,9 @@ static int judge(const options *wanted, session *run)
         return code;
     }
     const judge_scene scene = {&run->image, run->bytes, run->size};
+    if (wanted->light) {
+        judge_light(&run->image, wanted->light, &run->light);
+    }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
@@ -242,9 +253,9 @@ int main(int count, char **arguments)
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
         return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
-                    "[--distance PIXELS] [--clipper NAME] [--hidden NAME]");
+                    "[--distance PIXELS] [--clipper NAME] [--hidden NAME] [--light NAME]");
     }
-    session run = {0};
+    static session run;
     int code = judge(&wanted, &run);
     free(run.frames);
     free(run.bytes);

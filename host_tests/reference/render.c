@@ -10,6 +10,7 @@
 #include "reference/depth.h"
 #include "reference/fill.h"
 #include "reference/beam_light.h"
+#include "reference/light.h"
 #include "reference/project.h"
 #include "reference/scan.h"
 #include "reference/submit_by_bsp.h"
@@ -147,6 +148,14 @@ static void count_once(const ref_counters *pieces, ref_counters *counters)
     }
 }
 
+uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
+                        const ref_face *face)
+{
+    const ref_scene *scene = renderer->scene;
+    return scene->light ? ref_light_colour(scene->light, &renderer->camera, scene, instance, face)
+                        : face->material;
+}
+
 /* Submits a face of an instance that a beam may reach: in pieces, lit and dark. */
 static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
 {
@@ -156,6 +165,7 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
     const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
     ref_piece whole = {.count = face->count};
     ref_counters counted = {0};
+    const uint8_t colour = ref_face_colour(renderer, instance, face);
     for (int i = 0; i < whole.count; i++) {
         whole.points[i] = ref_face_vertex(scene, instance, face, i);
     }
@@ -171,7 +181,7 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
     }
     for (int i = 0; i < pieces.count; i++) {
         const ref_lit_piece *piece = &pieces.pieces[i];
-        ref_polygon polygon = {.colour = piece->lit ? scene->lit[face->material] : face->material,
+        ref_polygon polygon = {.colour = piece->lit ? scene->lit[colour] : colour,
                                .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
@@ -193,9 +203,9 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
-    ref_face_to_polygon(renderer->scene, instance,
-                        &renderer->scene->faces[model->first_face + face_number],
-                        renderer->by_points, &whole);
+    const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
+    ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points, &whole);
+    whole.colour = ref_face_colour(renderer, instance, face);
     return ref_submit_polygon(renderer, &whole, instance_number, face_number, &renderer->counters);
 }
 

@@ -25,6 +25,10 @@ typedef struct {
     uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
 } ref_renderer;
 
+/* The colour of a face in the frame. */
+uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
+                        const ref_face *face);
+
 /* Initialises a renderer. Returns false where memory is short. The scene must outlive the
  * renderer. */
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens);

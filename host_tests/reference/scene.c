@@ -392,7 +392,10 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "it is not a scene image (no FXLS at its start)";
     }
     uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
-    if (version < 2 || version > 5 || header != (version == 5 ? 208 : header == 176 || header == 184 ? header : 160)) {
+    if (version < 2 || version > 5 ||
+        header != (version == 5                     ? 208
+                   : header == 176 || header == 184 ? header
+                                                    : 160)) {
         return "this version of the scene image is not known";
     }
     uint32_t stated = ref_u32(bytes + 8);

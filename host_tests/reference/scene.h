@@ -70,6 +70,8 @@ typedef struct {
     ref_plane planes[8];
 } ref_beam;
 
+typedef struct ref_light ref_light;
+
 typedef struct {
     ref_lattice_point *vertices; /* relative to the instance's centre */
     uint16_t *indices;
@@ -86,6 +88,7 @@ typedef struct {
     uint32_t cluster_count;
     ref_turn *turns; /* of the instances from first_turned on; null where there are none */
     uint32_t first_turned;
+    const ref_light *light; /* light at run time, which no image has; or null */
 } ref_scene;
 
 typedef struct {

@@ -40,11 +40,12 @@ static bool submit_leaf(const bsp_traversal *traversal, uint32_t node, bool behi
         if (piece->node != node || piece->behind != behind) {
             continue;
         }
-        const ref_model *model =
-            &traversal->scene->models[traversal->scene->instances[piece->instance].model];
-        ref_polygon polygon = {
-            .colour = traversal->scene->faces[model->first_face + piece->face].material,
-            .count = piece->shape.count};
+        const ref_instance *instance = &traversal->scene->instances[piece->instance];
+        const ref_face *face =
+            &traversal->scene
+                 ->faces[traversal->scene->models[instance->model].first_face + piece->face];
+        ref_polygon polygon = {.colour = ref_face_colour(traversal->renderer, instance, face),
+                               .count = piece->shape.count};
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }

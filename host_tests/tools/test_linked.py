@@ -15,6 +15,8 @@ int main(void)
 """
 MORE = {"fxl_bsp_check", "fxl_beam_check", "fxl_beams_fit", "fxl_cluster_check", "fxl_clusters", "fxl_order_clusters"}
 
+SHADERS = {"fxl_renderer_set_shader", "fxl_submit_coloured_face", "fxl_light_brightness"}
+
 
 @pytest.mark.parametrize("call, linked", [("fxl_scene_check(&scene, NULL)", set()),
                                           ("fxl_scene_check_all(&scene, NULL)", MORE),
@@ -27,6 +29,19 @@ def test_a_scene_without_tree_beams_and_clusters_links_nothing_of_them(build, tm
     subprocess.run([program], check=True)
     names = subprocess.run(["nm", program], check=True, text=True, capture_output=True).stdout.split()
     assert MORE & set(names) == linked
+
+
+def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_path):
+    source, program = tmp_path / "draw.c", tmp_path / "draw"
+    call = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL)"
+    for named, text in ((False, call), (True, call + " + fxl_renderer_set_light(NULL, NULL, NULL)")):
+        source.write_text("#include <stddef.h>\n#include <fixel/extra/light.h>\n" + PROGRAM.replace("NAME", text),
+                          encoding="utf-8")
+        subprocess.run(["gcc", "-std=c11", "-I", build.parent / "lib" / "include", source,
+                        build / "host" / "libfixel.a", "-o", program], check=True)
+        names = subprocess.run(["nm", program], check=True, text=True, capture_output=True).stdout.split()
+        assert bool(SHADERS & set(names)) == named
+        assert not any(name.startswith("fxl_world") for name in names)
 
 
 def test_an_int_of_16_bits_is_refused(build, tmp_path):

@@ -254,14 +254,14 @@ void test_what_makes_no_light_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_set_beams(&renderer, beams, 2, lit, room, needed - 1));
     TEST_ASSERT_EQUAL_UINT32(8, renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_NULL(renderer.beam_light);
+    TEST_ASSERT_NULL(renderer.shader);
     beams[1].plane_count = 0;
     TEST_ASSERT_EQUAL(FXL_E_COUNT,
                       fxl_renderer_set_beams(&renderer, beams, 2, lit, room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, beams, 1, lit, room, sizeof room));
-    TEST_ASSERT_NOT_NULL(renderer.beam_light);
+    TEST_ASSERT_NOT_NULL(renderer.shader);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
-    TEST_ASSERT_NULL(renderer.beam_light);
+    TEST_ASSERT_NULL(renderer.shader);
 }
 
 /* A comb whose teeth all cross two sides of the beam: its parts need more corners than there is

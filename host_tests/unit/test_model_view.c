@@ -157,5 +157,5 @@ void test_a_polygon_has_its_points_in_turn(void)
     TEST_ASSERT_EQUAL_INT32(-view.camera.position.x, model_view.offset.x);
     TEST_ASSERT_EQUAL_INT32(-view.camera.position.y, model_view.offset.y);
     TEST_ASSERT_EQUAL_INT32(-view.camera.position.z, model_view.offset.z);
-    TEST_ASSERT_NULL(model_view.beam_light);
+    TEST_ASSERT_NULL(model_view.shader);
 }

@@ -251,8 +251,7 @@ void test_a_face_in_pieces_counts_once(void)
 /* Light on the first object alone, which it splits along a diagonal. */
 static uint32_t asked;
 
-static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
-                    const fxl_instance *instance)
+static bool reaches(const fxl_shader *light, const fxl_scene *scene, const fxl_instance *instance)
 {
     (void)light;
     asked++;
@@ -260,26 +259,28 @@ static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
     return instance->centre.z == 0;
 }
 
-static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
+static bool split(const fxl_shader *light, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
     const fxl_point first[] = {points[0], points[1], points[2]};
     const fxl_point second[] = {points[0], points[2], points[3]};
-    TEST_ASSERT_TRUE(count == 4 && light == renderer.beam_light);
+    TEST_ASSERT_TRUE(count == 4 && light == renderer.shader);
     return fxl_submit_piece(pieces, first, 3, (uint8_t)(face->material + LIT)) &&
            fxl_submit_piece(pieces, second, 3, face->material);
 }
 
+static const fxl_shader_code splitting = {reaches, fxl_submit_split_face, split, NULL};
+
 void test_light_splits_the_faces_that_it_reaches(void)
 {
-    const fxl_beam_light light = {reaches, fxl_submit_lit_face, split};
+    fxl_shader light = {NULL, FXL_SHADER_BEAMS, &splitting};
     uint32_t lit = 0, dark = 0;
     asked = 0;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
         fxl_pose pose = random_pose();
         fxl_counters expected = draw_plainly(&pose);
         start((uint32_t)unit_between(0, LIST_WORDS));
-        renderer.beam_light = &light;
+        renderer.shader = &light;
         fxl_counters found = draw(&pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         expect_counters(&expected, &found);
         for (uint32_t i = 0; i < HEIGHT * WIDTH; i++) {
@@ -311,12 +312,12 @@ static fxl_clip_result note_planes(const fxl_model_view *model_view, const fxl_f
 void test_pieces_need_the_planes_of_their_face(void)
 {
     static const fxl_clipper noting = {.clip = note_planes};
-    const fxl_beam_light light = {reaches, fxl_submit_lit_face, split};
+    fxl_shader light = {NULL, FXL_SHADER_BEAMS, &splitting};
     const fxl_pose inside = {{0, 0, Q16(-6)}, 0, 0, 0},
                    across = {{0, 0, Q16(-3)}, DEGREES(45), 0, 0};
     for (int i = 0; i < 2; i++) {
         start(LIST_WORDS);
-        renderer.beam_light = &light;
+        renderer.shader = &light;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &noting, NULL, 0));
         pieces_seen = planes_seen = 0;
         (void)draw(i == 0 ? &inside : &across, frames[1], HEIGHT);

@@ -106,7 +106,7 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     tiny->faces[11].reserved = 1;
     expect_fault(FXL_E_RESERVED, "face", 11, &tiny->scene);
     tiny = tiny_make();
-    tiny->instances[2].reserved = 1;
+    tiny->instances[2].recolour = 1;
     expect_fault(FXL_E_RESERVED, "instance", 2, &tiny->scene);
     tiny = tiny_make();
     tiny->models[1].reserved = 1;

@@ -71,7 +71,8 @@ tiny_scene *tiny_make(void)
                              NULL,
                              NULL,
                              0,
-                             NULL};
+                             NULL,
+                             0};
     return &tiny;
 }
 

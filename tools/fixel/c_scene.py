@@ -84,7 +84,7 @@ class _Tables:
                         "16.16, first face bounds."),
             self._table("fxl_instance", "instances",
                         [braces(braces(*item.centre), item.model, item.layer, 0) for item in self.scene.objects],
-                        "Centre in 16.16, model, layer, reserved."),
+                        "Centre in 16.16, model, layer, recolour."),
         ]
         if self.bounds:
             made.append(self._table("fxl_face_bounds", "face_bounds", self.bounds,
@@ -128,6 +128,7 @@ class _Tables:
             rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
             rows(scene.turns, "turns", len(scene.objects) - len(scene.turns) if scene.turns else 0,
                  "&fxl_turned_instances" if scene.turns else "NULL"),
+            "0 /* instance_capacity */",
         ]
         return "\n".join([f"static const fxl_scene {name}_scene = {{",
                           ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])

@@ -8,7 +8,7 @@
 
 /* The light of a renderer, at the beginning of the workspace. */
 typedef struct {
-    fxl_beam_light light;
+    fxl_shader shader;
     const fxl_beam *beams;
     const uint8_t *lit;
     fxl_lit_pieces *pieces; /* after this record; their tables follow them */
@@ -35,10 +35,9 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
            rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
 }
 
-static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
-                    const fxl_instance *instance)
+static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
 {
-    const lighting *of = (const lighting *)light;
+    const lighting *of = (const lighting *)shader;
     const fxl_q16_16 radius = fxl_instance_radius(scene, instance);
     for (uint32_t i = 0; i < of->beam_count; i++) {
         if (fxl_beam_reaches(&of->beams[i], &instance->centre, radius)) {
@@ -50,10 +49,10 @@ static bool reaches(const fxl_beam_light *light, const fxl_scene *scene,
 
 /* Front to back, the pieces come in reverse order. If rounding has made the pieces need more
  * memory than there is, the face is drawn whole and dark, and counts as refused. */
-static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
+static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
-    const lighting *of = (const lighting *)light;
+    const lighting *of = (const lighting *)shader;
     fxl_lit_pieces *made = of->pieces;
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= REFUSED;
@@ -74,9 +73,11 @@ static bool split(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_fac
     return true;
 }
 
+static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL};
+
 /* Builds the record and its tables in the workspace. */
-static const fxl_beam_light *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,
-                                   uint8_t *workspace)
+static fxl_shader *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,
+                         uint8_t *workspace)
 {
     lighting *of = (lighting *)(void *)workspace;
     workspace += rounded_up(sizeof *of);
@@ -93,14 +94,12 @@ static const fxl_beam_light *build(const fxl_beam *beams, uint32_t beam_count, c
     of->outline = (fxl_point *)(void *)workspace;
     pieces->corner_count = 0;
     pieces->piece_count = 0;
-    of->light.reaches = reaches;
-    of->light.face = fxl_submit_lit_face;
-    of->light.split = split;
+    of->shader.code = &code;
     of->beams = beams;
     of->beam_count = beam_count;
     of->lit = lit;
     of->pieces = pieces;
-    return &of->light;
+    return &of->shader;
 }
 
 static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t beam_count)
@@ -145,8 +144,8 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
             return fxl_refuse(&renderer->workspace, status);
         }
     }
-    renderer->beam_light =
-        beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace) : NULL;
-    renderer->frame.state = FXL_FRAME_NONE;
+    fxl_renderer_set_shader(renderer, FXL_SHADER_BEAMS,
+                            beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace)
+                                           : NULL);
     return FXL_OK;
 }

@@ -8,6 +8,9 @@
 uint32_t fxl_bsp_movers(const fxl_scene *scene)
 {
     uint32_t count = 0;
+    if (scene->instance_capacity > 0) {
+        return scene->instance_capacity - 1; /* of a world: whichever they become */
+    }
     if (scene->bsp_nodes != NULL) {
         const uint32_t layer = scene->instances[scene->bsp_instance].layer;
         for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -209,9 +212,8 @@ static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, 
 /* The normal of a face of an instance: it decides whether the face's pieces are turned to a light.
  */
 static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *instance,
-                               uint32_t number)
+                               const fxl_face *face)
 {
-    const fxl_face *face = &scene->faces[scene->models[instance->model].first_face + number];
     const uint32_t of = fxl_instance_number(scene, instance);
     const fxl_turn_code *turned = fxl_turn_code_of(scene, of);
     return turned != NULL ? turned->normal(scene, of, face) : face->normal;
@@ -224,7 +226,6 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     const fxl_scene *scene = renderer->scene;
     const fxl_order_entry *entry = &on->renderer->frame.order[item->entry];
     const fxl_instance *instance = &scene->instances[entry->index];
-    const fxl_beam_light *light = renderer->beam_light;
     fxl_point points[FXL_FACE_VERTICES_MAX];
     uint32_t vertex = item->first;
     for (uint32_t i = 0; i < item->count; i++) {
@@ -235,12 +236,11 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     fxl_pieces pieces;
     fxl_pieces_begin(&pieces, on);
     pieces.planes = entry->instance.planes;
-    if (light != NULL && light->reaches(light, scene, instance)) {
-        const fxl_face face = {
-            .normal = normal_of(scene, instance, fxl_bsp_vertex_of(parts, item->first)->face),
-            .count = item->count,
-            .material = item->colour};
-        (void)light->split(light, &pieces, &face, points, item->count);
+    if (renderer->shader != NULL) {
+        const fxl_face *face = &scene->faces[scene->models[instance->model].first_face +
+                                             fxl_bsp_vertex_of(parts, item->first)->face];
+        const fxl_direction normal = normal_of(scene, instance, face);
+        fxl_submit_shaded_piece(&pieces, instance, face, &normal, points, item->count);
     } else {
         (void)fxl_submit_piece(&pieces, points, item->count, item->colour);
     }

@@ -91,7 +91,14 @@ typedef struct fxl_workspace {
     } work;
 } fxl_workspace;
 
-typedef struct fxl_beam_light fxl_beam_light;
+/* What is done with a face before it is clipped: it is split by light beams, or gets another colour.
+ * Its maker puts it first in a record of its own, which the caller owns. Members are internal. */
+typedef struct fxl_shader fxl_shader;
+struct fxl_shader {
+    fxl_shader *next; /* of the renderer; null: it is the last */
+    uint32_t rank;    /* FXL_SHADER_...: they come in rising order, at most one of each */
+    const struct fxl_shader_code *code;
+};
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 480 bytes and
  * 64 for each vertex of FXL_POLYGON_CAPACITY: 2528 where that is 32, 1248 where
@@ -102,7 +109,7 @@ struct fxl_renderer {
     const fxl_scene *scene;
     const fxl_clipper *clipper;       /* fxl_clipper_view, or another */
     const fxl_visibility *visibility; /* fxl_visibility_sorted, or another */
-    const fxl_beam_light *beam_light; /* null, or what splits faces by light beams */
+    fxl_shader *shader;               /* the first; null: faces are drawn as they are */
     void *submit_workspace;           /* the visibility method's, of the caller's memory; or null */
     union {
         uint32_t instance_capacity; /* instances that the order has room for */
@@ -197,6 +204,11 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
  * not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+
+/* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER
+ * until a frame begins. Only a world (extra/world.h) needs to be told: it may change again.
+ * FXL_E_ARGUMENT. */
+fxl_status fxl_frame_end(fxl_renderer *renderer);
 
 /* --- several cores ------------------------------------------------------------------------ */
 

@@ -82,7 +82,7 @@ typedef struct {
     fxl_point centre;
     uint16_t model;
     uint8_t layer;
-    uint8_t reserved; /* 0 */
+    uint8_t recolour; /* 0; in a world, a table of colours, counted from 1 (extra/world.h) */
 } fxl_instance;
 
 /* A node of a BSP tree over the faces of one instance (docs/extras/bsp.md): a plane relative to the
@@ -245,6 +245,8 @@ typedef struct {
     const fxl_turn *turns; /* of each instance from first_turned on; null: no instance is turned */
     uint32_t first_turned; /* where there are turns: the first instance that has one */
     const fxl_turn_code *turn_code; /* where there are turns: &fxl_turned_instances */
+    uint32_t instance_capacity; /* of a world (extra/world.h): the most that instance_count becomes;
+                                   else 0 */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */

@@ -135,6 +135,7 @@ typedef enum {
     FXL_E_CLUSTER,     /* the front of a cluster's face may be seen from the cluster's cone */
     FXL_E_TURN,        /* an orientation that is no rotation */
     FXL_E_DISPLAY,     /* a display, or the wires to it, failed */
+    FXL_E_STALE,       /* the handle of an instance that was removed, or that never was */
     FXL_STATUS_COUNT
 } fxl_status;
 

@@ -7,7 +7,7 @@ bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view
                        const fxl_model *model)
 {
     return !FXL_IS_SMALL && on->clipper->by_clip_flags && model_view->planes != 0 &&
-           model_view->beam_light == NULL && model->vertex_count < 2 * model->face_count;
+           model_view->shader == NULL && model->vertex_count < 2 * model->face_count;
 }
 
 static void find_faces(const fxl_traversal *on, const fxl_model_view *model_view,

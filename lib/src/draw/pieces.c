@@ -23,15 +23,33 @@ bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t coun
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 
+void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
+                             const fxl_face *whole, const fxl_direction *normal,
+                             const fxl_point *points, uint32_t count)
+{
+    const fxl_renderer *renderer = pieces->on->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_shader *shader = fxl_shader_reaching(renderer->shader, scene, instance);
+    fxl_face piece = {.normal = *normal, .count = (uint8_t)count, .material = whole->material};
+    while (shader != NULL && shader->code->split == NULL) {
+        piece.material = shader->code->colour(shader, renderer, instance, whole, piece.material);
+        shader = fxl_shader_reaching(shader->next, scene, instance);
+    }
+    if (shader != NULL) {
+        (void)shader->code->split(shader, pieces, &piece, points, count);
+    } else {
+        (void)fxl_submit_piece(pieces, points, count, piece.material);
+    }
+}
+
 bool fxl_pieces_end(fxl_pieces *pieces)
 {
     return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);
 }
 
-bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
-                         const fxl_traversal *on)
+bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *on, const fxl_shader *shader)
 {
-    const fxl_beam_light *light = model_view->beam_light;
     const fxl_point *eye = &model_view->view->camera.position;
     const uint16_t *corners = model_view->indices + face->first_index;
     fxl_point points[FXL_FACE_VERTICES_MAX];
@@ -45,6 +63,6 @@ bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
     }
     fxl_pieces_begin(&pieces, on);
     pieces.planes = model_view->planes;
-    (void)light->split(light, &pieces, face, points, face->count);
+    (void)shader->code->split(shader, &pieces, face, points, face->count);
     return fxl_pieces_end(&pieces);
 }

@@ -208,12 +208,9 @@ static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspac
     }
 }
 
-bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
-                     const fxl_traversal *on)
+static inline bool submit_flat_face(const fxl_model_view *model_view, const fxl_face *face,
+                                    const fxl_traversal *on)
 {
-    if (model_view->beam_light != NULL) {
-        return model_view->beam_light->face(model_view, face, on);
-    }
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
     fxl_counters *counters = on->counters;
     if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
@@ -232,6 +229,20 @@ bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
         counters->clipped += 1;
     }
     return true;
+}
+
+bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
+                     const fxl_traversal *on)
+{
+    const fxl_shader *shader = model_view->shader;
+    return shader != NULL ? shader->code->face(model_view, face, on, shader)
+                          : submit_flat_face(model_view, face, on);
+}
+
+bool fxl_submit_shaded_face(const fxl_model_view *model_view, const fxl_face *face,
+                            const fxl_traversal *on)
+{
+    return submit_flat_face(model_view, face, on);
 }
 
 /* --- draw -------------------------------------------------------------------------------- */

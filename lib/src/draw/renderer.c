@@ -43,8 +43,8 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     if (scene->order_needed == 0) {
         return FXL_E_ORDER;
     }
-    if (memory->order_capacity < scene->order_needed ||
-        scene->order_needed < scene->instance_count) {
+    const uint32_t instances = fxl_order_instances_most(scene);
+    if (memory->order_capacity < scene->order_needed || scene->order_needed < instances) {
         return FXL_E_CAPACITY;
     }
     fxl_frame *frame = &renderer->frame;
@@ -52,13 +52,14 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     memset(renderer, 0, sizeof *renderer);
     renderer->scene = scene;
     /* The entries beyond the instances' are for the faces of one model. */
-    renderer->instance_capacity =
-        memory->order_capacity - (scene->order_needed - scene->instance_count);
+    const uint32_t capacity = memory->order_capacity - (scene->order_needed - instances);
+    /* A world attaches the renderer first. */
+    renderer->instance_capacity = scene->instance_capacity > 0 ? 0 : capacity;
     fxl_view_set_lens(&frame->view, lens);
     frame->order = memory->order;
     frame->display_list.words = memory->display_list;
     frame->display_list.capacity = memory->display_list_capacity;
-    workspace->face_order = memory->order + renderer->instance_capacity;
+    workspace->face_order = memory->order + capacity;
     fxl_vertex_cache_init(&workspace->cache, memory->cache, memory->cache_capacity);
     return FXL_OK;
 }
@@ -149,5 +150,14 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     renderer->workspace.raster_workspace = raster > 0 ? (uint8_t *)workspace + submit : NULL;
     renderer->workspace.raster_workspace_size = raster > 0 ? workspace_size - submit : 0;
     settings_changed(renderer);
+    return FXL_OK;
+}
+
+fxl_status fxl_frame_end(fxl_renderer *renderer)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    renderer->frame.state = FXL_FRAME_NONE;
     return FXL_OK;
 }

@@ -12,6 +12,13 @@ fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
  * for which it pays to measure the rows that it reaches. */
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands);
 
+/* Entries of a scene's order_needed that are for the instances, whatever instance_count becomes in
+ * a world. The others are for the faces of one model. */
+static inline uint32_t fxl_order_instances_most(const fxl_scene *scene)
+{
+    return scene->instance_capacity > 0 ? scene->instance_capacity : scene->instance_count;
+}
+
 /* Bytes, rounded up to what any table may begin at. */
 static inline size_t fxl_aligned(size_t bytes)
 {

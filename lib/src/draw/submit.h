@@ -30,12 +30,16 @@ struct fxl_traversal {
     fxl_submit_way way;
 };
 
-/* transform -> clip -> project -> display list or band, for a face that faces the eye; split by
- * beams before, where model_view->beam_light says so. Counts it in everything but `in`. False where
+/* transform -> clip -> project -> display list or band, for a face that faces the eye; by
+ * model_view->shader before, where there is one. Counts it in everything but `in`. False where
  * there is no room, in the list or in the backend's workspace: the face is then not counted, and
  * the list is as it was. */
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *on);
+
+/* The same without a shader: for what the shaders have made of a face. */
+bool fxl_submit_shaded_face(const fxl_model_view *model_view, const fxl_face *face,
+                            const fxl_traversal *on);
 
 /* Whether faces of a sorted model that lie outside are taken out before the sort. They have to be
  * counted as the clipper and the beams would count them. It pays where faces share vertices, since
@@ -65,7 +69,7 @@ static inline bool fxl_submit_any_instance(const fxl_traversal *on, const fxl_or
 /* fxl_visibility.submit: the instances in sight by layer and distance. */
 bool fxl_submit_by_distance(const fxl_traversal *on);
 
-/* An instance of the order in the view of this frame, with the beams that may light it.
+/* An instance of the order in the view of this frame, with the first shader that reaches it.
  * Answers the instance. */
 const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
                                       fxl_model_view *model_view);
@@ -141,24 +145,58 @@ bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t coun
  * nothing is counted, and the display list is as it was. */
 bool fxl_pieces_end(fxl_pieces *pieces);
 
-/* --- light ------------------------------------------------------------------ */
+/* --- shaders ---------------------------------------------------------------- */
 
-/* What splits faces into the parts inside and outside of light beams. Its maker puts it first
- * in a record of its own; renderer->beam_light points there. */
-struct fxl_beam_light {
-    /* Whether a beam may reach an instance. */
-    bool (*reaches)(const fxl_beam_light *light, const fxl_scene *scene,
-                    const fxl_instance *instance);
-    /* Takes the faces of an instance that a beam may reach: fxl_submit_lit_face, or another. */
-    bool (*face)(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on);
-    /* Splits a polygon of the world, a piece or all of a face, and gives what it makes of it
-     * to fxl_submit_piece. False where that answers false. */
-    bool (*split)(const fxl_beam_light *light, fxl_pieces *pieces, const fxl_face *face,
-                  const fxl_point *points, uint32_t count);
+/* The ranks: a shader gets the face that those of a lower rank made. */
+enum {
+    FXL_SHADER_RECOLOUR, /* an instance's own colours */
+    FXL_SHADER_LIGHT,    /* light and fog */
+    FXL_SHADER_BEAMS
 };
 
-/* fxl_beam_light.face: the face's polygon of the world, split, counted once. */
-bool fxl_submit_lit_face(const fxl_model_view *model_view, const fxl_face *face,
-                         const fxl_traversal *on);
+/* What a shader does. It either splits faces or colours them. */
+typedef struct fxl_shader_code {
+    /* Whether it may change the faces of an instance. */
+    bool (*reaches)(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance);
+    /* Takes the faces of an instance that it reaches: fxl_submit_split_face,
+     * fxl_submit_coloured_face, or another. */
+    bool (*face)(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+                 const fxl_shader *shader);
+    /* Splits a polygon of the world, a piece or all of a face, and gives what it makes of it
+     * to fxl_submit_piece. False where that answers false. Null: it colours. */
+    bool (*split)(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count);
+    /* The colour of a face of the model that would have `colour`. Null: it splits. */
+    uint8_t (*colour)(const fxl_shader *shader, const fxl_renderer *renderer,
+                      const fxl_instance *instance, const fxl_face *face, uint8_t colour);
+} fxl_shader_code;
+
+/* The first of a list of shaders that reaches an instance; or null. */
+static inline const fxl_shader *
+fxl_shader_reaching(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
+{
+    while (shader != NULL && !shader->code->reaches(shader, scene, instance)) {
+        shader = shader->next;
+    }
+    return shader;
+}
+
+/* Puts a shader among those of a renderer, in place of the one of its rank; null: only takes that
+ * one out. The frame must begin anew. */
+void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader);
+
+/* A piece of a face of the model, by all shaders that reach the instance. The normal is the face's
+ * in the world: it decides whether the piece is turned to a light. */
+void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
+                             const fxl_face *whole, const fxl_direction *normal,
+                             const fxl_point *points, uint32_t count);
+
+/* fxl_shader_code.face: the face's polygon of the world, split, counted once. */
+bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *on, const fxl_shader *shader);
+
+/* fxl_shader_code.face: the face in another colour, to the next shader or to the clipper. */
+bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on, const fxl_shader *shader);
 
 #endif

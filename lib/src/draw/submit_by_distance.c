@@ -8,12 +8,12 @@ view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_v
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_instance *instance = &renderer->scene->instances[entry->index];
-    const fxl_beam_light *light = renderer->beam_light;
     fxl_model_view_of_instance(model_view, renderer->scene, instance, &renderer->frame.view,
                                &on->workspace->cache);
     model_view->planes = entry->instance.planes;
-    if (light != NULL && light->reaches(light, renderer->scene, instance)) {
-        model_view->beam_light = light;
+    if (renderer->shader != NULL) {
+        model_view->shader = fxl_shader_reaching(renderer->shader, renderer->scene, instance);
+        model_view->instance = instance;
     }
     return instance;
 }

@@ -72,27 +72,29 @@ static uint32_t order(const fxl_scene *scene, const fxl_camera *camera,
 
 /* --- points rounded in the world ------------------------------------------------------------ */
 
-/* The instance whose faces are rounded. It is the model view's light, so that fxl_submit_face
+/* The instance whose faces are rounded. It is the model view's shader, so that fxl_submit_face
  * leaves the faces to it. */
 typedef struct {
-    fxl_beam_light light;
+    fxl_shader shader;
     uint32_t number;
-    const fxl_beam_light *beams; /* that may reach it; or null */
-    fxl_planes planes;           /* that its points may lie outside of */
+    fxl_planes planes; /* that its points may lie outside of */
 } rounded_instance;
 
-static const fxl_beam_light *beams_at(const fxl_traversal *on, uint32_t number)
+/* Whether a shader splits the faces of an instance. */
+static bool is_split(const fxl_traversal *on, uint32_t number)
 {
-    const fxl_renderer *renderer = on->renderer;
-    const fxl_beam_light *light = renderer->beam_light;
-    const bool reaches = light != NULL && light->reaches(light, renderer->scene,
-                                                         &renderer->scene->instances[number]);
-    return reaches ? light : NULL;
+    const fxl_scene *scene = on->renderer->scene;
+    const fxl_instance *instance = &scene->instances[number];
+    const fxl_shader *shader = fxl_shader_reaching(on->renderer->shader, scene, instance);
+    while (shader != NULL && shader->code->split == NULL) {
+        shader = fxl_shader_reaching(shader->next, scene, instance);
+    }
+    return shader != NULL;
 }
 
 static bool is_rounded(const fxl_traversal *on, uint32_t number)
 {
-    return on->clipper->by_points || beams_at(on, number) != NULL;
+    return on->clipper->by_points || is_split(on, number);
 }
 
 static uint32_t count_rounded(const fxl_traversal *on, uint32_t first, uint32_t end)
@@ -109,24 +111,23 @@ static uint32_t count_rounded(const fxl_traversal *on, uint32_t first, uint32_t 
 
 /* The face's rounded points are a polygon of the world, which any clipper takes. */
 static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *on)
+                                const fxl_traversal *on, const fxl_shader *shader)
 {
-    const rounded_instance *instance = (const rounded_instance *)model_view->beam_light;
+    const rounded_instance *instance = (const rounded_instance *)(const void *)shader;
     const fxl_scene *scene = on->renderer->scene;
+    const fxl_direction normal = normal_of(scene, instance->number, face);
     fxl_point points[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;
+    (void)model_view;
     place_face(scene, instance->number, face, points);
     fxl_pieces_begin(&pieces, on);
     pieces.planes = instance->planes;
-    if (instance->beams != NULL) {
-        fxl_face turned = *face;
-        turned.normal = normal_of(scene, instance->number, face);
-        (void)instance->beams->split(instance->beams, &pieces, &turned, points, face->count);
-    } else {
-        (void)fxl_submit_piece(&pieces, points, face->count, face->material);
-    }
+    fxl_submit_shaded_piece(&pieces, &scene->instances[instance->number], face, &normal, points,
+                            face->count);
     return fxl_pieces_end(&pieces);
 }
+
+static const fxl_shader_code rounded_code = {.face = submit_rounded_face};
 
 /* --- submission ----------------------------------------------------------------------------- */
 
@@ -165,12 +166,15 @@ static bool submit_turned(const fxl_traversal *on, const fxl_order_entry *entry,
     const fxl_model *model = model_of(renderer->scene, entry->index);
     fxl_turned_view_of_instance(&view, renderer->scene, entry->index, &renderer->frame.view,
                                 &on->workspace->cache, entry->instance.planes);
-    instance.beams = beams_at(on, entry->index);
-    if (rounded || instance.beams != NULL || on->clipper->by_points) {
-        instance.light.face = submit_rounded_face;
+    view.model_view.instance = &renderer->scene->instances[entry->index];
+    if (rounded || is_rounded(on, entry->index)) {
+        instance.shader.code = &rounded_code;
         instance.number = entry->index;
         instance.planes = entry->instance.planes;
-        view.model_view.beam_light = &instance.light;
+        view.model_view.shader = &instance.shader;
+    } else {
+        view.model_view.shader =
+            fxl_shader_reaching(renderer->shader, renderer->scene, view.model_view.instance);
     }
     return model->kind == FXL_MODEL_SORTED
                ? fxl_submit_sorted(on, &view.model_view, model, order_faces, ONE_LOOP)

@@ -12,7 +12,7 @@ static parts parts_of(const fxl_renderer *renderer)
 {
     const fxl_scene *scene = renderer->scene;
     const fxl_raster_backend *backend = renderer->visibility->backend;
-    const uint32_t entries = scene->order_needed - scene->instance_count;
+    const uint32_t entries = scene->order_needed - fxl_order_instances_most(scene);
     parts of;
     of.face_order = fxl_aligned(entries * sizeof(fxl_order_entry));
     of.clipper = fxl_aligned(renderer->clipper->workspace_size);

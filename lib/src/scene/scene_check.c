@@ -111,7 +111,7 @@ static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault
     uint64_t placed_vertices = 0; /* below 2^16 * 2^16 */
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
-        if (instance->reserved != 0) {
+        if (instance->recolour != 0) {
             return fxl_fault_at(fault, "instance", i, FXL_E_RESERVED);
         }
         if (instance->model >= scene->model_count) {

@@ -52,6 +52,8 @@ const char *fxl_status_text(fxl_status status)
         return "the orientation of an instance is not a rotation";
     case FXL_E_DISPLAY:
         return "a display, or the wires to it, failed";
+    case FXL_E_STALE:
+        return "the handle is that of an instance that was removed, or that never was";
     case FXL_STATUS_COUNT:
         break;
     }

@@ -63,7 +63,7 @@ static inline void set_up(fxl_model_view *model_view, const fxl_view *view, fxl_
     model_view->axes = &view->camera.axes;
     translation->x = translation->y = translation->z = 0;
     fxl_rotate(model_view->axes, &model_view->offset, translation, translation);
-    model_view->beam_light = NULL;
+    model_view->shader = NULL;
     model_view->clipper_workspace = cache->clipper_workspace;
 }
 

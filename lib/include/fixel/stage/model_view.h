@@ -38,7 +38,7 @@ typedef struct {
     fxl_cached_vertex own;      /* all of the cache where the caller gave no memory */
 } fxl_vertex_cache;
 
-struct fxl_beam_light;
+struct fxl_shader;
 
 /* A bit beside the planes of a model view: fxl_transform_vertex calls scale_vertex. */
 #define FXL_MODEL_VIEW_SCALED 0x80u
@@ -56,11 +56,12 @@ typedef struct fxl_model_view {
     uint8_t shift;              /* with FXL_MODEL_VIEW_SCALED: of the axes, 1..8 */
     fxl_view_point translation; /* where the model's origin is in the view */
     fxl_point offset;           /* the instance's centre - the eye; each coordinate below 2^30 */
-    const struct fxl_beam_light *beam_light; /* beams that may light the instance; null: none */
-    void *clipper_workspace;                 /* the clipper's, of the caller's memory; or null */
+    const struct fxl_shader *shader; /* the first that takes the instance's faces; null: none */
+    void *clipper_workspace;         /* the clipper's, of the caller's memory; or null */
     /* With FXL_MODEL_VIEW_SCALED: makes a vertex that was transformed without the shift one with
      * the shift, with its clip flags, which it returns. */
     uint32_t (*scale_vertex)(const struct fxl_model_view *model_view, fxl_cached_vertex *entry);
+    const fxl_instance *instance; /* of the model view, where there is a shader */
 } fxl_model_view;
 
 /* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that

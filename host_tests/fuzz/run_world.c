@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: MIT */
+/* A world over any scene, changed in any way and drawn between changes, in any light. */
+#include <string.h>
+
+#include "demand.h"
+#include "make_scene.h"
+#include "stages.h"
+
+enum {
+    PIXELS = 1024,
+    MORE = 4, /* places beyond the scene's instances */
+    PLACES = MADE_INSTANCES + 2 * MORE,
+    TURNS = MADE_INSTANCES + MORE,
+    LIST = 256,
+    STEPS = 120
+};
+
+typedef struct {
+    fxl_world world;
+    fxl_instance instances[PLACES];
+    fxl_turn turns[TURNS];
+    fxl_world_slot slots[PLACES];
+    uint8_t colours[2 * 256];
+    fxl_handle handles[PLACES];
+} any_world;
+
+static fxl_turn any_turn(fuzz_input *in)
+{
+    fxl_camera camera;
+    fxl_turn turn;
+    fxl_pose pose = fuzz_pose(in);
+    DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
+    turn.orientation.x = camera.axes.right;
+    turn.orientation.y = camera.axes.up;
+    turn.orientation.z = camera.axes.forward;
+    if (fuzz_below(in, 8) == 0) {
+        fxl_direction *rows = &turn.orientation.x;
+        rows[fuzz_below(in, 3)].x = fuzz_any(in);
+    }
+    turn.scale = fuzz_below(in, 4) ? fuzz_between(in, 256, 4 * 65536) : fuzz_any(in);
+    return turn;
+}
+
+static fxl_instance any_instance(fuzz_input *in)
+{
+    fxl_instance instance;
+    memset(&instance, 0, sizeof instance);
+    instance.centre = fuzz_point(in, FXL_COORDINATE_MAX);
+    instance.model = (uint16_t)fuzz_below(in, MADE_MODELS + 1);
+    instance.layer = (uint8_t)fuzz_below(in, 3);
+    instance.recolour = fuzz_below(in, 16) == 0;
+    return instance;
+}
+
+/* One change, by a handle that was given at some time. */
+static fxl_status change(any_world *of, fuzz_input *in)
+{
+    fxl_handle *handle = &of->handles[fuzz_below(in, PLACES)];
+    const fxl_instance instance = any_instance(in);
+    const uint32_t what = fuzz_below(in, 10);
+    const fxl_turn turn = any_turn(in);
+    const fxl_turn *const or_none = fuzz_below(in, 2) ? &turn : NULL;
+    switch (what) {
+    case 0:
+        return fxl_world_remove(&of->world, *handle);
+    case 1:
+        return fxl_world_hide(&of->world, *handle);
+    case 2:
+        return fxl_world_show(&of->world, *handle);
+    case 3:
+        return fxl_world_move(&of->world, *handle, &instance.centre);
+    case 4:
+        return fxl_world_turn(&of->world, *handle, or_none);
+    case 5:
+        return fxl_world_set_model(&of->world, *handle, instance.model);
+    case 6:
+        return fxl_world_set_layer(&of->world, *handle, instance.layer);
+    case 7:
+        return fxl_world_recolour(&of->world, *handle, fuzz_below(in, 4));
+    default:
+        return fxl_world_spawn(&of->world, &instance, or_none, handle);
+    }
+}
+
+/* What is refused changes nothing but the count. */
+static void demand_change(any_world *of, fuzz_input *in)
+{
+    static any_world before;
+    before = *of;
+    if (change(of, in) != FXL_OK) {
+        before.world.refused_calls += 1;
+        DEMAND(memcmp(&before, of, sizeof before) == 0);
+    }
+    const fxl_scene *scene = &of->world.scene;
+    DEMAND(scene->instances >= of->instances &&
+           scene->instances + scene->instance_count <= of->instances + PLACES);
+    for (int i = 0; i < PLACES; i++) {
+        const fxl_instance *found = fxl_world_instance(&of->world, of->handles[i]);
+        const bool in_scene =
+            found >= scene->instances && found < scene->instances + scene->instance_count;
+        DEMAND(found == NULL || in_scene == fxl_world_is_shown(&of->world, of->handles[i]));
+        DEMAND(found != NULL || fxl_world_turn_of(&of->world, of->handles[i]) == NULL);
+    }
+}
+
+static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
+{
+    static uint8_t pixels[PIXELS];
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const fxl_band band = {pixels, lens->width, lens->width, 0, lens->height};
+    const fxl_pose pose = fuzz_pose(in);
+    uint64_t faces = 0;
+    DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    DEMAND(fxl_frame_end(renderer) == FXL_OK);
+    for (uint32_t i = 0; i < renderer->scene->instance_count; i++) {
+        faces += renderer->scene->models[renderer->scene->instances[i].model].face_count;
+    }
+    DEMAND(renderer->workspace.counters.in == faces);
+}
+
+/* Calls without a world, or without what they need. */
+static void misuse_world(fxl_world *world, fxl_renderer *renderer)
+{
+    const fxl_handle handle = fxl_world_handle(0);
+    const fxl_point centre = {0, 0, 0};
+    const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
+    fxl_handle made;
+    const uint32_t refused = world->refused_calls;
+    DEMAND(fxl_world_spawn(NULL, &instance, NULL, &made) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_spawn(world, NULL, NULL, &made) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_spawn(world, &instance, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_remove(NULL, handle) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_hide(NULL, handle) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_show(NULL, handle) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_move(NULL, handle, &centre) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_move(world, handle, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_turn(NULL, handle, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_model(NULL, handle, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_layer(NULL, handle, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_recolour(NULL, handle, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_attach(NULL, renderer) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_attach(world, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_detach(NULL, renderer) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_detach(world, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_colours(NULL, renderer, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_end(NULL) == FXL_E_ARGUMENT);
+    DEMAND(world->refused_calls == refused + 5);
+}
+
+static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
+{
+    static fxl_renderer renderer;
+    static fxl_world_colours colours;
+    static fxl_order_entry order[PLACES + MADE_FACES];
+    static uint32_t list[LIST];
+    const fxl_memory memory = {order, PLACES + MADE_FACES, list, fuzz_below(in, LIST), NULL, 0};
+    DEMAND(fxl_renderer_init_with(&renderer, &of->world.scene, lens, &memory) == FXL_OK);
+    DEMAND(fxl_world_set_colours(&of->world, &renderer, &colours) == FXL_E_INDEX);
+    DEMAND(fxl_world_attach(&of->world, &renderer) == FXL_OK);
+    if (fuzz_below(in, 2)) {
+        DEMAND(fxl_world_set_colours(&of->world, &renderer, &colours) == FXL_OK);
+    }
+    for (int i = 0; i < STEPS && in->left > 0; i++) {
+        const uint32_t what = fuzz_below(in, 8);
+        if (what == 0) {
+            if (fuzz_below(in, 4) == 0) {
+                fuzz_set_light(&renderer, in);
+            }
+            demand_frame(&renderer, in);
+        } else if (what == 1) {
+            const fxl_pose pose = fuzz_pose(in);
+            DEMAND(fxl_frame_begin(&renderer, &pose) == FXL_OK);
+            DEMAND(change(of, in) != FXL_OK);
+            DEMAND(fxl_frame_end(&renderer) == FXL_OK);
+        } else {
+            demand_change(of, in);
+        }
+    }
+    demand_frame(&renderer, in);
+    DEMAND(fxl_world_detach(&of->world, &renderer) == FXL_OK);
+    DEMAND(fxl_world_detach(&of->world, &renderer) == FXL_E_INDEX);
+    misuse_world(&of->world, &renderer);
+}
+
+/* Squares that are seen from both sides: of a convex model, and of a sorted one that may have a
+ * tree. */
+static fxl_scene squares(bool with_tree)
+{
+    enum {
+        SIDE = 65536
+    };
+    static const fxl_point vertices[8] = {{-SIDE, -SIDE, 0}, {-SIDE, SIDE, 0},  {SIDE, SIDE, 0},
+                                          {SIDE, -SIDE, 0},  {-SIDE, -SIDE, 0}, {-SIDE, SIDE, 0},
+                                          {SIDE, SIDE, 0},   {SIDE, -SIDE, 0}};
+    static const uint16_t indices[8] = {0, 1, 2, 3, 3, 2, 1, 0};
+    static const fxl_face faces[4] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0},
+                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, 2, 0},
+                                      {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 3, 0},
+                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, 4, 0}};
+    static const fxl_model models[2] = {{0, 4, 0, 2, FXL_MODEL_CONVEX, 0, 0, 2 * SIDE, 0},
+                                        {4, 4, 2, 2, FXL_MODEL_SORTED, 0, 0, 2 * SIDE, 0}};
+    static const fxl_instance instances[3] = {
+        {{0, 0, 5 * SIDE}, 0, 0, 0}, {{0, 0, 7 * SIDE}, 1, 0, 0}, {{SIDE, 0, 6 * SIDE}, 0, 1, 0}};
+    static const fxl_bsp_node node = {{0, 0, FXL_Q2_30_ONE},
+                                      0,
+                                      0,
+                                      FXL_BSP_NONE,
+                                      FXL_BSP_NONE,
+                                      FXL_BSP_NONE,
+                                      0,
+                                      2,
+                                      0,
+                                      {0, 0, 0},
+                                      2 * SIDE};
+    fxl_scene scene = {.vertices = vertices,
+                       .indices = indices,
+                       .faces = faces,
+                       .models = models,
+                       .instances = instances,
+                       .vertex_count = 8,
+                       .index_count = 8,
+                       .face_count = 4,
+                       .model_count = 2,
+                       .instance_count = 3};
+    if (with_tree) {
+        scene.bsp_nodes = &node;
+        scene.bsp_node_count = 1;
+        scene.bsp_instance = 1;
+    }
+    return scene;
+}
+
+/* The scene is the fuzzer's, or, if it is not in order, one of the two above. */
+void fuzz_world(fuzz_input *in)
+{
+    static any_world of;
+    const fxl_lens lens = fuzz_lens(in, PIXELS);
+    const uint32_t more = fuzz_below(in, 8), turned = fuzz_below(in, MORE + 1);
+    const uint32_t which = fuzz_below(in, 4);
+    made_scene *made = make_scene(in);
+    fxl_scene scene = made->scene;
+    memset(&of, 0, sizeof of);
+    for (int i = 0; i < 512; i++) {
+        of.colours[i] = (uint8_t)(i * 7);
+    }
+    for (uint32_t i = 0; i < PLACES; i++) {
+        of.handles[i] = fxl_world_handle(i);
+    }
+    scene.order_needed = 0;
+    fxl_world_memory memory = {of.instances, of.slots,   of.turns, 1,
+                               turned,       of.colours, 2,        &fxl_turned_instances};
+    DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ORDER);
+    if (which < 2 || fxl_scene_check_all(&scene, NULL) != FXL_OK) {
+        scene = squares(which == 0);
+        DEMAND(fxl_scene_check_all(&scene, NULL) == FXL_OK);
+    }
+    memory.capacity = more > MORE ? more - MORE - 1 : scene.instance_count + more;
+    const fxl_status status = fxl_world_init(&of.world, &scene, &memory);
+    DEMAND(status == FXL_OK || status == FXL_E_COUNT || status == FXL_E_CAPACITY);
+    if (status == FXL_OK) {
+        play(&of, &lens, in);
+    }
+    free_scene(made);
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* Light and fog at run time (docs/extras/light.md), in double. */
+#ifndef REF_LIGHT_H
+#define REF_LIGHT_H
+
+#include "reference/camera.h"
+#include "reference/scene.h"
+
+enum {
+    REF_LIGHT_POINTS_MAX = 4,
+    REF_LIGHT_LEVELS_MAX = 64
+};
+
+typedef struct {
+    ref_point position;
+    double range, strength;
+} ref_point_light;
+
+struct ref_light {
+    double ambient, strength;
+    ref_point direction;
+    ref_point_light points[REF_LIGHT_POINTS_MAX];
+    int point_count;
+    double fog_near, fog_far; /* both 0: there is no fog */
+    int levels;
+    uint8_t ramp[REF_LIGHT_LEVELS_MAX][256];
+};
+
+/* Fills the ramp of `levels` levels from a palette of 256 x red, green, blue, and the colour of
+ * black and of fog. */
+void ref_light_make_ramp(ref_light *light, const uint8_t *palette, const uint8_t *dark);
+
+/* The colour of a face in the light. */
+uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
+                         const ref_instance *instance, const ref_face *face);
+
+#endif

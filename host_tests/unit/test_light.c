@@ -1,0 +1,440 @@
+/* SPDX-License-Identifier: MIT */
+/* Light and fog, against the definitions in double (docs/extras/light.md). */
+#include <math.h>
+
+#include "../../lib/extra/light/light_level.h"
+#include "fixel/all.h"
+#include "../../lib/src/draw/submit.h"
+#include "tiny.h"
+
+enum {
+    WIDTH = 24,
+    HEIGHT = 16,
+    BACKGROUND = 255,
+    LEVELS = 8
+};
+
+static uint8_t frames[3][WIDTH * HEIGHT];
+static uint8_t ramp[256 * LEVELS];
+static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_renderer renderer;
+static fxl_light light;
+
+/* --- the definitions --------------------------------------------------------------------- */
+
+typedef struct {
+    double x, y, z;
+} vector;
+
+static vector of_point(const fxl_point *point, double unit)
+{
+    return (vector){point->x * unit, point->y * unit, point->z * unit};
+}
+
+static vector of_direction(const fxl_direction *direction)
+{
+    const double unit = 1.0 / FXL_Q2_30_ONE;
+    return (vector){direction->x * unit, direction->y * unit, direction->z * unit};
+}
+
+static double dot(vector a, vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static vector minus(vector a, vector b)
+{
+    return (vector){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static double held(double value)
+{
+    return value < 0 ? 0 : value > 1 ? 1 : value;
+}
+
+/* The brightness of a face, by its middle and normal. */
+static double exact_brightness(const fxl_light_settings *of, const fxl_camera *camera,
+                               vector middle, vector normal)
+{
+    double sum = of->ambient / (double)FXL_Q2_30_ONE;
+    sum += of->strength / (double)FXL_Q2_30_ONE * held(-dot(normal, of_direction(&of->direction)));
+    for (uint32_t i = 0; i < of->point_count; i++) {
+        const fxl_point_light *point = &of->points[i];
+        const vector to = minus(of_point(&point->position, 1.0 / 65536), middle);
+        const double square = dot(to, to), range = point->range / 65536.0;
+        if (square > 0 && square < range * range && dot(normal, to) > 0) {
+            sum += point->strength / (double)FXL_Q2_30_ONE * (dot(normal, to) / sqrt(square)) *
+                   (1 - square / (range * range));
+        }
+    }
+    sum = sum > 1 ? 1 : sum;
+    if (of->fog_far != 0) {
+        const vector from = minus(middle, of_point(&camera->position, 1.0 / 65536));
+        const double depth = dot(from, of_direction(&camera->axes.forward));
+        const double near_z = of->fog_near / 65536.0, far_z = of->fog_far / 65536.0;
+        sum *= held((far_z - depth) / (far_z - near_z));
+    }
+    return sum;
+}
+
+/* --- random settings ------------------------------------------------------------------------ */
+
+static fxl_q2_30 any_fraction(void)
+{
+    const int32_t kind = unit_between(0, 5);
+    return kind == 0 ? 0 : kind == 1 ? FXL_Q2_30_ONE : unit_between(0, FXL_Q2_30_ONE);
+}
+
+static fxl_light_settings any_settings(const fxl_point *about)
+{
+    fxl_light_settings made;
+    memset(&made, 0, sizeof made);
+    made.ambient = any_fraction() / 8;
+    made.strength = unit_between(0, 1) ? any_fraction() : 0;
+    made.direction = unit_direction();
+    made.point_count = (uint32_t)unit_between(0, FXL_LIGHT_POINTS_MAX);
+    for (uint32_t i = 0; i < made.point_count; i++) {
+        fxl_point_light *point = &made.points[i];
+        const int32_t far_off = unit_between(1, 1 << unit_between(1, 26));
+        point->position = (fxl_point){about->x + unit_between(-far_off, far_off),
+                                      about->y + unit_between(-far_off, far_off),
+                                      about->z + unit_between(-far_off, far_off)};
+        point->range = unit_between(1, 3) == 1 ? far_off : unit_between(1, FXL_COORDINATE_MAX);
+        point->strength = any_fraction();
+    }
+    if (unit_between(0, 1)) {
+        made.fog_near = unit_between(0, Q16(200));
+        made.fog_far = made.fog_near + unit_between(1, 1 << unit_between(1, 26));
+    }
+    made.ramp = ramp;
+    made.levels = (uint32_t)unit_between(FXL_LIGHT_LEVELS_MIN, FXL_LIGHT_LEVELS_MAX);
+    return made;
+}
+
+static fxl_camera any_camera(void)
+{
+    fxl_pose pose = unit_pose();
+    fxl_camera camera;
+    pose.position = (fxl_point){unit_between(-Q16(99), Q16(99)), 0, unit_between(-Q16(99), 0)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+    return camera;
+}
+
+/* --- brightness and level ---------------------------------------------------------------- */
+
+static double worst;
+
+/* The brightness and its level are within the bound of the exact ones. */
+static void expect_level(const fxl_light_settings *of, double exact, uint32_t level)
+{
+    const double bound = FXL_LIGHT_ERROR_MAX / (double)FXL_Q2_30_ONE;
+    const double top = of->levels - 1;
+    TEST_ASSERT_TRUE(level < of->levels);
+    TEST_ASSERT_TRUE(level >= floor((exact - bound) * top + 0.5));
+    TEST_ASSERT_TRUE(level <= floor((exact + bound) * top + 0.5));
+}
+
+void test_brightness_is_that_of_the_definition(void)
+{
+    uint32_t between = 0;
+    worst = 0;
+    for (uint32_t i = 0; i < UNIT_REPEAT; i++) {
+        const fxl_point about = {unit_between(-Q16(50), Q16(50)), unit_between(-Q16(50), Q16(50)),
+                                 unit_between(-Q16(50), Q16(50))};
+        const fxl_light_settings of = any_settings(&about);
+        const fxl_camera camera = any_camera();
+        const fxl_lit_place place = {
+            unit_direction(),
+            {2 * about.x + unit_between(0, 1), 2 * about.y, 2 * about.z + unit_between(0, 1)}};
+        const double exact = exact_brightness(&of, &camera, of_point(&place.middle, 1.0 / 131072),
+                                              of_direction(&place.normal));
+        const fxl_q2_30 found = fxl_light_brightness(&of, &camera, &place);
+        const double error = fabs(found - exact * FXL_Q2_30_ONE);
+        worst = error > worst ? error : worst;
+        between += found > 0 && found < FXL_Q2_30_ONE;
+        TEST_ASSERT_TRUE(found >= 0 && found <= FXL_Q2_30_ONE);
+        TEST_ASSERT_NEAR(exact * FXL_Q2_30_ONE, found, FXL_LIGHT_ERROR_MAX);
+        expect_level(&of, exact, fxl_light_level(found, of.levels));
+    }
+    TEST_ASSERT_TRUE(between > UNIT_REPEAT / 4);
+    TEST_ASSERT_TRUE(worst > 2); /* the bound is no wild guess */
+}
+
+/* At the ends of the ranges: the farthest corners of the world, the shortest and longest ranges. */
+void test_brightness_at_the_ends_of_the_ranges(void)
+{
+    const int32_t end = FXL_COORDINATE_MAX;
+    for (uint32_t i = 0; i < UNIT_REPEAT / 10; i++) {
+        const fxl_point corner = {unit_between(0, 1) ? end : -end, unit_between(0, 1) ? end : -end,
+                                  unit_between(0, 1) ? end : -end};
+        fxl_light_settings of = any_settings(&corner);
+        fxl_camera camera = any_camera();
+        for (uint32_t k = 0; k < of.point_count; k++) {
+            of.points[k].position = unit_point(end);
+            of.points[k].range = unit_between(0, 3) ? end : 1;
+        }
+        of.fog_far = unit_between(0, 1) ? FXL_FAR_MAX : of.fog_far;
+        camera.position = unit_point(end);
+        const fxl_lit_place place = {unit_direction(), {2 * corner.x, 2 * corner.y, 2 * corner.z}};
+        TEST_ASSERT_NEAR(exact_brightness(&of, &camera, of_point(&place.middle, 1.0 / 131072),
+                                          of_direction(&place.normal)) *
+                             FXL_Q2_30_ONE,
+                         fxl_light_brightness(&of, &camera, &place), FXL_LIGHT_ERROR_MAX);
+    }
+}
+
+void test_levels_are_the_nearest(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_light_level(0, 2));
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_light_level(FXL_Q2_30_ONE / 2 - 1, 2));
+    TEST_ASSERT_EQUAL_UINT32(1, fxl_light_level(FXL_Q2_30_ONE / 2, 2));
+    TEST_ASSERT_EQUAL_UINT32(1, fxl_light_level(FXL_Q2_30_ONE, 2));
+    TEST_ASSERT_EQUAL_UINT32(63, fxl_light_level(FXL_Q2_30_ONE, 64));
+    TEST_ASSERT_EQUAL_UINT32(62, fxl_light_level(FXL_Q2_30_ONE - FXL_Q2_30_ONE / 100, 64));
+}
+
+/* --- frames ------------------------------------------------------------------------------- */
+
+/* Colour c, which is 1..16, at a level. */
+static uint8_t at_level(uint32_t colour, uint32_t level)
+{
+    return (uint8_t)(colour + 20 * level);
+}
+
+static tiny_scene *start(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
+    tiny_scene *tiny = tiny_make();
+    for (uint32_t level = 0; level < LEVELS; level++) {
+        for (uint32_t c = 0; c < 256; c++) {
+            ramp[256 * level + c] = at_level(c, level);
+        }
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    return tiny;
+}
+
+static void draw(const fxl_pose *pose, uint8_t *frame)
+{
+    const fxl_band band = {frame, WIDTH, WIDTH, 0, HEIGHT};
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+}
+
+/* Of the cube's face of a colour 1..6 or 11..16: -x +x -y +y -z +z. */
+static vector normal_of(uint32_t colour)
+{
+    const uint32_t face = (colour - 1) % 10;
+    const double sign = face % 2 ? 1 : -1;
+    return (vector){face / 2 == 0 ? sign : 0, face / 2 == 1 ? sign : 0, face / 2 == 2 ? sign : 0};
+}
+
+/* One cube, convex or sorted: each pixel has the level of its face, by the definition. */
+void test_each_face_has_its_level(void)
+{
+    uint32_t seen = 0;
+    for (int round = 0; round < UNIT_REPEAT / 500; round++) {
+        tiny_scene *tiny = start();
+        const uint32_t shown = (uint32_t)unit_between(0, 1);
+        tiny->instances[0] = tiny->instances[shown];
+        tiny->scene.instance_count = 1;
+        const fxl_point *centre = &tiny->instances[0].centre;
+        fxl_light_settings of = any_settings(centre);
+        const fxl_pose pose = {
+            {unit_between(-Q16(4), Q16(4)), unit_between(-Q16(3), Q16(3)), centre->z - Q16(5)},
+            0,
+            0,
+            unit_random()};
+        of.levels = LEVELS;
+        draw(&pose, frames[0]);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
+        draw(&pose, frames[1]);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            if (frames[0][i] == BACKGROUND) {
+                TEST_ASSERT_EQUAL(BACKGROUND, frames[1][i]);
+                continue;
+            }
+            const uint32_t colour = frames[0][i];
+            const vector normal = normal_of(colour), at = of_point(centre, 1.0 / 65536);
+            const vector middle = {at.x + normal.x, at.y + normal.y, at.z + normal.z};
+            const uint32_t level = (frames[1][i] - colour) / 20u;
+            TEST_ASSERT_EQUAL(at_level(colour, level), frames[1][i]);
+            expect_level(&of, exact_brightness(&of, &renderer.frame.view.camera, middle, normal),
+                         level);
+            seen += level > 0 && level < LEVELS - 1;
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, NULL, NULL));
+        TEST_ASSERT_NULL(renderer.shader);
+        draw(&pose, frames[1]);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+    }
+    TEST_ASSERT_TRUE(seen > UNIT_REPEAT / 50);
+}
+
+/* An instance that is turned and scaled: its faces' normals and middles are, too. */
+void test_light_follows_turns(void)
+{
+    for (int round = 0; round < UNIT_REPEAT / 50; round++) {
+        tiny_scene *tiny = start();
+        fxl_camera turned = any_camera();
+        const fxl_orientation orientation = {turned.axes.right, turned.axes.up,
+                                             turned.axes.forward};
+        const fxl_turn turn = {orientation, unit_between(256, 64 * 65536)};
+        tiny->scene.turns = &turn;
+        tiny->scene.first_turned = 2;
+        tiny->scene.turn_code = &fxl_turned_instances;
+        const fxl_instance *instance = &tiny->instances[2];
+        fxl_light_settings of = any_settings(&instance->centre);
+        of.levels = LEVELS;
+        for (uint32_t i = 0; i < of.point_count; i++) { /* not where half a unit matters */
+            of.points[i].range = Q16(1000);
+            of.points[i].position.y += Q16(500);
+        }
+        of.fog_near = of.fog_far = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        for (uint32_t number = 0; number < 6; number++) {
+            const vector n = normal_of(number + 1), at = of_point(&instance->centre, 1.0 / 65536);
+            const vector rows[3] = {of_direction(&orientation.x), of_direction(&orientation.y),
+                                    of_direction(&orientation.z)};
+            const double scale = turn.scale / 65536.0;
+            const vector normal = {dot(rows[0], n), dot(rows[1], n), dot(rows[2], n)};
+            const vector middle = {at.x + scale * normal.x, at.y + scale * normal.y,
+                                   at.z + scale * normal.z};
+            const uint8_t found = renderer.shader->code->colour(renderer.shader, &renderer,
+                                                                instance, &tiny->faces[number], 1);
+            expect_level(&of, exact_brightness(&of, &renderer.frame.view.camera, middle, normal),
+                         (found - 1u) / 20u);
+        }
+    }
+}
+
+/* A beam's lit colours are those of the colours that the light gives. */
+void test_light_goes_with_beams(void)
+{
+    static FXL_ALIGN_8 uint8_t room[2400];
+    static uint8_t lit[256];
+    const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
+    const fxl_direction way = {0, 0, FXL_Q2_30_ONE};
+    const fxl_point window[4] = {{-Q16(0.75), -Q16(0.75), -Q16(3)},
+                                 {-Q16(0.75), Q16(0.75), -Q16(3)},
+                                 {Q16(0.75), Q16(0.75), -Q16(3)},
+                                 {Q16(0.75), -Q16(0.75), -Q16(3)}};
+    fxl_beam beam;
+    fxl_light_settings of;
+    uint32_t changed = 0, plain = 0;
+    memset(&of, 0, sizeof of);
+    of.ambient = FXL_Q2_30_ONE / 2;
+    of.ramp = ramp;
+    of.levels = 3; /* level 1 */
+    for (int i = 0; i < 256; i++) {
+        lit[i] = (uint8_t)(i + 100);
+    }
+    (void)start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&way, window, 4, &beam));
+    TEST_ASSERT_TRUE(fxl_beam_light_workspace_size(&beam, 1) <= sizeof room);
+    for (int light_first = 0; light_first < 2; light_first++) {
+        (void)start();
+        if (light_first) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        }
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_beams(&renderer, &beam, 1, lit, room, sizeof room));
+        draw(&pose, frames[light_first ? 1 : 0]);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        draw(&pose, frames[2]);
+        if (light_first) {
+            TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], sizeof frames[2]);
+        }
+    }
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        if (frames[0][i] == BACKGROUND) {
+            TEST_ASSERT_EQUAL(BACKGROUND, frames[2][i]);
+        } else {
+            TEST_ASSERT_EQUAL(frames[0][i] + 20, frames[2][i]);
+            changed += frames[0][i] > 100;
+            plain += frames[0][i] < 100;
+        }
+    }
+    TEST_ASSERT_TRUE(changed > 3 && plain > 3);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
+    TEST_ASSERT_TRUE(renderer.shader == &light.shader && light.shader.next == NULL);
+}
+
+/* --- settings and ramps ---------------------------------------------------------------------- */
+
+static void expect_refused(fxl_status status, const fxl_light_settings *of)
+{
+    const fxl_light before = light;
+    const uint32_t refused = renderer.workspace.counters.refused_calls;
+    fxl_shader *const shader = renderer.shader;
+    TEST_ASSERT_EQUAL(status, fxl_renderer_set_light(&renderer, &light, of));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &light, sizeof light);
+    TEST_ASSERT_TRUE(renderer.shader == shader);
+    TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
+}
+
+void test_settings_out_of_range_are_refused(void)
+{
+    static const fxl_renderer none;
+    const fxl_point origin = {0, 0, 0};
+    (void)start();
+    fxl_light_settings right;
+    do {
+        right = any_settings(&origin);
+    } while (right.point_count < 2 || right.strength == 0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &right));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(NULL, &light, &right));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(&renderer, NULL, &right));
+#define REFUSED(status, change) \
+    do { \
+        fxl_light_settings of = right; \
+        change; \
+        expect_refused(status, &of); \
+    } while (0)
+    REFUSED(FXL_E_ARGUMENT, of.ramp = NULL);
+    REFUSED(FXL_E_COUNT, of.point_count = FXL_LIGHT_POINTS_MAX + 1);
+    REFUSED(FXL_E_COUNT, of.levels = 1);
+    REFUSED(FXL_E_COUNT, of.levels = FXL_LIGHT_LEVELS_MAX + 1);
+    REFUSED(FXL_E_NORMAL, of.direction.x = of.direction.y = of.direction.z = 0);
+    REFUSED(FXL_E_RANGE, of.ambient = -1);
+    REFUSED(FXL_E_RANGE, of.ambient = FXL_Q2_30_ONE + 1);
+    REFUSED(FXL_E_RANGE, of.strength = FXL_Q2_30_ONE + 1);
+    REFUSED(FXL_E_RANGE, of.points[1].range = 0);
+    REFUSED(FXL_E_RANGE, of.points[1].range = FXL_COORDINATE_MAX + 1);
+    REFUSED(FXL_E_RANGE, of.points[1].strength = -1);
+    REFUSED(FXL_E_RANGE, of.points[1].position.z = FXL_COORDINATE_MAX + 1);
+    REFUSED(FXL_E_RANGE, of.fog_near = of.fog_far = 65536);
+    REFUSED(FXL_E_RANGE, of.fog_near = -1; of.fog_far = 65536);
+    REFUSED(FXL_E_RANGE, of.fog_near = 0; of.fog_far = FXL_FAR_MAX + 1);
+#undef REFUSED
+    renderer = none;
+    expect_refused(FXL_E_ORDER, &right);
+}
+
+/* A palette of greys has each level of each grey; of two equal entries the first is taken. */
+void test_a_ramp_of_greys_is_exact(void)
+{
+    static uint8_t palette[768], made[256 * 5];
+    const uint8_t dark[3] = {7, 7, 7};
+    for (int i = 0; i < 256; i++) {
+        memset(&palette[3 * i], i == 200 ? 7 : i, 3);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_light_make_ramp(palette, dark, 5, made));
+    for (int level = 0; level < 5; level++) {
+        for (int i = 0; i < 256; i++) {
+            const double colour = 7 + (palette[3 * i] - 7) * level / 4.0;
+            const int wanted = (int)floor(colour + 0.5);
+            /* 199 and 201 are as far from 200, and 199 comes first. */
+            TEST_ASSERT_EQUAL(level == 4 ? i : wanted == 200 ? 199 : wanted, made[256 * level + i]);
+        }
+    }
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(NULL, dark, 5, made));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(palette, NULL, 5, made));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(palette, dark, 5, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_light_make_ramp(palette, dark, 1, made));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_light_make_ramp(palette, dark, 65, made));
+}

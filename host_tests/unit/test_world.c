@@ -1,0 +1,348 @@
+/* SPDX-License-Identifier: MIT */
+/* A world against a plain model of it: a list of instances that is searched. */
+#include "fixel/all.h"
+#include "world_unit.h"
+
+enum {
+    STALE = 6,
+    ROUND = UNIT_REPEAT / 200 /* operations from frame to frame */
+};
+
+static fxl_renderer plain_renderer;
+
+/* --- the plain model ------------------------------------------------------------------- */
+
+typedef struct {
+    bool used, shown, turned;
+    fxl_instance instance;
+    fxl_turn turn;
+    fxl_handle handle;
+} plain_instance;
+
+static plain_instance plain[WORLD_PLACES];
+static fxl_handle stale[STALE];
+static uint32_t refused;
+
+static uint32_t plain_count(bool turned)
+{
+    uint32_t count = 0;
+    for (int i = 0; i < WORLD_PLACES; i++) {
+        count += plain[i].used && plain[i].turned == turned;
+    }
+    return count;
+}
+
+static plain_instance *any_plain(bool used)
+{
+    for (uint32_t i = unit_random() % WORLD_PLACES, left = WORLD_PLACES; left > 0; left--) {
+        if (plain[i].used == used) {
+            return &plain[i];
+        }
+        i = (i + 1) % WORLD_PLACES;
+    }
+    return NULL;
+}
+
+/* A point near the eye, or near the edge of the world. */
+static fxl_point any_centre(void)
+{
+    fxl_point centre = {unit_between(Q16(-20), Q16(20)), unit_between(Q16(-8), Q16(8)),
+                        unit_between(Q16(2), Q16(40))};
+    if (unit_between(0, 9) == 0) {
+        int32_t *const of[] = {&centre.x, &centre.y, &centre.z};
+        const int32_t far_away = unit_between(FXL_COORDINATE_MAX - Q16(8), FXL_COORDINATE_MAX);
+        *of[unit_between(0, 2)] = unit_between(0, 1) ? far_away : -far_away;
+    }
+    return centre;
+}
+
+/* Three rotations, of which one is out of range at times. */
+static fxl_turn any_turn(fxl_status *fault)
+{
+    static const fxl_orientation orientations[] = {
+        {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
+        {{0, 0, FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}},
+        {{644245094, -858993459, 0}, {858993459, 644245094, 0}, {0, 0, FXL_Q2_30_ONE}},
+        {{0, -FXL_Q2_30_ONE, 0}, {0, 0, -FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}}};
+    fxl_turn turn = {orientations[unit_between(0, 3)], unit_between(Q16(1), Q16(4))};
+    const int wrong = unit_between(0, 39);
+    if (wrong == 0) { /* a mirror */
+        turn.orientation.z.x = -turn.orientation.z.x;
+        turn.orientation.z.y = -turn.orientation.z.y;
+        turn.orientation.z.z = -turn.orientation.z.z;
+    } else if (wrong == 1) {
+        turn.orientation.y.y += 8;
+        turn.orientation.y.x += 8;
+        turn.orientation.y.z += 8;
+    } else if (wrong == 2) {
+        turn.scale = unit_between(0, 1) ? -unit_between(0, 255) : unit_between(0, 255);
+    } else if (wrong == 3) {
+        turn.scale = Q16(256) + 1;
+    }
+    *fault = wrong < 2 ? FXL_E_TURN : wrong < 4 ? FXL_E_RANGE : FXL_OK;
+    return turn;
+}
+
+/* Whether |c| + r * scale <= 8191, in units of 2^-32; r * scale is rounded up, and enlarged. */
+static bool fits(const fxl_instance *instance, const fxl_turn *turn)
+{
+    const int64_t reach =
+        turn == NULL
+            ? (int64_t)TINY_RADIUS * 65536
+            : (((int64_t)TINY_RADIUS * turn->scale + 65535) / 65536 + FXL_TURN_SLACK) * 65536;
+    const int32_t of[] = {instance->centre.x, instance->centre.y, instance->centre.z};
+    for (int i = 0; i < 3; i++) {
+        const int64_t from = of[i] < 0 ? -(int64_t)of[i] : of[i];
+        if (from * 65536 + reach > (int64_t)FXL_COORDINATE_MAX * 65536) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The status of an instance at its place, with a turn that has a fault, or none. */
+static fxl_status place_status(const fxl_instance *instance, const fxl_turn *turn, fxl_status fault)
+{
+    return fault == FXL_E_RANGE || !fits(instance, turn) ? FXL_E_RANGE : fault;
+}
+
+/* Counts what is refused. */
+static void expect(fxl_status expected, fxl_status found)
+{
+    TEST_ASSERT_EQUAL(expected, found);
+    refused += expected != FXL_OK;
+}
+
+static const fxl_turn *turn_of(const plain_instance *of)
+{
+    return of->turned ? &of->turn : NULL;
+}
+
+/* --- operations on both ----------------------------------------------------------------- */
+
+static void spawn_one(void)
+{
+    fxl_status fault = FXL_OK;
+    const bool turned = unit_between(0, 2) == 0;
+    plain_instance made;
+    memset(&made, 0, sizeof made);
+    made.used = made.shown = true;
+    made.turned = turned;
+    made.instance.centre = any_centre();
+    made.instance.model = (uint16_t)unit_between(0, 30) % 3; /* model 2 is none */
+    made.instance.layer = (uint8_t)unit_between(0, 1);
+    if (turned) {
+        made.turn = any_turn(&fault);
+    }
+    const bool full = plain_count(turned) == (turned ? WORLD_TURNED : WORLD_CAPACITY);
+    const fxl_status expected = full ? FXL_E_CAPACITY
+                                : made.instance.model > 1
+                                    ? FXL_E_INDEX
+                                    : place_status(&made.instance, turn_of(&made), fault);
+    expect(expected, fxl_world_spawn(&world, &made.instance, turn_of(&made), &made.handle));
+    if (expected == FXL_OK) {
+        *any_plain(false) = made;
+    }
+}
+
+static void remove_one(plain_instance *of)
+{
+    expect(FXL_OK, fxl_world_remove(&world, of->handle));
+    stale[unit_random() % STALE] = of->handle;
+    of->used = false;
+}
+
+static void move_one(plain_instance *of)
+{
+    plain_instance changed = *of;
+    changed.instance.centre = any_centre();
+    const bool right = fits(&changed.instance, turn_of(of));
+    expect(right ? FXL_OK : FXL_E_RANGE,
+           fxl_world_move(&world, of->handle, &changed.instance.centre));
+    *of = right ? changed : *of;
+}
+
+static void turn_one(plain_instance *of)
+{
+    plain_instance changed = *of;
+    fxl_status fault = FXL_OK;
+    changed.turned = unit_between(0, 2) > 0;
+    if (changed.turned) {
+        changed.turn = any_turn(&fault);
+    }
+    const bool full =
+        changed.turned != of->turned &&
+        plain_count(changed.turned) == (changed.turned ? WORLD_TURNED : WORLD_CAPACITY);
+    const fxl_status status = place_status(&of->instance, turn_of(&changed), fault);
+    const bool right = status == FXL_OK;
+    expect(!right ? status
+           : full ? FXL_E_CAPACITY
+                  : FXL_OK,
+           fxl_world_turn(&world, of->handle, turn_of(&changed)));
+    *of = right && !full ? changed : *of;
+}
+
+static void change_one(plain_instance *of)
+{
+    const uint8_t value = (uint8_t)unit_between(0, 3);
+    switch (unit_between(0, 2)) {
+    case 0:
+        expect(value > 1                          ? FXL_E_INDEX
+               : fits(&of->instance, turn_of(of)) ? FXL_OK
+                                                  : FXL_E_RANGE,
+               fxl_world_set_model(&world, of->handle, value));
+        of->instance.model = value > 1 ? of->instance.model : value;
+        break;
+    case 1:
+        expect(FXL_OK, fxl_world_set_layer(&world, of->handle, value));
+        of->instance.layer = value;
+        break;
+    default:
+        expect(value > 2 ? FXL_E_INDEX : FXL_OK, fxl_world_recolour(&world, of->handle, value));
+        of->instance.recolour = value > 2 ? of->instance.recolour : value;
+        break;
+    }
+}
+
+static void show_one(plain_instance *of)
+{
+    of->shown = unit_between(0, 1);
+    expect(FXL_OK,
+           of->shown ? fxl_world_show(&world, of->handle) : fxl_world_hide(&world, of->handle));
+}
+
+static void do_any(void)
+{
+    plain_instance *of = any_plain(true);
+    const int what = unit_between(0, 9);
+    if (of == NULL || what < 2) {
+        spawn_one();
+    } else if (what == 2) {
+        remove_one(of);
+    } else if (what < 5) {
+        show_one(of);
+    } else if (what < 7) {
+        move_one(of);
+    } else if (what == 7) {
+        turn_one(of);
+    } else if (what == 8) {
+        change_one(of);
+    } else {
+        refused += world_use_stale(stale[unit_random() % STALE]);
+    }
+}
+
+/* --- comparison -------------------------------------------------------------------------- */
+
+static void expect_equal_instance(const plain_instance *of)
+{
+    const fxl_instance *found = fxl_world_instance(&world, of->handle);
+    const fxl_turn *turn = fxl_world_turn_of(&world, of->handle);
+    TEST_ASSERT_NOT_NULL(found);
+    TEST_ASSERT_EQUAL_MEMORY(&of->instance, found, sizeof *found);
+    TEST_ASSERT_EQUAL(of->turned, turn != NULL);
+    if (turn != NULL) {
+        TEST_ASSERT_EQUAL_MEMORY(&of->turn, turn, sizeof *turn);
+    }
+    const fxl_instance *first = world.scene.instances;
+    const bool in_scene = found >= first && found < first + world.scene.instance_count;
+    TEST_ASSERT_EQUAL(of->shown, in_scene);
+    TEST_ASSERT_EQUAL(of->shown, fxl_world_is_shown(&world, of->handle));
+    if (in_scene && of->turned) { /* the turn is that of its place in the scene */
+        TEST_ASSERT_TRUE(turn == world.scene.turns + (found - first) - world.scene.first_turned);
+    } else if (in_scene) {
+        TEST_ASSERT_TRUE(world.scene.turns == NULL || found < first + world.scene.first_turned);
+    }
+}
+
+static void expect_equal(void)
+{
+    uint32_t shown = 0;
+    for (int i = 0; i < WORLD_PLACES; i++) {
+        if (plain[i].used) {
+            expect_equal_instance(&plain[i]);
+            shown += plain[i].shown;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(shown, world.scene.instance_count);
+    TEST_ASSERT_EQUAL_UINT32(refused, world.refused_calls);
+}
+
+/* A scene made anew of what the plain model shows: those without a turn, then the others. */
+static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_turn *turn_list)
+{
+    uint32_t count = 0, turned = 0;
+    for (int with_turn = 0; with_turn < 2; with_turn++) {
+        for (int i = 0; i < WORLD_PLACES; i++) {
+            if (plain[i].used && plain[i].shown && plain[i].turned == with_turn) {
+                list[count] = plain[i].instance;
+                list[count++].recolour = 0;
+                turn_list[turned] = plain[i].turn;
+                turned += (uint32_t)with_turn;
+            }
+        }
+    }
+    scene->instances = list;
+    scene->instance_count = count;
+    scene->turns = turned > 0 ? turn_list : NULL;
+    scene->first_turned = turned > 0 ? count - turned : 0;
+    scene->turn_code = &fxl_turned_instances;
+    return count;
+}
+
+/* Returns whether there was something to see. */
+static bool expect_equal_frames(const fxl_scene *from)
+{
+    static fxl_instance list[WORLD_PLACES];
+    static fxl_turn turn_list[WORLD_TURNED + 1];
+    const fxl_lens lens = unit_lens(WORLD_WIDTH, WORLD_HEIGHT);
+    const fxl_memory room = world_renderer_memory(1);
+    const fxl_pose pose = {{unit_between(-65536, 65536), 0, Q16(-4)}, 0, 0, unit_random()};
+    fxl_scene scene = *from;
+    scene.order_needed = 0;
+    world_draw(&world_renderer, &pose, world_frames[0]);
+    if (make_anew(&scene, list, turn_list) == 0) {
+        TEST_ASSERT_EACH_EQUAL_HEX8(WORLD_BACKGROUND, world_frames[0], sizeof world_frames[0]);
+        return false;
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&plain_renderer, &scene, &lens, &room));
+    world_draw(&plain_renderer, &pose, world_frames[1]);
+    TEST_ASSERT_EQUAL_MEMORY(world_frames[1], world_frames[0], sizeof world_frames[0]);
+    TEST_ASSERT_EQUAL_MEMORY(&plain_renderer.workspace.counters, &world_renderer.workspace.counters,
+                             sizeof(fxl_counters));
+    return world_renderer.workspace.counters.drawn > 0;
+}
+
+static void plain_from(const fxl_scene *scene)
+{
+    memset(plain, 0, sizeof plain);
+    memset(stale, 0, sizeof stale);
+    refused = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        plain[i].used = plain[i].shown = true;
+        plain[i].instance = scene->instances[i];
+        plain[i].handle = fxl_world_handle(i);
+    }
+}
+
+void test_a_world_is_its_plain_model(void)
+{
+    uint32_t drawn = 0, most = 0, rounds = 0;
+    tiny_scene *tiny = world_start();
+    plain_from(&tiny->scene);
+    for (uint32_t done = 0; done < UNIT_REPEAT; done++) {
+        do_any();
+        if (done % 16 == 0) {
+            expect_equal();
+        }
+        if (done % ROUND == 0) {
+            rounds++;
+            drawn += expect_equal_frames(&tiny->scene);
+        }
+        const uint32_t count = plain_count(false) + plain_count(true);
+        most = count > most ? count : most;
+    }
+    TEST_ASSERT_EQUAL(WORLD_PLACES, most);
+    TEST_ASSERT_TRUE(drawn > rounds / 2 && refused > UNIT_REPEAT / 20);
+}

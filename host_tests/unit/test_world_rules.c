@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: MIT */
+/* What a world promises and refuses, rule by rule. */
+#include "fixel/all.h"
+#include "world_unit.h"
+
+void test_the_scenes_instances_keep_their_order(void)
+{
+    tiny_scene *tiny = world_start();
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, world.scene.instance_count);
+    TEST_ASSERT_EQUAL_MEMORY(tiny->instances, world.scene.instances, sizeof tiny->instances);
+    TEST_ASSERT_EQUAL_UINT32(WORLD_PLACES, world.scene.instance_capacity);
+    TEST_ASSERT_EQUAL_UINT32(WORLD_PLACES + 6, world.scene.order_needed);
+    TEST_ASSERT_NULL(world.scene.turns);
+}
+
+/* A world of which every instance is a world's scene again. */
+void test_instances_with_turns_are_taken_over(void)
+{
+    static const fxl_turn turn = {
+        {{0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}, {0, 0, FXL_Q2_30_ONE}}, Q16(2)};
+    static fxl_instance more[WORLD_PLACES];
+    static fxl_turn more_turns[WORLD_TURNED];
+    static fxl_world_slot more_slots[WORLD_PLACES];
+    static fxl_world other;
+    const fxl_instance instance = world_cube_at(3, 20);
+    fxl_world_memory room = world_memory();
+    (void)world_start();
+    (void)world_spawned(&instance, &turn);
+    room.instances = more;
+    room.slots = more_slots;
+    room.turns = more_turns;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
+    const fxl_turn *found = fxl_world_turn_of(&other, fxl_world_handle(TINY_INSTANCES));
+    TEST_ASSERT_NOT_NULL(found);
+    TEST_ASSERT_EQUAL_MEMORY(&turn, found, sizeof turn);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, other.scene.first_turned);
+    TEST_ASSERT_EQUAL_UINT32(world.scene.order_needed, other.scene.order_needed);
+    room.turned_capacity = 0;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&other, &world.scene, &room));
+}
+
+void test_a_handle_stays_stale_when_its_slot_is_used_again(void)
+{
+    (void)world_start();
+    const fxl_instance instance = world_cube_at(0, 5);
+    const fxl_handle first = world_spawned(&instance, NULL);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_remove(&world, first));
+    const fxl_handle second = world_spawned(&instance, NULL);
+    TEST_ASSERT_EQUAL_UINT32(first.slot, second.slot);
+    (void)world_use_stale(first);
+    (void)world_use_stale((fxl_handle){0, 0});
+    (void)world_use_stale((fxl_handle){WORLD_PLACES, 1});
+    (void)world_use_stale((fxl_handle){UINT32_MAX, 1});
+    (void)world_use_stale((fxl_handle){second.slot + 1, 0}); /* a free slot's own number */
+    TEST_ASSERT_NOT_NULL(fxl_world_instance(&world, second));
+}
+
+/* Every change, by a handle that is right. */
+static void expect_of_changes(fxl_status expected, fxl_handle handle)
+{
+    const fxl_instance instance = world_cube_at(1, 6);
+    const fxl_world before = world;
+    const uint32_t calls = world.refused_calls;
+    fxl_handle made = {77, 77};
+    TEST_ASSERT_EQUAL(expected, fxl_world_spawn(&world, &instance, NULL, &made));
+    TEST_ASSERT_EQUAL(expected, fxl_world_remove(&world, handle));
+    TEST_ASSERT_EQUAL(expected, fxl_world_hide(&world, handle));
+    TEST_ASSERT_EQUAL(expected, fxl_world_show(&world, handle));
+    TEST_ASSERT_EQUAL(expected, fxl_world_move(&world, handle, &instance.centre));
+    TEST_ASSERT_EQUAL(expected, fxl_world_turn(&world, handle, NULL));
+    TEST_ASSERT_EQUAL(expected, fxl_world_set_model(&world, handle, 1));
+    TEST_ASSERT_EQUAL(expected, fxl_world_set_layer(&world, handle, 9));
+    TEST_ASSERT_EQUAL(expected, fxl_world_recolour(&world, handle, 1));
+    TEST_ASSERT_EQUAL_UINT32(calls + 9, world.refused_calls);
+    world.refused_calls = calls;
+    TEST_ASSERT_EQUAL_MEMORY(&before, &world, sizeof world);
+    TEST_ASSERT_TRUE(made.slot == 77 && made.generation == 77);
+}
+
+void test_nothing_changes_while_a_frame_is_drawn(void)
+{
+    static fxl_instance before[WORLD_PLACES];
+    const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
+    const fxl_band band = {world_frames[0], WORLD_WIDTH, WORLD_WIDTH, 0, 8};
+    (void)world_start();
+    memcpy(before, world_instances, sizeof before);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&world_renderer, &pose));
+    expect_of_changes(FXL_E_ORDER, fxl_world_handle(0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&world_renderer, &band));
+    expect_of_changes(FXL_E_ORDER, fxl_world_handle(0));
+    TEST_ASSERT_EQUAL_MEMORY(before, world_instances, sizeof before);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_end(NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_end(&world_renderer));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&world_renderer, &band));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_remove(&world, fxl_world_handle(0)));
+}
+
+void test_a_renderer_draws_once_it_is_attached(void)
+{
+    static fxl_renderer others[FXL_WORLD_RENDERERS_MAX];
+    const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(WORLD_WIDTH, WORLD_HEIGHT);
+    const fxl_memory room = world_renderer_memory(1);
+    const fxl_instance instance = world_cube_at(1, 6);
+    tiny_scene *tiny = world_start();
+    for (int i = 0; i < FXL_WORLD_RENDERERS_MAX; i++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&others[i], &world.scene, &lens, &room));
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&others[i], &pose));
+        TEST_ASSERT_EQUAL(i + 1 < FXL_WORLD_RENDERERS_MAX ? FXL_OK : FXL_E_CAPACITY,
+                          fxl_world_attach(&world, &others[i]));
+    }
+    /* Any of them holds changes off. */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&others[1], &pose));
+    expect_of_changes(FXL_E_ORDER, fxl_world_handle(0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_detach(&world, &others[1]));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&others[1], &pose));
+    (void)world_spawned(&instance, NULL);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_attach(&world, &others[1]));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_attach(&world, &others[1])); /* it has its place */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&others[1], &pose));
+    TEST_ASSERT_EQUAL_UINT32(1, world.refused_calls);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&others[3], &tiny->scene, &lens, &room));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_attach(&world, &others[3]));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_attach(&world, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_attach(NULL, &others[3]));
+    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_world_detach(&world, &others[3]));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_detach(&world, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_detach(NULL, &others[3]));
+    TEST_ASSERT_EQUAL_UINT32(5, world.refused_calls);
+}
+
+/* The order's entries for the faces of a model do not move as the world fills. */
+void test_another_workspace_has_room_for_the_largest_model(void)
+{
+    (void)world_start();
+    const size_t size = fxl_workspace_size(&world_renderer);
+    TEST_ASSERT_EQUAL(6 * sizeof(fxl_order_entry), size);
+    const fxl_instance instance = world_cube_at(2, 8);
+    (void)world_spawned(&instance, NULL);
+    TEST_ASSERT_EQUAL(size, fxl_workspace_size(&world_renderer));
+}
+
+/* To a unit: the radius times the scale is rounded up. Without a turn there is no slack. */
+void test_the_edge_of_the_world_is_exact(void)
+{
+    fxl_turn turn = {{{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
+                     FXL_Q16_16_ONE};
+    fxl_instance instance = world_cube_at(0, 0);
+    (void)world_start();
+    const fxl_handle handle = world_spawned(&instance, &turn);
+    fxl_point edge = {0, -(FXL_COORDINATE_MAX - FXL_TURN_SLACK - TINY_RADIUS), 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
+    turn.scale += 1; /* the product is not whole */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_turn(&world, handle, &turn));
+    turn.scale = 1 * 65536 + 1;
+    edge.y += 1; /* TINY_RADIUS is 1.75: a scale of 1 + 1/65536 makes it 1.75/65536 longer */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_turn(&world, handle, &turn));
+    edge.y += 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, handle, &turn));
+    edge.y -= 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, handle, &edge));
+    edge.y = -(FXL_COORDINATE_MAX - TINY_RADIUS);
+    const fxl_handle unturned = world_spawned(&instance, NULL);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, unturned, &edge));
+    edge.y -= 1;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, unturned, &edge));
+}
+
+void test_init_refuses(void)
+{
+    const fxl_world_memory right = world_memory();
+    fxl_world_memory room = right;
+    fxl_world before;
+    tiny_scene *tiny = world_start();
+    before = world;
+    const fxl_scene *scene = &tiny->scene;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(NULL, scene, &room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, NULL, &room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, NULL));
+    room.instances = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.slots = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.turns = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.colours = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.colour_count = 256;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.capacity = FXL_SCENE_INSTANCES_MAX - WORLD_TURNED + 1;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
+    room.capacity = UINT32_MAX;
+    room.turned_capacity = 1;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
+    room.capacity = room.turned_capacity = 0;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.capacity = TINY_INSTANCES - 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&world, scene, &room));
+    tiny->scene.order_needed = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_world_init(&world, scene, &right));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &world, sizeof world);
+}
+
+void test_spawn_and_the_rest_refuse_null(void)
+{
+    const fxl_instance instance = world_cube_at(0, 5), recoloured = {{0, 0, 0}, 0, 0, 1};
+    fxl_handle handle = {0, 0};
+    const fxl_handle first = fxl_world_handle(0);
+    (void)world_start();
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_spawn(NULL, &instance, NULL, &handle));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_spawn(&world, NULL, NULL, &handle));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_spawn(&world, &instance, NULL, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_world_spawn(&world, &recoloured, NULL, &handle));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_remove(NULL, first));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_hide(NULL, first));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_move(NULL, first, &instance.centre));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_move(&world, first, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_turn(NULL, first, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_model(NULL, first, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_layer(NULL, first, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_recolour(NULL, first, 0));
+    TEST_ASSERT_EQUAL_UINT32(4, world.refused_calls);
+}
+
+/* A model that two world_instances show, one of them in colours of its own. */
+void test_instances_in_colours_of_their_own(void)
+{
+    static fxl_world_colours colours;
+    static fxl_renderer other;
+    const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
+    const fxl_instance left = world_cube_at(-3, 3), right = world_cube_at(3, 3);
+    (void)world_start();
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_world_hide(&world, fxl_world_handle(i)));
+    }
+    for (int i = 0; i < 256; i++) {
+        world_colours[i] = (uint8_t)(i + 50);
+        world_colours[256 + i] = (uint8_t)(i + 100);
+    }
+    (void)world_spawned(&left, NULL);
+    const fxl_handle handle = world_spawned(&right, NULL);
+    world_draw(&world_renderer, &pose, world_frames[0]);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, handle, 2));
+    world_draw(&world_renderer, &pose, world_frames[1]); /* the renderer was not told of colours */
+    TEST_ASSERT_EQUAL_MEMORY(world_frames[0], world_frames[1], sizeof world_frames[0]);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_colours(&world, &world_renderer, &colours));
+    for (uint32_t number = 0; number <= 2; number++) {
+        uint32_t changed = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, handle, number));
+        world_draw(&world_renderer, &pose, world_frames[1]);
+        for (int i = 0; i < WORLD_WIDTH * WORLD_HEIGHT; i++) {
+            const bool of_right =
+                i % WORLD_WIDTH >= WORLD_WIDTH / 2 && world_frames[0][i] != WORLD_BACKGROUND;
+            TEST_ASSERT_EQUAL(world_frames[0][i] + (of_right ? 50 * (int)number : 0),
+                              world_frames[1][i]);
+            changed += of_right;
+        }
+        TEST_ASSERT_TRUE(changed > 20);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_colours(&world, &world_renderer, NULL));
+    TEST_ASSERT_NULL(world_renderer.shader);
+    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_world_set_colours(&world, &other, &colours));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_colours(NULL, &world_renderer, &colours));
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* Light and fog at run time: each flat face gets one level of a ramp of its colour.
+ * docs/extras/light.md. */
+#ifndef FXL_LIGHT_H
+#define FXL_LIGHT_H
+
+#include "fixel/render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FXL_LIGHT_POINTS_MAX 4
+#define FXL_LIGHT_LEVELS_MIN 2
+#define FXL_LIGHT_LEVELS_MAX 64
+
+/* Bytes of a ramp of so many levels. */
+#define FXL_LIGHT_RAMP_BYTES(levels) (256u * (levels))
+
+/* The bound of a face's brightness, in units of 2^-30: it is this near to the exact value of
+ * docs/extras/light.md, section 2. So a face has another level than the exact one only where the
+ * exact brightness is this near to the boundary between two levels. */
+#define FXL_LIGHT_ERROR_MAX 26
+
+/* A light at a point of the world. It reaches as far as its range, and fades towards it. */
+typedef struct {
+    fxl_point position; /* each coordinate within FXL_COORDINATE_MAX */
+    fxl_q16_16 range;   /* world units, 1/65536..8191 */
+    fxl_q2_30 strength; /* 0..1 */
+} fxl_point_light;
+
+/* What lights a frame. */
+typedef struct {
+    fxl_q2_30 ambient;       /* the brightness that every face has, 0..1 */
+    fxl_q2_30 strength;      /* of the directional light, 0..1; 0: there is none */
+    fxl_direction direction; /* in which it travels; of unit length where strength is not 0 */
+    fxl_point_light points[FXL_LIGHT_POINTS_MAX];
+    uint32_t point_count;         /* 0..FXL_LIGHT_POINTS_MAX */
+    fxl_q16_16 fog_near, fog_far; /* depths at which fog begins and hides all, 0 <= near < far <=
+                                     FXL_FAR_MAX; both 0: there is no fog */
+    const uint8_t *ramp;          /* ramp[256 * level + c]: the colour c at a level, from dark or
+                                     hidden by fog (0) to full (levels - 1) */
+    uint32_t levels;              /* FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX */
+} fxl_light_settings;
+
+/* The light of a renderer, which the caller owns. Members are internal. */
+typedef struct {
+    fxl_shader shader;
+    fxl_light_settings settings;
+} fxl_light;
+
+/* Has a renderer draw faces in the light of these settings, or, where settings is null, as they
+ * are. The settings are copied into *light, to which the renderer keeps a pointer, and the pointer
+ * to the ramp; each renderer has a record of its own. A frame must begin anew, so call it between
+ * frames for light that changes. Faces are lit after fxl_world_recolour and before beams: a beam's
+ * lit colours are those of the colours that the ramp gives. Several cores may draw bands of one
+ * frame. FXL_E_ARGUMENT (renderer; light or ramp, where there are settings), FXL_E_ORDER (the
+ * renderer was never initialised), FXL_E_COUNT (point_count, levels), FXL_E_NORMAL (the direction),
+ * FXL_E_RANGE (another number): nothing is changed but refused_calls. */
+fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
+                                  const fxl_light_settings *settings);
+
+/* Makes a ramp for a palette of 256 colours of three bytes, red, green, blue. Level l of colour c
+ * is the entry of the palette that is nearest to dark + (c - dark) * l / (levels - 1), each of the
+ * three rounded to nearest, halves upward; nearest by the sum of the squared differences, and of
+ * those at the same distance the one of the lowest number. The top level of a colour is the colour
+ * itself. dark is what black, or fog, is: three bytes. It looks at 65536 * (levels - 1) pairs of
+ * colours; a program with little time computes the ramp on the host, and keeps it in flash.
+ * FXL_E_ARGUMENT, FXL_E_COUNT (levels): ramp untouched. */
+fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
+                               uint8_t *ramp);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

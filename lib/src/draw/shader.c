@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* The shaders of a renderer, in the order of their ranks. A file of its own, so that a program
+ * without shaders does not link it. */
+#include "submit.h"
+
+void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
+{
+    fxl_shader **place = &renderer->shader;
+    while (*place != NULL && (*place)->rank < rank) {
+        place = &(*place)->next;
+    }
+    fxl_shader *rest = *place;
+    if (rest != NULL && rest->rank == rank) {
+        rest = rest->next;
+    }
+    if (shader != NULL) {
+        shader->rank = rank;
+        shader->next = rest;
+        rest = shader;
+    }
+    *place = rest;
+    renderer->frame.state = FXL_FRAME_NONE;
+}
+
+bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on, const fxl_shader *shader)
+{
+    const fxl_instance *instance = model_view->instance;
+    fxl_face coloured = *face;
+    coloured.material = shader->code->colour(shader, on->renderer, instance, face, face->material);
+    const fxl_shader *next = fxl_shader_reaching(shader->next, on->renderer->scene, instance);
+    return next != NULL ? next->code->face(model_view, &coloured, on, next)
+                        : fxl_submit_shaded_face(model_view, &coloured, on);
+}
