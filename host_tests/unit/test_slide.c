@@ -63,6 +63,28 @@ void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
     TEST_ASSERT_EQUAL_INT32(Q16(0.3), sphere.centre.y);
 }
 
+/* What a push leaves, at faces, edges and corners of a cube, from every side. */
+void test_a_push_leaves_a_gap(void)
+{
+    uint32_t pushed = 0;
+    tiny->scene.instance_count = 1;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_sphere sphere = {unit_point(Q16(2.5)), unit_between(Q16(0.25), Q16(1))};
+        const fxl_point move = unit_point(sphere.radius / 4); /* one step */
+        fxl_slide slide;
+        if (distance(&sphere.centre) < sphere.radius + 16) {
+            continue;
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
+        if (slide.contacts == 1 && slide.blocked == 0) {
+            const double gap = distance(&sphere.centre) - sphere.radius;
+            TEST_ASSERT_TRUE(gap >= 8 && gap <= 16);
+            pushed++;
+        }
+    }
+    TEST_ASSERT_TRUE(pushed > 0);
+}
+
 /* Near the seam of two faces: the edge of the neighbour is farther than the face before the sphere.
  */
 void test_a_seam_does_not_push_aside(void)
