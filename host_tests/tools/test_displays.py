@@ -10,6 +10,7 @@ import numpy
 import pytest
 
 from conftest import CHECKOUT
+from fixel import grey
 
 PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
 MOCK = CHECKOUT / "host_tests" / "displays"
@@ -19,6 +20,36 @@ PUMP = CHECKOUT / "lib" / "extra" / "pump"
 LIBRARY = [*sorted((CHECKOUT / "lib" / "extra" / "display").glob("*.c")),
            *sorted((CHECKOUT / "lib" / "extra" / "pixels").glob("*.c")),
            CHECKOUT / "lib" / "kernels" / "portable" / "row_to_16.c"]
+# A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
+OLED = """
+#include <stdio.h>
+#include <fixel/extra/display.h>
+extern const fxl_display_port wires;
+bool i2c_write(uint8_t address, const uint8_t *bytes, size_t size);
+void wait_for(uint32_t milliseconds);
+static uint8_t palette[768], frame[64][128];
+static fxl_display display;
+static fxl_pump pump;
+static uint64_t memory[FXL_PUMP_MEMORY(128, 8, 1)];
+bool i2c_write(uint8_t address, const uint8_t *bytes, size_t size)
+{
+    return address == 0x3C && putchar((int)size) != EOF && fwrite(bytes, 1, size, stdout) == size;
+}
+void wait_for(uint32_t milliseconds) { (void)milliseconds; }
+int main(void)
+{
+    const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
+    const fxl_pump_config pages = {&display.pixels, 128, 64, 8};
+    if (fread(palette, 1, 768, stdin) != 768 || fread(frame, 1, 128 * 64, stdin) != 128 * 64 ||
+        fxl_display_open(&display, &config, &wires, palette) ||
+        fxl_pump_init(&pump, &pages, &display.sink, memory, sizeof memory)) { return 1; }
+    for (uint16_t y = 0; y < 64; y = (uint16_t)(y + 8)) {
+        const fxl_band band = {frame[y], 128, 128, y, 8};
+        if (fxl_pump_send_rows(&pump, &band)) { return 1; }
+    }
+    return fxl_pump_wait(&pump) != FXL_OK;
+}
+"""
 # The panel draws no frame itself, so what the pump calls to draw one is not linked.
 LINK = ["-ffunction-sections", "-Wl,--gc-sections"]
 SHOW = ["tft_panel.c", "board.c", MOCK / "wires_mock.c", MOCK / "show.c", CHECKOUT / "boards" / "parts" / "display.c",
@@ -27,9 +58,11 @@ WIDTH, HEIGHT = 320, 240
 
 
 def write_sources(folder):
-    """The page's two pieces of code as files."""
-    driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
+    """The page's pieces of code as files."""
+    i2c, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
     assert "tft_panel" in driver and "board_panels" in board
+    assert "i2c_write" in i2c
+    (folder / "i2c_wires.c").write_text(i2c, encoding="utf-8")
     (folder / "tft_panel.c").write_text(driver, encoding="utf-8")
     # The dump has a file of its own to go to, which is not this test's.
     (folder / "board.c").write_text(board.replace("&dump_panel, ", ""), encoding="utf-8")
@@ -183,3 +216,42 @@ def test_a_pump_with_one_buffer_is_caught(tmp_path):
     subprocess.run(["./show", "320", "240", "16"], cwd=tmp_path, check=True,
                    input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames))
     assert (read_wires(tmp_path / "wires.bin").memory != rgb565(palette)[frames[1]]).any()
+
+
+TWO_BYTES = {0x20, 0x81, 0x8D, 0xA8, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB}     # commands with an argument
+
+
+def read_messages(data):
+    """(64 x 128 pixels, whether it is on) of an SSD1306 after these messages."""
+    memory, page, column, on = numpy.full((8, 128), 0xA5, numpy.uint8), 0, 0, False
+    while data:
+        size, data = data[0], data[1:]
+        message, data = data[:size], data[size:]
+        if message[0] == 0x40:
+            memory[page, column:column + size - 1] = list(message[1:])
+            column += size - 1
+            continue
+        assert message[0] == 0x00
+        commands = iter(message[1:])
+        for command in commands:
+            if command in TWO_BYTES:
+                next(commands)
+            elif command < 0x20:
+                column = column & 0xF0 | command if command < 0x10 else column & 15 | (command & 15) << 4
+            elif 0xB0 <= command < 0xB8:
+                page = command & 7
+            elif command & 0xFE == 0xAE:
+                on = command == 0xAF
+    return (memory[:, None, :] >> numpy.arange(8)[None, :, None] & 1).reshape(64, 128), on
+
+
+def test_an_oled_on_i2c_shows_a_frame(tmp_path):
+    write_sources(tmp_path)
+    (tmp_path / "oled.c").write_text(OLED, encoding="utf-8")
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], tmp_path, "oled.c",
+                "i2c_wires.c", *LIBRARY, *LINK, PUMP / "pump.c", "-o", "oled")
+    palette, (frame, _) = random_frames(128, 64)
+    done = subprocess.run(["./oled"], cwd=tmp_path, capture_output=True, input=palette.tobytes() + frame.tobytes(),
+                          check=True)
+    shown, on = read_messages(done.stdout)
+    assert on and (shown == grey.levels(frame, palette, 1)).all()

@@ -20,8 +20,8 @@ typedef struct {
      * and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
     bool (*send)(void *user, bool is_data, const uint8_t *bytes, size_t size);
 
-    /* Begins to send data, by DMA say, and returns at once. May be null: then send is used. The
-     * bytes stay as they are until wait has returned. */
+    /* Begins to send data as send does, by DMA say, and returns at once. May be null: then send is
+     * used. The bytes stay as they are until wait has returned. */
     bool (*start)(void *user, const uint8_t *bytes, size_t size);
 
     /* Returns when nothing is being sent. Null where start is. */
@@ -41,7 +41,7 @@ extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
 extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
 
 /* A display module: its controller, and how the glass is joined to it. The defaults are those of
- * the commonest module; change what yours has otherwise. */
+ * a common module; change what yours has otherwise. */
 typedef struct {
     const fxl_display_driver *driver;
     uint16_t width, height; /* of the glass, as the viewer sees it; 1..FXL_SCREEN_MAX */
@@ -63,7 +63,7 @@ typedef struct fxl_display {
     uint16_t frame_width; /* pixels that a row of a frame has */
 } fxl_display;
 
-/* The configuration of the commonest module of a controller, turned clockwise by 0 to 3 quarter
+/* The configuration of a common module of a controller, turned clockwise by 0 to 3 quarter
  * turns. An SSD1306 or SH1106 turns by 0 and 2 only; for other turns driver is null, and
  * fxl_display_open refuses the configuration. */
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
