@@ -3,7 +3,8 @@
  * their faces reach. They are found once, when a frame begins, and kept where the sort has left
  * memory that nobody needs any more: in the entries of the order, and behind the last of them. A
  * band then passes over what does not reach it. What is left of that memory becomes a cache of
- * vertices, if the caller gave none. Internal. */
+ * vertices, if the caller gave none. A library for size keeps the rows of instances and those of a
+ * sorted model's faces, not those of other faces. Internal. */
 #ifndef FXL_REACH_H
 #define FXL_REACH_H
 

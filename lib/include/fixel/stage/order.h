@@ -83,7 +83,7 @@ typedef struct {
  * Requires entries by rising index and of layer 0, and count <= FXL_MODEL_FACES_MAX.
  * It is fastest if the distances are spread evenly, or rise or fall in long runs. Its
  * time is at most of order count * log(count), or count^2 / FXL_ORDER_CHAINS where that is less;
- * with FXL_SMALL, of order count^(4/3). */
+ * with FXL_SMALL, or with -Os where distances are not spread, of order count^(4/3). */
 void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count, fxl_order_work *work);
 
 /* Fills entries with the scene's instances in the order of drawing, without those that the
