@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the first program (examples/cube) on this machine and writes its picture."""
+"""Draws the first program (examples/cube), or another example, on this machine and writes its picture."""
 
 from fixel import interpreter
 
@@ -17,8 +17,9 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
+    parser.add_argument("--crowd", action="store_true", help="examples/crowd")
     options = parser.parse_args(argv)
-    pixels, palette = first_program.draw(options.library)
+    pixels, palette = first_program.draw(options.library, first_program.CROWD if options.crowd else first_program.PROGRAM)
     output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
     return 0
 
