@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the first program (examples/cube) on this machine and writes its picture."""
+"""Draws the first program (examples/cube), or another example, on this machine and writes its picture."""
 
 from fixel import interpreter
 
@@ -18,8 +18,10 @@ def main(argv):
     parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
     parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/examples/hud.c)")
+    parser.add_argument("--crowd", action="store_true", help="examples/crowd")
     options = parser.parse_args(argv)
-    pixels, palette = (first_program.draw_hud if options.hud else first_program.draw)(options.library)
+    draw = first_program.draw_hud if options.hud else first_program.draw_crowd if options.crowd else first_program.draw
+    pixels, palette = draw(options.library)
     output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
     return 0
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its picture: the
- * pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the program's file. */
+/* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its
+ * picture: the pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the
+ * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first. */
 #define main example_main
 #include EXAMPLE
 #undef main
@@ -46,6 +47,11 @@ int main()
     if (example_main() != 0) {
         return 1;
     }
+#ifdef EXAMPLE_PALETTE
+    if (fwrite(palette, 1, sizeof palette, stdout) != sizeof palette) {
+        return 2;
+    }
+#endif
     return fwrite(pixels, 1, sizeof pixels, stdout) == sizeof pixels ? 0 : 2;
 }
 #endif

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The first program (examples/cube), drawn on this machine."""
+"""The first program (examples/cube) and the other examples of its scene, drawn on this machine."""
 
 import os
 import pathlib
@@ -12,6 +12,7 @@ from fixel.errors import ToolError
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
+CROWD = ROOT / "examples" / "crowd" / "main.c"
 FRAME = ROOT / "host_tests" / "examples" / "frame.c"
 HUD = ROOT / "host_tests" / "examples" / "hud.c"
 HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
@@ -28,24 +29,36 @@ def write_scene(folder):
 def draw(library, program=PROGRAM):
     """The picture as an array of palette entries, and the palette. library: libfixel.a of this machine. program: the
     first program, or another with the same scene and the same pixels."""
+    pixels, _, palette = _run(library, program, 0)
+    return pixels, palette
+
+
+def draw_crowd(library):
+    """The picture of examples/crowd, which has a palette of its own."""
+    pixels, colours, _ = _run(library, CROWD, 768, "-DEXAMPLE_PALETTE")
+    return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
+
+
+def draw_hud(library):
+    """The first program's picture with text and sprites over it (host_tests/examples/hud.c)."""
+    pixels, palette = draw(library, HUD)
+    palette[250:250 + len(HUD_COLOURS)] = HUD_COLOURS
+    return pixels, palette
+
+
+def _run(library, program, more, *flags):
+    """What a program draws, the `more` bytes before it, and the scene's palette. flags: for the compiler."""
     if not pathlib.Path(library).exists():
         raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
     with scratch.folder("first") as folder:
         scene = write_scene(folder)
         command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{program}"', f"-I{ROOT / 'lib' / 'include'}",
-                   f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
+                   *flags, f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
         done = children.run(command, text=True)
         if done.returncode != 0:
             raise ToolError(f"{program} cannot be compiled with {library}: {done.stderr.strip()}")
         ran = children.run([f"{folder}/frame"])
-    if ran.returncode != 0 or len(ran.stdout) != WIDTH * HEIGHT:
+    if ran.returncode != 0 or len(ran.stdout) != more + WIDTH * HEIGHT:
         raise ToolError(f"{program} drew nothing: it ended with {ran.returncode}", exit_code=1)
-    pixels = numpy.frombuffer(ran.stdout, dtype=numpy.uint8).reshape(HEIGHT, WIDTH)
-    return pixels, numpy.array(scene.palette, dtype=numpy.uint8)
-
-
-def draw_hud(library):
-    """The same with text and sprites over it (host_tests/examples/hud.c)."""
-    pixels, palette = draw(library, HUD)
-    palette[250:250 + len(HUD_COLOURS)] = HUD_COLOURS
-    return pixels, palette
+    pixels = numpy.frombuffer(ran.stdout[more:], dtype=numpy.uint8).reshape(HEIGHT, WIDTH)
+    return pixels, ran.stdout[:more], numpy.array(scene.palette, dtype=numpy.uint8)

@@ -74,7 +74,7 @@ fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_wo
     if (status != FXL_OK) {
         return status;
     }
-    const fxl_scene from = *scene; /* which may be the world's own */
+    const fxl_scene from = *scene; /* it may lie in a world */
     memset(world, 0, sizeof *world);
     world->scene = from;
     world->memory = *memory;

@@ -91,8 +91,9 @@ typedef struct fxl_workspace {
     } work;
 } fxl_workspace;
 
-/* What is done with a face before it is clipped: it is split by light beams, or gets another colour.
- * Its maker puts it first in a record of its own, which the caller owns. Members are internal. */
+/* What is done with a face before it is clipped: it is split by light beams, or gets another
+ * colour. Its maker puts it first in a record of its own, which the caller owns. Members are
+ * internal. */
 typedef struct fxl_shader fxl_shader;
 struct fxl_shader {
     fxl_shader *next; /* of the renderer; null: it is the last */

@@ -65,7 +65,8 @@ typedef struct {
 /* Sets up a world over a scene that was checked. The world takes the scene's instances over, all of
  * them shown, and keeps pointers to the scene's other tables and to the memory. The scene itself is
  * neither changed nor needed afterwards. world->scene.order_needed is then enough for the whole
- * capacity.
+ * capacity. A renderer that drew this world before must be initialised and attached again.
+ * Requires that the scene's instances and turns do not lie in the memory.
  * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_COUNT (a capacity or colour_count
  * is out of range), FXL_E_CAPACITY (the scene has more instances, or more with a turn): nothing is
  * changed. */

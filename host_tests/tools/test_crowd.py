@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+"""The example that puts up cubes at run time draws the picture of docs/extras/world.md."""
+
+import numpy
+from conftest import CHECKOUT
+from PIL import Image
+
+from fixel import first_program
+
+
+def test_the_crowd_is_that_of_the_document(build):
+    pixels, palette = first_program.draw_crowd(build / "host" / "libfixel.a")
+    shown = numpy.array(Image.open(CHECKOUT / "docs" / "world.png").convert("RGB"))
+    assert len(numpy.unique(pixels)) > 100
+    assert numpy.array_equal(palette[pixels], shown)
