@@ -122,6 +122,7 @@ class _Tables:
             rows(scene.beams, "beams", len(scene.beams)),
             rows(scene.beams, "lit"),
             rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
+            "NULL, 0, NULL /* turns: the program's */",
         ]
         return "\n".join([f"static const fxl_scene {name}_scene = {{",
                           ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])
