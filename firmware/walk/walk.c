@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "walk.h"
 
+#include "act.h"
 #include "contract/clock.h"
 #include "contract/display.h"
 #include "contract/input.h"
@@ -8,6 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "fixel/all.h"
+#include "methods.h"
 #include "path.h"
 
 /* A row of the widest screen must fit. */
@@ -16,8 +18,7 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 static uint8_t band_pixels[WALK_BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
-static _Alignas(
-    8) uint32_t list[WALK_LIST_BYTES / 4]; /* what light and motion want is taken from it */
+static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* methods, beams and motions take of it */
 #else
 static uint32_t *const list = NULL;           /* every band walks the scene */
 #endif
@@ -27,7 +28,9 @@ static fxl_cached_vertex cache[WALK_CACHE_ENTRIES];
 static fxl_cached_vertex *const cache = NULL; /* every face works its vertices out anew */
 #endif
 static fxl_renderer renderer;
-static fxl_motion_player motion; /* of a scene in which something moves */
+static walk_methods methods;
+static fxl_scene_image opened;
+static fxl_motion_player motion; /* of an image in which something moves */
 
 /* What drawing took, without what the display does with it. */
 typedef struct {
@@ -121,7 +124,7 @@ static int open_scene(fxl_scene_image *image)
 }
 
 /* The bytes of the copies of what moves: a multiple of 8. */
-static uint32_t motion_room(const fxl_scene_image *image)
+static uint32_t motion_bytes(const fxl_scene_image *image)
 {
     const fxl_scene *scene = &image->scene;
 
@@ -131,48 +134,97 @@ static uint32_t motion_room(const fxl_scene_image *image)
                      (scene->instance_count - scene->first_turned) * (uint32_t)sizeof(fxl_turn);
 }
 
-/* Points the scene to copies in the display list's memory, from its word at on. */
-static fxl_status open_motion(fxl_scene_image *image, uint32_t at)
+/* If something moves in the image's scene, points it to copies in this memory. An act with a scene
+ * of its own moves it itself. */
+static fxl_status open_motion(const fxl_scene *drawn, uint32_t *at)
 {
-    fxl_scene *scene = &image->scene;
+    fxl_scene *const scene = &opened.scene;
     fxl_motion_memory memory;
 
-    if (image->motion.motion_count == 0) {
+    if (opened.motion.motion_count == 0 || drawn != scene) {
         return FXL_OK;
     }
-    memory.instances = (fxl_instance *)(void *)(list + at);
+    memory.instances = (fxl_instance *)(void *)at;
     memory.instance_capacity = scene->instance_count;
     memory.turns = (fxl_turn *)(void *)(memory.instances + scene->instance_count);
     memory.turn_capacity = scene->instance_count - scene->first_turned;
-    return fxl_motion_begin(&motion, &image->motion, scene, &memory);
+    return fxl_motion_begin(&motion, &opened.motion, scene, &memory);
 }
 
-static int open_renderer(fxl_scene_image *image)
+/* The first bytes of the list's memory are for what draws, the rest is the list. *beams: those of
+ * beams, and behind them those of motions. */
+static int share_list(const fxl_scene_image *image, uint32_t *beams)
 {
     const fxl_scene *scene = &image->scene;
-    const uint32_t light = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
-    const uint32_t room = light + motion_room(image);
-    if (room > WALK_LIST_BYTES / 4 * 4) {
-        print_with_number("walk: the scene's beams and motions need ", room, " bytes");
-        print_with_number(", this board's display list has ", WALK_LIST_BYTES, "\n");
+    const uint32_t room = WALK_LIST_BYTES / 8 * 8;
+
+    *beams = ((fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u) +
+             motion_bytes(image);
+    if (!walk_methods_choose(&methods, image, *beams < room ? room - *beams : 0)) {
+        system_text("walk: this board has no room to draw by a BSP tree; "
+                    "VISIBILITY=sorted draws without\n");
         return SYSTEM_EXIT_CAPACITY;
     }
-    const fxl_memory memory = {
-        order, WALK_ORDER_ENTRIES, room > 0 ? list + room / 4 : list, (WALK_LIST_BYTES - room) / 4,
-        cache, WALK_CACHE_ENTRIES};
-    fxl_status status = open_motion(image, light / 4);
-
-    if (status == FXL_OK) {
-        status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
+    if (*beams > room || walk_methods_bytes(&methods) > room - *beams) {
+        print_with_number("walk: beams, motions, clipper and visibility method need ",
+                          *beams + walk_methods_bytes(&methods), " bytes");
+        print_with_number(", this board's display list has ", room, "\n");
+        return SYSTEM_EXIT_CAPACITY;
     }
+    return SYSTEM_EXIT_DONE;
+}
+
+/* What is left for the list. */
+static uint32_t list_bytes(uint32_t taken)
+{
+    const uint32_t left = WALK_LIST_BYTES - taken;
+
+#ifdef WALK_LIST_MOST
+    return left < WALK_LIST_MOST ? left : WALK_LIST_MOST;
+#else
+    return left;
+#endif
+}
+
+static int open_renderer(const fxl_scene_image *image)
+{
+    const fxl_scene *scene;
+    uint32_t beams, taken;
+    fxl_status status = act_open(image, &scene);
+    int code = share_list(image, &beams);
+
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
+    }
+    if (status != FXL_OK) {
+        return fail_status("scene", status, SYSTEM_EXIT_RENDER);
+    }
+    status = open_motion(scene, list + (beams - motion_bytes(image)) / 4);
+    if (status != FXL_OK) {
+        return fail_status("motions", status, SYSTEM_EXIT_RENDER);
+    }
+    taken = beams + walk_methods_bytes(&methods);
+    const fxl_memory memory = {.order = order,
+                               .order_capacity = WALK_ORDER_ENTRIES,
+                               .display_list = taken > 0 ? list + taken / 4 : list,
+                               .display_list_capacity = list_bytes(taken) / 4,
+                               .cache = cache,
+                               .cache_capacity = WALK_CACHE_ENTRIES};
+    status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
     if (status == FXL_E_CAPACITY) {
-        print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
+        print_with_number("walk: the scene needs ", scene->order_needed, " order entries");
         print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
+    if (status == FXL_OK) {
+        status = walk_methods_set(&methods, &renderer, (uint8_t *)list + beams);
+    }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
-                                        list, light);
+                                        list, beams - motion_bytes(image));
+    }
+    if (status == FXL_OK) {
+        status = act_attach(&renderer);
     }
     if (status != FXL_OK) {
         return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
@@ -201,6 +253,9 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
         stopwatch_start(watch);
         fxl_fill_band(&band, image->background);
         status = fxl_frame_draw(&renderer, &band);
+        if (status == FXL_OK) {
+            status = act_draw_over(&band, &image->lens);
+        }
         stopwatch_stop(watch);
         if (status != FXL_OK) {
             return fail_status("draw", status, SYSTEM_EXIT_RENDER);
@@ -215,7 +270,7 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
 static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
-    fxl_status status = walk_path_next(path, held);
+    fxl_status status = act_step(path, held);
     stopwatch watch = {0, 0, false};
     int code;
 
@@ -226,7 +281,7 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
         return fail_frame("the pose could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     stopwatch_start(&watch);
-    if (image->motion.motion_count > 0) {
+    if (motion.set.motion_count > 0) {
         fxl_motion_play(&motion, frame);
     }
     status = fxl_frame_begin(&renderer, &path->viewer.pose);
@@ -235,6 +290,10 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
         return fail_status("frame", status, SYSTEM_EXIT_RENDER);
     }
     code = draw_bands(image, frame, &watch);
+    if (code == SYSTEM_EXIT_DONE && walk_methods_unsplit(&methods, &renderer) > 0) {
+        return fail_frame("the display list's memory is too small to cut what moves among the tree",
+                          frame, SYSTEM_EXIT_CAPACITY);
+    }
     if (code == SYSTEM_EXIT_DONE &&
         !journal_end(&renderer.workspace.counters, path->viewer.clamped, stopwatch_read(&watch))) {
         return fail_frame("the counters could not be noted", frame, SYSTEM_EXIT_JOURNAL);
@@ -260,27 +319,26 @@ static int draw_frames(const fxl_scene_image *image, uint32_t frames)
 
 int walk(void)
 {
-    fxl_scene_image image;
     uint32_t frames;
     bool closed;
-    int code = open_scene(&image);
+    int code = open_scene(&opened);
 
     if (code == SYSTEM_EXIT_DONE) {
-        code = open_renderer(&image);
+        code = open_renderer(&opened);
     }
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
-    frames = system_frames() != 0 ? system_frames() : image.frame_count;
+    frames = system_frames() != 0 ? system_frames() : opened.frame_count;
     if (!journal_open(frames)) {
         system_text("walk: the journal could not be opened\n");
         return SYSTEM_EXIT_JOURNAL;
     }
-    if (!display_open(image.lens.width, image.lens.height, image.palette)) {
+    if (!display_open(opened.lens.width, opened.lens.height, opened.palette)) {
         system_text("walk: the display could not be opened\n");
         return SYSTEM_EXIT_DISPLAY;
     }
-    code = draw_frames(&image, frames);
+    code = draw_frames(&opened, frames);
     closed = display_close();
     if (code != SYSTEM_EXIT_DONE) {
         return code;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* live SCENE.fxls
+/* live SCENE.fxls [--clipper NAME] [--hidden NAME]
  *
  * Draws with the reference renderer, pose by pose. A request on standard
  * input is 36 bytes, an answer on standard output a head of 16 bytes and what
@@ -20,6 +20,7 @@
 
 #include "frames/moving_reference.h"
 #include "frames/read_file.h"
+#include "reference/clipper.h"
 #include "reference/render.h"
 #include "reference/scene.h"
 #include "reference/fill.h"
@@ -183,13 +184,31 @@ static int open_scene(const char *path, session *run)
     return 0;
 }
 
+static bool choose(const char *option, const char *name, ref_renderer *chosen)
+{
+    return strcmp(option, "--clipper") == 0
+               ? ref_clipper_cuts(name, &chosen->cuts, &chosen->by_points)
+           : strcmp(option, "--hidden") == 0 ? ref_visibility_goes_by_bsp(name, &chosen->by_bsp)
+                                             : false;
+}
+
 int main(int count, char **arguments)
 {
-    if (count != 2) {
-        return fail("usage", "live SCENE.fxls");
+    ref_renderer chosen = {.by_bsp = true, /* where the scene has a tree */
+                           .cuts = REF_CUT_ALL};
+    for (int i = 2; i < count; i += 2) {
+        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &chosen)) {
+            count = 0;
+        }
+    }
+    if (count < 2) {
+        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME]");
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
+    run.renderer.by_bsp = chosen.by_bsp;
+    run.renderer.by_points = chosen.by_points;
+    run.renderer.cuts = chosen.cuts;
     if (code == 0) {
         code = serve(&run);
     }
