@@ -3,6 +3,7 @@
  * 2^-30 of the unit. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "fixel/all.h"
 #include "oracle/claim.h"
@@ -69,41 +70,61 @@ static void generate_matrix(oracle_random *random, uint64_t index, oracle_input 
     }
 }
 
+static const char *const entry_names[9] = {"right.x", "right.y",   "right.z",   "up.x",     "up.y",
+                                           "up.z",    "forward.x", "forward.y", "forward.z"};
+
+/* The exact rows of a camera: right, up, forward. */
+static void exact_rows(const int64_t angles[3], long double rows[9])
+{
+    const uint32_t yaw = (uint32_t)angles[0], pitch = (uint32_t)angles[1],
+                   roll = (uint32_t)angles[2];
+    const long double sy = sine(yaw), cy = cosine(yaw), sp = sine(pitch), cp = cosine(pitch);
+    const long double sr = sine(roll), cr = cosine(roll);
+    const long double exact[9] = {cr * cy - sr * sp * sy,
+                                  sr * cp,
+                                  -cr * sy - sr * sp * cy,
+                                  -sr * cy - cr * sp * sy,
+                                  cr * cp,
+                                  sr * sy - cr * sp * cy,
+                                  cp * sy,
+                                  sp,
+                                  cp * cy};
+    memcpy(rows, exact, sizeof exact);
+}
+
+static bool camera_of(const int64_t angles[3], fxl_camera *camera)
+{
+    const fxl_pose pose = {
+        .yaw = (uint32_t)angles[0], .pitch = (uint32_t)angles[1], .roll = (uint32_t)angles[2]};
+    return fxl_camera_from_pose(&pose, camera) == FXL_OK;
+}
+
+/* Compares nine entries with their exact values, in units of 2^-30. */
+static void judge_entries(const fxl_axes *axes, const long double exact[9], FILE *words,
+                          oracle_verdict *verdict)
+{
+    const int32_t *got = &axes->right.x;
+    for (int i = 0; i < 9; i++) {
+        const long double in_units = exact[i] * UNIT;
+        report(words, entry_names[i], got[i], in_units);
+        verdict->value = fmax(verdict->value, (double)fabsl(got[i] - in_units));
+    }
+}
+
 static oracle_outcome judge_matrix(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
     if (input->count != 3 || !is_angle(n[0]) || !is_angle(n[1]) || !is_angle(n[2])) {
         return ORACLE_UNUSABLE;
     }
-    fxl_pose pose = {.yaw = (uint32_t)n[0], .pitch = (uint32_t)n[1], .roll = (uint32_t)n[2]};
     fxl_camera camera;
-    if (fxl_camera_from_pose(&pose, &camera) != FXL_OK) {
+    long double exact[9];
+    if (!camera_of(n, &camera)) {
         verdict->value = ORACLE_REFUSED;
         return ORACLE_COUNTED;
     }
-    long double sy = sine(pose.yaw), cy = cosine(pose.yaw);
-    long double sp = sine(pose.pitch), cp = cosine(pose.pitch);
-    long double sr = sine(pose.roll), cr = cosine(pose.roll);
-    const struct {
-        const char *name;
-        int32_t got;
-        long double exact;
-    } entries[9] = {
-        {"right.x", camera.axes.right.x, cr * cy - sr * sp * sy},
-        {"right.y", camera.axes.right.y, sr * cp},
-        {"right.z", camera.axes.right.z, -cr * sy - sr * sp * cy},
-        {"up.x", camera.axes.up.x, -sr * cy - cr * sp * sy},
-        {"up.y", camera.axes.up.y, cr * cp},
-        {"up.z", camera.axes.up.z, sr * sy - cr * sp * cy},
-        {"forward.x", camera.axes.forward.x, cp * sy},
-        {"forward.y", camera.axes.forward.y, sp},
-        {"forward.z", camera.axes.forward.z, cp * cy},
-    };
-    for (int i = 0; i < 9; i++) {
-        long double exact = entries[i].exact * UNIT;
-        report(words, entries[i].name, entries[i].got, exact);
-        verdict->value = fmax(verdict->value, (double)fabsl(entries[i].got - exact));
-    }
+    exact_rows(n, exact);
+    judge_entries(&camera.axes, exact, words, verdict);
     return ORACLE_COUNTED;
 }
 
@@ -114,6 +135,66 @@ const oracle_claim oracle_matrix_entry = {
     .kinds = {"any and special angles"},
     .generate = generate_matrix,
     .judge = judge_matrix,
+};
+
+/* --- matrix_entry_instance --------------------------------------------------- */
+
+static void generate_instance(oracle_random *random, uint64_t index, oracle_input *input)
+{
+    (void)index;
+    for (int i = 0; i < 6; i++) {
+        oracle_put(input, any_angle(random));
+    }
+    oracle_put(input, oracle_below(random, 4) == 0
+                          ? FXL_Q16_16_ONE
+                          : (int64_t)oracle_spread(random, FXL_SCALE_MIN, FXL_SCALE_MAX));
+}
+
+/* An instance that is turned as a camera of the angles is: its orientation is the transpose of that
+ * camera's rows, each entry rounded to the nearest. The exact product is that of both exact
+ * rotations and the scale, as the library keeps it: divided by 2^shift. */
+static oracle_outcome judge_instance(const oracle_input *input, FILE *words,
+                                     oracle_verdict *verdict)
+{
+    const int64_t *n = input->numbers;
+    for (int i = 0; i < 6; i++) {
+        if (input->count != 7 || !is_angle(n[i])) {
+            return ORACLE_UNUSABLE;
+        }
+    }
+    if (n[6] < FXL_SCALE_MIN || n[6] > FXL_SCALE_MAX) {
+        return ORACLE_UNUSABLE;
+    }
+    fxl_turn turn = {.scale = (int32_t)n[6]};
+    fxl_camera camera;
+    fxl_axes matrix;
+    const fxl_point centre = {0, 0, 0};
+    long double view[9], object[9], exact[9] = {0};
+    exact_rows(n, view);
+    exact_rows(n + 3, object);
+    for (int i = 0; i < 9; i++) {
+        (&turn.orientation.x.x)[i] = (int32_t)floorl(object[i % 3 * 3 + i / 3] * UNIT + 0.5L);
+    }
+    if (!camera_of(n, &camera) || fxl_turn_check(&turn, &centre, 0) != FXL_OK) {
+        verdict->value = ORACLE_REFUSED;
+        return ORACLE_COUNTED;
+    }
+    const unsigned shift = fxl_turn_matrix(&turn, &camera.axes, &matrix);
+    for (int i = 0; i < 27; i++) { /* view times the transpose of the object's rows */
+        exact[i / 3] += view[i / 9 * 3 + i % 3] * object[i / 3 % 3 * 3 + i % 3] *
+                        ldexpl(turn.scale, -16 - (int)shift);
+    }
+    judge_entries(&matrix, exact, words, verdict);
+    return ORACLE_COUNTED;
+}
+
+const oracle_claim oracle_matrix_entry_instance = {
+    .id = "matrix_entry_instance",
+    .unit = "2^-30",
+    .numbers = "yaw pitch roll of the camera, of the instance, binary angles; scale, 16.16",
+    .kinds = {"any and special angles"},
+    .generate = generate_instance,
+    .judge = judge_instance,
 };
 
 /* --- sine_cosine ------------------------------------------------------------- */

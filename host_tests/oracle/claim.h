@@ -44,8 +44,9 @@ typedef struct {
     oracle_outcome (*judge)(const oracle_input *input, FILE *words, oracle_verdict *verdict);
 } oracle_claim;
 
-extern const oracle_claim oracle_matrix_entry, oracle_sine_cosine, oracle_vertex_unclipped,
-    oracle_outline_clipped, oracle_outline_near_parallel, oracle_coverage, oracle_watertight;
+extern const oracle_claim oracle_matrix_entry, oracle_matrix_entry_instance, oracle_sine_cosine,
+    oracle_vertex_unclipped, oracle_outline_clipped, oracle_outline_near_parallel, oracle_coverage,
+    oracle_watertight;
 
 static inline void oracle_put(oracle_input *input, int64_t number)
 {

@@ -18,9 +18,10 @@
 #include "oracle/tally.h"
 
 static const oracle_claim *const claims[] = {
-    &oracle_matrix_entry,    &oracle_sine_cosine,           &oracle_vertex_unclipped,
-    &oracle_outline_clipped, &oracle_outline_near_parallel, &oracle_coverage,
-    &oracle_watertight,
+    &oracle_matrix_entry,    &oracle_matrix_entry_instance,
+    &oracle_sine_cosine,     &oracle_vertex_unclipped,
+    &oracle_outline_clipped, &oracle_outline_near_parallel,
+    &oracle_coverage,        &oracle_watertight,
 };
 
 enum {

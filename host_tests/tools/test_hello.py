@@ -192,7 +192,7 @@ def test_readme_page_and_example_have_the_same_program():
 
 def test_the_page_has_its_six_steps():
     assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "cores.c", "loop.c", "steer.c",
-                           "display.c"}
+                           "turn.c", "display.c"}
     assert PAGE.count("\n## ") == 6 and PAGE.count("```") == 2 * len(BLOCKS)
 
 
@@ -274,6 +274,14 @@ def test_keys_steer_the_camera(page):
     middle = [numpy.nonzero(frame)[1].mean() for frame in frames]
     assert middle[0] < middle[1] < middle[2]
     assert numpy.count_nonzero(frames[5]) > numpy.count_nonzero(frames[3])
+
+
+def test_the_cube_turns_once(page, picture):
+    frames = drawn(page, "turn.c", "rows.c").reshape(60, HEIGHT, WIDTH)
+    assert frames[0].tobytes() == picture.tobytes()
+    assert len({frame.tobytes() for frame in frames}) == 60
+    # A quarter turn shows the next side where the first was.
+    assert ((frames[15] != 0) == (frames[0] != 0)).mean() > 0.999
 
 
 def test_the_display_gets_the_colours_of_the_palette(page, picture):

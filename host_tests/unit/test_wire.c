@@ -212,6 +212,41 @@ void test_bands_and_both_clippers_draw_the_same(void)
     TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10 && clipped > UNIT_REPEAT / 200);
 }
 
+/* Without a turn an instance is drawn as one that has none. A cube that is a quarter turned looks
+ * the same but for its colours; a bad turn leaves the frame before. */
+void test_turned_cubes(void)
+{
+    static fxl_turn turns[TINY_INSTANCES] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
+    static const fxl_orientation quarter = {
+        {0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}};
+    tiny_scene *tiny = tiny_make();
+    fxl_pose pose = {{Q16(1), Q16(0.5), Q16(-4)}, DEGREES(10), 0, 0};
+    make(fxl_line_by_codes);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    draw_frame(whole, HEIGHT);
+    tiny->scene.turns = turns;
+    tiny->scene.first_turned = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_begin(&wire, &pose));
+    tiny->scene.turn_code = &fxl_turned_instances;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    draw_frame(other, HEIGHT / 3);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    turns[0].orientation = quarter;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    draw_frame(other, HEIGHT);
+    int differing = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        TEST_ASSERT_EQUAL(whole[i] == 0, other[i] == 0);
+        differing += whole[i] != other[i];
+    }
+    TEST_ASSERT_TRUE(differing > 0);
+    turns[1].orientation.x.x = 0;
+    TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_wire_begin(&wire, &pose));
+    turns[1].orientation.x.x = FXL_Q2_30_ONE;
+    draw_frame(whole, HEIGHT);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+}
+
 /* A cube from the front: its four sides, in its colour. */
 void test_a_cube_from_the_front(void)
 {

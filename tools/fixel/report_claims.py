@@ -18,6 +18,9 @@ class Claim:
 CLAIMS = (
     Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact value "
           "for the stated angles."),
+    Claim("matrix_entry_instance", 5, "2^-30", "An entry of the matrix of a turned and scaled instance "
+          "in the view, divided by the power of two not below the scale, against the exact value for the "
+          "camera's and the instance's angles."),
     Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
     Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
           "against the exact place, given its coordinates, the camera's position and matrix."),

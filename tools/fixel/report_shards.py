@@ -36,6 +36,7 @@ class Kind:
 
 CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("matrix_entry", 2_000_000, 100_000),
+    ("matrix_entry_instance", 10_000_000, 250_000),
     ("sine_cosine", 2_000_000, 100_000),
     ("vertex_unclipped", 10_000_000, 250_000),
     ("outline_clipped", 1_000_000, 10_000),

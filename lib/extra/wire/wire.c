@@ -5,6 +5,7 @@
 #include "fixel/stage/sphere.h"
 #include "fixel/stage/transform.h"
 #include "../../src/math/memory.h"
+#include "../../src/scene/turn_code.h"
 
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper)
@@ -25,32 +26,28 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
     if (wire == NULL) {
         return FXL_E_ARGUMENT;
     }
-    fxl_status status = fxl_view_set_pose(&wire->view, pose);
+    fxl_status status = wire->scene != NULL ? fxl_check_turns(wire->scene) : FXL_E_ORDER;
+    if (status != FXL_OK) {
+        return status;
+    }
+    status = fxl_view_set_pose(&wire->view, pose);
     if (status == FXL_OK) {
         wire->ready = true;
     }
     return status;
 }
 
-static void to_view(const fxl_wire *wire, const fxl_instance *instance, const fxl_point *vertex,
-                    fxl_view_point *view_point)
-{
-    const fxl_point point = {instance->centre.x + vertex->x, instance->centre.y + vertex->y,
-                             instance->centre.z + vertex->z};
-    fxl_transform_point(&wire->view.camera, &point, view_point);
-}
-
 /* transform -> clip -> project -> pixels. */
-static void draw_edge(fxl_wire *wire, const fxl_instance *instance, const fxl_point *from,
-                      const fxl_point *to, uint8_t colour, const fxl_band *band)
+static void draw_edge(fxl_wire *wire, const fxl_point *from, const fxl_point *to, uint8_t colour,
+                      const fxl_band *band)
 {
     fxl_wire_counters *counters = &wire->counters;
     fxl_screen_point ends[2];
     fxl_clip_line line;
     const uint32_t before = counters->intersections;
     line.carried = 0;
-    to_view(wire, instance, from, &line.from.position);
-    to_view(wire, instance, to, &line.to.position);
+    fxl_transform_point(&wire->view.camera, from, &line.from.position);
+    fxl_transform_point(&wire->view.camera, to, &line.to.position);
     counters->in++;
     if (!wire->clipper(&line, &wire->volume, &counters->intersections)) {
         counters->outside++;
@@ -66,21 +63,43 @@ static void draw_edge(fxl_wire *wire, const fxl_instance *instance, const fxl_po
     fxl_wire_line(&ends[0], &ends[1], colour, band);
 }
 
-static void draw_instance(fxl_wire *wire, const fxl_instance *instance, const fxl_band *band)
+/* The points of a face in the world; those of a turned instance are rounded. */
+static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                       fxl_point *points)
+{
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_instance *instance = &scene->instances[number];
+    const fxl_point *vertices = &scene->vertices[scene->models[instance->model].first_vertex];
+    if (turned != NULL) {
+        turned->place_face(scene, number, face, points);
+        return;
+    }
+    for (uint32_t k = 0; k < face->count; k++) {
+        const fxl_point *vertex = &vertices[scene->indices[face->first_index + k]];
+        points[k].x = instance->centre.x + vertex->x;
+        points[k].y = instance->centre.y + vertex->y;
+        points[k].z = instance->centre.z + vertex->z;
+    }
+}
+
+static void draw_instance(fxl_wire *wire, uint32_t number, const fxl_band *band)
 {
     const fxl_scene *scene = wire->scene;
+    const fxl_instance *instance = &scene->instances[number];
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_point *eye = &wire->view.camera.position;
+    fxl_point points[FXL_FACE_VERTICES_MAX];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        const uint16_t *indices = &scene->indices[face->first_index];
-        if (!fxl_face_is_front(scene, instance, face, &wire->view.camera.position)) {
+        if (!(turned != NULL ? turned->face_is_front(scene, number, face, eye)
+                             : fxl_face_is_front(scene, instance, face, eye))) {
             continue;
         }
+        place_face(scene, number, face, points);
         for (uint32_t k = 0; k < face->count; k++) {
             const uint32_t next = k + 1 == face->count ? 0 : k + 1;
-            draw_edge(wire, instance, &vertices[indices[k]], &vertices[indices[next]],
-                      face->material, band);
+            draw_edge(wire, &points[k], &points[next], face->material, band);
         }
     }
 }
@@ -103,9 +122,9 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
         const fxl_instance *instance = &scene->instances[i];
         const uint32_t planes =
             fxl_sphere_planes(&wire->view.camera, &wire->view.view_frustum, &instance->centre,
-                              scene->models[instance->model].radius);
+                              fxl_instance_radius(scene, instance));
         if (planes != FXL_SPHERE_OUTSIDE) {
-            draw_instance(wire, instance, band);
+            draw_instance(wire, i, band);
         }
     }
     return FXL_OK;

@@ -184,10 +184,12 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * clipped, projected and appended to the display list, as far as that has room. Zeroes the
  * counters except refused_calls, and counts the faces that it came to. Then draw the frame
  * whole or in bands. scene->instance_count may change between the last band of a frame and
- * fxl_frame_begin, as far as the order has room.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, or no visibility method), FXL_E_RANGE (pose),
- * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): the frame before
- * stays current; counted in refused_calls. */
+ * fxl_frame_begin, as far as the order has room; so may the turns, and the centres of instances
+ * that have one. All turns are checked: in constant time each.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, no visibility method, or turns without a turn_code),
+ * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (an orientation), FXL_E_CAPACITY
+ * (scene->instance_count has grown beyond the order's room): the frame before stays current;
+ * counted in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared

@@ -276,15 +276,14 @@ typedef struct {
  * FXL_E_PLANARITY, FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
  * FXL_E_CAPACITY is for a face of more than FXL_FACE_VERTICES_MAX vertices, which a build with a
  * larger FXL_POLYGON_CAPACITY would draw. On FXL_OK *fault is untouched.
- * A scene that has clusters, a BSP tree, beams or turns is refused (FXL_E_ARGUMENT);
- * fxl_scene_check_all checks them. They are two functions so that a program without any links none
- * of their checks. */
+ * A turned instance is checked by fxl_turn_check instead of by its vertices; FXL_E_TURN.
+ * A scene that has clusters, a BSP tree or beams is refused (FXL_E_ARGUMENT); fxl_scene_check_all
+ * checks them. They are two functions so that a program without any links none of their checks. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
-/* Checks a scene that may have clusters, a BSP tree, beams and turns: these too. A turned instance
- * must lie in the world with all its model's sphere. Otherwise as fxl_scene_check, and also
- * FXL_E_CLUSTER and FXL_E_BSP. On FXL_OK scene->cluster_code is set too.
- */
+/* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
+ * fxl_scene_check, and also FXL_E_CLUSTER and FXL_E_BSP. On FXL_OK scene->cluster_code is set too,
+ * and scene->turn_code where there are turns. */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,

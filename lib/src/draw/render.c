@@ -56,12 +56,6 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->visibility->submit == fxl_submit_by_distance;
 }
 
-static fxl_status check_turns(const fxl_scene *scene)
-{
-    uint32_t number;
-    return scene->turn_code == NULL ? FXL_E_ORDER : scene->turn_code->check(scene, &number);
-}
-
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands)
 {
     if (renderer == NULL) {
@@ -74,7 +68,7 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     if (renderer->scene->turns != NULL) {
-        const fxl_status turned = check_turns(renderer->scene);
+        const fxl_status turned = fxl_check_turns(renderer->scene);
         if (turned != FXL_OK) {
             return fxl_refuse(&renderer->workspace, turned);
         }

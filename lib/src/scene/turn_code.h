@@ -52,6 +52,17 @@ fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number);
 }
 #endif
 
+/* Whether the turns of a frame are those of rotations in range: fxl_turn_check. A scene without
+ * turns passes. */
+static inline fxl_status fxl_check_turns(const fxl_scene *scene)
+{
+    uint32_t number;
+    if (scene->turns == NULL) {
+        return FXL_OK;
+    }
+    return scene->turn_code == NULL ? FXL_E_ORDER : scene->turn_code->check(scene, &number);
+}
+
 /* The number of the first turned instance; the number of instances where none is turned. */
 static inline uint32_t fxl_first_turned(const fxl_scene *scene)
 {
