@@ -21,6 +21,11 @@ static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const f
     static fxl_clip_view_work checked;
     fxl_planes needed = 0;
     for (uint32_t i = 0; i < face->count; i++) {
+        if (model_view->axes != &model_view->view->camera.axes) { /* a turned instance */
+            seen.vertices[i].position = fxl_fetch_vertex(model_view, corners[i])->position;
+            needed |= judge_outcode(&model_view->view->view_frustum, &seen.vertices[i].position, 0);
+            continue;
+        }
         fxl_point from_eye = fxl_model_view_vertex(model_view, corners[i]), point = from_eye;
         point.x += model_view->view->camera.position.x;
         point.y += model_view->view->camera.position.y;
@@ -83,8 +88,8 @@ static fxl_clip_result checked_next(const fxl_model_view *model_view, fxl_clippe
 static const fxl_clipper *checked(uint32_t number)
 {
     static const fxl_clipper checked_view = {.clip = checked_by_view, .by_clip_flags = true};
-    static const fxl_clipper checked_world = {.clip = checked_by_world,
-                                              .begin = fxl_view_set_world_frustum};
+    static const fxl_clipper checked_world = {
+        .clip = checked_by_world, .begin = fxl_view_set_world_frustum, .by_points = true};
     static const fxl_clipper *const family[DRAW_CLIPPERS - 2] = {
         &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
         &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
@@ -97,7 +102,8 @@ static const fxl_clipper *checked(uint32_t number)
                          .next = of_family->next != NULL ? checked_next : NULL,
                          .workspace_size = of_family->workspace_size,
                          .begin = of_family->begin,
-                         .by_clip_flags = of_family->by_clip_flags};
+                         .by_clip_flags = of_family->by_clip_flags,
+                         .by_points = of_family->by_points};
     return &made;
 }
 
@@ -307,7 +313,9 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     demand_gaps_intact(&whole);
     demand_accounted(&renderer->workspace.counters, draw_model_view(scene));
     draw_again(renderer, pose, &whole, choice->clipper, in);
-    if (scene->beam_count == 0) { /* larger spheres reach into beams, and split outlines anew */
+    if (scene->beam_count == 0 &&
+        scene->turns == NULL) { /* larger spheres reach into beams, and split outlines anew; turned
+                                   ones leave the world */
         draw_all_instances(renderer, pose, &whole, choice->clipper);
     }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);

@@ -74,7 +74,10 @@ void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     fxl_wire wire; /* for its view */
     DEMAND(fxl_wire_init(&wire, scene, lens, fxl_line_by_codes) == FXL_OK);
     DEMAND(fxl_wire_begin(&wire, pose) == FXL_OK);
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
+    const uint32_t end = scene->turns != NULL && scene->first_turned < scene->instance_count
+                             ? scene->first_turned /* a box is that of a still instance */
+                             : scene->instance_count;
+    for (uint32_t i = 0; i < end; i++) {
         check_box(scene, &scene->instances[i], &wire.view);
     }
 }

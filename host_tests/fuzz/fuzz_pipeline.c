@@ -30,9 +30,8 @@ static bool check_scene(fxl_scene *scene)
     return status == FXL_OK;
 }
 
-static void fuzz_scenes(fuzz_input *in)
+static void draw_made(made_scene *made, fuzz_input *in)
 {
-    made_scene *made = make_scene(in);
     if (check_scene(&made->scene)) {
         fxl_lens lens = fuzz_lens(in, PIXELS);
         for (uint32_t i = 0; i < POSES && (i == 0 || in->left > 0); i++) {
@@ -42,6 +41,18 @@ static void fuzz_scenes(fuzz_input *in)
         }
     }
     free_scene(made);
+}
+
+static void fuzz_scenes(fuzz_input *in)
+{
+    draw_made(make_scene(in), in);
+}
+
+static void fuzz_turned(fuzz_input *in)
+{
+    made_scene *made = make_scene(in);
+    add_turns(made, in);
+    draw_made(made, in);
 }
 
 /* One model placed so often that it passes the limit on placed vertices, or
@@ -72,9 +83,10 @@ static void fuzz_placed_limit(fuzz_input *in)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static void (*const parts[])(fuzz_input *) = {
-        fuzz_project,      fuzz_scan,    fuzz_clip_world, fuzz_clip_view,     fuzz_viewer,
-        fuzz_lenses,       fuzz_misuse,  fuzz_sort,       fuzz_beams,         fuzz_split,
-        fuzz_placed_limit, fuzz_volumes, fuzz_normalised, fuzz_first_program, fuzz_orientations,
+        fuzz_project,    fuzz_scan,          fuzz_clip_world,   fuzz_clip_view,
+        fuzz_viewer,     fuzz_lenses,        fuzz_misuse,       fuzz_sort,
+        fuzz_beams,      fuzz_split,         fuzz_placed_limit, fuzz_volumes,
+        fuzz_normalised, fuzz_first_program, fuzz_turned,       fuzz_orientations,
     };
     fuzz_input in = {data, size};
     uint32_t part = fuzz_below(&in, PARTS);

@@ -402,8 +402,53 @@ made_scene *make_scene(fuzz_input *in)
     return made;
 }
 
+/* About one of the axes. Sine and cosine are off by 0.51 units, so the rows are in range. */
+static fxl_orientation about_axis(fuzz_input *in)
+{
+    static const int entries[3][4] = {{4, 5, 7, 8}, {0, 2, 6, 8}, {0, 1, 3, 4}};
+    const uint32_t axis = fuzz_below(in, 3);
+    const fxl_angle angle = (fxl_angle)fuzz_bits(in, 2) << 16;
+    int32_t rows[9] = {FXL_Q2_30_ONE, 0, 0, 0, FXL_Q2_30_ONE, 0, 0, 0, FXL_Q2_30_ONE};
+    rows[entries[axis][0]] = rows[entries[axis][3]] = fxl_cos(angle);
+    rows[entries[axis][1]] = fxl_sin(angle);
+    rows[entries[axis][2]] = -fxl_sin(angle);
+    return (fxl_orientation){
+        {rows[0], rows[1], rows[2]}, {rows[3], rows[4], rows[5]}, {rows[6], rows[7], rows[8]}};
+}
+
+void add_turns(made_scene *made, fuzz_input *in)
+{
+    fxl_scene *scene = &made->scene;
+    const uint32_t count = scene->instance_count <= MADE_INSTANCES ? scene->instance_count : 0;
+    if (count == 0) {
+        return;
+    }
+    const uint32_t first = fuzz_below(in, count);
+    fxl_turn turns[MADE_INSTANCES] = {0};
+    for (uint32_t i = first; i < count; i++) {
+        const fxl_instance *instance = &made->instances[i];
+        fxl_turn *turn = &turns[i - first];
+        turn->orientation = about_axis(in);
+        turn->scale = fuzz_below(in, 4) == 0
+                          ? FXL_Q16_16_ONE
+                          : (int32_t)(((uint32_t)fuzz_bits(in, 2) + 256u) << fuzz_below(in, 8));
+        while (turn->scale > FXL_SCALE_MIN && instance->model < MADE_MODELS &&
+               fxl_turn_check(turn, &instance->centre, made->models[instance->model].radius) ==
+                   FXL_E_RANGE) {
+            turn->scale /= 2;
+        }
+    }
+    if (fuzz_below(in, 16) == 7) {
+        (&turns[0].orientation.x.x)[fuzz_below(in, 10)] = fuzz_any(in);
+    }
+    scene->turns = copy(turns, (count - first) * sizeof *turns);
+    scene->first_turned = first;
+    scene->turn_code = &fxl_turned_instances;
+}
+
 void free_scene(made_scene *made)
 {
+    free((void *)(uintptr_t)made->scene.turns);
     free((void *)(uintptr_t)made->scene.vertices);
     free((void *)(uintptr_t)made->scene.indices);
     free((void *)(uintptr_t)made->scene.faces);

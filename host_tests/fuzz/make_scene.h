@@ -30,6 +30,9 @@ typedef struct {
  * in order; some then have one number spoilt. Free with free_scene. */
 made_scene *make_scene(fuzz_input *in);
 
+/* Turns some of the instances, the last ones: about one axis, by any scale. Most are in range. */
+void add_turns(made_scene *made, fuzz_input *in);
+
 void free_scene(made_scene *made);
 
 #endif

@@ -140,6 +140,10 @@ void test_ranges_of_a_turn(void)
         turn.scale = cases[i].scale;
         TEST_ASSERT_EQUAL(cases[i].status, fxl_turn_check(&turn, &centre, cases[i].radius));
     }
+    /* A sphere larger than the world fits nowhere. */
+    turn.scale = FXL_SCALE_MAX;
+    centre = (fxl_point){Q16(100), Q16(100), Q16(100)};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_turn_check(&turn, &centre, Q16(8200.0 / 256)));
 }
 
 /* The reach: |centre| + scale * radius, rounded upward, and the slack. */

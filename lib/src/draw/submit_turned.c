@@ -120,7 +120,7 @@ static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face
     pieces.planes = instance->planes;
     if (instance->beams != NULL) {
         fxl_face turned = *face;
-        turned.normal = normal_of(scene, instance->number, face);
+        turned.normal = normal_of(scene, instance->number, face); /* bug: turn-lit-normal */
         (void)instance->beams->split(instance->beams, &pieces, &turned, points, face->count);
     } else {
         (void)fxl_submit_piece(&pieces, points, face->count, face->material);

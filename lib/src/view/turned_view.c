@@ -62,6 +62,7 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
  * one that wraps to -2^31 is the same. */
 static uint64_t box_distance(const fxl_point *box, const fxl_point *eye, unsigned shift)
 {
+    /* bug: turn-order-shift */
     return fxl_box_distance(box->x >> shift, box->y >> shift, box->z >> shift, eye);
 }
 
