@@ -66,6 +66,7 @@ static fxl_status draw_all(session *run, dump *to, uint32_t frames)
     walk_path_begin(&path, &run->image, false);
     for (uint32_t number = 0; number < frames; number++) {
         fxl_status status = walk_path_next(&path, 0);
+        session_play(run, number);
         if (status == FXL_OK) {
             status = draw_watched(run, &path.viewer.pose, pixels);
         }

@@ -7,7 +7,8 @@
 
 enum {
     WORK = 1 << 18,
-    STEPS = 64
+    STEPS = 64,
+    MOVED = 64 /* instances of a scene in which something moves */
 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -37,6 +38,13 @@ static void read_tables(const fxl_scene_image *opened)
     sum += sum_bytes(scene->face_bounds, scene->face_bounds_count * sizeof *scene->face_bounds);
     sum += sum_bytes(scene->bsp_nodes, scene->bsp_node_count * sizeof *scene->bsp_nodes);
     sum += sum_bytes(scene->clusters, scene->cluster_count * sizeof *scene->clusters);
+    if (scene->turns != NULL) {
+        sum += sum_bytes(scene->turns,
+                         (scene->instance_count - scene->first_turned) * sizeof *scene->turns);
+    }
+    sum += sum_bytes(opened->motion.motions,
+                     opened->motion.motion_count * sizeof *opened->motion.motions);
+    sum += sum_bytes(opened->motion.keys, opened->motion.key_count * sizeof *opened->motion.keys);
     DEMAND((opened->poses == NULL) != (opened->segments == NULL));
     if (opened->poses != NULL) {
         sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);
@@ -62,14 +70,40 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
     draw_scene(&opened->scene, lens, pose, &choice, in);
 }
 
-/* Walks the path as firmware does: poses as they stand, strides step by step. */
-static void walk(const fxl_scene_image *opened, fuzz_input *in)
+/* The frames that the loader passed must all be playable: the player asserts it. */
+static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *player)
 {
+    static fxl_instance instances[MOVED];
+    static fxl_turn turns[MOVED];
+    const fxl_motion_memory memory = {instances, MOVED, turns, MOVED};
+    fxl_scene *scene = &opened->scene;
+    player->set.motion_count = 0;
+    if (opened->motion.motion_count == 0) {
+        return;
+    }
+    fxl_status status = fxl_motion_begin(player, &opened->motion, scene, &memory);
+    DEMAND(status == (scene->instance_count <= MOVED ? FXL_OK : FXL_E_CAPACITY));
+    for (uint32_t i = 0; status == FXL_OK && i < 8; i++) {
+        fxl_motion_play(player, i < 4 ? i : (uint32_t)fuzz_bits(in, 4));
+        for (uint32_t j = scene->first_turned; j < scene->instance_count; j++) {
+            DEMAND(fxl_turn_check(&scene->turns[j - scene->first_turned],
+                                  &scene->instances[j].centre,
+                                  scene->models[scene->instances[j].model].radius) == FXL_OK);
+        }
+    }
+}
+
+/* Walks the path as firmware does: poses as they stand, strides step by step. */
+static void walk(fxl_scene_image *opened, fuzz_input *in)
+{
+    fxl_motion_player player;
+    play(opened, in, &player);
     fxl_player viewer = opened->start;
     uint32_t frames = 0;
     for (uint32_t i = 0; i < opened->path_count && frames < STEPS; i++) {
         if (opened->poses != NULL) {
             viewer.pose = opened->poses[i];
+            fxl_motion_play(&player, frames);
             if (frames < 3) {
                 draw_frame(opened, &viewer.pose, frames, in);
             }

@@ -232,6 +232,7 @@ static int run(const char *path, uint32_t frames, uint64_t seed, bool bsp)
         if (walk_path_next(&walked, 0) != FXL_OK) {
             return fail(path, "its path leaves the world");
         }
+        session_play(&with.run, number);
         /* The frames-th part that this frame opens: of all as many as were asked for. */
         bool taken = (uint64_t)number * frames / image->frame_count !=
                      ((uint64_t)number + 1) * frames / image->frame_count;
