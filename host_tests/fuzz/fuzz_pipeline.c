@@ -9,7 +9,7 @@
 enum {
     PIXELS = 4096,
     POSES = 3,
-    PARTS = 28 /* as many for scenes as for all others together */
+    PARTS = 28 /* those that are none of the array's are for scenes */
 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -74,7 +74,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static void (*const parts[])(fuzz_input *) = {
         fuzz_project,      fuzz_scan,    fuzz_clip_world, fuzz_clip_view,     fuzz_viewer,
         fuzz_lenses,       fuzz_misuse,  fuzz_sort,       fuzz_beams,         fuzz_split,
-        fuzz_placed_limit, fuzz_volumes, fuzz_normalised, fuzz_first_program,
+        fuzz_placed_limit, fuzz_volumes, fuzz_normalised, fuzz_first_program, fuzz_planes,
     };
     fuzz_input in = {data, size};
     uint32_t part = fuzz_below(&in, PARTS);

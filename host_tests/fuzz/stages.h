@@ -19,5 +19,6 @@ void fuzz_split(fuzz_input *in);
 void fuzz_volumes(fuzz_input *in);
 void fuzz_normalised(fuzz_input *in);
 void fuzz_first_program(fuzz_input *in);
+void fuzz_planes(fuzz_input *in);
 
 #endif
