@@ -218,15 +218,22 @@ void fuzz_planes(fuzz_input *in)
     for (int i = 0; i < 3; i++) {
         points[i] = fuzz_point(in, FXL_COORDINATE_MAX);
     }
-    points[0].x = fuzz_below(in, 16) ? points[0].x : INT32_MIN;
+    const uint32_t kind = fuzz_below(in, 8);
+    points[0].x = kind == 0 ? INT32_MIN : points[0].x;
+    points[2] = kind == 1 ? points[1] : points[2];
     fxl_status status = fxl_plane_from_points(&points[0], &points[1], &points[2], &plane);
     DEMAND(status == FXL_OK || (plane.normal.x == 1 && plane.distance == 4));
+    DEMAND(fxl_plane_from_points(NULL, &points[1], &points[2], &plane) == FXL_E_ARGUMENT);
+    DEMAND(fxl_plane_from_points(&points[0], NULL, &points[2], &plane) == FXL_E_ARGUMENT);
+    DEMAND(fxl_plane_from_points(&points[0], &points[1], NULL, &plane) == FXL_E_ARGUMENT);
     DEMAND(fxl_plane_from_points(&points[0], &points[1], &points[2], NULL) == FXL_E_ARGUMENT);
     if (status == FXL_OK) {
         fxl_line_meeting at;
         fxl_half_space space;
         fxl_half_space_from_plane(&plane, &space);
-        const fxl_view_point from = any_place(in), to = any_place(in);
+        space.normal = kind < 4 ? space.normal : (fxl_direction){0, 0, FXL_Q2_30_ONE}; /* no rest */
+        space.offset = kind < 6 ? space.offset : 0;
+        const fxl_view_point from = any_place(in), to = kind == 2 ? from : any_place(in);
         if (fxl_line_meet_plane(&from, &to, &space, &at) == FXL_LINE_MEETS) {
             const fxl_q18_46 off = fxl_half_space_distance(&space, &at.point);
             DEMAND(off >= -4 && off <= 3); /* 1.25 times the sum of a unit vector's components */
