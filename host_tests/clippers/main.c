@@ -28,6 +28,9 @@ static clipper clippers[] = {
     {{.clipper = "triangle", .claimed = 2}, measure_triangle},
     {{.clipper = "line_by_planes", .claimed = 6}, measure_line_by_planes},
     {{.clipper = "line_by_codes", .claimed = 6}, measure_line_by_codes},
+    {{.clipper = "line_and_plane", .claimed = 1.25}, measure_line_and_plane},
+    {{.clipper = "plane_from_points", .claimed = 2.5}, measure_plane_from_points},
+    {{.clipper = "rectangle", .claimed = 2}, measure_rectangle},
 };
 
 enum {

@@ -51,6 +51,17 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of);
 void measure_line_by_planes(clipper_tally *tally, const clipper_case *of);
 void measure_line_by_codes(clipper_tally *tally, const clipper_case *of);
 
+/* A line and a plane through three vertices: at_all is the common point's distance from the twin's,
+ * in units of 2^-46 a coordinate, and outline the same. */
+void measure_line_and_plane(clipper_tally *tally, const clipper_case *of);
+
+/* The plane through three vertices: outline is the error of a component of its normal, in units of
+ * 2^-30. */
+void measure_plane_from_points(clipper_tally *tally, const clipper_case *of);
+
+/* The polygon as a map seen from above, and a rectangle about some of it. */
+void measure_rectangle(clipper_tally *tally, const clipper_case *of);
+
 /* The vertices of a case, exact, along right, up and forward. The first three
  * numbers that ride along are the vertex's own place in the world. */
 ref_volume_polygon case_seen(const clipper_case *of);

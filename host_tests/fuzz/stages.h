@@ -19,6 +19,7 @@ void fuzz_split(fuzz_input *in);
 void fuzz_volumes(fuzz_input *in);
 void fuzz_normalised(fuzz_input *in);
 void fuzz_first_program(fuzz_input *in);
+void fuzz_planes(fuzz_input *in);
 void fuzz_orientations(fuzz_input *in);
 void fuzz_overlay(fuzz_input *in);
 void fuzz_geometry(fuzz_input *in);

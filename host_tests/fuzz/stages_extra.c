@@ -208,6 +208,69 @@ void fuzz_normalised(fuzz_input *in)
     DEMAND(status == FXL_OK || (screen.x == 1 && screen.y == 2));
 }
 
+/* A plane through three points, a line that meets it, and polygons by the sides alone and by a
+ * rectangle of the screen. */
+void fuzz_planes(fuzz_input *in)
+{
+    static fxl_rectangle_work work;
+    static fxl_clip_world_work world;
+    fxl_point points[3];
+    fxl_plane plane = {{1, 2, 3}, 4};
+    for (int i = 0; i < 3; i++) {
+        points[i] = fuzz_point(in, FXL_COORDINATE_MAX);
+    }
+    const uint32_t kind = fuzz_below(in, 8);
+    points[0].x = kind == 0 ? INT32_MIN : points[0].x;
+    points[2] = kind == 1 ? points[1] : points[2];
+    fxl_status status = fxl_plane_from_points(&points[0], &points[1], &points[2], &plane);
+    DEMAND(status == FXL_OK || (plane.normal.x == 1 && plane.distance == 4));
+    DEMAND(fxl_plane_from_points(NULL, &points[1], &points[2], &plane) == FXL_E_ARGUMENT);
+    DEMAND(fxl_plane_from_points(&points[0], NULL, &points[2], &plane) == FXL_E_ARGUMENT);
+    DEMAND(fxl_plane_from_points(&points[0], &points[1], NULL, &plane) == FXL_E_ARGUMENT);
+    DEMAND(fxl_plane_from_points(&points[0], &points[1], &points[2], NULL) == FXL_E_ARGUMENT);
+    if (status == FXL_OK) {
+        fxl_line_meeting at;
+        fxl_half_space space;
+        fxl_half_space_from_plane(&plane, &space);
+        space.normal = kind < 4 ? space.normal : (fxl_direction){0, 0, FXL_Q2_30_ONE}; /* no rest */
+        space.offset = kind < 6 ? space.offset : 0;
+        const fxl_view_point from = any_place(in), to = kind == 2 ? from : any_place(in);
+        if (fxl_line_meet_plane(&from, &to, &space, &at) == FXL_LINE_MEETS) {
+            const fxl_q18_46 off = fxl_half_space_distance(&space, &at.point);
+            DEMAND(off >= -4 && off <= 3); /* 1.25 times the sum of a unit vector's components */
+        }
+    }
+    fxl_screen_polygon flat = {.count = (uint8_t)(3 + fuzz_below(in, FXL_POLYGON_CAPACITY - 2))};
+    for (uint32_t i = 0; i < flat.count; i++) {
+        flat.points[i].x = fuzz_between(in, -FXL_SCREEN_COORDINATE_MAX, FXL_SCREEN_COORDINATE_MAX);
+        flat.points[i].y = fuzz_between(in, -FXL_SCREEN_COORDINATE_MAX, FXL_SCREEN_COORDINATE_MAX);
+    }
+    const fxl_rectangle to = {0, 0, fuzz_between(in, 0, FXL_SCREEN_COORDINATE_MAX),
+                              fuzz_between(in, 0, FXL_SCREEN_COORDINATE_MAX)};
+    const fxl_screen_polygon *clipped;
+    fxl_clip_result cut = fxl_clip_to_rectangle(&flat, &to, &work, &clipped);
+    DEMAND((clipped == &flat) == (cut == FXL_CLIP_INSIDE));
+    DEMAND((clipped != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
+    for (uint32_t i = 0; clipped != NULL && i < clipped->count; i++) {
+        DEMAND(clipped->points[i].x >= 0 && clipped->points[i].x <= to.right);
+        DEMAND(clipped->points[i].y >= 0 && clipped->points[i].y <= to.bottom);
+    }
+    fxl_view view;
+    const fxl_pose pose = fuzz_pose(in);
+    const fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
+    fxl_view_set_lens(&view, &lens);
+    DEMAND(fxl_view_set_pose(&view, &pose) == FXL_OK);
+    fxl_view_set_world_frustum(&view);
+    fxl_polygon polygon = {.count = 3};
+    for (int i = 0; i < 3; i++) {
+        polygon.vertices[i].position = fuzz_point(in, FXL_COORDINATE_MAX);
+    }
+    const fxl_polygon *result;
+    cut = fxl_clip_world_to_planes(&polygon, &view.frustum,
+                                   (fxl_planes)fuzz_below(in, FXL_PLANES_ALL + 1), &world, &result);
+    DEMAND((result != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
+}
+
 /* What a first program does, with less memory than it needs, just that much, or more; and a display
  * for its frames. */
 void fuzz_first_program(fuzz_input *in)

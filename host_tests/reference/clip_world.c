@@ -68,12 +68,16 @@ ref_clip_result ref_clip_world_to_plane(const ref_polygon *in, const ref_plane *
     return REF_CLIP_CUT;
 }
 
-ref_clip_result ref_clip_world_to_frustum(const ref_polygon *in, const ref_frustum *frustum,
-                                          ref_polygon *out)
+ref_clip_result ref_clip_world_to_planes(const ref_polygon *in, const ref_frustum *frustum,
+                                         unsigned planes, ref_polygon *out)
 {
     ref_clip_result result = REF_CLIP_INSIDE;
     ref_polygon before = *in;
+    *out = before;
     for (int i = 0; i < REF_PLANE_COUNT; i++) {
+        if ((planes >> i & 1) == 0) {
+            continue;
+        }
         ref_clip_result one = ref_clip_world_to_plane(&before, &frustum->planes[i], out);
         if (one != REF_CLIP_INSIDE && one != REF_CLIP_CUT) {
             return one;
@@ -84,4 +88,10 @@ ref_clip_result ref_clip_world_to_frustum(const ref_polygon *in, const ref_frust
         before = *out;
     }
     return result;
+}
+
+ref_clip_result ref_clip_world_to_frustum(const ref_polygon *in, const ref_frustum *frustum,
+                                          ref_polygon *out)
+{
+    return ref_clip_world_to_planes(in, frustum, (1u << REF_PLANE_COUNT) - 1, out);
 }

@@ -15,6 +15,9 @@ typedef enum {
 
 ref_clip_result ref_clip_world_to_plane(const ref_polygon *in, const ref_plane *plane,
                                         ref_polygon *out);
+/* By the planes whose bit, 1 << REF_PLANE_..., is set. */
+ref_clip_result ref_clip_world_to_planes(const ref_polygon *in, const ref_frustum *frustum,
+                                         unsigned planes, ref_polygon *out);
 ref_clip_result ref_clip_world_to_frustum(const ref_polygon *in, const ref_frustum *frustum,
                                           ref_polygon *out);
 

@@ -109,3 +109,17 @@ bool ref_clip_line(const ref_volume_vertex *from, const ref_volume_vertex *to,
     }
     return *enter <= *leave;
 }
+
+/* The difference of the distances is the normal times that of the points, and is exact where each
+ * distance is. */
+ref_line_relation ref_line_meet_plane(const ref_volume_vertex *from, const ref_volume_vertex *to,
+                                      const ref_half_space *plane, ref_wide *t)
+{
+    const ref_wide a = ref_half_space_distance(plane, from);
+    const ref_wide b = ref_half_space_distance(plane, to);
+    if (a == b) {
+        return a == 0 ? REF_LINE_LIES_IN : REF_LINE_IS_PARALLEL;
+    }
+    *t = a / (a - b);
+    return REF_LINE_MEETS;
+}

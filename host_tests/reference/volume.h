@@ -45,6 +45,18 @@ bool ref_clip_to_volume(const ref_volume_polygon *in, const ref_half_space *plan
  * false where there is none. */
 bool ref_clip_line(const ref_volume_vertex *from, const ref_volume_vertex *to,
                    const ref_half_space *planes, int count, ref_wide *enter, ref_wide *leave);
+
+/* How a line and a plane lie to each other. */
+typedef enum {
+    REF_LINE_MEETS,
+    REF_LINE_LIES_IN,
+    REF_LINE_IS_PARALLEL
+} ref_line_relation;
+
+/* The endless line (1 - t) from + t to. *t is set where it meets the plane in one point. */
+ref_line_relation ref_line_meet_plane(const ref_volume_vertex *from, const ref_volume_vertex *to,
+                                      const ref_half_space *plane, ref_wide *t);
+
 ref_volume_vertex ref_volume_between(const ref_volume_vertex *from, const ref_volume_vertex *to,
                                      ref_wide t);
 

@@ -10,9 +10,9 @@ SAMPLES = 20_000
 # Claims hold as they stand; a face that is not quite flat has no corners to within a unit, and
 # the sliver rule moves outlines on purpose.
 CLAIMED = ("normalised", "once_triangle", "half_spaces", "near_and_guard", "left_and_guard",
-           "triangle", "line_by_planes", "line_by_codes")
+           "triangle", "line_by_planes", "line_by_codes", "line_and_plane", "plane_from_points", "rectangle")
 POLYGONS = ("normalised", "once", "once_triangle", "half_spaces", "near_and_guard", "left_and_guard",
-            "triangle")
+            "triangle", "rectangle")
 
 
 @pytest.fixture(scope="module", name="found")
@@ -44,6 +44,17 @@ def test_lines_are_all_there(found):
         assert found[clipper]["verdicts"] == 0
         assert found[clipper]["max_outline_units_at_all"] < 4      # 2^-46, from the volume
     assert found["line_by_codes"]["crossings"] < found["line_by_planes"]["crossings"]
+
+
+def test_a_line_meets_a_plane_beyond_its_ends_too(found):
+    row = found["line_and_plane"]
+    assert row["verdicts"] == 0
+    assert row["crossings"] > row["cut"] / 10          # beyond the ends
+    assert row["crossings"] < row["cut"]               # and between them
+
+
+def test_three_points_make_a_plane_or_lie_on_a_line(found):
+    assert found["plane_from_points"]["verdicts"] == 0
 
 
 def test_faces_have_their_corners_to_within_their_flatness(found):

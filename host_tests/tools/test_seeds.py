@@ -47,8 +47,8 @@ def test_no_number_is_missing_and_none_is_there_twice():
 
 @pytest.mark.parametrize("number, cells", rows())
 def test_names_stand_where_the_page_says(number, cells):
-    assert len(cells) == 4, number
-    here, twin, shown = map(names, cells[1:])
+    assert len(cells) == 5, number
+    here, twin, shown = map(names, cells[1:4])
     for file, name in here:
         assert file.relative_to(CHECKOUT).parts[0] in ("lib", "firmware", "tools"), file
         assert is_defined(file, name), f"{number}: {file} has no {name}"
@@ -58,6 +58,49 @@ def test_names_stand_where_the_page_says(number, cells):
     for file, name in shown:
         assert file.name.startswith("test_") and name.startswith("test_"), f"{number}: {name} is no test"
         assert is_defined(file, name), f"{number}: {file} has no {name}"
+
+
+def public_headers():
+    folder = CHECKOUT / "lib" / "include"
+    return "\n".join(file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*.h")))
+
+
+def names_of(setting):
+    """What CLIPPER= or VISIBILITY= may be."""
+    listed = {"CLIPPER": "CLIPPERS", "VISIBILITY": "VISIBILITIES"}[setting]
+    makefile = (CHECKOUT / "firmware" / "firmware.mk").read_text(encoding="utf-8")
+    return re.search(rf"^{listed} := (.*)$", makefile, re.MULTILINE)[1].split()
+
+
+def is_reachable(text, headers):
+    """Whether a command, a scene, a C call, a type or a constant of the last column is there for a user."""
+    if text.startswith("make "):
+        target, *settings = text.split()[1:]
+        makefile = (CHECKOUT / "Makefile").read_text(encoding="utf-8")
+        rule = re.search(rf"^{target}:.*## .*$", makefile, re.MULTILINE)
+        return rule is not None and all(
+            is_reachable(value, headers) if name == "SCENE" else
+            name == "LIB_FLAGS" or (f"{name}=" in rule[0] and value in names_of(name))
+            for name, value in (setting.split("=", 1) for setting in settings))
+    if text.startswith("scenes/"):
+        return (CHECKOUT / text).is_file()
+    return re.search(rf"\b{text}\b", headers) is not None and re.match("(?i)fxl_", text) is not None
+
+
+@pytest.mark.parametrize("number, cells", rows())
+def test_a_user_reaches_it(number, cells):
+    found = re.findall(r"`([^`]+)`", cells[4])
+    assert found, number
+    headers = public_headers()
+    for text in found:
+        assert is_reachable(text, headers), f"{number}: {text}"
+
+
+def test_what_is_not_there_is_not_reachable():
+    headers = public_headers()
+    for text in ("make walk", "make run SCENE=scenes/none.toml", "make run CLIPPER=none", "make wire CLIPPER=once",
+                 "scenes/none.toml", "fxl_none", "fxl_clip", "stdbool"):
+        assert not is_reachable(text, headers), text
 
 
 def test_a_name_that_is_only_called_or_declared_is_not_there(tmp_path):

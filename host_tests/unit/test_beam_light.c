@@ -340,6 +340,10 @@ void test_every_face_must_fit_the_beams(void)
                           fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, sizeof room));
     }
     TEST_ASSERT_EQUAL_UINT32(12, renderer.workspace.counters.refused_calls);
+    /* The face after those of the scene need not fit. */
+    tiny->scene.face_count = 11;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, narrow, 2, lit, room,
+                                                     fxl_beam_light_workspace_size(narrow, 2)));
 }
 
 /* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each

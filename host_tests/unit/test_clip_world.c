@@ -433,3 +433,89 @@ void test_vertices_exactly_on_a_slanted_plane_stay(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_world_to_plane(&polygon, &left, &out, distances));
     TEST_ASSERT_EQUAL(4, out.count);
 }
+
+static fxl_clip_result clip_to(fxl_planes planes, const fxl_polygon *polygon,
+                               const fxl_polygon **result)
+{
+    fxl_lens lens;
+    fxl_frustum frustum = frustum_of(&lens);
+    return fxl_clip_world_to_planes(polygon, &frustum, planes, &work, result);
+}
+
+/* Nearer than near and farther than far there is something to see; behind the eye there is not. */
+void test_sides_without_near_and_far(void)
+{
+    const fxl_polygon *result;
+    const fxl_polygon close = across(-300, -300, 300, 300, 2000), /* near is 4096 */
+        distant = across(Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(2000)),
+                      behind = across(Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(-10));
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&close, &result));
+    TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, clip(&distant, &result));
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_to(FXL_PLANES_SIDES, &close, &result));
+    TEST_ASSERT_EQUAL_PTR(&close, result);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_to(FXL_PLANES_SIDES, &distant, &result));
+    TEST_ASSERT_TRUE(clip_to(FXL_PLANES_SIDES, &behind, &result) != FXL_CLIP_CUT);
+    TEST_ASSERT_NULL(result);
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_to(0, &behind, &result));
+    TEST_ASSERT_EQUAL_PTR(&behind, result);
+}
+
+/* A ground from behind the eye to beyond far: the sides leave a triangle or more that reaches past
+ * far and below near. */
+void test_a_ground_between_the_sides_alone(void)
+{
+    const fxl_q16_16 end = Q16(3000);
+    const fxl_polygon ground = {.count = 4,
+                                .vertices = {{{-end, Q16(-0.01), -end}, 0, 0},
+                                             {{-end, Q16(-0.01), end}, 0, 0},
+                                             {{end, Q16(-0.01), end}, 0, 0},
+                                             {{end, Q16(-0.01), -end}, 0, 0}}};
+    const fxl_polygon *result;
+    fxl_q16_16 nearest = end, farthest = -end;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip_to(FXL_PLANES_SIDES, &ground, &result));
+    for (int i = 0; i < result->count; i++) {
+        const fxl_q16_16 z = result->vertices[i].position.z;
+        nearest = z < nearest ? z : nearest;
+        farthest = z > farthest ? z : farthest;
+    }
+    TEST_ASSERT_TRUE(nearest > 0 && nearest < 4096 && farthest == end);
+}
+
+/* By some planes: what each of them, one after the other, leaves. The others are never asked. */
+void test_any_planes_one_after_the_other(void)
+{
+    static fxl_polygon one[2];
+    int cut_count = 0;
+    fxl_lens lens;
+    const fxl_frustum frustum = frustum_of(&lens);
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        const fxl_planes planes = (fxl_planes)(unit_random() % (FXL_PLANES_ALL + 1u));
+        const fxl_q16_16 limit = i % 2 ? Q16(20) : Q16(2000);
+        fxl_polygon polygon = {.count = 3};
+        for (int k = 0; k < 3; k++) {
+            polygon.vertices[k].position = unit_point(limit);
+        }
+        const fxl_polygon *result, *wanted = &polygon;
+        fxl_clip_result all = FXL_CLIP_INSIDE;
+        for (int plane = 0; plane < FXL_PLANE_COUNT && wanted != NULL; plane++) {
+            if ((planes >> plane & 1u) == 0) {
+                continue;
+            }
+            fxl_polygon *out = wanted == &one[0] ? &one[1] : &one[0];
+            const fxl_clip_result cut =
+                fxl_clip_world_to_plane(wanted, &frustum.planes[plane], out, distances);
+            wanted = cut == FXL_CLIP_CUT ? out : cut == FXL_CLIP_INSIDE ? wanted : NULL;
+            all = cut == FXL_CLIP_INSIDE ? all : cut;
+        }
+        TEST_ASSERT_EQUAL(all,
+                          fxl_clip_world_to_planes(&polygon, &frustum, planes, &work, &result));
+        TEST_ASSERT_EQUAL(wanted != NULL, result != NULL);
+        for (int k = 0; wanted != NULL && k < wanted->count; k++) {
+            TEST_ASSERT_EQUAL(wanted->count, result->count);
+            TEST_ASSERT_EQUAL_MEMORY(&wanted->vertices[k].position, &result->vertices[k].position,
+                                     sizeof(fxl_point));
+        }
+        cut_count += all == FXL_CLIP_CUT;
+    }
+    TEST_ASSERT_TRUE(cut_count > UNIT_REPEAT / 100);
+}

@@ -265,3 +265,34 @@ void test_the_near_plane_alone(void)
         TEST_ASSERT_TRUE(workspace.stats.intersections >= 2);
     }
 }
+
+/* As the clipper of a renderer: the setting is the caller's and outlasts the frame. */
+void test_a_renderer_s_triangles_keep_the_rule_of_the_borders(void)
+{
+    fxl_fan_workspace *fan = &workspace.fan;
+    static fxl_clipper_work work;
+    static polygon_face face;
+    const fxl_lens lens = unit_lens(64, 48);
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_view view;
+    fxl_screen_polygon screen;
+    /* A corner a quarter of a pixel left of the right border, the others beyond it. */
+    const fxl_polygon polygon = {.colour = 3,
+                                 .count = 3,
+                                 .vertices = {{{Q16(140), Q16(20), Q16(128)}, 0, 0},
+                                              {{Q16(140), Q16(-20), Q16(128)}, 0, 0},
+                                              {{Q16(127), 0, Q16(128)}, 0, 0}}};
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    memset(fan, 0, sizeof *fan);
+    for (int i = 0; i < 4; i++) {
+        const bool on = i >= 2;
+        fan->clip.screen_sliver = on ? Q16(0.5) : 0;
+        view.frame = (uint32_t)(1 + i);
+        polygon_face_set(&face, &polygon, &view, 4);
+        face.model_view.clipper_workspace = fan;
+        TEST_ASSERT_EQUAL(on ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT,
+                          fxl_clipper_triangles.clip(&face.model_view, &face.face, &work, &screen));
+        TEST_ASSERT_EQUAL_INT32(on ? Q16(0.5) : 0, fan->clip.screen_sliver);
+    }
+}

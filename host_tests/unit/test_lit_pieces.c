@@ -305,3 +305,22 @@ void test_the_room_that_a_face_took_is_the_least(void)
         expect_exact_room(&beam, across, 3);
     }
 }
+
+/* An outline has room for as many corners as a polygon may have, and one more is refused. */
+void test_an_outline_of_too_many_corners_is_refused(void)
+{
+    fxl_point outline[FXL_POLYGON_CAPACITY + 1];
+    for (uint16_t count = 3; count <= FXL_POLYGON_CAPACITY + 1; count++) {
+        const fxl_lit_piece piece = {.last = (uint16_t)(count - 1), .count = count};
+        for (uint16_t i = 0; i < count; i++) {
+            corners[i] = at(i, -i);
+            nexts[i] = (uint16_t)(i + 1 < count ? i + 1 : 0);
+        }
+        memset(outline, 0x5A, sizeof outline);
+        const bool fits = count <= FXL_POLYGON_CAPACITY;
+        TEST_ASSERT_EQUAL(fits, fxl_lit_outline(&workspace, &piece, outline));
+        for (uint16_t i = 0; i < FXL_POLYGON_CAPACITY + 1; i++) {
+            TEST_ASSERT_EQUAL_HEX32(fits && i < count ? corners[i].x : 0x5A5A5A5A, outline[i].x);
+        }
+    }
+}

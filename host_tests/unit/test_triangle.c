@@ -386,3 +386,66 @@ void test_fractions_in_space(void)
         }
     }
 }
+
+/* Draws a triangle by near, far and the borders. Returns the pieces, and in *area twice their
+ * area. */
+static uint32_t pieces_of(const fxl_varying_polygon *shape, fxl_q16_16 screen_sliver, int64_t *area)
+{
+    const fxl_lens lens = unit_lens(64, 48);
+    const fxl_clip_triangle triangle = {
+        {shape->vertices[0], shape->vertices[1], shape->vertices[2]}};
+    fxl_volume volume;
+    const fxl_screen_triangle *piece;
+    fxl_status status;
+    uint32_t pieces = 0;
+    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    workspace.stats = (fxl_clip_stats){0, 0, 0};
+    workspace.screen_sliver = screen_sliver;
+    fxl_triangle_begin(&triangle, 2, &volume, &workspace);
+    *area = 0;
+    while ((piece = fxl_triangle_next(&volume, &lens, &workspace, &status)) != NULL) {
+        *area += area_of(piece);
+        pieces++;
+    }
+    workspace.screen_sliver = 0;
+    return pieces;
+}
+
+/* At depth 128 a pixel is 4 units. A triangle that reaches a quarter of a pixel onto the screen is
+ * left out if the rule asks for more, at each border. It costs no intersection then. */
+void test_a_sliver_of_the_screen_is_refused_where_asked(void)
+{
+    static const int numbers[4][9] = {{-128, 4, 128, -127, 0, 128, -128, -4, 128},
+                                      {128, 4, 128, 127, 0, 128, 128, -4, 128},
+                                      {-4, 96, 128, 0, 95, 128, 4, 96, 128},
+                                      {-4, -96, 128, 0, -95, 128, 4, -96, 128}};
+    for (int border = 0; border < 4; border++) {
+        fxl_varying_polygon shape = clip_shape(numbers[border], 3);
+        int64_t area, less;
+        for (int i = 0; i < 3; i += 2) { /* outside by half a unit more */
+            fxl_view_point *at = &shape.vertices[i].position;
+            at->x += border == 0 ? -V(1) / 2 : border == 1 ? V(1) / 2 : 0;
+            at->y += border == 2 ? V(1) / 2 : border == 3 ? -V(1) / 2 : 0;
+        }
+        TEST_ASSERT_EQUAL(1, pieces_of(&shape, 0, &area));
+        TEST_ASSERT_EQUAL(2, workspace.stats.intersections);
+        TEST_ASSERT_EQUAL(1, pieces_of(&shape, Q16(0.25), &less)); /* not less than the rule */
+        TEST_ASSERT_TRUE(area != 0 && less == area);
+        TEST_ASSERT_EQUAL(0, pieces_of(&shape, Q16(0.25) + 1, &less));
+        TEST_ASSERT_EQUAL(0, workspace.stats.intersections);
+    }
+}
+
+/* A corner that is barely on the screen stands for an intersection, which is not computed: of the
+ * triangle with corners at -32, 1/4 and 32 pixels the left border leaves one piece instead of two.
+ * The rule of the planes does not count for the borders. */
+void test_a_corner_barely_on_the_screen_stands_for_the_crossing(void)
+{
+    fxl_varying_polygon shape = SHAPE(-256, 0, 128, -127, 32, 128, 0, 0, 128);
+    int64_t area, less;
+    TEST_ASSERT_EQUAL(2, pieces_of(&shape, 0, &area));
+    TEST_ASSERT_EQUAL(2, workspace.stats.intersections);
+    TEST_ASSERT_EQUAL(1, pieces_of(&shape, Q16(0.5), &less));
+    TEST_ASSERT_EQUAL(1, workspace.stats.intersections);
+    TEST_ASSERT_TRUE(area > 0 && less > 0 && less < area);
+}

@@ -2,8 +2,9 @@
 #include "fixel/extra/beams/beam.h"
 
 #include "../../src/math/arith.h"
+#include "../clippers/unit_cross.h"
+#include "fixel/extra/clippers/plane_from_points.h"
 #include "fixel/stage/plane.h"
-#include "../../src/math/square_root.h"
 #include "../../src/math/unit_vector.h"
 #include "../../src/math/memory.h"
 
@@ -114,47 +115,6 @@ fxl_status fxl_beam_check(const fxl_beam *beam)
 
 /* --- a beam through a window -------------------------------------------------- */
 
-/* A vector whose components are differences of two products below 2^60 each: below 2^61. */
-typedef struct {
-    int64_t x, y, z;
-} wide_vector;
-
-/* The cross product of a and b; |a|, |b| <= 2^30 a component. */
-static wide_vector cross(const fxl_point *a, const fxl_point *b)
-{
-    wide_vector c = {fxl_multiply_s32(a->y, b->z) - fxl_multiply_s32(a->z, b->y),
-                     fxl_multiply_s32(a->z, b->x) - fxl_multiply_s32(a->x, b->z),
-                     fxl_multiply_s32(a->x, b->y) - fxl_multiply_s32(a->y, b->x)};
-    return c;
-}
-
-/* value * 2^up where up >= 0, else value / 2^-up, to the nearest. */
-static int64_t shifted(int64_t value, int up)
-{
-    return up >= 0 ? value * ((int64_t)1 << up) : fxl_round_shift(value, (unsigned)-up);
-}
-
-/* Scales a vector to unit length; false for the zero vector. The longest component is brought to
- * 30 bits, which loses at most half a unit of 2^-30 of direction. Twice the length's square is
- * below 4 * 3 * 2^60 < 2^64. The root, of twice the length, is good to half a unit of at least
- * 2^30, and each quotient to half a unit of 2^-30. */
-static bool normalise(const wide_vector *v, fxl_direction *unit)
-{
-    unsigned bits = fxl_bit_length(fxl_magnitude(v->x) | fxl_magnitude(v->y) | fxl_magnitude(v->z));
-    if (bits == 0) {
-        return false;
-    }
-    int up = 30 - (int)bits;
-    int64_t x = shifted(v->x, up), y = shifted(v->y, up), z = shifted(v->z, up);
-    uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
-    uint32_t twice = fxl_square_root(4 * square);
-    /* |x| <= 2^30, so the numerators are at most 2^61. */
-    unit->x = fxl_divide_round(x * ((int64_t)1 << 31), twice);
-    unit->y = fxl_divide_round(y * ((int64_t)1 << 31), twice);
-    unit->z = fxl_divide_round(z * ((int64_t)1 << 31), twice);
-    return true;
-}
-
 static fxl_point subtract(const fxl_point *a, const fxl_point *b)
 {
     fxl_point difference = {a->x - b->x, a->y - b->y, a->z - b->z};
@@ -203,9 +163,8 @@ static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t c
     fxl_point from = {beam->from[0], beam->from[1], beam->from[2]};
     fxl_point way = beam->kind == FXL_BEAM_DIRECTION ? from : subtract(corner, &from);
     fxl_point side = subtract(next, corner);
-    wide_vector normal = cross(&way, &side);
     fxl_direction unit;
-    if (!normalise(&normal, &unit)) {
+    if (!fxl_unit_cross(&way, &side, &unit)) {
         return false;
     }
     *plane = fxl_plane_from_point(corner, &unit, 0);
@@ -215,16 +174,13 @@ static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t c
 /* Makes the window's own plane, with its normal away from the light. */
 static bool window_plane(const fxl_beam *beam, const fxl_point *window, fxl_plane *plane)
 {
-    fxl_point a = subtract(&window[1], &window[0]), b = subtract(&window[2], &window[0]);
-    wide_vector normal = cross(&a, &b);
-    fxl_direction unit;
-    if (!normalise(&normal, &unit)) {
+    if (fxl_plane_from_points(&window[0], &window[1], &window[2], plane) != FXL_OK) {
         return false;
     }
-    *plane = fxl_plane_from_point(&window[0], &unit, 0);
     const fxl_point from = {beam->from[0], beam->from[1], beam->from[2]};
-    fxl_q18_46 along = beam->kind == FXL_BEAM_DIRECTION ? fxl_dot(&unit, from.x, from.y, from.z)
-                                                        : -fxl_plane_distance(plane, &from);
+    fxl_q18_46 along = beam->kind == FXL_BEAM_DIRECTION
+                           ? fxl_dot(&plane->normal, from.x, from.y, from.z)
+                           : -fxl_plane_distance(plane, &from);
     if (along < 0) {
         turn_about(plane);
     }

@@ -19,7 +19,7 @@ typedef struct {
 
 static void append(pass *on, const fxl_varying_vertex *vertex)
 {
-    if (on->count == FXL_POLYGON_CAPACITY) {
+    if (on->count == FXL_POLYGON_CAPACITY) { /* bug: once-capacity */
         on->full = true;
         return;
     }

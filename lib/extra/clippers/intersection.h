@@ -15,7 +15,19 @@ uint64_t fxl_intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside);
  * Requires both below 2^61. */
 fxl_q18_46 fxl_intersection_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction);
 
-/* Interpolates a varying in the same way, rounded to the nearest: error half a unit. */
+/* Returns fxl_half_space_distance, and in *rest what that leaves out, in units of 2^-76: the exact
+ * distance is 2^30 times the result, plus the rest, which is below 2^30. */
+fxl_q18_46 fxl_half_space_distance_exact(const fxl_half_space *plane, const fxl_view_point *point,
+                                         uint32_t *rest);
+
+/* Returns where an edge of the screen crosses a border, along the border: from + (to - from)
+ * inside / (inside - outside), rounded to the nearest, halves upward. Requires inside >= 0 >
+ * outside, these the ends' distances from the border, and coordinates and distances of points
+ * within FXL_SCREEN_COORDINATE_MAX. */
+fxl_q16_16 fxl_intersection_screen(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside,
+                                   fxl_q18_46 outside);
+
+/* Interpolates a varying, rounded to the nearest: error half a unit. */
 fxl_q16_16 fxl_intersection_varying(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction);
 
 /* Computes the vertex at a fraction of the way from the inside to the outside end. The direction

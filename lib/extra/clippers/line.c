@@ -39,7 +39,7 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
     for (;;) {
         uint32_t from_code = fxl_volume_code(volume, &line->from.position) & ~from_moved;
         uint32_t to_code = fxl_volume_code(volume, &line->to.position) & ~to_moved;
-        if ((from_code & to_code) != 0) {
+        if ((from_code & to_code) != 0) { /* bug: line-late */
             return false;
         }
         if ((from_code | to_code) == 0) {

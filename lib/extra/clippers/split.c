@@ -32,7 +32,7 @@ fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q1
 /* Appends a point. Returns false where the piece is full. */
 static bool append(fxl_piece *piece, const fxl_point *point)
 {
-    if (piece->count == FXL_POLYGON_CAPACITY) {
+    if (piece->count == FXL_POLYGON_CAPACITY) { /* bug: split-capacity */
         return false;
     }
     piece->points[piece->count++] = *point;

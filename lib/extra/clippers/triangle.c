@@ -137,14 +137,6 @@ static uint64_t fraction_in_space(fxl_q18_46 inside, fxl_q18_46 z_inside, fxl_q1
     return fxl_intersection_fraction(shifted(&to, shift), -shifted(&from, shift));
 }
 
-/* from + (to - from) inside / (inside + |outside|), rounded once. Distances and the difference
- * are below 2^29, the product below 2^58. */
-static fxl_q16_16 meet(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside, fxl_q18_46 outside)
-{
-    int64_t product = ((int64_t)to - from) * inside;
-    return from + fxl_divide_round(product, (uint32_t)(inside - outside));
-}
-
 /* Always from the inside to the outside vertex, so both triangles that share the edge get the
  * same bits. */
 static void intersect_flat(const fxl_screen_triangle *in, const fxl_q18_46 *distances, int border,
@@ -160,10 +152,12 @@ static void intersect_flat(const fxl_screen_triangle *in, const fxl_q18_46 *dist
     bool far_side = border == FXL_BORDER_RIGHT || border == FXL_BORDER_BOTTOM;
     fxl_q16_16 limit = far_side ? extent * 65536 : 0;
     stats->intersections += 1;
-    corner->at.x =
-        upright ? limit : meet(from->at.x, to->at.x, distances[inside], distances[outside]);
-    corner->at.y =
-        upright ? meet(from->at.y, to->at.y, distances[inside], distances[outside]) : limit;
+    corner->at.x = upright ? limit
+                           : fxl_intersection_screen(from->at.x, to->at.x, distances[inside],
+                                                     distances[outside]);
+    corner->at.y = upright ? fxl_intersection_screen(from->at.y, to->at.y, distances[inside],
+                                                     distances[outside])
+                           : limit;
     uint64_t fraction =
         fraction_in_space(distances[inside], from->depth, distances[outside], to->depth);
     corner->depth = fxl_intersection_part(from->depth, to->depth, fraction);

@@ -10,7 +10,7 @@
 static void cut_flats(fxl_triangle_workspace *workspace, int border, uint16_t extent)
 {
     fxl_clip_stats stats = workspace->stats;
-    stats.sliver = workspace->screen_sliver;
+    stats.sliver = workspace->screen_sliver; /* bug: screen-sliver */
     for (uint32_t left = workspace->flat_count; left > 0; left--) {
         fxl_screen_triangle cut[2];
         uint32_t made = fxl_triangle_cut_screen(&workspace->flats[workspace->flat_first & MASK],

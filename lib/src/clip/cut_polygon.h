@@ -37,7 +37,7 @@ static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross 
 {
     const bool current_inside = (bits >> current & 1u) != 0;
     if (current_inside) {
-        if (cut->count == FXL_POLYGON_CAPACITY) {
+        if (cut->count == FXL_POLYGON_CAPACITY) { /* bug: capacity-copy */
             return false;
         }
         copy(cut, current, cut->count++);
@@ -51,7 +51,7 @@ static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross 
     if (cut->distances[inside] == 0) {
         return true;
     }
-    if (cut->count == FXL_POLYGON_CAPACITY) {
+    if (cut->count == FXL_POLYGON_CAPACITY) { /* bug: capacity-cross */
         return false;
     }
     cross(cut, inside, outside, cut->count++);

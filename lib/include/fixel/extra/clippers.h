@@ -10,6 +10,8 @@
 #include "fixel/extra/clippers/half_space.h"
 #include "fixel/extra/clippers/line.h"
 #include "fixel/extra/clippers/normalised.h"
+#include "fixel/extra/clippers/plane_from_points.h"
+#include "fixel/extra/clippers/rectangle.h"
 #include "fixel/extra/clippers/split.h"
 #include "fixel/extra/clippers/triangle.h"
 #include "fixel/extra/clippers/workspace.h"

@@ -33,6 +33,30 @@ bool fxl_line_by_planes(fxl_clip_line *line, const fxl_volume *volume, uint32_t 
  * fxl_line_by_planes. */
 bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *intersections);
 
+/* How a line and a plane lie to each other. */
+typedef enum {
+    FXL_LINE_MEETS,      /* they have one point in common */
+    FXL_LINE_MEETS_FAR,  /* they have one, out of range */
+    FXL_LINE_LIES_IN,    /* every point of the line lies in the plane */
+    FXL_LINE_IS_PARALLEL /* they have no point in common */
+} fxl_line_relation;
+
+/* The common point of a line and a plane. */
+typedef struct {
+    int64_t parameter; /* 32.32: 0 at the line's first point, 1 at its second */
+    fxl_view_point point;
+} fxl_line_meeting;
+
+/* Tells how the line through two points lies to a plane, and where they meet. The line is endless:
+ * the parameter may be below 0 or above 1, beyond the ends. The relation is exact. If the two
+ * points are one, the "line" lies in the plane or is parallel to it. FXL_LINE_MEETS: *meeting is
+ * written. Otherwise it is untouched. FXL_LINE_MEETS_FAR: the parameter is 2^31 or more either way,
+ * or a coordinate of the point 2^61 or more. Requires coordinates below 2^61. Error: the parameter
+ * is rounded towards 0, so by less than 2^-32. The point is within 1.25 units of 2^-46 a coordinate
+ * of the exact common point. Source: B1. */
+fxl_line_relation fxl_line_meet_plane(const fxl_view_point *from, const fxl_view_point *to,
+                                      const fxl_half_space *plane, fxl_line_meeting *meeting);
+
 #ifdef __cplusplus
 }
 #endif

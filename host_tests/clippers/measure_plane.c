@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "clippers/measure.h"
+#include "reference/plane.h"
+#include "reference/rectangle.h"
+
+static void note(clipper_tally *tally, double error)
+{
+    tally->cut++;
+    tally->outline = fmax(tally->outline, error);
+    tally->at_all = fmax(tally->at_all, error);
+    tally->beyond += error > tally->claimed;
+}
+
+static ref_volume_vertex vertex_of(const fxl_view_point *at)
+{
+    return (ref_volume_vertex){at->x, at->y, at->z, {0}};
+}
+
+static double apart(fxl_q18_46 got, ref_wide wanted)
+{
+    return fabs((double)(got - wanted));
+}
+
+/* The plane of the lens's frustum: one of six. The line through two vertices of the polygon meets
+ * it between them or beyond. All in units of 2^-46, which is exact. */
+void measure_line_and_plane(clipper_tally *tally, const clipper_case *of)
+{
+    fxl_volume volume;
+    fxl_view_point from, to;
+    fxl_line_meeting at;
+    ref_wide t = 0;
+    fxl_volume_from_lens(&of->lens, FXL_PLANES_ALL, &volume);
+    const fxl_half_space *plane = &volume.planes[(unsigned)of->polygon.vertices[0].u % 6];
+    fxl_transform_point(&of->camera, &of->polygon.vertices[0].position, &from);
+    fxl_transform_point(&of->camera, &of->polygon.vertices[1].position, &to);
+    const ref_half_space same = {plane->normal.x, plane->normal.y, plane->normal.z,
+                                 (ref_wide)plane->offset * FXL_Q2_30_ONE};
+    const ref_volume_vertex a = vertex_of(&from), b = vertex_of(&to);
+    const fxl_line_relation relation = fxl_line_meet_plane(&from, &to, plane, &at);
+    const ref_line_relation wanted = ref_line_meet_plane(&a, &b, &same, &t);
+    const bool meets = relation == FXL_LINE_MEETS || relation == FXL_LINE_MEETS_FAR;
+    tally->verdicts += meets != (wanted == REF_LINE_MEETS);
+    tally->verdicts += (relation == FXL_LINE_LIES_IN) != (wanted == REF_LINE_LIES_IN);
+    if (relation == FXL_LINE_MEETS && wanted == REF_LINE_MEETS) {
+        const ref_volume_vertex point = ref_volume_between(&a, &b, t);
+        note(tally, fmax(apart(at.point.x, point.x),
+                         fmax(apart(at.point.y, point.y), apart(at.point.z, point.z))));
+        tally->verdicts += fabs((double)(at.parameter - t * 0x1p32)) > 1;
+        tally->crossings += t < 0 || t > 1; /* beyond the ends */
+    }
+}
+
+void measure_plane_from_points(clipper_tally *tally, const clipper_case *of)
+{
+    fxl_plane plane;
+    ref_plane expected;
+    ref_point points[3];
+    for (int i = 0; i < 3; i++) {
+        points[i] = bridge_point(&of->polygon.vertices[i].position);
+    }
+    const fxl_status status =
+        fxl_plane_from_points(&of->polygon.vertices[0].position, &of->polygon.vertices[1].position,
+                              &of->polygon.vertices[2].position, &plane);
+    const bool made = ref_plane_from_points(&points[0], &points[1], &points[2], &expected);
+    tally->verdicts += made != (status == FXL_OK);
+    if (made && status == FXL_OK) {
+        note(tally, fmax(fabs(plane.normal.x - expected.normal.x * 0x1p30),
+                         fmax(fabs(plane.normal.y - expected.normal.y * 0x1p30),
+                              fabs(plane.normal.z - expected.normal.z * 0x1p30))));
+    }
+}
+
+/* The polygon as a map, from above; a world unit is a quarter of a pixel. */
+static fxl_screen_polygon map_of(const clipper_case *of)
+{
+    fxl_screen_polygon map = {.count = of->polygon.count};
+    for (int i = 0; i < map.count; i++) {
+        const fxl_point *at = &of->polygon.vertices[i].position;
+        map.points[i] = (fxl_screen_point){at->x / 4, at->z / 4};
+    }
+    return map;
+}
+
+/* The rectangle's corners are the middles between two pairs of vertices. */
+static fxl_rectangle rectangle_about(const fxl_screen_polygon *map)
+{
+    const fxl_screen_point *p = map->points;
+    const int32_t x0 = (p[0].x + p[1].x) / 2, y0 = (p[0].y + p[1].y) / 2;
+    const int32_t x1 = (p[1].x + p[2].x) / 2 + 1, y1 = (p[1].y + p[2].y) / 2 + 1;
+    return (fxl_rectangle){x0 < x1 ? x0 : x1, y0 < y1 ? y0 : y1, x0 < x1 ? x1 : x0,
+                           y0 < y1 ? y1 : y0};
+}
+
+static outline outline_of(const ref_screen_polygon *polygon)
+{
+    outline made = {.count = polygon->count};
+    for (int i = 0; i < made.count; i++) {
+        made.x[i] = polygon->points[i].x;
+        made.y[i] = polygon->points[i].y;
+    }
+    return made;
+}
+
+/* Where an edge meets a border at a small angle, the vertex moves along the border: so it is how
+ * far a vertex lies beyond the twin's edges that has a bound, and the area. */
+void measure_rectangle(clipper_tally *tally, const clipper_case *of)
+{
+    static fxl_rectangle_work work;
+    const fxl_screen_polygon map = map_of(of);
+    const fxl_rectangle to = rectangle_about(&map);
+    const fxl_screen_polygon *result;
+    const fxl_clip_result cut = fxl_clip_to_rectangle(&map, &to, &work, &result);
+    const ref_screen_polygon in = bridge_screen_polygon(&map);
+    const ref_rectangle same = {to.left / REF_ONE, to.top / REF_ONE, to.right / REF_ONE,
+                                to.bottom / REF_ONE};
+    ref_screen_polygon expected;
+    outline wanted = {0}, got;
+    tally->refused += cut == FXL_CLIP_CAPACITY;
+    if (!of->convex || cut == FXL_CLIP_INSIDE) {
+        return;
+    }
+    if (ref_clip_to_rectangle(&in, &same, &expected)) {
+        wanted = outline_of(&expected);
+    }
+    if (cut == FXL_CLIP_CUT) {
+        got = outline_of_screen(result->points, result->count);
+    }
+    if (cut != FXL_CLIP_CUT || wanted.count < 3) {
+        case_compare(tally, cut == FXL_CLIP_CUT ? &got : NULL, &wanted, false);
+        return;
+    }
+    double worst = 0;
+    for (int i = 0; i < got.count; i++) {
+        worst = fmax(worst, outline_beyond(&wanted, got.x[i], got.y[i]));
+    }
+    const double slack = (outline_length(&wanted) + 1) * tally->claimed / REF_ONE;
+    tally->verdicts += fabs(outline_area(&wanted) - outline_area(&got)) > slack;
+    note(tally, worst);
+}
