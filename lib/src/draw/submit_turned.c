@@ -47,25 +47,42 @@ static fxl_direction normal_of(const fxl_scene *scene, uint32_t number, const fx
     return normal;
 }
 
+/* Where the entries of an order go. */
+typedef struct {
+    const fxl_camera *camera;
+    const fxl_view_frustum *frustum;
+    fxl_order_entry *next;
+    uint32_t left_out;
+} order_writer;
+
+static inline void write_entry(order_writer *to, const fxl_instance *instance, uint32_t number,
+                               const fxl_model *model, fxl_q16_16 radius)
+{
+    const uint32_t planes = fxl_sphere_planes(to->camera, to->frustum, &instance->centre, radius);
+    if (planes == FXL_SPHERE_OUTSIDE) {
+        to->left_out += model->face_count; /* below 2^16 * 2^16 */
+    } else {
+        *to->next++ = fxl_order_instance_of(instance, number, planes, to->camera);
+    }
+}
+
 static uint32_t order(const fxl_scene *scene, const fxl_camera *camera,
                       const fxl_view_frustum *frustum, fxl_order_entry *entries, uint32_t *left_out)
 {
+    order_writer to = {camera, frustum, entries, 0};
+    const fxl_instance *instance = scene->instances;
+    const fxl_turn *turn = scene->turns;
     const uint32_t first_turned = fxl_first_turned(scene);
-    uint32_t count = 0;
-    *left_out = 0;
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
-        const fxl_model *model = model_of(scene, i);
-        const fxl_q16_16 radius = i < first_turned
-                                      ? model->radius
-                                      : fxl_turn_radius(fxl_turn_of(scene, i), model->radius);
-        const uint32_t planes =
-            fxl_sphere_planes(camera, frustum, &scene->instances[i].centre, radius);
-        if (planes == FXL_SPHERE_OUTSIDE) {
-            *left_out += model->face_count;
-            continue;
-        }
-        entries[count++] = fxl_order_instance_of(&scene->instances[i], i, planes, camera);
+    for (uint32_t i = 0; i < first_turned; i++, instance++) {
+        const fxl_model *model = &scene->models[instance->model];
+        write_entry(&to, instance, i, model, model->radius);
     }
+    for (uint32_t i = first_turned; i < scene->instance_count; i++, instance++, turn++) {
+        const fxl_model *model = &scene->models[instance->model];
+        write_entry(&to, instance, i, model, fxl_scaled_radius(turn->scale, model->radius));
+    }
+    const uint32_t count = (uint32_t)(to.next - entries);
+    *left_out = to.left_out;
     fxl_order_sort(entries, count);
     return count;
 }

@@ -53,11 +53,9 @@ static inline bool is_rotation(const fxl_orientation *rows)
     return wide < 8;
 }
 
-/* scale * radius is below 2^24 2^31. */
 fxl_q16_16 fxl_turn_radius(const fxl_turn *turn, fxl_q16_16 radius)
 {
-    const uint64_t scaled = fxl_multiply_u32((uint32_t)turn->scale, (uint32_t)radius);
-    return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_TURN_SLACK; /* bug: turn-radius */
+    return fxl_scaled_radius(turn->scale, radius);
 }
 
 /* Whether a scale and a radius are in range, and the sphere lies in the world. */

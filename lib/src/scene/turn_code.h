@@ -4,7 +4,8 @@
 #ifndef FXL_TURN_CODE_H
 #define FXL_TURN_CODE_H
 
-#include "fixel/scene.h"
+#include "../math/arith.h"
+#include "fixel/stage/turn.h"
 
 struct fxl_camera;
 struct fxl_view_frustum;
@@ -61,6 +62,13 @@ static inline fxl_status fxl_check_turns(const fxl_scene *scene)
         return FXL_OK;
     }
     return scene->turn_code == NULL ? FXL_E_ORDER : scene->turn_code->check(scene, &number);
+}
+
+/* fxl_turn_radius. scale * radius is below 2^24 2^31. */
+static inline fxl_q16_16 fxl_scaled_radius(fxl_q16_16 scale, fxl_q16_16 radius)
+{
+    const uint64_t scaled = fxl_multiply_u32((uint32_t)scale, (uint32_t)radius);
+    return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_TURN_SLACK; /* bug: turn-radius */
 }
 
 /* The number of the first turned instance; the number of instances where none is turned. */

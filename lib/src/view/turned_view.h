@@ -37,13 +37,14 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
  * distance is normal . (first vertex - eye) in the space of the model, in units of
  * 2^(eye_shift - 46), from the rounded eye. Each coordinate of that is off by at most 1/2, the
  * normal's components sum up to less than 1.74 2^30, and the floor of a height adds 1: so the exact
- * distance differs by less than 2^30. */
+ * distance differs by less than 2^30. It decides from 2^32 on, which the upper word tells. */
 static inline int fxl_estimated_side(fxl_q18_46 distance)
 {
-    if ((uint64_t)distance + ((uint64_t)1 << 30) < (uint64_t)1 << 31) { /* bug: turn-estimate */
+    const int32_t upper = (int32_t)(distance >> 32);
+    if ((uint32_t)upper + 1u <= 1u) { /* bug: turn-estimate */
         return 0;
     }
-    return distance < 0 ? -1 : 1;
+    return upper < 0 ? -1 : 1;
 }
 
 /* Whether a face is turned towards the eye. Exact. */
