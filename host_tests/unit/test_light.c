@@ -20,6 +20,12 @@ static fxl_order_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static fxl_light light;
 
+/* Not at the same time: a board has 16 KB. */
+static union {
+    FXL_ALIGN_8 uint8_t beams[2400];
+    fxl_workspace second;
+} memory_of;
+
 /* --- the definitions --------------------------------------------------------------------- */
 
 typedef struct {
@@ -315,7 +321,7 @@ void test_light_follows_turns(void)
 /* A beam's lit colours are those of the colours that the light gives. */
 void test_light_goes_with_beams(void)
 {
-    static FXL_ALIGN_8 uint8_t room[2400];
+    uint8_t *const room = memory_of.beams;
     static uint8_t lit[256];
     const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
     const fxl_direction way = {0, 0, FXL_Q2_30_ONE};
@@ -335,14 +341,14 @@ void test_light_goes_with_beams(void)
     }
     (void)start();
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&way, window, 4, &beam));
-    TEST_ASSERT_TRUE(fxl_beam_light_workspace_size(&beam, 1) <= sizeof room);
+    TEST_ASSERT_TRUE(fxl_beam_light_workspace_size(&beam, 1) <= sizeof memory_of.beams);
     for (int light_first = 0; light_first < 2; light_first++) {
         (void)start();
         if (light_first) {
             TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
         }
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_beams(&renderer, &beam, 1, lit, room, sizeof room));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, room, sizeof memory_of.beams));
         draw(&pose, frames[light_first ? 1 : 0]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
         draw(&pose, frames[2]);
@@ -362,6 +368,32 @@ void test_light_goes_with_beams(void)
     TEST_ASSERT_TRUE(changed > 3 && plain > 3);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
     TEST_ASSERT_TRUE(renderer.shader == &light.shader && light.shader.next == NULL);
+}
+
+/* Bands that two workspaces draw in turn, as two cores do: the light belongs to both. */
+void test_cores_share_the_light(void)
+{
+    static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_order_entry) + 8];
+    fxl_workspace *const second = &memory_of.second;
+    const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
+    fxl_light_settings of;
+    memset(&of, 0, sizeof of);
+    of.ambient = FXL_Q2_30_ONE / 4;
+    of.points[0] = (fxl_point_light){{Q16(3), Q16(4), Q16(2)}, Q16(30), FXL_Q2_30_ONE};
+    of.point_count = 1;
+    of.ramp = ramp;
+    of.levels = LEVELS;
+    (void)start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(second, &renderer, room, sizeof room));
+    draw(&pose, frames[0]);
+    for (uint16_t row = 0; row < HEIGHT; row++) {
+        const fxl_band band = {frames[1] + row * WIDTH, WIDTH, WIDTH, row, 1};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_frame_draw_with(&renderer, row % 2 ? second : &renderer.workspace, &band));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
 }
 
 /* --- settings and ramps ---------------------------------------------------------------------- */
