@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "reference/turn.h"
+
 static double dot(ref_point a, ref_point b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -39,18 +41,27 @@ void ref_light_make_ramp(ref_light *light, const uint8_t *palette, const uint8_t
     }
 }
 
-/* The middle of the bounding box of a face in the world. */
+/* The middle of the bounding box of a face: in the world, or, of an instance that is turned, of the
+ * box in its model, turned and scaled. */
 static ref_point middle_of(const ref_scene *scene, const ref_instance *instance,
                            const ref_face *face)
 {
-    ref_point low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    ref_lattice_point low = {INT32_MAX, INT32_MAX, INT32_MAX},
+                      high = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
-        const ref_lattice_point corner = ref_face_vertex(scene, instance, face, i);
-        const ref_point at = ref_point_from_lattice(&corner);
-        low = (ref_point){fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z)};
-        high = (ref_point){fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z)};
+        const ref_lattice_point at = turn ? ref_face_corner(scene, instance, face, i)
+                                          : ref_face_vertex(scene, instance, face, i);
+        low = (ref_lattice_point){at.x < low.x ? at.x : low.x, at.y < low.y ? at.y : low.y,
+                                  at.z < low.z ? at.z : low.z};
+        high = (ref_lattice_point){at.x > high.x ? at.x : high.x, at.y > high.y ? at.y : high.y,
+                                   at.z > high.z ? at.z : high.z};
     }
-    return (ref_point){(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2};
+    const ref_point a =
+        turn ? ref_turn_point(turn, &instance->centre, &low) : ref_point_from_lattice(&low);
+    const ref_point b =
+        turn ? ref_turn_point(turn, &instance->centre, &high) : ref_point_from_lattice(&high);
+    return (ref_point){(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
 }
 
 static double from_point(const ref_point_light *light, ref_point middle, ref_point normal)
@@ -83,8 +94,12 @@ static double brightness(const ref_light *light, const ref_camera *camera, ref_p
 uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
                          const ref_instance *instance, const ref_face *face)
 {
-    const ref_point normal = {ldexp(face->normal[0], -30), ldexp(face->normal[1], -30),
-                              ldexp(face->normal[2], -30)};
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    int32_t turned[3] = {face->normal[0], face->normal[1], face->normal[2]};
+    if (turn) {
+        ref_turn_normal(turn, face->normal, turned);
+    }
+    const ref_point normal = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
     const double exact =
         brightness(light, camera, middle_of(scene, instance, face), normal) * (light->levels - 1);
     return light->ramp[(int)floor(exact + 0.5)][face->material];

@@ -132,8 +132,8 @@ static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face
 {
     const rounded_instance *instance = (const rounded_instance *)(const void *)shader;
     const fxl_scene *scene = on->renderer->scene;
-    const fxl_direction normal =
-        normal_of(scene, instance->number, face); /* bug: turn-lit-normal */
+    /* bug: turn-lit-normal */
+    const fxl_direction normal = normal_of(scene, instance->number, face);
     fxl_point points[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;
     (void)model_view;
