@@ -62,13 +62,14 @@ ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
 -include $(shell find $(BUILD) -name seeded_bugs -prune -o -name '*.d' -print 2>/dev/null)
 endif
 
-HOST_WALK := $(BOARD_WALK.host)
-WALK      := $(BOARD_WALK.$(BOARD))
+HOST_WALK := $(call WALK_OF,host)
+WALK      := $(call WALK_OF,$(BOARD))
 IMAGE     := $(BUILD)/flash/$(BOARD).bin
 # A scene image is its own.
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
 FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
+METHODS_OPTIONS := --program '$(PROGRAM)' $(if $(VISIBILITY),--visibility '$(VISIBILITY)') $(if $(CLIPPER),--clipper '$(CLIPPER)')
 
 # --- commands ----------------------------------------------------------------
 
@@ -83,18 +84,19 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= SCENE= SCREEN= FRAMES= OUT=]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= OUT=]
 	@tools/setup.sh run
-	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge
-	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION)
+	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
+	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) \
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS)
 
-view: ## show a board live on a web page of this machine, moved by keys [BOARD= SCENE= SCREEN= PORT= OPEN=1]
+view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= PORT= OPEN=1]
 	@tools/setup.sh view
 	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
-	    $(SCREEN_OPTION) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
+	    $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= SCENE= SCREEN= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= PROBE=openocd DRY_RUN=1]
 	@tools/setup.sh $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 	@$(MAKE) $(WALK)
 ifeq ($(filter %.fxls,$(SCENE)),)
@@ -106,7 +108,7 @@ endif
 	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
 	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
 
-boot: ## boot a board from its flash image [BOARD= FRAMES=]
+boot: ## boot a board from its flash image [BOARD= FRAMES=; VISIBILITY= CLIPPER= as for flash]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
@@ -125,7 +127,7 @@ endif
 
 report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED=]
 	@tools/setup.sh report
-	@$(MAKE) $(HOST_WALK) $(WALK) $(HOST_TOOLS)
+	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS)
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
 	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
@@ -140,13 +142,13 @@ PICTURE ?= $(BUILD)/screen/$(BOARD).png
 
 screen: ## save what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
 	@tools/setup.sh run
-	@$(MAKE) $(WALK)
+	@$(MAKE) $(BOARD_WALK.$(BOARD))
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
 
 pictures: ## renew the pictures of the documents (needs make run and make report)
 	@tools/setup.sh test
-	@$(MAKE) $(WALK) $(BUILD)/host/live $(BUILD)/host/libfixel.a
+	@$(MAKE) $(BOARD_WALK.$(BOARD)) $(BUILD)/host/live $(BUILD)/host/libfixel.a
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
 	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
@@ -216,7 +218,7 @@ bench: ## count the instructions of frames and kernels on four cores, beside the
 
 clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]
 	@tools/setup.sh report
-	@$(MAKE) $(CLIPPERS_BUILT) $(HOST_WALK)
+	@$(MAKE) $(CLIPPERS_BUILT) $(BOARD_WALK.host)
 	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
 	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
 
@@ -255,7 +257,7 @@ fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print t
 
 kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [KILLS=200 SEED=1]
 	@tools/setup.sh test
-	@$(MAKE) $(HOST_WALK) $(WALK) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
+	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
 	@$(PY) tools/kills.py --board '$(BOARD)' --streaming lm3s6965evb --build $(BUILD) $(if $(KILLS),--kills '$(KILLS)') $(if $(SEED),--seed '$(SEED)')
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time

@@ -20,6 +20,7 @@
 #
 # Makes, for each board:
 #   $(BOARD_WALK.<board>)    the walk
+#   $(call WALK_OF,<board>)  the program of PROGRAM=, with the methods of CLIPPER= and VISIBILITY=
 #   $(BOARD_FAULTS.<board>)  a program that fails in a way that it is told (not on the host)
 #   $(BOARD_UNITS.<board>)   its unit tests: firmware/unittest/unittest.mk
 #
@@ -108,7 +109,36 @@ BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=
     $(BOARD_SETTINGS.$(1):%=-D%)
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
-BOARD_WALK_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/walk/*.c))
+
+# The programs that draw, PROGRAM=: the walk, and others that differ from it in their act
+# (firmware/walk/act.h).
+PROGRAMS := walk
+PROGRAM ?= walk
+ifeq ($(filter $(PROGRAM),$(PROGRAMS)),)
+$(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
+endif
+PROGRAM_SOURCES.walk := $(wildcard firmware/walk/*.c)
+# $(1): a board, $(2): a program
+PROGRAM_OBJECTS_OF = $(PROGRAM_SOURCES.$(2):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
+PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
+
+# What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
+# walk-<visibility>-<clipper>, that differs in one object.
+CLIPPERS := view world normalised once half-spaces triangles near left
+VISIBILITIES := sorted box spans spans-box tree tree-spans
+ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
+$(error there is no CLIPPER "$(CLIPPER)"; the clippers are: $(CLIPPERS))
+endif
+ifneq ($(filter-out $(VISIBILITIES),$(VISIBILITY)),)
+$(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VISIBILITIES))
+endif
+WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
+WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$(CLIPPER))) \
+    $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%)))
+
+# The program of a board with what was chosen.
+WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS))
+PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
 BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
@@ -123,16 +153,27 @@ endef
 
 define BOARD_RULES
 $(FIRMWARE_OUT)/$(1)/%.o: %.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $$(FLAGS_OF_FILE) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $$(FLAGS_OF_FILE) -Ilib/include -Iboards -Ifirmware/walk -Iexamples $$(call BOARD_DEFINES,$(1)))
 
 # Its loops must not become calls of themselves.
 $(FIRMWARE_OUT)/$(1)/boards/parts/memory_functions.o: FLAGS_OF_FILE := -fno-tree-loop-distribute-patterns
 endef
 
+define PROGRAM_RULES
+$(call PROGRAM_FILE_OF,$(1),$(2)): $(call PROGRAM_OBJECTS_OF,$(1),$(2))
+endef
+
+define METHODS_RULES
+$(call WALK_OF,$(1)): $(filter-out %/methods.o,$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) $(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o
+
+$(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o: firmware/walk/methods.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include $(BOARD_SETTINGS.$(1):%=-D%))
+endef
+
 define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
-$$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
+$(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
 	$$(call FIRMWARE_LINK,$(HOSTCC) $$(filter %.o,$$^))
 endef
 
@@ -140,7 +181,7 @@ define TARGET_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
-$$(BOARD_WALK.$(1)): $(BOARD_WALK_OBJECTS_OF) $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
+$(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
@@ -150,6 +191,9 @@ endef
 TARGET_BOARDS := $(foreach board,$(BOARDS),$(if $(BOARD_HOSTED.$(board)),,$(board)))
 $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
+
+$(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program)))))
+$(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 

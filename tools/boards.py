@@ -20,7 +20,7 @@ import sys
 import threading
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, fleet, output, scratch
+from fixel import dump, emulator, firmware, fleet, methods, output, scratch
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
@@ -34,7 +34,7 @@ def make_scenes(sources, build, folder):
         image, file = folder / f"{name}.fxls", folder / f"{name}.fxld"
         scene_tool.build(source, image, None)
         with Progress(f"drawing {name} on the host") as progress:
-            emulator.run(firmware.HOST, image, fleet.elf_of(firmware.HOST, build), file, progress=progress)
+            emulator.run(firmware.HOST, image, methods.elf_of(firmware.HOST, build), file, progress=progress)
         host = dump.read_dump(file)
         if not host.frames:
             raise ToolError(f"{source}: the path has no frames")
@@ -94,7 +94,7 @@ def row(board, options, scenes, answers):
     units = [answer for answer in answers if isinstance(answer, fleet.Units)]
     walks = [walks[scene.name] for scene in scenes]
     drawn = [walk for walk in walks if walk.why_not is None]
-    elf = fleet.elf_of(board, options.build)
+    elf = methods.elf_of(board, options.build)
     size = fleet.sizes(elf)
     largest = max((scene.image.stat().st_size for scene, walk in zip(scenes, walks) if walk in drawn), default=0)
     left_out = [name for other, *names in options.left_out if other == board for name in names]

@@ -20,7 +20,7 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, flash, output, picture, scratch
+from fixel import dump, emulator, firmware, flash, methods, output, picture, scratch
 from fixel import image as scene_image
 from fixel.errors import ToolError, run_main
 from fixel.programs import HostPrograms
@@ -31,11 +31,11 @@ from fixel.table import coloured, table
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
 BOARD_TIMEOUT = 60.0    # seconds of CPU time without a new frame
-
-
-def elf_of(board, build):
-    """The walk built for a board."""
-    return pathlib.Path(build) / "boards" / board / ("walk" if board == firmware.HOST else "walk.elf")
+RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer path every second, third ...
+ORDER_ADVICE = """\
+Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
+and the picture is not what one would see. Split large models into convex objects, set "layer", or give the scene
+a tree:  tools/scene.py build SCENE -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
 
 
 def check_frames(scene, wanted, there):
@@ -59,9 +59,9 @@ def make_scene_image(scene, folder, frames, screen=None):
     return image
 
 
-def walk(board, build, scene_image, folder, frames):
-    """The dump that a board leaves after a walk, and the board's core."""
-    elf = elf_of(board, build)
+def walk(board, build, scene_image, folder, frames, name=methods.WALK):
+    """The dump that a board leaves after a program has run, and the board's core."""
+    elf = methods.elf_of(board, build, name)
     program = firmware.load(elf, board)
     # The host has no flash: the scene image itself is what it boots from.
     image = folder / f"{board}.bin"
@@ -108,15 +108,25 @@ def check_verdict(verdict, drawn, twin):
                         f"{verdict['pixels_differing']} and {sum(ours)}; one of them has a bug", 1)
 
 
-def summarise(options, cpu, drawn, verdict, equal):
-    """summary.json."""
-    return {"board": options.board, "cpu": cpu, "scene": options.scene,
+def count_wrong_order(programs, image, folder, frames):
+    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
+    and of how many.
+
+    None where the scene has light beams, whose faces no ray knows.
+    """
+    if scene_image.load(image).beams:
+        return None, 0
+    every = -(-frames // RAYS_FRAMES_MAX)
+    verdict = programs.raycast(image, folder / "double.fxld", folder / "rays.json", every)
+    return verdict["pixels_unexplained"], verdict["pixels"]
+
+
+def summarise(options, cpu, drawn, equal):
+    """summary.json, but for what is judged."""
+    return {"board": options.board, "cpu": cpu, "program": options.program, "scene": options.scene,
+            "visibility": options.visibility, "clipper": options.clipper,
             "width": drawn.width, "height": drawn.height, "frames": len(drawn.frames),
             "pixels": len(drawn.frames) * drawn.width * drawn.height,
-            "pixels_differing": verdict["pixels_differing"],
-            "pixels_unexplained": verdict["pixels_unexplained"],
-            "worst_frame_differing": max(frame["pixels_differing"] for frame in verdict["frames"]),
-            "max_edge_distance_px": verdict["max_edge_distance_px"],
             "polygons": polygon_totals(drawn.frames),
             "frames_empty": sum(frame.counters["drawn"] == 0 for frame in drawn.frames),
             "instructions_per_frame": instruction_figures(drawn.frames),
@@ -139,19 +149,29 @@ def write_pictures(folder, drawn, twin):
         picture.animation_bytes([frame.pixels for frame in drawn.frames], drawn.palette))
 
 
-def print_summary(summary, out):
-    """A short table for people."""
-    polygons, counts = summary["polygons"], summary["instructions_per_frame"]
+def judged_rows(summary):
+    """What double and rays said."""
     pixels, differing = summary["pixels"], summary["pixels_differing"]
+    if differing is None:
+        return [["differ from double", f"not judged: the program is {summary['program']}"]]
     distance = summary["max_edge_distance_px"]
-    rows = [["board", f"{summary['board']} ({summary['cpu']})"],
-            ["scene", f"{summary['scene']}, {summary['width']}x{summary['height']}, "
-                      f"{summary['frames']} frames"],
-            ["differ from double", f"{differing:,} of {pixels:,} pixels "
+    wrong, judged = summary["order_wrong_pixels"], summary["order_judged_pixels"]
+    return [["differ from double", f"{differing:,} of {pixels:,} pixels "
                                    f"({100 * differing / pixels:.5f} %), worst frame "
                                    f"{summary['worst_frame_differing']:,}"],
             ["unexplained", f"{summary['pixels_unexplained']:,}"],
             ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
+            ["wrong by the order", "not counted: the scene has light beams" if wrong is None else
+             f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
+
+
+def print_summary(summary, out):
+    """A short table for people."""
+    polygons, counts = summary["polygons"], summary["instructions_per_frame"]
+    rows = [["board", f"{summary['board']} ({summary['cpu']})"],
+            ["scene", f"{summary['scene']}, {summary['width']}x{summary['height']}, "
+                      f"{summary['frames']} frames"],
+            *judged_rows(summary),
             ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
             ["instructions a frame", "not counted on this board" if counts["min"] is None else
              f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
@@ -160,12 +180,35 @@ def print_summary(summary, out):
     good = passes(summary)
     empty = summary["frames_empty"]
     said = f" ({empty} of {summary['frames']} frames are empty: nothing was drawn in them)" if empty else ""
+    if summary["order_wrong_pixels"]:
+        print(ORDER_ADVICE)
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {out}")
 
 
 def passes(summary):
     """Whether the run is what it should be."""
-    return summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+    return summary["host_frames_equal"] and not summary["pixels_unexplained"]
+
+
+def judge(options, image, drawn, file, work):
+    """What double and rays say of a dump: for summary.json, and the reference renderer's frames."""
+    programs = HostPrograms(options.build)
+    with Progress("judging against double"):
+        verdict = programs.judge(image, file, work / "judge.json", work / "double.fxld",
+                                 methods.judge_options(options))
+    twin = dump.read_dump(work / "double.fxld")
+    check_verdict(verdict, drawn, twin)
+    wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames))
+    return {"pixels_differing": verdict["pixels_differing"],
+            "pixels_unexplained": verdict["pixels_unexplained"],
+            "worst_frame_differing": max(frame["pixels_differing"] for frame in verdict["frames"]),
+            "max_edge_distance_px": verdict["max_edge_distance_px"],
+            "order_wrong_pixels": wrong, "order_judged_pixels": judged}, twin
+
+
+# Of a program in which more moves than the eye: the reference renderer does not know what it draws.
+UNJUDGED = dict.fromkeys(["pixels_differing", "pixels_unexplained", "worst_frame_differing",
+                          "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
 
 
 def run(options, folder):
@@ -176,22 +219,21 @@ def run(options, folder):
         if options.board != firmware.HOST:
             emulator.find_qemu()
         image = make_scene_image(options.scene, work, options.frames, options.screen)
-        file, cpu = walk(options.board, options.build, image, work, options.frames)
+        name = methods.program(options)
+        file, cpu = walk(options.board, options.build, image, work, options.frames, name)
         drawn = dump.read_dump(file)
         if not drawn.frames:
             raise ToolError(f"{options.scene}: the path has no frames")
-        hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames) \
+        hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames, name) \
             if options.board != firmware.HOST else (file, cpu)
         equal = frames_equal(drawn, dump.read_dump(hosted))
-        with Progress("judging against double"):
-            verdict = HostPrograms(options.build).judge(image, file, work / "judge.json",
-                                                        work / "double.fxld")
-        twin = dump.read_dump(work / "double.fxld")
-        check_verdict(verdict, drawn, twin)
+        verdicts, twin = UNJUDGED, drawn
+        if options.program == methods.WALK:
+            verdicts, twin = judge(options, image, drawn, file, work)
+            shutil.move(work / "double.fxld", folder / "double.fxld")
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
-        shutil.move(work / "double.fxld", folder / "double.fxld")
-    return summarise(options, cpu, drawn, verdict, equal)
+    return summarise(options, cpu, drawn, equal) | verdicts
 
 
 def frame_count(text):
@@ -207,6 +249,7 @@ def main(argv):
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    methods.add_options(parser)
     parser.add_argument("--out", default="build/run", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)

@@ -12,19 +12,19 @@ import pathlib
 from PIL import Image
 
 import scene as scene_tool
-from fixel import firmware, flash, output, picture, scratch
+from fixel import firmware, flash, methods, output, picture, scratch
 from fixel.errors import ToolError, run_main
 from fixel.image import load
 from fixel.progress import Progress
 from fixel.session import Session
-from run import elf_of, frame_count, make_scene_image
+from run import frame_count, make_scene_image
 
 DEVICE = "screen"       # what an added display is called
 
 
 def photograph(options, folder):
     """The picture, and how many frames were drawn."""
-    elf = elf_of(options.board, options.build)
+    elf = methods.elf_of(options.board, options.build)
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")

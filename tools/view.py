@@ -18,13 +18,13 @@ import pathlib
 import signal
 import webbrowser
 
-from fixel import firmware, flash, scratch
+from fixel import firmware, flash, methods, scratch
 from fixel.errors import ENDINGS, ToolError, run_main
 from fixel.view_board import Board
 from fixel.view_pump import IDLE_RATE, Pump
 from fixel.view_server import Hub, Server, hello
 from fixel.view_reference import Reference
-from run import elf_of, make_scene_image
+from run import make_scene_image
 from scene import parse_screen
 
 
@@ -49,7 +49,7 @@ async def serve(board, reference_program, scene_image, options):
               lambda frame, wants: reference.ask(frame, wants), lambda rate: pump.set_rate(rate))
     with contextlib.ExitStack() as stack:
         reference = stack.enter_context(contextlib.closing(
-            Reference(reference_program, scene_image, later("compare"), later("end"))))
+            Reference(reference_program, scene_image, later("compare"), later("end"), methods.judge_options(options))))
         pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
         for each in ENDINGS:
             loop.add_signal_handler(each, hub.end)
@@ -67,7 +67,7 @@ async def serve(board, reference_program, scene_image, options):
 
 
 def view(options):
-    elf = elf_of(options.board, options.build)
+    elf = methods.elf_of(options.board, options.build, methods.program(options))
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
@@ -98,6 +98,7 @@ def main(argv):
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    methods.add_options(parser)
     parser.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
     parser.add_argument("--open", action="store_true", help="open the page in this machine's browser")
     parser.add_argument("--build", default="build", help="folder that make builds in")

@@ -9,10 +9,13 @@ BOARD_HOSTED := yes
 
 # Narrow bands and a list that is soon full, unlike the emulated boards': frames
 # that come out equal also show that a frame does not depend on how it is cut,
-# or on what the list holds.
+# or on what the list holds. The list has 4096 bytes of its memory at most; clippers and visibility
+# methods may want the rest.
 BOARD_BAND_BYTES := 8192
 BOARD_ORDER_ENTRIES := 131072
-BOARD_LIST_BYTES := 4096
+BOARD_LIST_BYTES := 69632
 BOARD_CACHE_ENTRIES := 32
+
+BOARD_SETTINGS := WALK_LIST_MOST=4096
 
 BOARD_SOURCES := boards/host/board.c boards/parts/display.c boards/parts/dump.c boards/parts/board_note.c

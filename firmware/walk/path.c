@@ -30,18 +30,22 @@ static uint32_t stride_keys(walk_path *path)
     return strides[path->stride].keys;
 }
 
+uint32_t walk_path_keys(walk_path *path, uint32_t held)
+{
+    if (path->image->segments == NULL || walk_path_wants_keys(path)) {
+        return held;
+    }
+    path->frame++;
+    return stride_keys(path);
+}
+
 fxl_status walk_path_next(walk_path *path, uint32_t held)
 {
-    uint32_t keys = held;
-
-    if (!walk_path_wants_keys(path)) {
-        if (path->image->poses != NULL) {
-            path->viewer.pose = path->image->poses[path->frame];
-            path->frame++;
-            return FXL_OK;
-        }
+    if (path->image->poses != NULL && !walk_path_wants_keys(path)) {
+        path->viewer.pose = path->image->poses[path->frame];
         path->frame++;
-        keys = stride_keys(path);
+        return FXL_OK;
     }
-    return fxl_player_step(&path->viewer, keys, &path->image->motion_limits, NULL);
+    return fxl_player_step(&path->viewer, walk_path_keys(path, held), &path->image->motion_limits,
+                           NULL);
 }

@@ -21,6 +21,10 @@ void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live);
 /* Tells whether the pose of the next frame depends on the keys that are held. */
 bool walk_path_wants_keys(const walk_path *path);
 
+/* The keys of the next frame, to which it advances: those of a path of segments, and after it, and
+ * where the path is live, those that are held. */
+uint32_t walk_path_keys(walk_path *path, uint32_t held);
+
 /* Advances to the next frame; its pose is then path->viewer.pose. A path of poses gives its
  * poses; a path of segments moves the player. After the path, and where the path is live, held
  * decides. Returns the result of fxl_player_step. On an error the player does not move. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "walk.h"
 
+#include "act.h"
 #include "contract/clock.h"
 #include "contract/display.h"
 #include "contract/input.h"
@@ -8,6 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "fixel/all.h"
+#include "methods.h"
 #include "path.h"
 
 /* A row of the widest screen must fit. */
@@ -16,7 +18,7 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 static uint8_t band_pixels[WALK_BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
-static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* what light wants is taken from it */
+static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* methods and beams take of it */
 #else
 static uint32_t *const list = NULL;           /* every band walks the scene */
 #endif
@@ -26,6 +28,7 @@ static fxl_cached_vertex cache[WALK_CACHE_ENTRIES];
 static fxl_cached_vertex *const cache = NULL; /* every face works its vertices out anew */
 #endif
 static fxl_renderer renderer;
+static walk_methods methods;
 
 /* What drawing took, without what the display does with it. */
 typedef struct {
@@ -118,28 +121,74 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-static int open_renderer(const fxl_scene_image *image)
+/* The first bytes of the list's memory are for what draws, the rest is the list. */
+static int share_list(const fxl_scene_image *image, uint32_t *beams)
 {
     const fxl_scene *scene = &image->scene;
-    const uint32_t room = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
-    if (room > WALK_LIST_BYTES / 4 * 4) {
-        print_with_number("walk: the scene's beams need ", room, " bytes");
-        print_with_number(", this board's display list has ", WALK_LIST_BYTES, "\n");
+    const uint32_t room = WALK_LIST_BYTES / 8 * 8;
+
+    *beams = (fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u;
+    if (!walk_methods_choose(&methods, image, *beams < room ? room - *beams : 0)) {
+        system_text("walk: this board has no room to draw by a BSP tree; "
+                    "VISIBILITY=sorted draws without\n");
         return SYSTEM_EXIT_CAPACITY;
     }
-    const fxl_memory memory = {
-        order, WALK_ORDER_ENTRIES, room > 0 ? list + room / 4 : list, (WALK_LIST_BYTES - room) / 4,
-        cache, WALK_CACHE_ENTRIES};
-    fxl_status status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
+    if (*beams > room || walk_methods_bytes(&methods) > room - *beams) {
+        print_with_number("walk: beams, clipper and visibility method need ",
+                          *beams + walk_methods_bytes(&methods), " bytes");
+        print_with_number(", this board's display list has ", room, "\n");
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    return SYSTEM_EXIT_DONE;
+}
 
+/* What is left for the list. */
+static uint32_t list_bytes(uint32_t taken)
+{
+    const uint32_t left = WALK_LIST_BYTES - taken;
+
+#ifdef WALK_LIST_MOST
+    return left < WALK_LIST_MOST ? left : WALK_LIST_MOST;
+#else
+    return left;
+#endif
+}
+
+static int open_renderer(const fxl_scene_image *image)
+{
+    const fxl_scene *scene;
+    uint32_t beams, taken;
+    fxl_status status = act_open(image, &scene);
+    int code = share_list(image, &beams);
+
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
+    }
+    if (status != FXL_OK) {
+        return fail_status("scene", status, SYSTEM_EXIT_RENDER);
+    }
+    taken = beams + walk_methods_bytes(&methods);
+    const fxl_memory memory = {.order = order,
+                               .order_capacity = WALK_ORDER_ENTRIES,
+                               .display_list = taken > 0 ? list + taken / 4 : list,
+                               .display_list_capacity = list_bytes(taken) / 4,
+                               .cache = cache,
+                               .cache_capacity = WALK_CACHE_ENTRIES};
+    status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
     if (status == FXL_E_CAPACITY) {
-        print_with_number("walk: the scene needs ", image->scene.order_needed, " order entries");
+        print_with_number("walk: the scene needs ", scene->order_needed, " order entries");
         print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
+    if (status == FXL_OK) {
+        status = walk_methods_set(&methods, &renderer, (uint8_t *)list + beams);
+    }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
-                                        list, room);
+                                        list, beams);
+    }
+    if (status == FXL_OK) {
+        status = act_attach(&renderer);
     }
     if (status != FXL_OK) {
         return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
@@ -168,6 +217,9 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
         stopwatch_start(watch);
         fxl_fill_band(&band, image->background);
         status = fxl_frame_draw(&renderer, &band);
+        if (status == FXL_OK) {
+            status = act_draw_over(&band, &image->lens);
+        }
         stopwatch_stop(watch);
         if (status != FXL_OK) {
             return fail_status("draw", status, SYSTEM_EXIT_RENDER);
@@ -182,7 +234,7 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
 static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
-    fxl_status status = walk_path_next(path, held);
+    fxl_status status = act_step(path, held);
     stopwatch watch = {0, 0, false};
     int code;
 
@@ -199,6 +251,10 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
         return fail_status("frame", status, SYSTEM_EXIT_RENDER);
     }
     code = draw_bands(image, frame, &watch);
+    if (code == SYSTEM_EXIT_DONE && walk_methods_unsplit(&methods, &renderer) > 0) {
+        return fail_frame("the display list's memory is too small to cut what moves among the tree",
+                          frame, SYSTEM_EXIT_CAPACITY);
+    }
     if (code == SYSTEM_EXIT_DONE &&
         !journal_end(&renderer.workspace.counters, path->viewer.clamped, stopwatch_read(&watch))) {
         return fail_frame("the counters could not be noted", frame, SYSTEM_EXIT_JOURNAL);

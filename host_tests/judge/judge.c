@@ -2,6 +2,7 @@
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
  *     [--clipper NAME] [--hidden NAME]
  *
+ * --hidden names the visibility method. Without it, a scene that has a tree is drawn by it.
  * Renders every frame of a board's dump with the reference renderer in double precision, from
  * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
  * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
@@ -141,7 +142,7 @@ static void say_all(report *out, const options *wanted, const session *run)
 
 static bool parse_options(int count, char **arguments, options *wanted)
 {
-    *wanted = (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL};
+    *wanted = (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL, .by_bsp = true};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;
@@ -165,9 +166,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
-            /* A span buffer gives the same picture as drawing over. */
-            wanted->by_bsp = strncmp(value, "tree", 4) == 0;
-            if (!wanted->by_bsp && strcmp(value, "sorted") != 0 && strcmp(value, "spans") != 0) {
+            if (!ref_visibility_goes_by_bsp(value, &wanted->by_bsp)) {
                 return false;
             }
         } else if (strcmp(name, "--distance") == 0) {

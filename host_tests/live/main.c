@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* live SCENE.fxls
+/* live SCENE.fxls [--clipper NAME] [--hidden NAME]
  *
  * Draws with the reference renderer, pose by pose. A request on standard
  * input is 32 bytes, an answer on standard output a head of 16 bytes and what
@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "frames/read_file.h"
+#include "reference/clipper.h"
 #include "reference/render.h"
 #include "reference/scene.h"
 #include "reference/fill.h"
@@ -174,13 +175,29 @@ static int open_scene(const char *path, session *run)
     return 0;
 }
 
+static bool choose(const char *option, const char *name, unsigned *cuts, bool *by_bsp)
+{
+    return strcmp(option, "--clipper") == 0  ? ref_clipper_cuts(name, cuts)
+           : strcmp(option, "--hidden") == 0 ? ref_visibility_goes_by_bsp(name, by_bsp)
+                                             : false;
+}
+
 int main(int count, char **arguments)
 {
-    if (count != 2) {
-        return fail("usage", "live SCENE.fxls");
+    bool by_bsp = true; /* where the scene has a tree */
+    unsigned cuts = REF_CUT_ALL;
+    for (int i = 2; i < count; i += 2) {
+        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &cuts, &by_bsp)) {
+            count = 0;
+        }
+    }
+    if (count < 2) {
+        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME]");
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
+    run.renderer.by_bsp = by_bsp;
+    run.renderer.cuts = cuts;
     if (code == 0) {
         code = serve(&run);
     }

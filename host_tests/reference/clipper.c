@@ -34,3 +34,20 @@ bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points)
     }
     return false;
 }
+
+static const struct {
+    const char *name;
+    bool by_bsp;
+} methods[] = {{"sorted", false},    {"box", false}, {"spans", false},
+               {"spans-box", false}, {"tree", true}, {"tree-spans", true}};
+
+bool ref_visibility_goes_by_bsp(const char *name, bool *by_bsp)
+{
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        if (strcmp(name, methods[i].name) == 0) {
+            *by_bsp = methods[i].by_bsp;
+            return true;
+        }
+    }
+    return false;
+}

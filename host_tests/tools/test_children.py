@@ -78,10 +78,22 @@ def test_a_killed_make_takes_its_tool_along(tmp_path):
     assert_gone(found)
 
 
+BUSY = """
+        from fixel import errors
+        real = errors.signal.setitimer
+        def slow(*words):
+            errors.signal.setitimer = real
+            real(*words)
+            time.sleep(0.3)     # the machine is busy
+        errors.signal.setitimer = slow
+"""
+
+
+@pytest.mark.parametrize("machine", ["", BUSY], ids=["idle", "busy"])
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT])
-def test_a_signal_within_a_destructor_counts(tmp_path, ending):
+def test_a_signal_within_a_destructor_counts(tmp_path, ending, machine):
     """Python ignores what is raised there, so the tool would go on."""
-    body = """
+    body = machine + """
         class Slow:
             def __del__(self):
                 (folder / "started").touch()

@@ -8,7 +8,7 @@ import statistics
 
 from elftools.elf.elffile import ELFFile
 
-from fixel import dump, emulator, firmware, flash
+from fixel import dump, emulator, firmware, flash, methods
 from fixel.errors import ToolError
 
 TIMEOUT = 60.0          # seconds of CPU time without a new frame
@@ -48,11 +48,6 @@ class Units:
     output: str
 
 
-def elf_of(board, build):
-    """The walk built for a board."""
-    return pathlib.Path(build) / "boards" / board / ("walk" if board == firmware.HOST else "walk.elf")
-
-
 def sizes(elf_path):
     """Flash and RAM of a board's program: what it takes, and what there is.
 
@@ -74,7 +69,7 @@ def sizes(elf_path):
 def walk(board, build, scene, folder):
     """Walks a scene on a board and compares each frame with the host's."""
     result = Walk(scene.name)
-    elf = elf_of(board, build)
+    elf = methods.elf_of(board, build)
     room, size = firmware.load(elf, board).scene_size, scene.image.stat().st_size
     if size > room:
         result.why_not = f"the scene has {size:,} bytes, the board's scene partition {room:,}"

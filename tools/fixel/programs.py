@@ -47,9 +47,12 @@ class HostPrograms:
     def __init__(self, build):
         self.host = pathlib.Path(build) / "host"
 
-    def judge(self, scene, dump, report, twin):
-        """The judge's verdict on a dump; the reference renderer's frames go to the dump twin."""
-        run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin])
+    def judge(self, scene, dump, report, twin, methods=()):
+        """The judge's verdict on a dump; the reference renderer's frames go to the dump twin.
+
+        methods: the options that name the clipper and the visibility method of the dump.
+        """
+        run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin, *methods])
         return read_json(report)
 
     def raycast(self, scene, twin, report, every=1):

@@ -29,16 +29,16 @@ class Answer:
 
 class Reference:
     """The program, and a thread that talks with it. found(answer) and failed(error) are called from
-    that thread."""
+    that thread. options: more for the program."""
 
-    def __init__(self, program, scene, found, failed):
+    def __init__(self, program, scene, found, failed, options=()):
         self._found, self._failed = found, failed
         self._ready = threading.Condition()
         self._next, self._closing = None, False
         self._asked = 0
         try:
             # Its words on stderr are short: they wait in the pipe until they are wanted.
-            self._process = children.start([program, scene], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            self._process = children.start([program, scene, *options], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                            stderr=subprocess.PIPE, start_new_session=True)
         except OSError as error:
             raise ToolError(f"cannot start {program}: {error.strerror}; make all builds it") from error

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+#include "methods.h"
+
+#include "fixel/all.h"
+
+#ifndef WALK_CLIPPER
+#define WALK_CLIPPER fxl_clipper_view
+#endif
+
+static uint32_t aligned(uint32_t bytes)
+{
+    return (bytes + 7u) & ~7u;
+}
+
+static const fxl_visibility *visibility_of(const fxl_scene *scene)
+{
+#if defined WALK_VISIBILITY
+    (void)scene;
+    return &WALK_VISIBILITY;
+#elif defined WALK_WITHOUT_BSP
+    return scene->bsp_nodes != NULL ? NULL : &fxl_visibility_sorted;
+#else
+    return scene->bsp_nodes != NULL ? &fxl_visibility_bsp : &fxl_visibility_sorted;
+#endif
+}
+
+static bool draws_by_bsp(const walk_methods *methods, const fxl_scene *scene)
+{
+#if defined WALK_WITHOUT_BSP && !defined WALK_VISIBILITY
+    (void)methods;
+    (void)scene;
+    return false;
+#else
+    return scene->bsp_nodes != NULL &&
+           methods->visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
+#endif
+}
+
+/* Whether instances are to be cut to the leaves of the tree. */
+static bool has_movers(const fxl_scene *scene)
+{
+    const uint8_t layer = scene->instances[scene->bsp_instance].layer;
+    uint32_t count = 0, i;
+
+    for (i = 0; i < scene->instance_count; i++) {
+        count += scene->instances[i].layer == layer;
+    }
+    return count > 1;
+}
+
+/* A share of what is left: the display list has the rest. */
+static uint32_t share_of(uint32_t room, uint32_t used)
+{
+    return room > used ? (room - used) / 2u & ~7u : 0;
+}
+
+bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room)
+{
+    const fxl_scene *scene = &image->scene;
+
+    methods->clipper = &WALK_CLIPPER;
+    methods->visibility = visibility_of(scene);
+    if (methods->visibility == NULL) {
+        return false;
+    }
+    methods->clipper_bytes = aligned(methods->clipper->workspace_size);
+    methods->visibility_bytes = 0;
+    methods->piece_bytes = 0;
+    if (methods->visibility->submit_workspace_size != NULL) {
+        methods->visibility_bytes = aligned(methods->visibility->submit_workspace_size(scene));
+    }
+    if (methods->visibility->backend->workspace_size != NULL) {
+        methods->visibility_bytes +=
+            aligned(methods->visibility->backend->workspace_size(&image->lens));
+        methods->visibility_bytes += share_of(room, walk_methods_bytes(methods));
+    }
+    if (draws_by_bsp(methods, scene) && has_movers(scene)) {
+        methods->piece_bytes = share_of(room, walk_methods_bytes(methods));
+    }
+    return true;
+}
+
+uint32_t walk_methods_bytes(const walk_methods *methods)
+{
+    return methods->clipper_bytes + methods->visibility_bytes + methods->piece_bytes;
+}
+
+fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory)
+{
+    uint8_t *const visibility = memory + methods->clipper_bytes;
+    fxl_status status =
+        fxl_renderer_set_clipper(renderer, methods->clipper, memory, methods->clipper_bytes);
+
+    if (status == FXL_OK) {
+        status = fxl_renderer_set_visibility(renderer, methods->visibility, visibility,
+                                             methods->visibility_bytes);
+    }
+    if (status == FXL_OK && draws_by_bsp(methods, renderer->scene)) {
+        fxl_bsp_workspace *const bsp = renderer->submit_workspace;
+        bsp->pieces = visibility + methods->visibility_bytes;
+        bsp->pieces_size = methods->piece_bytes;
+    }
+    return status;
+}
+
+uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer)
+{
+    return draws_by_bsp(methods, renderer->scene)
+               ? ((const fxl_bsp_workspace *)renderer->submit_workspace)->unsplit
+               : 0;
+}

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""What a walk draws with: a tree unasked, VISIBILITY= and CLIPPER=, and what rays say of the order."""
+
+import argparse
+import json
+import subprocess
+
+import pytest
+from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make
+
+import scene as scene_tool
+from fixel import methods
+from test_run import walk
+
+KNOT = str(CHECKOUT / "scenes/knot.toml")   # beams that no order by distance draws right
+FRAMES = 6
+
+
+@pytest.fixture(scope="module", name="planted")
+def fixture_planted(tmp_path_factory):
+    """The knot with a tree."""
+    file = tmp_path_factory.mktemp("knot") / "knot.fxls"
+    scene_tool.build(KNOT, str(file), FRAMES, layers="all")
+    return file
+
+
+@pytest.fixture(scope="module", name="plain")
+def fixture_plain(build, planted, tmp_path_factory):
+    """What a walk with the tree leaves, and what it prints."""
+    out = tmp_path_factory.mktemp("tree") / "out"
+    done = walk(out, scene=planted, frames=None)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return json.loads((out / "summary.json").read_text()), done.stdout
+
+
+def chosen(out, scene, *words, board="host"):
+    """A walk with a choice, built before: its summary."""
+    options = methods_of(words)
+    built = run_make(f"BOARD={board}", *(f"{word.strip('-').upper()}={name}" for word, name in zip(words[::2], words[1::2])),
+                     *(f"build/boards/{name}/{methods.program(options)}{'' if name == 'host' else '.elf'}"
+                       for name in {board, "host"}))
+    assert built.returncode == 0, built.stdout + built.stderr
+    done = run_cli("run", "--board", board, "--scene", scene, "--out", out, *words)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return json.loads((out / "summary.json").read_text())
+
+
+def methods_of(words):
+    parser = argparse.ArgumentParser()
+    methods.add_options(parser)
+    return parser.parse_args(list(words))
+
+
+def test_a_scene_with_a_tree_is_drawn_by_it_unasked(plain):
+    summary, text = plain
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+    assert summary["order_wrong_pixels"] == 0 and summary["order_judged_pixels"] == summary["pixels"]
+    assert "wrong by the order" in text and "--tree" not in text
+
+
+def test_the_order_by_distance_is_counted_wrong(build, tmp_path, planted, plain):
+    summary = chosen(tmp_path / "out", planted, "--visibility", "sorted")
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0, "board and double agree"
+    assert summary["order_wrong_pixels"] > summary["pixels"] / 200
+    assert summary["visibility"] == "sorted" and summary["frame_sha256"] != plain[0]["frame_sha256"]
+
+
+def test_says_what_to_do_where_the_order_is_wrong(build, tmp_path):
+    done = walk(tmp_path / "out", board="host", scene=KNOT, frames=3)
+    assert done.returncode == 0 and "--tree all" in done.stdout
+
+
+@pytest.mark.parametrize("words", [("--visibility", "tree-spans"),
+                                   ("--clipper", "once", "--visibility", "tree"), ("--clipper", "near")])
+def test_other_methods_draw_the_same_frames(build, tmp_path, planted, plain, words):
+    summary = chosen(tmp_path / "out", planted, *words, board="mps2-an385")
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+    assert summary["order_wrong_pixels"] == 0
+    differing = sum(one != other for one, other in zip(summary["frame_sha256"], plain[0]["frame_sha256"]))
+    assert differing == 0 or "--clipper" in words, "another clipper may round another way"
+
+
+def test_no_rays_where_there_are_light_beams(build, tmp_path):
+    done = walk(tmp_path / "out", board="host", scene=str(CHECKOUT / "scenes/beam.toml"), frames=2)
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert done.returncode == 0, done.stderr
+    assert summary["order_wrong_pixels"] is None and "the scene has light beams" in done.stdout
+
+
+@pytest.mark.parametrize("setting, names", [("CLIPPER=nonsense", "half-spaces"), ("VISIBILITY=nonsense", "tree-spans")])
+def test_an_unknown_name_is_refused_with_those_there_are(setting, names):
+    done = run_make("-n", "run", setting)
+    assert done.returncode == 2 and "nonsense" in done.stderr and names in done.stderr
+
+
+def test_a_board_without_room_for_a_tree_says_so(build, tmp_path, planted):
+    elf = build / "boards/stm32vldiscovery/walk.elf"
+    if not elf.exists():
+        assert run_make(elf.relative_to(CHECKOUT)).returncode == 0
+    done = walk(tmp_path / "out", board="stm32vldiscovery", scene=planted, frames=None)
+    assert done.returncode == 13 and "no room to draw by a BSP tree" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("words", [["--hidden"], ["--hidden", "nonsense"], ["--clipper", "nonsense"], ["more", "words"]])
+def test_the_reference_of_the_live_window_refuses_unknown_names(build, planted, words):
+    done = subprocess.run([build / "host/live", planted, *words], stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, check=False)
+    assert_one_sentence(done, "usage")

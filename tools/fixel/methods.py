@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""The program that a board runs, and the clipper and the visibility method that it draws with."""
+
+import pathlib
+
+from fixel import firmware
+
+
+WALK = "walk"   # the program whose frames the judge can draw too: only the eye moves
+
+
+def add_options(parser):
+    """--program, --visibility and --clipper. make knows the names, and refuses others."""
+    parser.add_argument("--program", default=WALK, help="the program (default: walk)")
+    parser.add_argument("--visibility", help="the visibility method (default: the scene's BSP tree if it has one, "
+                                             "else sorted)")
+    parser.add_argument("--clipper", help="the clipper (default: view)")
+
+
+def program(options):
+    """The name of the program of a choice; firmware/firmware.mk says the same."""
+    if not options.visibility and not options.clipper:
+        return options.program
+    return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}"
+
+
+def judge_options(options):
+    """The choice in the words of the judge and of the reference renderer in the live window."""
+    return [*(["--hidden", options.visibility] if options.visibility else []),
+            *(["--clipper", options.clipper] if options.clipper else [])]
+
+
+def elf_of(board, build, name=WALK):
+    """A program built for a board."""
+    return pathlib.Path(build) / "boards" / board / f"{name}{'' if board == firmware.HOST else '.elf'}"
