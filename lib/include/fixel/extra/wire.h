@@ -43,8 +43,8 @@ typedef struct {
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper);
 
-/* Begins a frame. FXL_E_ARGUMENT; FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN, FXL_E_ORDER
- * (turns without a turn_code): the frame begun before stays current. */
+/* Begins a frame. FXL_E_ARGUMENT; FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN,
+ * FXL_E_ORDER (turns without a turn_code): the frame begun before stays current. */
 fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 
 /* Draws the frame's lines over a band that the caller has cleared. Each line has its face's
