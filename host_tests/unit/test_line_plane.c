@@ -86,6 +86,27 @@ void test_a_point_out_of_range_is_said(void)
     TEST_ASSERT_NEAR(at.point.x, V(5), 1.25);
 }
 
+/* At 2^61 the range ends, in either direction. */
+void test_the_ends_of_the_range(void)
+{
+    const int64_t end = (int64_t)1 << 61;
+    for (int way = -1; way <= 1; way += 2) {
+        fxl_half_space at_end = {{0, 0, -FXL_Q2_30_ONE * way}, end};
+        const fxl_view_point from = {0, 0, way * (end - 1)}, to = {0, 0, way * (end - 2)};
+        fxl_line_meeting at;
+        TEST_ASSERT_EQUAL(FXL_LINE_MEETS_FAR, fxl_line_meet_plane(&from, &to, &at_end, &at));
+        at_end.offset -= 1;
+        TEST_ASSERT_EQUAL(FXL_LINE_MEETS, fxl_line_meet_plane(&from, &to, &at_end, &at));
+        TEST_ASSERT_EQUAL_MEMORY(&from, &at.point, sizeof from);
+    }
+    /* Nearly two lengths before a line from one end to the other. */
+    const fxl_half_space before = {{0, 0, FXL_Q2_30_ONE}, V(199)};
+    const fxl_view_point from = {end - 1, 0, 0}, to = {1 - end, 0, V(100)};
+    fxl_line_meeting at;
+    TEST_ASSERT_EQUAL(FXL_LINE_MEETS_FAR, fxl_line_meet_plane(&from, &to, &before, &at));
+    TEST_ASSERT_EQUAL(FXL_LINE_MEETS_FAR, fxl_line_meet_plane(&to, &from, &before, &at));
+}
+
 static wide exact_distance(const fxl_half_space *plane, const fxl_view_point *at)
 {
     wide sum = wide_sum(wide_product(plane->normal.x, at->x), wide_product(plane->normal.y, at->y));

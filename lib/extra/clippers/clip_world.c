@@ -88,24 +88,16 @@ static inline fxl_clip_result by_plane(const void *with, int plane, const void *
     return cut;
 }
 
-/* Rounding may have put a new vertex outside of any plane, so after a cut all of `then` are asked.
- */
-static fxl_clip_result clip_by(const clipping *to, const fxl_polygon *in, unsigned planes,
-                               unsigned then, const fxl_polygon **result)
-{
-    const void *left;
-    fxl_clip_result cut = fxl_cut_by_planes(in, to->work->polygons, sizeof to->work->polygons[0],
-                                            planes, then, by_plane, to, &left);
-    *result = (const fxl_polygon *)left;
-    return cut;
-}
-
 fxl_clip_result fxl_clip_world_by_planes(const fxl_polygon *in, const fxl_frustum *frustum,
-                                         unsigned planes, fxl_clip_world_work *work,
+                                         unsigned planes, unsigned then, fxl_clip_world_work *work,
                                          fxl_clip_stats *stats, const fxl_polygon **result)
 {
     const clipping to = {frustum, work, stats};
-    return clip_by(&to, in, planes, FXL_PLANES_ALL, result);
+    const void *left;
+    fxl_clip_result cut = fxl_cut_by_planes(in, work->polygons, sizeof work->polygons[0], planes,
+                                            then, by_plane, &to, &left);
+    *result = (const fxl_polygon *)left;
+    return cut;
 }
 
 fxl_clip_result fxl_clip_world_to_planes(const fxl_polygon *in, const fxl_frustum *frustum,
@@ -113,12 +105,12 @@ fxl_clip_result fxl_clip_world_to_planes(const fxl_polygon *in, const fxl_frustu
                                          const fxl_polygon **result)
 {
     FXL_ASSERT((planes & ~(unsigned)FXL_PLANES_ALL) == 0);
-    const clipping to = {frustum, work, NULL};
-    return clip_by(&to, in, planes, planes, result); /* bug: world-all-planes */
+    /* bug: world-all-planes */
+    return fxl_clip_world_by_planes(in, frustum, planes, planes, work, NULL, result);
 }
 
 fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
                                           fxl_clip_world_work *work, const fxl_polygon **result)
 {
-    return fxl_clip_world_by_planes(in, frustum, FXL_PLANES_ALL, work, NULL, result);
+    return fxl_clip_world_to_planes(in, frustum, FXL_PLANES_ALL, work, result);
 }

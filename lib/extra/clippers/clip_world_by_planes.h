@@ -7,10 +7,10 @@
 #include "fixel/extra/clippers/clip_world.h"
 
 /* Clips as fxl_clip_world_to_frustum does, but tests only the planes whose bit is set in planes,
- * and all planes once one has cut.
- * Requires every vertex inside the planes without a bit. stats may be null. */
+ * and those of then, too, once one has cut: rounding may have put a new vertex outside of any
+ * plane. stats may be null. */
 fxl_clip_result fxl_clip_world_by_planes(const fxl_polygon *in, const fxl_frustum *frustum,
-                                         unsigned planes, fxl_clip_world_work *work,
+                                         unsigned planes, unsigned then, fxl_clip_world_work *work,
                                          fxl_clip_stats *stats, const fxl_polygon **result);
 
 #endif

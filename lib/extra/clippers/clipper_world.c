@@ -38,9 +38,9 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
     fxl_clip_result result = FXL_CLIP_INSIDE;
     if (model_view->planes != 0) {
         fxl_face_to_polygon(model_view, face, polygon);
-        result =
-            fxl_clip_world_by_planes(polygon, &view->frustum, model_view->planes, &work->by_world,
-                                     (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
+        result = fxl_clip_world_by_planes(
+            polygon, &view->frustum, model_view->planes, FXL_PLANES_ALL, &work->by_world,
+            (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
     }
     if (result == FXL_CLIP_INSIDE) { /* bug: world-in-place */
         return fxl_clip_common_whole(model_view, face, screen, &steps, 0);

@@ -4,13 +4,11 @@
 #include "../../src/math/arith.h"
 #include "intersection.h"
 
-/* The rest is the exact sum's: 2^30 (floor + offset) + rest, rest in 0..2^30 - 1. floor(normal .
- * point / 2^30) is below 2^62. Requires |x| + |y| + |z| < 2^31 of the
+/* floor(normal . point / 2^30), exactly: below 2^62. Requires |x| + |y| + |z| < 2^31 of the
  * normal and coordinates below 2^61. With v = 2^32 high + low the sum is 2^32 (normal . high) +
  * normal . low. The first bracket is below 2^60, the second below 2^63, and 2^32 is divisible by
  * 2^30. Components that are 0, as most are, cost no product. */
-static inline fxl_q18_46 distance_and_rest(const fxl_half_space *plane, const fxl_view_point *point,
-                                           uint32_t *rest)
+fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
 {
     int64_t high = 0, low = 0;
     if (plane->normal.x != 0) {
@@ -26,20 +24,7 @@ static inline fxl_q18_46 distance_and_rest(const fxl_half_space *plane, const fx
         high += fxl_multiply_s32(plane->normal.z, (int32_t)(point->z >> 32));
         low += fxl_multiply_su32(plane->normal.z, (uint32_t)point->z);
     }
-    *rest = (uint32_t)low & ((uint32_t)FXL_Q2_30_ONE - 1u);
     return high * 4 + (low >> 30) + plane->offset;
-}
-
-fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
-{
-    uint32_t rest;
-    return distance_and_rest(plane, point, &rest);
-}
-
-fxl_q18_46 fxl_half_space_distance_exact(const fxl_half_space *plane, const fxl_view_point *point,
-                                         uint32_t *rest)
-{
-    return distance_and_rest(plane, point, rest);
 }
 
 static uint32_t larger_of(fxl_q16_16 a, fxl_q16_16 b)

@@ -16,16 +16,6 @@ fxl_q18_46 fxl_intersection_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fracti
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* The distances, their difference and that of the coordinates are below 2^29, so the product is
- * below 2^58. */
-fxl_q16_16 fxl_intersection_screen(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside,
-                                   fxl_q18_46 outside)
-{
-    FXL_ASSERT(inside >= 0 && outside < 0);
-    int64_t product = ((int64_t)to - from) * inside;
-    return from + fxl_divide_round(product, (uint32_t)(inside - outside));
-}
-
 /* |to - from| is below 2^32. */
 fxl_q16_16 fxl_intersection_varying(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 {

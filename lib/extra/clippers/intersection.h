@@ -4,6 +4,7 @@
 #ifndef FXL_INTERSECTION_H
 #define FXL_INTERSECTION_H
 
+#include "../../src/math/arith.h"
 #include "fixel/extra/clippers/half_space.h"
 #include "fixel/extra/clippers/normalised.h"
 
@@ -15,17 +16,18 @@ uint64_t fxl_intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside);
  * Requires both below 2^61. */
 fxl_q18_46 fxl_intersection_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction);
 
-/* Returns fxl_half_space_distance, and in *rest what that leaves out, in units of 2^-76: the exact
- * distance is 2^30 times the result, plus the rest, which is below 2^30. */
-fxl_q18_46 fxl_half_space_distance_exact(const fxl_half_space *plane, const fxl_view_point *point,
-                                         uint32_t *rest);
-
 /* Returns where an edge of the screen crosses a border, along the border: from + (to - from)
- * inside / (inside - outside), rounded to the nearest, halves upward. Requires inside >= 0 >
- * outside, these the ends' distances from the border, and coordinates and distances of points
- * within FXL_SCREEN_COORDINATE_MAX. */
-fxl_q16_16 fxl_intersection_screen(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside,
-                                   fxl_q18_46 outside);
+ * inside / (inside - outside), rounded to the nearest, halves upward. inside and outside are the
+ * ends' distances from the border. Requires inside >= 0 > outside, and points within
+ * FXL_SCREEN_COORDINATE_MAX: the distances, their difference and that of the coordinates are then
+ * below 2^29, and the product is below 2^58. */
+static inline fxl_q16_16 fxl_intersection_screen(fxl_q16_16 from, fxl_q16_16 to, fxl_q18_46 inside,
+                                                 fxl_q18_46 outside)
+{
+    FXL_ASSERT(inside >= 0 && outside < 0);
+    int64_t product = ((int64_t)to - from) * inside;
+    return from + fxl_divide_round(product, (uint32_t)(inside - outside));
+}
 
 /* Interpolates a varying, rounded to the nearest: error half a unit. */
 fxl_q16_16 fxl_intersection_varying(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../../src/math/arith.h"
 #include "fixel/extra/clippers/line.h"
-#include "intersection.h"
 
 /* 2^64 high + low. */
 typedef struct {
@@ -15,6 +14,18 @@ typedef struct {
 } exact;
 
 #define REST_BITS 30
+
+/* fxl_half_space_distance drops the last 30 bits of the exact sum. They are those of the sum of the
+ * products' last 32 bits. */
+static exact distance_of(const fxl_half_space *plane, const fxl_view_point *point)
+{
+    const uint32_t last = (uint32_t)plane->normal.x * (uint32_t)point->x +
+                          (uint32_t)plane->normal.y * (uint32_t)point->y +
+                          (uint32_t)plane->normal.z * (uint32_t)point->z;
+    const exact distance = {fxl_half_space_distance(plane, point),
+                            last & (((uint32_t)1 << REST_BITS) - 1u)};
+    return distance;
+}
 
 static bool is_zero(const exact *value)
 {
@@ -99,10 +110,9 @@ static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negati
         return false; /* from is below 2^61, so the result would not be */
     }
     const int64_t way = (int64_t)(extent * t->whole + part); /* below 2^63 */
-    /* Each of the two is below 2^63, and they are compared before they are added. */
     const bool down = (to < from) != negative;
     if (way >= (int64_t)(2 * limit)) {
-        return false;
+        return false; /* out of range too, and the sum might overflow */
     }
     *moved = down ? from - way : from + way;
     return fxl_magnitude(*moved) < limit;
@@ -111,9 +121,7 @@ static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negati
 fxl_line_relation fxl_line_meet_plane(const fxl_view_point *from, const fxl_view_point *to,
                                       const fxl_half_space *plane, fxl_line_meeting *meeting)
 {
-    exact at_from, at_to;
-    at_from.whole = fxl_half_space_distance_exact(plane, from, &at_from.rest);
-    at_to.whole = fxl_half_space_distance_exact(plane, to, &at_to.rest);
+    const exact at_from = distance_of(plane, from), at_to = distance_of(plane, to);
     const exact change = difference(&at_from, &at_to);
     if (is_zero(&change)) {
         return is_zero(&at_from) ? FXL_LINE_LIES_IN : FXL_LINE_IS_PARALLEL;
