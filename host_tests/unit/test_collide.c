@@ -303,3 +303,65 @@ void test_segments_that_cannot_be_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_cast_segment(&tiny->scene, &out, &in, &hit));
     TEST_ASSERT_EQUAL_MEMORY(&before, &hit, sizeof hit);
 }
+
+/* A quarter turn about y, of a point from the instance's centre: exact. */
+static fxl_point quarter(const fxl_point *point, const fxl_point *centre)
+{
+    const fxl_point turned = {centre->x + (point->z - centre->z), point->y,
+                              centre->z - (point->x - centre->x)};
+    return turned;
+}
+
+/* A segment hits a turned instance as the segment that is turned with it hits the one that stands
+ * still. */
+void test_a_segment_hits_what_is_turned(void)
+{
+    static const fxl_turn turn = {
+        {{0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}}, FXL_Q16_16_ONE};
+    uint32_t hits = 0;
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        tiny_scene *tiny = tiny_make();
+        tiny->scene.instance_count = 1;
+        const fxl_point centre = tiny->instances[0].centre;
+        const fxl_point from = {centre.x + unit_between(-Q16(4), Q16(4)), centre.y + Q16(3),
+                                centre.z + unit_between(-Q16(4), Q16(4))};
+        const fxl_point to = {centre.x + unit_between(-Q16(1), Q16(1)), centre.y - Q16(1),
+                              centre.z + unit_between(-Q16(1), Q16(1))};
+        const fxl_point turned_from = quarter(&from, &centre), turned_to = quarter(&to, &centre);
+        fxl_hit still, hit;
+        fxl_sphere sphere = {from, Q16(1)};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &still));
+        tiny->scene.turns = &turn;
+        tiny->scene.first_turned = 0;
+        tiny->scene.turn_code = &fxl_turned_instances;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &turned_from, &turned_to, &hit));
+        TEST_ASSERT_EQUAL(still.instance, hit.instance);
+        TEST_ASSERT_EQUAL(still.face, hit.face);
+        TEST_ASSERT_EQUAL_UINT32(still.fraction, hit.fraction);
+        hits += hit.instance == 0;
+        TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_slide_sphere(&tiny->scene, &sphere, &to, NULL));
+        TEST_ASSERT_EQUAL_MEMORY(&from, &sphere.centre, sizeof from);
+    }
+    TEST_ASSERT_TRUE(hits > 0);
+}
+
+/* The box of a turned instance is that of its points in the world. */
+void test_the_box_of_what_is_turned(void)
+{
+    static const fxl_turn turn = {
+        {{0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}}, FXL_UNITS(2)};
+    tiny_scene *tiny = tiny_make();
+    tiny->scene.instance_count = 1;
+    const fxl_point centre = tiny->instances[0].centre;
+    fxl_box still, box;
+    fxl_box_of_instance(&tiny->scene, &tiny->instances[0], &still);
+    tiny->scene.turns = &turn;
+    tiny->scene.first_turned = 0;
+    tiny->scene.turn_code = &fxl_turned_instances;
+    fxl_box_of_instance(&tiny->scene, &tiny->instances[0], &box);
+    TEST_ASSERT_EQUAL(centre.x + 2 * (still.most.z - centre.z), box.most.x);
+    TEST_ASSERT_EQUAL(centre.y + 2 * (still.least.y - centre.y), box.least.y);
+    TEST_ASSERT_EQUAL(centre.z - 2 * (still.most.x - centre.x), box.least.z);
+}

@@ -9,10 +9,35 @@
 
 #define SLACK ((fxl_q18_46)1 << 37) /* 2^-9 */
 
+/* The rounded points of an instance that is turned, face by face. */
+static void box_of_turned(const fxl_scene *scene, uint32_t number, const fxl_turn_code *turned,
+                          fxl_box *box)
+{
+    const fxl_model *model = &scene->models[scene->instances[number].model];
+    box->least.x = box->least.y = box->least.z = INT32_MAX;
+    box->most.x = box->most.y = box->most.z = INT32_MIN;
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const fxl_face *face = &scene->faces[model->first_face + i];
+        fxl_point points[FXL_FACE_VERTICES_MAX];
+        turned->place_face(scene, number, face, points);
+        for (uint32_t k = 0; k < face->count; k++) {
+            fxl_widen(points[k].x, &box->least.x, &box->most.x);
+            fxl_widen(points[k].y, &box->least.y, &box->most.y);
+            fxl_widen(points[k].z, &box->least.z, &box->most.z);
+        }
+    }
+}
+
 void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, fxl_box *box)
 {
     const fxl_model *model = &scene->models[instance->model];
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const uint32_t number = fxl_instance_number(scene, instance);
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    if (turned != NULL) {
+        box_of_turned(scene, number, turned, box);
+        return;
+    }
     box->least = box->most = vertices[0];
     for (uint32_t i = 1; i < model->vertex_count; i++) {
         fxl_widen(vertices[i].x, &box->least.x, &box->most.x);

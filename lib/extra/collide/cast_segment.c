@@ -22,7 +22,8 @@ static void try_instance(const fxl_scene *scene, uint16_t number, const fxl_poin
     fxl_point direction;
     fxl_subtract(to, from, &direction);
     for (uint32_t i = 0; i < model->face_count; i++) {
-        const fxl_face_place face = fxl_face_place_of(scene, instance, i);
+        fxl_face_place face;
+        fxl_place_face(&face, scene, instance, i);
         const fxl_q18_46 start = fxl_height_over(&face, from);
         if (start <= 0) {
             continue;

@@ -74,6 +74,6 @@ bool fxl_segment_nears_instance(const fxl_scene *scene, const fxl_instance *inst
                                 const fxl_point *from, const fxl_point *to, fxl_q16_16 margin)
 {
     /* The radius is at most 28375 units, the margin 512: the sum is below 2^31. */
-    const fxl_sphere sphere = {instance->centre, scene->models[instance->model].radius + margin};
+    const fxl_sphere sphere = {instance->centre, fxl_instance_radius(scene, instance) + margin};
     return fxl_sphere_meets_segment(&sphere, from, to);
 }

@@ -4,6 +4,7 @@
 #define FXL_EXACT_H
 
 #include "../../src/math/arith.h"
+#include "../../src/scene/turn_code.h"
 #include "fixel/extra/collide.h"
 
 /* a . b of vectors, each component below 2^30: below 3 * 2^60. Exact. */
@@ -24,25 +25,34 @@ int fxl_determinant_sign(const fxl_point *a, const fxl_point *b, const fxl_point
 
 /* The vertices of a face of an instance, in the world. */
 typedef struct {
-    const fxl_point *vertices; /* of the model */
-    const uint16_t *indices;   /* of the face */
-    const fxl_point *centre;   /* of the instance */
+    const fxl_point *vertices; /* of the model; or `turned` */
+    const uint16_t *indices;   /* of the face; null: the vertices are those of the face in turn */
+    fxl_point centre;          /* of the instance; 0 where it is turned */
     uint32_t count;
-    const fxl_direction *normal;
+    fxl_direction normal;
+    fxl_point turned[FXL_FACE_VERTICES_MAX]; /* of an instance that is turned: in the world */
 } fxl_face_place;
 
-static inline fxl_face_place fxl_face_place_of(const fxl_scene *scene, const fxl_instance *instance,
-                                               uint32_t number)
+static inline void fxl_place_face(fxl_face_place *place, const fxl_scene *scene,
+                                  const fxl_instance *instance, uint32_t number)
 {
     const fxl_model *model = &scene->models[instance->model];
     const fxl_face *face = &scene->faces[model->first_face + number];
-    fxl_face_place place;
-    place.vertices = &scene->vertices[model->first_vertex];
-    place.indices = &scene->indices[face->first_index];
-    place.centre = &instance->centre;
-    place.count = face->count;
-    place.normal = &face->normal;
-    return place;
+    const uint32_t at = fxl_instance_number(scene, instance);
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, at);
+    place->count = face->count;
+    if (turned != NULL) {
+        turned->place_face(scene, at, face, place->turned);
+        place->vertices = place->turned;
+        place->indices = NULL;
+        place->centre.x = place->centre.y = place->centre.z = 0;
+        place->normal = turned->normal(scene, at, face);
+    } else {
+        place->vertices = &scene->vertices[model->first_vertex];
+        place->indices = &scene->indices[face->first_index];
+        place->centre = instance->centre;
+        place->normal = face->normal;
+    }
 }
 
 /* Vertex k of the face relative to a point of the world. A vertex of a checked scene is within
@@ -50,11 +60,11 @@ static inline fxl_face_place fxl_face_place_of(const fxl_scene *scene, const fxl
 static inline fxl_point fxl_corner_from(const fxl_face_place *face, uint32_t k,
                                         const fxl_point *from)
 {
-    const fxl_point *vertex = &face->vertices[face->indices[k]];
+    const fxl_point *vertex = &face->vertices[face->indices != NULL ? face->indices[k] : k];
     fxl_point corner;
-    corner.x = face->centre->x + vertex->x - from->x;
-    corner.y = face->centre->y + vertex->y - from->y;
-    corner.z = face->centre->z + vertex->z - from->z;
+    corner.x = face->centre.x + vertex->x - from->x;
+    corner.y = face->centre.y + vertex->y - from->y;
+    corner.z = face->centre.z + vertex->z - from->z;
     return corner;
 }
 
@@ -62,7 +72,7 @@ static inline fxl_point fxl_corner_from(const fxl_face_place *face, uint32_t k,
 static inline fxl_q18_46 fxl_height_over(const fxl_face_place *face, const fxl_point *point)
 {
     const fxl_point corner = fxl_corner_from(face, 0, point);
-    return -fxl_dot(face->normal, corner.x, corner.y, corner.z);
+    return -fxl_dot(&face->normal, corner.x, corner.y, corner.z);
 }
 
 /* Whether the line through `from` along `direction`, which passes from the front of the face to its
@@ -71,7 +81,7 @@ static inline fxl_q18_46 fxl_height_over(const fxl_face_place *face, const fxl_p
 bool fxl_line_is_within(const fxl_face_place *face, const fxl_point *from,
                         const fxl_point *direction);
 
-/* Whether the sphere of the model about an instance's centre meets the segment. */
+/* Whether the sphere of the model, turned or not, about an instance's centre meets the segment. */
 bool fxl_segment_nears_instance(const fxl_scene *scene, const fxl_instance *instance,
                                 const fxl_point *from, const fxl_point *to, fxl_q16_16 margin);
 

@@ -78,7 +78,7 @@ static void touch_face(const fxl_face_place *face, const fxl_sphere *sphere, con
     if (!fxl_within(height, reach * FXL_Q2_30_ONE + reach * 4)) {
         return;
     }
-    const fxl_point normal = {face->normal->x, face->normal->y, face->normal->z};
+    const fxl_point normal = {face->normal.x, face->normal.y, face->normal.z};
     const fxl_point inward = {-normal.x, -normal.y, -normal.z};
     if (fxl_line_is_within(face, &sphere->centre, &inward)) {
         const int64_t distance = fxl_round_shift(front ? height : -height, 30);
@@ -99,7 +99,8 @@ static contact find_contact(const fxl_scene *scene, const fxl_sphere *sphere)
             continue;
         }
         for (uint32_t k = 0; k < faces; k++) {
-            const fxl_face_place face = fxl_face_place_of(scene, instance, k);
+            fxl_face_place face;
+            fxl_place_face(&face, scene, instance, k);
             const fxl_q16_16 before = nearest.distance;
             touch_face(&face, sphere, &nearest);
             if (nearest.distance < before) {
@@ -192,6 +193,9 @@ fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fx
     }
     if (scene->order_needed == 0) {
         return FXL_E_ORDER;
+    }
+    if (scene->turns != NULL) {
+        return FXL_E_TURN;
     }
     if (!fxl_point_in_range(&sphere->centre) || !fxl_point_in_range(move) ||
         sphere->radius < FXL_SLIDE_RADIUS_MIN || sphere->radius > FXL_SLIDE_RADIUS_MAX) {

@@ -51,12 +51,12 @@ typedef struct {
  * back, or ends on. A face whose back is turned to `from`, or in whose plane `from` lies, is not
  * hit. The edges belong to the face, and whether the segment passes within them is exact: between
  * neighbours that share an edge there is no gap. Of faces at the same fraction, to within 2^-64,
- * the first of the scene is the result. A sphere test, which is exact, passes over instances that
- * the segment does not come near.
- * Error: half a unit of 2^-31 in `fraction`; 0.75 units of 1/65536 in each coordinate of `point`.
- * With no hit, *hit has `to`, a fraction of 1, FXL_HIT_NONE and face 0.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_RANGE (a coordinate of `from` or
- * `to` outside of FXL_COORDINATE_MAX): *hit untouched. */
+ * the first of the scene is the result. Of an instance that is turned, its points and
+ * normals in the world, each rounded once, are the faces. A sphere test, which is exact, passes
+ * over instances that the segment does not come near. Error: half a unit of 2^-31 in `fraction`;
+ * 0.75 units of 1/65536 in each coordinate of `point`. With no hit, *hit has `to`, a fraction of 1,
+ * FXL_HIT_NONE and face 0. FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_RANGE (a
+ * coordinate of `from` or `to` outside of FXL_COORDINATE_MAX): *hit untouched. */
 fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const fxl_point *to,
                             fxl_hit *hit);
 
@@ -83,9 +83,10 @@ typedef struct {
  * the start, it may stay there (`blocked`). A coordinate beyond FXL_COORDINATE_MAX is clamped to
  * it. It reads every face of each instance whose sphere it reaches, a few times for each step.
  * *slide may be null.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_RANGE (the centre, or the radius;
- * a component of `move` outside of FXL_COORDINATE_MAX; a move of more than FXL_SLIDE_STEPS_MAX
- * steps): nothing is changed. */
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_TURN (it has instances that turn:
+ * use a scene of what stands still), FXL_E_RANGE (the centre, or the radius; a component of `move`
+ * outside of FXL_COORDINATE_MAX; a move of more than FXL_SLIDE_STEPS_MAX steps): nothing is
+ * changed. */
 fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *move,
                             fxl_slide *slide);
 

@@ -17,7 +17,8 @@ typedef struct {
     fxl_point least, most;
 } fxl_box;
 
-/* Makes the smallest box that holds all vertices of an instance, in world coordinates. Exact.
+/* Makes the smallest box that holds all vertices of an instance, in world coordinates. Exact; of an
+ * instance that is turned, given its points, each rounded once.
  * Reads every vertex of the model once, so a caller should keep the box of an instance that does
  * not move. Requires an instance of a checked scene. */
 void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, fxl_box *box);
