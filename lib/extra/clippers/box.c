@@ -6,6 +6,7 @@
 #include "../../src/math/arith.h"
 #include "fixel/stage/plane.h"
 #include "../../src/scene/face_bounds.h"
+#include "../../src/scene/turn_code.h"
 
 #define SLACK ((fxl_q18_46)1 << 37) /* 2^-9 */
 
