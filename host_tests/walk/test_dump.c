@@ -17,7 +17,7 @@
 #define TAIL   12
 
 static const fxl_pose pose = {{1, -2, 0x01020304}, 5, 6, 0xFFFFFFFFu};
-static const fxl_counters counters = {10, 1, 2, 3, 0, 4, 5, 6, 8, 9};
+static const fxl_counters counters = {10, 1, 2, 3, 0, 4, 5, 6, 8, 9, 0};
 static const uint8_t pixels[WIDTH * HEIGHT] = {1, 2, 3, 4, 5, 6};
 
 static uint8_t palette[768];

@@ -16,7 +16,7 @@ _Alignas(4096) uint8_t fxl_window[65536];
 
 static uint8_t palette[768];
 static const fxl_pose pose = {{1, -2, 3}, 4, 5, 6};
-static const fxl_counters counters = {10, 1, 2, 3, 0, 4, 5, 6, 8, 9};
+static const fxl_counters counters = {10, 1, 2, 3, 0, 4, 5, 6, 8, 9, 0};
 static window_header *const header = (window_header *)(void *)fxl_window;
 static uint32_t naps, signs, naps_until_request;
 
