@@ -9,7 +9,7 @@ PY       := .venv/bin/python
 WARNINGS := -std=c11 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror
 
 BOARD ?= mps2-an385
-SCENE ?= scenes/plaza.toml
+SCENE ?= $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml)
 CORE  ?= cortex-m3
 OUT   ?= $(BUILD)/run
 

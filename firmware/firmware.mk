@@ -112,12 +112,13 @@ BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard fir
 
 # The programs that draw, PROGRAM=: the walk, and others that differ from it in their act
 # (firmware/walk/act.h).
-PROGRAMS := walk
+PROGRAMS := walk game
 PROGRAM ?= walk
 ifeq ($(filter $(PROGRAM),$(PROGRAMS)),)
 $(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
 endif
 PROGRAM_SOURCES.walk := $(wildcard firmware/walk/*.c)
+PROGRAM_SOURCES.game := $(filter-out %/act_path.c,$(PROGRAM_SOURCES.walk)) $(wildcard firmware/game/*.c) examples/game/game.c
 # $(1): a board, $(2): a program
 PROGRAM_OBJECTS_OF = $(PROGRAM_SOURCES.$(2):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
