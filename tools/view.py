@@ -45,7 +45,8 @@ async def serve(board, reference_program, scene_image, options):
                 loop.call_soon_threadsafe(getattr(hub, name), argument)
         return call
 
-    hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette), board.hold,
+    hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette,
+                    options.program == methods.WALK), board.hold,
               lambda frame, wants: reference.ask(frame, wants), lambda rate: pump.set_rate(rate))
     with contextlib.ExitStack() as stack:
         reference = stack.enter_context(contextlib.closing(

@@ -75,8 +75,8 @@ def compile_all(compiler, folder, *options):
     assert done.returncode == 0 and not done.stderr, done.stderr
 
 
-@pytest.fixture(scope="module", params=("late", "early", "ili9341"))
-def show(request, tmp_path_factory):
+@pytest.fixture(scope="module", params=("late", "early", "ili9341"), name="show")
+def fixture_show(request, tmp_path_factory):
     """The program, for DMA that reads late or early, and for the other controller."""
     folder = tmp_path_factory.mktemp(request.param)
     write_sources(folder)
@@ -245,13 +245,19 @@ def read_messages(data):
     return (memory[:, None, :] >> numpy.arange(8)[None, :, None] & 1).reshape(64, 128), on
 
 
-def test_an_oled_on_i2c_shows_a_frame(tmp_path):
-    write_sources(tmp_path)
-    (tmp_path / "oled.c").write_text(OLED, encoding="utf-8")
-    compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], tmp_path, "oled.c",
+def build_oled(folder):
+    """The program that shows a frame of 128 x 64 on an OLED."""
+    write_sources(folder)
+    (folder / "oled.c").write_text(OLED, encoding="utf-8")
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], folder, "oled.c",
                 "i2c_wires.c", *LIBRARY, *LINK, PUMP / "pump.c", "-o", "oled")
+    return folder / "oled"
+
+
+def test_an_oled_on_i2c_shows_a_frame(tmp_path):
+    oled = build_oled(tmp_path)
     palette, (frame, _) = random_frames(128, 64)
-    done = subprocess.run(["./oled"], cwd=tmp_path, capture_output=True, input=palette.tobytes() + frame.tobytes(),
+    done = subprocess.run([oled], cwd=tmp_path, capture_output=True, input=palette.tobytes() + frame.tobytes(),
                           check=True)
     shown, on = read_messages(done.stdout)
     assert on and (shown == grey.levels(frame, palette, 1)).all()

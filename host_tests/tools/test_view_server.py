@@ -20,7 +20,7 @@ from fixel.view_server import Hub, Server, UNSEEN_MAX
 from fixel.view_reference import Answer
 
 WIDTH, HEIGHT = 8, 4
-HELLO = {"type": "hello", "board": "made-up"}
+HELLO = {"type": "hello", "board": "made-up", "judged": True}
 
 
 def frame(number):
@@ -51,7 +51,7 @@ class Bench:
     async def tab(self, **headers):
         """A page's websocket, greeted."""
         socket = await self.session.ws_connect(f"{self.base}/live", headers=headers)
-        assert await socket.receive_json(timeout=None) == HELLO
+        assert await socket.receive_json(timeout=None) == self.hub.hello
         await settled()
         return socket
 
@@ -303,6 +303,16 @@ async def test_the_reference_rests_if_nobody_wants_it(bench):
     await settled()
     bench.hub.show(frame(2))
     assert len(bench.asked) == 1
+
+
+@bench_test
+async def test_no_reference_for_what_it_does_not_know(bench):
+    bench.hub.hello = {**HELLO, "judged": False}
+    socket = await bench.tab()
+    bench.hub.show(frame(1))
+    await socket.send_json({"type": "wants", "wants": 3})
+    await settled()
+    assert not bench.asked
 
 
 # --- keys and rate --------------------------------------------------------------------

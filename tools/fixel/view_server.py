@@ -60,7 +60,8 @@ class Tab:
             self.keys = bits(message.get("held"), KEYS_ALL)
             hub.keys_changed()
         elif kind == "wants":
-            self.wants = bits(message.get("wants"), WANTS_ALL)
+            wants = bits(message.get("wants"), WANTS_ALL)
+            self.wants = wants if hub.hello["judged"] else 0
             hub.wants_changed()
         elif kind == "rate":
             hub.choose_rate(one_of(message.get("rate"), RATES))
@@ -193,10 +194,11 @@ def pack(frame, answer, rate):
     return b"".join((struct.pack("<I", len(text)), text, frame.pixels.tobytes(), double, outlines))
 
 
-def hello(program, scene, width, height, palette):
-    """What a tab must know before the first frame."""
+def hello(program, scene, width, height, palette, judged=True):
+    """What a tab must know before the first frame. judged: the reference renderer can draw what the board draws."""
     return {"type": "hello", "board": program.board, "cpu": program.cpu, "scene": str(scene), "width": width,
-            "height": height, "palette": base64.b64encode(palette).decode(), "rates": RATES}
+            "height": height, "palette": base64.b64encode(palette).decode(), "rates": RATES,
+            "judged": judged}
 
 
 class Server:

@@ -69,6 +69,7 @@ function greet(message) {
   at("board").textContent = hello.board;
   at("cpu").textContent = hello.cpu;
   at("scene").textContent = `${hello.scene}, ${hello.width} × ${hello.height}`;
+  at("beside-label").hidden = at("beside-choice").hidden = !hello.judged;
   at("state").textContent = "live";
   at("state").className = "live";
   document.title = `${hello.board} – Fixel live`;
@@ -213,6 +214,9 @@ function press(selector, isPressed) {
 }
 
 function show(what) {
+  if (what && !hello.judged) {
+    return;     // a game: no reference renderer knows it
+  }
   beside = what;
   compared = { frames: 0, pixels: 0 };
   at("beside").hidden = !what;
