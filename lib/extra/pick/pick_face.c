@@ -73,13 +73,16 @@ static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *pic
                               .resume = &resume,
                               .counters = &uncounted,
                               .way = FXL_SUBMIT_ANY};
+    const uint8_t state = renderer->frame.state;
     forget_faces(&renderer->workspace);
     renderer->visibility = &near_first;
+    renderer->frame.state = FXL_FRAME_BEGUN; /* rows are known of what is not in the list alone */
     if (!near_first.submit(&on)) {
         name_face(renderer, &resume, &found);
         found.colour = colour;
     }
     renderer->visibility = visibility;
+    renderer->frame.state = state;
     forget_faces(&renderer->workspace);
     *picked = found;
 }
