@@ -6,7 +6,7 @@
 bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
                        const fxl_model *model)
 {
-    return !FXL_IS_SMALL && on->clipper->by_clip_flags && model_view->planes != 0 &&
+    return !FXL_IS_COMPACT && on->clipper->by_clip_flags && model_view->planes != 0 &&
            model_view->shader == NULL && model->vertex_count < 2 * model->face_count;
 }
 
