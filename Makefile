@@ -158,6 +158,10 @@ pictures: ## renew the pictures of the documents (needs make run and make report
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
 	@$(MAKE) run SCENE=scenes/beam.toml OUT=$(BUILD)/beam
 	@$(PY) tools/pictures.py --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
+	@$(MAKE) run SCENE=scenes/spin.toml OUT=$(BUILD)/spin
+	@$(PY) tools/pictures.py --run $(BUILD)/spin --frames 5,25,70 --out docs/spin.png
+	@$(MAKE) run PROGRAM=game OUT=$(BUILD)/game
+	@$(PY) tools/pictures.py --run $(BUILD)/game --frames 60,120,200 --out docs/game.png
 	@$(MAKE) wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
 	@$(PY) tools/pictures.py --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
 	@$(PY) tools/scene.py build scenes/plaza.toml -o $(BUILD)/lit.fxls

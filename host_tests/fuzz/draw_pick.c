@@ -88,7 +88,9 @@ void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in)
     } else {
         const fxl_instance *instance = &scene->instances[hit.instance];
         const fxl_face *face = &scene->faces[scene->models[instance->model].first_face + hit.face];
-        DEMAND(fxl_face_is_front(scene, instance, face, eye));
+        /* Of an instance that is turned, the rounded normal decides. */
+        DEMAND((scene->turns != NULL && hit.instance >= scene->first_turned) ||
+               fxl_face_is_front(scene, instance, face, eye));
     }
     to.x = FXL_COORDINATE_MAX + 1;
     DEMAND(fxl_cast_segment(scene, eye, &to, &hit) == FXL_E_RANGE);
