@@ -18,6 +18,7 @@
 #include "fixel/extra/player.h"
 #include "fixel/extra/pump.h"
 #include "fixel/extra/spans.h"
+#include "fixel/extra/surfaces.h"
 #include "fixel/extra/wire.h"
 #include "fixel/extra/world.h"
 #include "fixel/stage/angle.h"

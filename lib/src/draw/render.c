@@ -13,6 +13,7 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../raster/draw_outline.h"
+#include "draw_band.h"
 #include "reach.h"
 #include "renderer.h"
 #include "submit_sorted.h"
@@ -36,16 +37,6 @@ static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool
     workspace->rest_counted = counted;
     /* bug: sorted-stale */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
-}
-
-static fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
-{
-    if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
-        return FXL_SUBMIT_ANY;
-    }
-    return is_begin ? FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND
-           : renderer->visibility->backend->draws_over ? FXL_SUBMIT_DRAW
-                                                       : FXL_SUBMIT_ANY;
 }
 
 /* Whether bands that pass over what does not reach them are worth a traversal more. Without a
@@ -103,7 +94,7 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
                               .band = NULL,
                               .resume = &frame->resume,
                               .counters = &workspace->counters,
-                              .way = way_of(renderer, true)};
+                              .way = fxl_way_of(renderer, true)};
     frame->state = FXL_FRAME_BEGUN;
     if (!renderer->visibility->submit(&on) && in_bands && measures_rows(renderer)) {
         fxl_reach_measure(&on, frame);
@@ -241,26 +232,18 @@ bool fxl_submit_shaded_face(const fxl_model_view *model_view, const fxl_face *fa
 
 /* --- draw -------------------------------------------------------------------------------- */
 
-static bool draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                      uint8_t colour, const fxl_band *band)
+bool fxl_draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                   uint8_t colour, const fxl_band *band)
 {
     workspace->work.scan.colour = colour;
     (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
     return true;
 }
 
-const fxl_raster_backend fxl_raster_over = {.draw_polygon = draw_over, .draws_over = true};
-
-/* What draws the polygons of a kind: so far there is one kind, and the method has its backend. */
-static const fxl_raster_backend *backend_of(const fxl_visibility *visibility, uint8_t kind)
-{
-    FXL_ASSERT(kind == FXL_POLYGON_FLAT);
-    (void)kind;
-    return visibility->backend;
-}
+const fxl_raster_backend fxl_raster_over = {.draw_polygon = fxl_draw_over, .draws_over = true};
 
 /* The polygons of the display list that reach the band. False where the backend's workspace is
- * full. */
+ * full. A method whose polygons have surfaces draws the list itself. */
 static bool draw_display_list(const fxl_traversal *on)
 {
     const fxl_visibility *visibility = on->renderer->visibility;
@@ -269,50 +252,18 @@ static bool draw_display_list(const fxl_traversal *on)
     fxl_display_list_record record;
     uint32_t place = 0;
     while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
-        const fxl_raster_backend *backend = backend_of(visibility, record.kind);
-        if (!backend->draw_polygon(on->workspace, record.points, record.count, record.colour,
-                                   band)) {
+        FXL_ASSERT(record.kind == FXL_POLYGON_FLAT);
+        if (!visibility->backend->draw_polygon(on->workspace, record.points, record.count,
+                                               record.colour, band)) {
             return false;
         }
     }
     return true;
 }
 
-/* What the display list had no room for. */
-static bool submit_rest(const fxl_traversal *on)
-{
-    const fxl_renderer *renderer = on->renderer;
-    return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
-               ? fxl_reach_submit(on)
-               : renderer->visibility->submit(on);
-}
-
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    const fxl_visibility *visibility = renderer->visibility;
-    const fxl_raster_backend *backend = visibility->backend;
-    fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */
-    fxl_counters uncounted;
-    if (workspace->rest_counted) {
-        memset(&uncounted, 0, sizeof uncounted);
-    }
-    const fxl_traversal on = {.renderer = renderer,
-                              .clipper = renderer->clipper,
-                              .workspace = workspace,
-                              .display_list = NULL,
-                              .band = band,
-                              .resume = &resume,
-                              .counters =
-                                  workspace->rest_counted ? &uncounted : &workspace->counters,
-                              .way = way_of(renderer, false)};
-    if (backend->begin_band != NULL) {
-        backend->begin_band(renderer, workspace, band);
-    }
-    if (!draw_display_list(&on) || !submit_rest(&on)) {
-        return false;
-    }
-    workspace->rest_counted = true; /* bug: counted-again */
-    return true;
+    return fxl_draw_band_by(renderer, workspace, band, draw_display_list);
 }
 
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)

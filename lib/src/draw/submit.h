@@ -74,6 +74,10 @@ bool fxl_submit_by_distance(const fxl_traversal *on);
 const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
                                       fxl_model_view *model_view);
 
+/* fxl_raster_backend.draw_polygon of fxl_raster_over: it scans and fills. Returns true. */
+bool fxl_draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                   uint8_t colour, const fxl_band *band);
+
 /* The display list, then the rest of the scene, into a band of a frame. False where the
  * backend's workspace is full: what was counted must then be forgotten. */
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
@@ -149,6 +153,7 @@ bool fxl_pieces_end(fxl_pieces *pieces);
 
 /* The ranks: a shader gets the face that those of a lower rank made. */
 enum {
+    FXL_SHADER_SURFACES, /* faces with surfaces, which go no further */
     FXL_SHADER_RECOLOUR, /* an instance's own colours */
     FXL_SHADER_LIGHT,    /* light and fog */
     FXL_SHADER_BEAMS

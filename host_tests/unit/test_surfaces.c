@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+/* Faces with textures, against the definition in double: a ray through each pixel's centre. */
+#include <math.h>
+
+#include "fixel/all.h"
+#include "unity.h"
+
+enum {
+    WIDTH = 64,
+    HEIGHT = 48,
+    BACKGROUND = 255
+};
+
+/* A floor that runs behind the eye, as in workload W4 (units of 1/512). */
+static const fxl_point vertices[] = {{-8 * 65536, -32768, 16 * 65536},
+                                     {8 * 65536, -32768, 16 * 65536},
+                                     {8 * 65536, -32768, -4 * 65536},
+                                     {-8 * 65536, -32768, -4 * 65536}};
+static const uint16_t indices[] = {0, 1, 2, 3};
+static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 200, 0}};
+static const fxl_model models[] = {
+    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 18 * 65536}};
+static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
+
+static uint8_t texels[64 * 64];
+static fxl_texture texture = {.texels = texels, .log_width = 6, .log_height = 6, .levels = 1};
+static fxl_surface surface = {.texture = 1, .opacity = 16};
+static fxl_mapped_face mapped[] = {
+    {.corners = {0, 1, 2},
+     .texels = {{0, 640 * 65536}, {512 * 65536, 640 * 65536}, {512 * 65536, 0}}}};
+static const uint16_t face_map[] = {1};
+static const fxl_surface_set set = {.textures = &texture,
+                                    .surfaces = &surface,
+                                    .faces = mapped,
+                                    .face_map = face_map,
+                                    .texture_count = 1,
+                                    .surface_count = 1,
+                                    .face_count = 1};
+
+static fxl_scene scene;
+static fxl_renderer renderer;
+static fxl_surfaces surfaces;
+static FXL_ALIGN_8 uint8_t memory[1024];
+static uint8_t frame[WIDTH * HEIGHT], again[WIDTH * HEIGHT];
+
+void setUp(void)
+{
+    scene = (fxl_scene){.vertices = vertices,
+                        .indices = indices,
+                        .faces = faces,
+                        .models = models,
+                        .instances = instances,
+                        .vertex_count = 4,
+                        .index_count = 4,
+                        .face_count = 1,
+                        .model_count = 1,
+                        .instance_count = 1};
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(1 + (i >> 10 & 3) * 4 + (i >> 4 & 3));
+    }
+    surface = (fxl_surface){.texture = 1, .opacity = 16};
+    texture.flags = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    config.fov = FXL_ANGLE_QUARTER;
+    config.near_z = 4096;
+    config.far_z = 64 * 65536;
+    config.background = BACKGROUND;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
+}
+
+void tearDown(void)
+{
+}
+
+static const fxl_pose eye = {{0, 0, 0}, 40u << 23, 0u - (12u << 23), 0};
+
+/* The texel under a pixel's centre in double, or -1; *edge: how far its coordinates are from where
+ * the texel would be another, in texels. */
+static int exact_texel(int x, int y, double *edge)
+{
+    const fxl_camera *camera = &renderer.frame.view.camera;
+    const fxl_axes *axes = &camera->axes;
+    const double focal = renderer.frame.view.lens.focal / 65536.0, one = FXL_Q2_30_ONE;
+    const double dx = (x + 0.5 - WIDTH / 2.0) / focal, dy = (HEIGHT / 2.0 - y - 0.5) / focal;
+    const double way[3] = {(axes->right.x * dx + axes->up.x * dy + axes->forward.x) / one,
+                           (axes->right.y * dx + axes->up.y * dy + axes->forward.y) / one,
+                           (axes->right.z * dx + axes->up.z * dy + axes->forward.z) / one};
+    const double depth = -0.5 / way[1];
+    const double u = (way[0] * depth + 8) * 32, v = (way[2] * depth + 4) * 32;
+    if (way[1] >= 0 || depth < 1 / 16.0 || depth > 64 || u < 0 || u > 512 || v < 0 || v > 640) {
+        return -1;
+    }
+    *edge = fmin(fabs(u / 16 - floor(u / 16 + 0.5)), fabs(v / 16 - floor(v / 16 + 0.5))) * 16;
+    return 1 + ((int)(v / 16) & 3) * 4 + ((int)(u / 16) & 3);
+}
+
+static void check_frame(double tolerance)
+{
+    uint32_t textured = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            double edge = 1e9;
+            const int texel = exact_texel(x, y, &edge);
+            textured += texel >= 0;
+            if (texel >= 0 && edge > tolerance) {
+                TEST_ASSERT_EQUAL(texel, frame[y * WIDTH + x]);
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 3, textured);
+}
+
+void test_a_floor_divided_at_each_pixel(void)
+{
+    surface.division = FXL_DIVIDE_1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    check_frame(1.0 / 256);
+}
+
+void test_a_floor_divided_every_16_pixels(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    check_frame(0.5 + 1.0 / 256);
+}
+
+void test_bands_and_lists_give_the_same_pixels(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    for (uint32_t words = 0; words < 2; words++) {
+        renderer.frame.display_list.capacity = words * 64;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+        for (uint16_t row = 0; row < HEIGHT; row += 3) {
+            const fxl_band band = {again + row * WIDTH, WIDTH, WIDTH, row, 3};
+            fxl_fill_band(&band, BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        }
+        TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+        TEST_ASSERT_EQUAL(words != 0, renderer.frame.display_list.used != 0);
+    }
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* Gradients: how the depth and the attributes of a face vary over the screen.
+ *
+ * What is linear over a face is, divided by the depth z, linear on the screen. So a face has a
+ * weight w, which is 1/z in a unit of its own, and for each attribute a (texture coordinates,
+ * light) a / z in a unit of its own. At a pixel's centre a = a_value / w_value * 2^a_shift.
+ *
+ * They come from three corners of the whole face, before anything clips it, so they depend on
+ * the face and the view alone. Internal. */
+#ifndef FXL_GRADIENTS_H
+#define FXL_GRADIENTS_H
+
+#include "fixel/types.h"
+#include "fixel/stage/view.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A number that is linear on the screen. Its value is the upper word: at the centre of the pixel in
+ * column x of row y that of at + x * along + y * down. Values of the pixels of the screen, and of
+ * the first column that is a multiple of 16 to its right, are below 2^30. */
+typedef struct {
+    int64_t at, along, down;
+} fxl_gradient;
+
+enum {
+    FXL_ATTRIBUTE_U,
+    FXL_ATTRIBUTE_V,
+    FXL_ATTRIBUTE_LIGHT,
+    FXL_ATTRIBUTES
+};
+
+/* The most attributes of a face, and their values at its three corners: 16.16, each below 2^30. */
+typedef struct {
+    fxl_view_point corners[3];
+    int32_t values[FXL_ATTRIBUTES][3];
+    uint32_t count; /* of attributes: the first so many are used */
+} fxl_gradient_corners;
+
+/* The gradients of a face. */
+typedef struct {
+    fxl_gradient weight; /* above 0 where the face is */
+    fxl_gradient attributes[FXL_ATTRIBUTES];
+    int8_t shifts[FXL_ATTRIBUTES];
+    uint8_t count;          /* of attributes */
+    uint32_t weight_min[2]; /* the least weight, at both ends, of a segment of 16, of 8 pixels that
+                               is divided at its ends alone: then all attributes are within half
+                               their unit (65536) of the exact ones. At least 1. */
+} fxl_gradients;
+
+/* Finds the gradients of a face on the screen of a view.
+ * Requires corners whose coordinates are below 2^61, not on one line.
+ * Error: docs/accuracy.md, section 8. */
+void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
+                        fxl_gradients *gradients);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

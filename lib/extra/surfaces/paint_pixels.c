@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+#include "attribute.h"
+#include "paint.h"
+
+/* Which pixels of a square of 4 x 4 an opacity draws: those whose number is below it. Neighbours in
+ * number are far apart, so the pattern is even at every opacity. */
+static const uint8_t stipple[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+
+/* --- texels --------------------------------------------------------------------------------- */
+
+static inline uint32_t limited(int32_t coordinate, uint32_t last)
+{
+    return coordinate < 0 ? 0 : (uint32_t)coordinate > last ? last : (uint32_t)coordinate;
+}
+
+/* The texel in column i and row j, repeated or clamped. */
+static inline uint8_t texel(const fxl_texture_level *level, int32_t i, int32_t j)
+{
+    uint32_t column = (uint32_t)i & level->columns_less_1, row = (uint32_t)j & level->rows_less_1;
+    if (level->flags & FXL_TEXTURE_CLAMP) {
+        column = limited(i, level->columns_less_1);
+        row = limited(j, level->rows_less_1);
+    }
+    const uint32_t place = (row << level->log_width) + column;
+    if (level->colours != NULL) {
+        return level->colours[level->texels[place >> 1] >> (4u * (place & 1u)) & 15u];
+    }
+    return level->texels[place];
+}
+
+/* --- pixels --------------------------------------------------------------------------------- */
+
+/* A pixel whose attributes are known. */
+static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+                               const int32_t values[FXL_ATTRIBUTES])
+{
+    uint8_t colour = paint->colour;
+    if (paint->opacity < 16 && stipple[4 * (row->y & 3) + (x & 3)] >= paint->opacity) {
+        return;
+    }
+    if (paint->level.texels != NULL) {
+        colour = texel(&paint->level, values[FXL_ATTRIBUTE_U] >> 16, values[FXL_ATTRIBUTE_V] >> 16);
+        if ((paint->level.flags & FXL_TEXTURE_KEYED) && colour == paint->level.key) {
+            return;
+        }
+    }
+    if (paint->ramp != NULL) {
+        const uint32_t level = limited(values[FXL_ATTRIBUTE_LIGHT] >> 16, paint->levels_less_1);
+        colour = paint->ramp[256u * level + colour];
+    }
+    row->pixels[x] = colour;
+}
+
+/* The first number's upper word, x pixels on. */
+static inline int32_t value_at(int64_t first, const fxl_gradient *gradient, int32_t x)
+{
+    return (int32_t)((first + gradient->along * x) >> 32);
+}
+
+static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x, uint32_t weight,
+                      int32_t values[FXL_ATTRIBUTES])
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight);
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
+                                     &reciprocal, gradients->shifts[i]);
+    }
+}
+
+static uint32_t weight_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+{
+    const int32_t weight = value_at(row->weight, &paint->gradients->weight, x);
+    return weight < 1 ? 1 : (uint32_t)weight;
+}
+
+static void divide_each(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    int32_t values[FXL_ATTRIBUTES];
+    for (int32_t x = x0; x < x1; x++) {
+        divide_at(paint, row, x, weight_at(paint, row, x), values);
+        paint_pixel(paint, row, x, values);
+    }
+}
+
+/* --- segments ------------------------------------------------------------------------------- */
+
+/* The columns first..first + 2^log - 1, divided at both ends. False where that is not exact enough:
+ * nothing is painted. A step is rounded down by less than a unit, so the last pixel is off by less
+ * than 16 units of 1/65536. */
+static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
+                          unsigned log, int32_t x0, int32_t x1)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const int32_t last = first + (1 << log);
+    const uint32_t weight_0 = weight_at(paint, row, first), weight_1 = weight_at(paint, row, last);
+    const uint32_t least = gradients->weight_min[log == 4 ? 0 : 1];
+    int32_t values[FXL_ATTRIBUTES], ends[FXL_ATTRIBUTES], steps[FXL_ATTRIBUTES];
+    if (weight_0 < least || weight_1 < least) {
+        return false;
+    }
+    divide_at(paint, row, first, weight_0, values);
+    divide_at(paint, row, last, weight_1, ends);
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        steps[i] = (int32_t)((uint32_t)ends[i] - (uint32_t)values[i]) >> log;
+    }
+    for (int32_t x = first; x < x1; x++) {
+        if (x >= x0) {
+            paint_pixel(paint, row, x, values);
+        }
+        for (uint32_t i = 0; i < gradients->count; i++) {
+            values[i] = (int32_t)((uint32_t)values[i] + (uint32_t)steps[i]);
+        }
+    }
+    return true;
+}
+
+static inline int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* At most eight columns, of one segment of eight. */
+static void paint_eight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    if (paint->division == FXL_DIVIDE_1 || !paint_segment(paint, row, x0 & ~7, 3, x0, x1)) {
+        divide_each(paint, row, x0, x1);
+    }
+}
+
+void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    while (x0 < x1) {
+        const int32_t end = smaller((x0 & ~15) + 16, x1);
+        if (paint->division != FXL_DIVIDE_16 || !paint_segment(paint, row, x0 & ~15, 4, x0, end)) {
+            const int32_t middle = smaller((x0 & ~7) + 8, end);
+            paint_eight(paint, row, x0, middle);
+            if (middle < end) {
+                paint_eight(paint, row, middle, end);
+            }
+        }
+        x0 = end;
+    }
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* Surfaces: what a face shows instead of one colour. docs/extras/surfaces.md; SPEC.md, section 9.
+ */
+#ifndef FXL_SURFACES_H
+#define FXL_SURFACES_H
+
+#include "fixel/render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FXL_TEXTURE_LOG_MAX  8u /* a texture is 1 to 256 texels wide and high */
+#define FXL_TEXTURES_MAX     65535u
+#define FXL_SURFACES_MAX     65535u
+#define FXL_MAPPED_FACES_MAX 65535u
+
+/* The largest texture coordinate: 16383 texels. */
+#define FXL_TEXEL_MAX FXL_CAST(fxl_q16_16, 16383 * 65536)
+
+/* A place on a texture, in texels: u along a row, v downward. The texel in column i and row j
+ * covers i <= u < i + 1, j <= v < j + 1. */
+typedef struct {
+    fxl_q16_16 u, v;
+} fxl_texel;
+
+enum {
+    FXL_TEXTURE_8 = 0, /* a byte a texel: its palette index */
+    FXL_TEXTURE_4 = 1 /* two texels a byte, the left one in the lower bits: an index into `colours`;
+                         log_width is at least 1 */
+};
+
+enum {
+    FXL_TEXTURE_CLAMP = 1u << 0, /* beyond its edge a texture shows the texel of the edge; else it
+                                    repeats */
+    FXL_TEXTURE_KEYED = 1u << 1  /* texels of the colour `key` are not drawn */
+};
+
+/* A texture of 2^log_width x 2^log_height texels. Rows follow each other without a gap. After them
+ * come levels - 1 smaller pictures, each half as wide and as high as the one before, and at least
+ * one texel (of 4 bits: two); a face takes one of them, by its distance. */
+typedef struct {
+    const uint8_t *texels;
+    const uint8_t *colours; /* FXL_TEXTURE_4: 16 palette indices; else null */
+    uint8_t log_width, log_height;
+    uint8_t format; /* FXL_TEXTURE_8, FXL_TEXTURE_4 */
+    uint8_t flags;  /* FXL_TEXTURE_CLAMP, FXL_TEXTURE_KEYED */
+    uint8_t key;    /* palette index */
+    uint8_t levels; /* 1..9 */
+    uint16_t reserved;
+} fxl_texture;
+
+/* How often texture coordinates and light are divided exactly. Between two divisions they are
+ * linear. Columns of the screen count from its left. */
+enum {
+    FXL_DIVIDE_16 = 0, /* at each 16th column; where that is half a texel off, as the next */
+    FXL_DIVIDE_8 = 1,  /* at each 8th column; where that is half a texel off, as the next */
+    FXL_DIVIDE_1 = 2,  /* at each pixel */
+    FXL_AFFINE = 3     /* nowhere: linear on the screen, where the face's three corners are on it */
+};
+
+enum {
+    FXL_SURFACE_LIT = 1u << 0 /* light is found at the three corners, and is linear over the face */
+};
+
+/* What faces look like. */
+typedef struct {
+    uint16_t texture; /* its number, counted from 1; 0: the face's own colour */
+    uint8_t division; /* FXL_DIVIDE_16 and so on */
+    uint8_t flags;    /* FXL_SURFACE_LIT */
+    uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
+    uint8_t reserved[3];
+} fxl_surface;
+
+/* A face that has a surface. Three of its corners, which are not on one line, say where the texture
+ * lies; over the rest of the face it is linear. */
+typedef struct {
+    uint16_t surface;    /* a number */
+    uint16_t normals[3]; /* of the corners, numbers; FXL_SURFACE_LIT only, else 0 */
+    uint8_t corners[3];  /* which of the face's corners, in rising order */
+    uint8_t reserved;    /* 0 */
+    fxl_texel texels[3]; /* at these corners; each coordinate within FXL_TEXEL_MAX */
+} fxl_mapped_face;
+
+/* The surfaces of a scene: tables that the caller owns and that must outlive it. */
+typedef struct {
+    const fxl_texture *textures;
+    const fxl_surface *surfaces;
+    const fxl_mapped_face *faces;
+    const uint16_t *face_map; /* one for each face of the scene: 0, or the number of its record in
+                                 faces, counted from 1 */
+    const fxl_direction *normals; /* of corners, in the model */
+    uint32_t texture_count, surface_count, face_count, normal_count;
+} fxl_surface_set;
+
+/* The surfaces of a renderer, which the caller owns. Members are internal. */
+typedef struct {
+    fxl_shader shader;
+    const fxl_surface_set *set;
+    const void *light;
+} fxl_surfaces;
+
+/* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
+ * corners of a face are not on one line; that normals have unit length. Requires a checked scene
+ * and tables as long as their counts; fault may be null.
+ * FXL_E_ARGUMENT, FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL, FXL_E_DEGENERATE (corners on
+ * one line), FXL_E_RESERVED: *fault written. On FXL_OK *fault is untouched. */
+fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
+                              fxl_scene_fault *fault);
+
+/* Has a renderer draw faces with the surfaces of a set, or, where set is null, as they are. The
+ * renderer keeps a pointer to *surfaces, and that one to *set. Sets the visibility method
+ * fxl_visibility_surfaces; another method that draws surfaces may be set after that. By any other
+ * method, by light beams and by a BSP, faces are drawn in their own colours. A frame must begin
+ * anew.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), and those of
+ * fxl_surfaces_check: nothing is changed but refused_calls. */
+fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                                     const fxl_surface_set *set);
+
+/* The order of fxl_visibility_sorted; a later polygon covers an earlier one; faces with surfaces
+ * show them. */
+extern const fxl_raster_backend fxl_raster_surfaces;
+extern const fxl_visibility fxl_visibility_surfaces;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
