@@ -32,9 +32,12 @@ static inline bool fxl_submit_rest(const fxl_traversal *on)
                : renderer->visibility->submit(on);
 }
 
-/* fxl_draw_band. */
-static inline bool fxl_draw_band_by(const fxl_renderer *renderer, fxl_workspace *workspace,
-                                    const fxl_band *band, fxl_list_drawer *draw_list)
+/* fxl_draw_band. The compiler is told to inline it, as otherwise a band that is drawn by the
+ * default list costs a call and 84 bytes more. */
+static inline __attribute__((always_inline)) bool fxl_draw_band_by(const fxl_renderer *renderer,
+                                                                   fxl_workspace *workspace,
+                                                                   const fxl_band *band,
+                                                                   fxl_list_drawer *draw_list)
 {
     const fxl_raster_backend *backend = renderer->visibility->backend;
     fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */

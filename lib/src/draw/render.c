@@ -244,7 +244,7 @@ const fxl_raster_backend fxl_raster_over = {.draw_polygon = fxl_draw_over, .draw
 
 /* The polygons of the display list that reach the band. False where the backend's workspace is
  * full. A method whose polygons have surfaces draws the list itself. */
-static bool draw_display_list(const fxl_traversal *on)
+static inline bool draw_display_list(const fxl_traversal *on)
 {
     const fxl_visibility *visibility = on->renderer->visibility;
     const fxl_band *band = on->band;
