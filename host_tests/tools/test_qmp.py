@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The wire to a running QEMU: answers, refusals, time-outs, and an end that is clean."""
 
+import asyncio
 import signal
 import struct
 import subprocess
@@ -121,3 +122,15 @@ def test_nothing_is_left(qemu):
         machine.close()
         assert process.poll() is None  # closing leaves it running
     assert threading.active_count() == before
+
+
+@pytest.mark.parametrize("exception, is_said", [
+    (EOFError(), False), (ConnectionResetError(), False), (asyncio.CancelledError(), False), (ValueError("odd"), True)])
+def test_what_an_interrupt_leaves_behind_is_not_said(exception, is_said, caplog):
+    """After an interrupt nobody waits for the end of the connection, which is then no fault to be told."""
+    loop = asyncio.new_event_loop()
+    try:
+        qmp._complain(loop, {"message": "exception was never retrieved", "exception": exception})
+    finally:
+        loop.close()
+    assert ("never retrieved" in caplog.text) == is_said

@@ -36,9 +36,10 @@ logging.getLogger("qemu.qmp").propagate = False
 
 
 def _complain(loop, context):
-    """Says what nobody waited for, but for what close() cancelled: since Python 3.13 the package
-    leaves that behind."""
-    if not isinstance(context.get("exception"), asyncio.CancelledError):
+    """Says what nobody waited for, but for what close() cancelled, since Python 3.13 the package
+    leaves that behind, and for the end of the connection: every command that waits is told of it,
+    and after an interrupt there may be none."""
+    if not isinstance(context.get("exception"), (asyncio.CancelledError, EOFError, ConnectionError)):
         loop.default_exception_handler(context)
 
 
