@@ -11,7 +11,6 @@
 #include "gradients.h"
 
 #include "../../src/math/arith.h"
-#include "../../src/math/square_root.h"
 
 /* --- vectors -------------------------------------------------------------------------------- */
 
@@ -22,20 +21,27 @@ typedef struct {
     int exponent;
 } block_vector;
 
-/* value / 2^bits, rounded to nearest, or value * 2^-bits. Requires a result of at most 2^31. */
-static int32_t scaled(int64_t value, int bits)
+/* The bits of a value without its sign: one less than those of its magnitude where that is a power
+ * of two below 0. */
+static uint64_t bits_of(int64_t value)
 {
-    return (int32_t)(bits > 0 ? fxl_round_shift(value, (unsigned)bits) : value * (1 << -bits));
+    return (uint64_t)(value ^ (value >> 63));
 }
 
-/* Requires components below 2^63. Error: half a unit of each component, at most 2^-30 of the
+/* value * 2^shift / 2^32, rounded to nearest. Requires |value * 2^shift| <= 2^62. */
+static int32_t upper_word(int64_t value, unsigned shift)
+{
+    return (int32_t)((int64_t)(((uint64_t)value << shift) + 0x80000000u) >> 32);
+}
+
+/* Requires components of at most 2^62. Error: half a unit of each component, at most 2^-30 of the
  * largest. */
 static block_vector block(int64_t x, int64_t y, int64_t z, int exponent)
 {
-    const unsigned bits = fxl_bit_length(fxl_magnitude(x) | fxl_magnitude(y) | fxl_magnitude(z));
-    const int drop = bits == 0 ? 0 : (int)bits - 30; /* -29..33 */
-    const block_vector result = {scaled(x, drop), scaled(y, drop), scaled(z, drop),
-                                 exponent + drop};
+    const unsigned bits = fxl_bit_length(bits_of(x) | bits_of(y) | bits_of(z));
+    const unsigned shift = bits == 0 ? 32 : 62u - bits;
+    const block_vector result = {upper_word(x, shift), upper_word(y, shift), upper_word(z, shift),
+                                 exponent + 32 - (int)shift};
     return result;
 }
 
@@ -60,8 +66,8 @@ static void negate(block_vector *vector)
 }
 
 /* factors[0] vectors[0] + factors[1] vectors[1] + factors[2] vectors[2]. The first factor is below
- * 2^30 and the others are below 2^31, so a sum is below 2^60 + 2 * 2^61. Error: that of block, and
- * one of 2^-59 of the largest term for each term that is shifted. */
+ * 2^30 and the others are below 2^31, so halves of the terms have a sum below 2^59 + 2 * 2^60.
+ * Error: that of block, and one of 2^-58 of the largest term for each term. */
 static block_vector combine(const block_vector vectors[3], const int32_t factors[3])
 {
     int64_t x = 0, y = 0, z = 0;
@@ -73,15 +79,15 @@ static block_vector combine(const block_vector vectors[3], const int32_t factors
     }
     for (unsigned i = 0; i < 3; i++) {
         const block_vector *vector = &vectors[i];
-        if (factors[i] == 0 || exponent - vector->exponent > 62) {
+        if (factors[i] == 0 || exponent - vector->exponent > 61) {
             continue;
         }
-        const unsigned drop = (unsigned)(exponent - vector->exponent);
+        const unsigned drop = (unsigned)(exponent - vector->exponent) + 1;
         x += (int64_t)factors[i] * vector->x >> drop;
         y += (int64_t)factors[i] * vector->y >> drop;
         z += (int64_t)factors[i] * vector->z >> drop;
     }
-    return block(x, y, z, exponent == INT32_MIN ? 0 : exponent);
+    return block(x, y, z, exponent == INT32_MIN ? 0 : exponent + 1);
 }
 
 /* --- gradients ------------------------------------------------------------------------------ */
@@ -96,8 +102,8 @@ static uint64_t largest_value(const fxl_gradient *gradient, const fxl_lens *lens
 {
     const int64_t along = gradient->along * columns_of(lens);
     const int64_t down = gradient->down * lens->height;
-    return fxl_magnitude(gradient->at) | fxl_magnitude(gradient->at + along) |
-           fxl_magnitude(gradient->at + down) | fxl_magnitude(gradient->at + along + down);
+    return bits_of(gradient->at) | bits_of(gradient->at + along) | bits_of(gradient->at + down) |
+           bits_of(gradient->at + along + down);
 }
 
 /* vector . D, scaled so that its largest value on the screen is from 2^61 to 2^62. Returns the
@@ -117,102 +123,112 @@ static int find_gradient(block_vector vector, const fxl_view *view, fxl_gradient
         return 0;
     }
     FXL_ASSERT(bits <= 62);
-    const int64_t scale = (int64_t)1 << (62 - bits);
-    gradient->along *= scale;
-    gradient->down *= scale;
-    gradient->at *= scale;
+    const unsigned shift = 62 - bits;
+    gradient->along = (int64_t)((uint64_t)gradient->along << shift);
+    gradient->down = (int64_t)((uint64_t)gradient->down << shift);
+    gradient->at = (int64_t)((uint64_t)gradient->at << shift);
     return vector.exponent - (int)(62 - bits);
 }
 
 /* --- segments ------------------------------------------------------------------------------- */
 
-/* The least c with c^3 >= value. Requires value <= 2^30 + 1. */
+/* A bound mantissa * 2^exponent. The mantissa is from 2^31 to 2^32 - 1. */
+typedef struct {
+    uint32_t mantissa;
+    int exponent;
+} block_bound;
+
+/* At least number * 2^exponent, and at most 2^-30 of it more. Requires 0 < number < 2^63. */
+static block_bound bound_of(uint64_t number, int exponent)
+{
+    const int drop = (int)fxl_bit_length(number) - 32;
+    const uint64_t mantissa = drop <= 0 ? number << -drop : (number >> drop) + 1;
+    const int carry = (int)(mantissa >> 32);
+    const block_bound bound = {(uint32_t)(mantissa >> carry), exponent + drop + carry};
+    return bound;
+}
+
+static bool is_above(const block_bound *a, const block_bound *b)
+{
+    return a->exponent != b->exponent ? a->exponent > b->exponent : a->mantissa > b->mantissa;
+}
+
+/* Of an attribute u, |u' w - w' u| 2^shift, where ' is the change a pixel along the row: it is
+ * linear in the row and the same along it. The slopes are cut to 31 bits; so products are below
+ * 2^61. What is cut off the four factors changes the difference by less than 2^33. */
+static block_bound twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w,
+                            const fxl_lens *lens)
+{
+    const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
+    const unsigned drop = bits > 31 ? bits - 31 : 0;
+    const int32_t u_slope = (int32_t)(u->along >> drop), w_slope = (int32_t)(w->along >> drop);
+    const int64_t top = fxl_multiply_s32(u_slope, (int32_t)(w->at >> 32)) -
+                        fxl_multiply_s32(w_slope, (int32_t)(u->at >> 32));
+    const int64_t u_end = u->at + lens->height * u->down, w_end = w->at + lens->height * w->down;
+    const int64_t bottom = fxl_multiply_s32(u_slope, (int32_t)(w_end >> 32)) -
+                           fxl_multiply_s32(w_slope, (int32_t)(u_end >> 32));
+    const uint64_t larger =
+        fxl_magnitude(top) > fxl_magnitude(bottom) ? fxl_magnitude(top) : fxl_magnitude(bottom);
+    return bound_of(larger + ((uint64_t)1 << 33), (int)drop - 32 + shift);
+}
+
+/* The least c with c^3 >= value. Requires 0 < value <= 2^30. */
 static uint32_t cube_root_up(uint32_t value)
 {
     uint32_t root = 0;
-    for (uint32_t bit = 1024; bit != 0; bit >>= 1) {
+    for (uint32_t bit = 512; bit != 0; bit >>= 1) {
         const uint32_t c = root | bit;
-        if (c <= 1024 && c * c * c < value) {
+        if (c * c * c < value) {
             root = c;
         }
     }
     return root + 1;
 }
 
-/* number * 2^exponent, rounded up; UINT32_MAX where it is 2^31 or more. Requires number < 2^31. */
+/* number * 2^exponent, rounded up; at least 1, and 2^31 where it would be more. Requires
+ * 0 < number < 2^16. */
 static uint32_t power_up(uint32_t number, int exponent)
 {
-    if (exponent > 31 || (exponent > 0 && number >> (31 - exponent) != 0)) {
-        return UINT32_MAX;
+    if (exponent > 0) {
+        return exponent > 30 || number >> (31 - exponent) != 0 ? (uint32_t)1 << 31
+                                                               : number << exponent;
     }
-    return exponent >= 0 ? number << exponent : exponent < -31 ? 1 : (number >> -exponent) + 1;
+    return exponent < -16 ? 1 : ((number - 1) >> -exponent) + 1;
 }
 
-/* The exponents that number * 2^exponent needs so that the number has so many bits, or up to
- * step - 1 fewer, and the exponent is a multiple of step. Rounded up. */
-static uint32_t aligned(uint64_t number, unsigned bits, int step, int *exponent)
+/* floor(number / 3) of a number above -600. */
+static int third(int number)
 {
-    int drop = (int)fxl_bit_length(number) - (int)bits;
-    while ((*exponent + drop) % step != 0) {
-        drop++;
-    }
-    *exponent += drop;
-    return drop > 0 ? (uint32_t)(number >> drop) + 1 : (uint32_t)(number << -drop);
+    return (number + 600) / 3 - 200;
 }
 
-/* A bound of |u' w - w' u| / 2^exponent, where ' is the change a pixel along the row: it is linear
- * in the row and the same along it. slopes: u' and w' in 2^(shift - 32), below 2^31. Products are
- * below 2^61. What the cut bits of the four factors may change is below 2^33. */
-static uint64_t largest_twist(const fxl_gradients *gradients, uint32_t attribute,
-                              const int32_t slopes[2], const fxl_lens *lens)
+/* The least weight, at both ends, of a segment of n = 16 pixels that is divided at its ends alone.
+ * Between ends w0 and w1 >= w0 the linear u is off by at most
+ *   |u1 - u0| (w1 - w0) / (4 w0) = n^2 twist |w'| / (4 w0 w0 w1),
+ * which has to be at most 2^15: so w0^3 has to be at least 2^(8 - 17) twist |w'|. And
+ * |u1 - u0| = n twist / (w0 w1) has to be at most 2^29, so that an end outside of the face does not
+ * overflow: w0^2 at least 2^(4 - 29) twist, of which the root's bound is a power of two. */
+static uint32_t least_weight(const block_bound *twist, const fxl_gradient *weight)
 {
-    const fxl_gradient *u = &gradients->attributes[attribute], *w = &gradients->weight;
-    uint64_t largest = 0;
-    for (int32_t end = 0; end < 2; end++) {
-        const int64_t row = end * (int64_t)lens->height;
-        const int32_t u_value = (int32_t)((u->at + row * u->down) >> 32);
-        const int32_t w_value = (int32_t)((w->at + row * w->down) >> 32);
-        const uint64_t twist = fxl_magnitude(fxl_multiply_s32(slopes[0], w_value) -
-                                             fxl_multiply_s32(slopes[1], u_value));
-        largest = twist > largest ? twist : largest;
-    }
-    return largest + ((uint64_t)1 << 33);
-}
-
-/* The least weight, at both ends, of a segment of n = 2^log pixels that is divided at its ends
- * alone. Between ends w0 and w1 >= w0 the linear u is off by at most
- *   |u1 - u0| (w1 - w0) / (4 w0) = n^2 |u' w - w' u| |w'| / (4 w0 w0 w1) 2^shift,
- * which has to be at most 2^15; and |u1 - u0| = n |u' w - w' u| / (w0 w1) 2^shift at most 2^29, so
- * that an end outside of the face does not overflow. */
-static uint32_t least_weight(const fxl_gradients *gradients, uint32_t attribute, int log,
-                             const fxl_lens *lens)
-{
-    const int64_t u_slope = gradients->attributes[attribute].along;
-    const int64_t w_slope = gradients->weight.along;
-    const int bits = (int)fxl_bit_length(fxl_magnitude(u_slope) | fxl_magnitude(w_slope));
-    const int drop = bits > 31 ? bits - 31 : 0;
-    const int32_t slopes[2] = {(int32_t)(u_slope >> drop), (int32_t)(w_slope >> drop)};
-    int twist_exponent = drop - 32 + gradients->shifts[attribute];
-    uint64_t twist = largest_twist(gradients, attribute, slopes, lens);
-    const int spare = (int)fxl_bit_length(twist) - 32;
-    twist = (twist >> spare) + 1; /* spare is at least 2; at most 2^32 */
-    twist_exponent += spare;
-    const uint64_t bend = twist * ((uint32_t)fxl_magnitude(slopes[1]) + 1); /* at most 2^63 */
-    int bend_exponent = twist_exponent + drop - 32 - 17 + 2 * log;
-    int far_exponent = twist_exponent - 29 + log;
-    const uint32_t bend_root = cube_root_up(aligned(bend, 30, 3, &bend_exponent));
-    const uint32_t far_root = fxl_square_root(aligned(twist, 30, 2, &far_exponent)) + 1;
-    const uint32_t by_bend = power_up(bend_root, bend_exponent / 3);
-    const uint32_t by_far = power_up(far_root, far_exponent / 2);
+    const block_bound slope = bound_of(fxl_magnitude(weight->along) + 1, -32);
+    /* From 2^62 to 2^64. A number of 26 to 30 bits is left for the root. */
+    const uint64_t bend = fxl_multiply_u32(twist->mantissa, slope.mantissa);
+    const int bend_exponent = twist->exponent + slope.exponent + 8 - 17 + 36;
+    const int root_exponent = third(bend_exponent);
+    const unsigned spare = (unsigned)(bend_exponent - 3 * root_exponent); /* 0..2 */
+    const uint32_t root = cube_root_up((uint32_t)(bend >> (36 - spare)) + 1);
+    const uint32_t by_bend = power_up(root, root_exponent);
+    const int far = twist->exponent + 32 + 4 - 29; /* w0^2 >= 2^far */
+    const uint32_t by_far = power_up(1, (far + 601) / 2 - 300);
     return by_bend > by_far ? by_bend : by_far;
 }
+
+/* --- a face --------------------------------------------------------------------------------- */
 
 static bool is_zero(const fxl_gradient *gradient)
 {
     return (gradient->at | gradient->along | gradient->down) == 0;
 }
-
-/* --- a face --------------------------------------------------------------------------------- */
 
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients)
@@ -232,23 +248,23 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         }
     }
     const int weight_exponent = find_gradient(vectors[0], view, &gradients->weight);
+    block_bound twist = {0, INT16_MIN};
     gradients->count = (uint8_t)face->count;
-    gradients->weight_min[0] = gradients->weight_min[1] = 1;
     for (uint32_t i = 0; i < face->count; i++) {
         const int32_t *values = face->values[i];
         const int32_t factors[3] = {values[0], values[1] - values[0], values[2] - values[0]};
-        const int exponent =
-            find_gradient(combine(vectors, factors), view, &gradients->attributes[i]);
+        fxl_gradient *attribute = &gradients->attributes[i];
+        const int exponent = find_gradient(combine(vectors, factors), view, attribute);
         gradients->shifts[i] = 0;
-        if (is_zero(&gradients->attributes[i])) {
-            continue;
-        }
-        gradients->shifts[i] = (int8_t)(exponent - weight_exponent);
-        for (uint32_t n = 0; n < 2; n++) {
-            const uint32_t least = least_weight(gradients, i, n == 0 ? 4 : 3, &view->lens);
-            if (least > gradients->weight_min[n]) {
-                gradients->weight_min[n] = least;
-            }
+        if (!is_zero(attribute)) {
+            gradients->shifts[i] = (int8_t)(exponent - weight_exponent);
+            const block_bound own =
+                twist_of(attribute, gradients->shifts[i], &gradients->weight, &view->lens);
+            twist = is_above(&own, &twist) ? own : twist;
         }
     }
+    /* Of a segment of half the length the two bounds are 0.63 and 0.71 of the others. */
+    const uint32_t least = twist.mantissa == 0 ? 1 : least_weight(&twist, &gradients->weight);
+    gradients->weight_min[0] = least;
+    gradients->weight_min[1] = least - (least >> 2);
 }
