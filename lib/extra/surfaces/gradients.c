@@ -240,9 +240,12 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
     block_vector vectors[3] = {cross(&edge_1, &edge_2), cross(&edge_2, &first),
                                cross(&first, &edge_1)};
     /* Three products of at most 2^60: below 2^62. */
-    if (fxl_multiply_s32(vectors[0].x, first.x) + fxl_multiply_s32(vectors[0].y, first.y) +
-            fxl_multiply_s32(vectors[0].z, first.z) <
-        0) {
+    const int64_t volume = fxl_multiply_s32(vectors[0].x, first.x) +
+                           fxl_multiply_s32(vectors[0].y, first.y) +
+                           fxl_multiply_s32(vectors[0].z, first.z);
+    gradients->volume.number = (int64_t)fxl_magnitude(volume);
+    gradients->volume.exponent = vectors[0].exponent + first.exponent;
+    if (volume < 0) {
         for (unsigned i = 0; i < 3; i++) {
             negate(&vectors[i]);
         }

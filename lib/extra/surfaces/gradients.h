@@ -24,26 +24,37 @@ typedef struct {
     int64_t at, along, down;
 } fxl_gradient;
 
+/* The attributes of a face: u and v, where it has a texture, and then light, where it is lit. So
+ * light is the last. */
 enum {
     FXL_ATTRIBUTE_U,
     FXL_ATTRIBUTE_V,
-    FXL_ATTRIBUTE_LIGHT,
-    FXL_ATTRIBUTES
+    FXL_ATTRIBUTES = 3
 };
 
-/* The most attributes of a face, and their values at its three corners: 16.16, each below 2^30. */
+/* The corners of a face, and the values of its attributes at its three corners: 16.16, each below
+ * 2^30. */
 typedef struct {
     fxl_view_point corners[3];
     int32_t values[FXL_ATTRIBUTES][3];
     uint32_t count; /* of attributes: the first so many are used */
 } fxl_gradient_corners;
 
+/* number * 2^exponent, not negative. */
+typedef struct {
+    int64_t number;
+    int32_t exponent;
+} fxl_scaled_number;
+
 /* The gradients of a face. */
 typedef struct {
     fxl_gradient weight; /* above 0 where the face is */
     fxl_gradient attributes[FXL_ATTRIBUTES];
     int8_t shifts[FXL_ATTRIBUTES];
-    uint8_t count;          /* of attributes */
+    uint8_t count; /* of attributes */
+    /* Six times the volume between eye and corners, in the cube of their unit. Not in the display
+     * list. */
+    fxl_scaled_number volume;
     uint32_t weight_min[2]; /* the least weight, at both ends, of a segment of 16, of 8 pixels that
                                is divided at its ends alone: then all attributes are within half
                                their unit (65536) of the exact ones. At least 1. */

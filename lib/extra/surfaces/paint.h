@@ -25,11 +25,14 @@ typedef struct {
 typedef struct {
     const fxl_gradients *gradients;
     fxl_texture_level level; /* texels null: the face's own colour */
-    const uint8_t *ramp;     /* ramp[256 * light + colour]; null: unlit */
-    uint8_t levels_less_1;   /* of the ramp */
-    uint8_t colour;          /* of the face */
-    uint8_t division;        /* FXL_DIVIDE_... */
-    uint8_t opacity;         /* 1..16 */
+    const uint8_t *ramp;     /* ramp[256 * level + colour], by the last attribute; null: unlit */
+    const uint8_t *blend;    /* as of fxl_surface_set; null: no colour is blended */
+    uint32_t blend_count;
+    uint8_t blend_first;
+    uint8_t levels_less_1; /* of the ramp */
+    uint8_t colour;        /* of the face */
+    uint8_t division;      /* FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_DIVIDE_1 */
+    uint8_t opacity;       /* 1..16 */
 } fxl_paint;
 
 /* The row that is being painted: the gradients at the centre of its pixel 0. The upper words are

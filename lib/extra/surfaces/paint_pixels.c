@@ -30,6 +30,12 @@ static inline uint8_t texel(const fxl_texture_level *level, int32_t i, int32_t j
 
 /* --- pixels --------------------------------------------------------------------------------- */
 
+static inline uint8_t blended(const fxl_paint *paint, uint8_t colour, uint8_t beneath)
+{
+    const uint32_t number = (uint8_t)(colour - paint->blend_first);
+    return number < paint->blend_count ? paint->blend[256u * number + beneath] : colour;
+}
+
 /* A pixel whose attributes are known. */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
                                const int32_t values[FXL_ATTRIBUTES])
@@ -45,10 +51,11 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
         }
     }
     if (paint->ramp != NULL) {
-        const uint32_t level = limited(values[FXL_ATTRIBUTE_LIGHT] >> 16, paint->levels_less_1);
+        const int32_t light = values[paint->gradients->count - 1];
+        const uint32_t level = limited(light >> 16, paint->levels_less_1); /* bug: light-limit */
         colour = paint->ramp[256u * level + colour];
     }
-    row->pixels[x] = colour;
+    row->pixels[x] = paint->blend == NULL ? colour : blended(paint, colour, row->pixels[x]);
 }
 
 /* The first number's upper word, x pixels on. */

@@ -3,7 +3,10 @@
  * display list or into the band. */
 #include "../../src/draw/renderer.h"
 #include "../../src/draw/submit.h"
+#include "affine.h"
+#include "surface_light.h"
 #include "surface_polygon.h"
+#include "texture_level.h"
 
 static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
 {
@@ -27,21 +30,44 @@ static void find_corner(const fxl_model_view *model_view, uint32_t number, bool 
     }
 }
 
+/* The corners of a face in the view, and the values of its attributes there. */
+static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
+                         const fxl_face *face, const fxl_mapped_face *mapped,
+                         const fxl_traversal *on, fxl_gradient_corners *corners)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
+    const uint16_t *indices = model_view->indices + face->first_index;
+    for (uint32_t i = 0; i < 3; i++) {
+        find_corner(model_view, indices[mapped->corners[i]], on->clipper->by_clip_flags,
+                    &corners->corners[i]);
+        corners->values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
+        corners->values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
+    }
+    corners->count = surface->texture == 0 ? 0 : 2;
+    if (fxl_surface_is_lit(surfaces, surface)) {
+        surfaces->light_code->light_corners(surfaces, on->renderer, model_view->instance, face,
+                                            mapped, corners->values[corners->count]);
+        corners->count++;
+    }
+}
+
 static void find_gradients(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
                            const fxl_face *face, const fxl_mapped_face *mapped,
                            const fxl_traversal *on, fxl_surface_polygon *polygon)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
-    const uint16_t *indices = model_view->indices + face->first_index;
     fxl_gradient_corners corners;
-    for (uint32_t i = 0; i < 3; i++) {
-        find_corner(model_view, indices[mapped->corners[i]], on->clipper->by_clip_flags,
-                    &corners.corners[i]);
-        corners.values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
-        corners.values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
+    find_corners(surfaces, model_view, face, mapped, on, &corners);
+    if (surface->division == FXL_AFFINE) {
+        fxl_corners_make_affine(&corners, model_view->view);
     }
-    corners.count = surface->texture == 0 ? 0 : 2;
     fxl_gradients_find(&corners, model_view->view, &polygon->gradients);
+    polygon->level = 0;
+    if (surface->texture != 0) {
+        polygon->level =
+            fxl_texture_level_choose(&surfaces->set->textures[surface->texture - 1], &corners,
+                                     &model_view->view->lens, &polygon->gradients);
+    }
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
 }
@@ -66,7 +92,7 @@ static fxl_outcome deliver(const fxl_surfaces *surfaces, const fxl_traversal *on
         on->reached->end = rows.end > on->reached->end ? rows.end : on->reached->end;
         return FXL_OUTCOME_SPILLED;
     }
-    fxl_surface_polygon_paint(surfaces->set, polygon, screen->points, screen->count, on->band,
+    fxl_surface_polygon_paint(surfaces, polygon, screen->points, screen->count, on->band,
                               &workspace->work.scan);
     return FXL_OUTCOME_SPILLED;
 }
@@ -144,14 +170,15 @@ fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfa
     }
     surfaces->set = set;
     surfaces->light = NULL;
+    surfaces->light_code = NULL;
     surfaces->shader.code = &code;
     fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
 }
 
-const fxl_surface_set *fxl_surfaces_of(const fxl_renderer *renderer)
+const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer)
 {
     const fxl_shader *first = renderer->shader;
     FXL_ASSERT(first != NULL && first->rank == FXL_SHADER_SURFACES);
-    return ((const fxl_surfaces *)(const void *)first)->set;
+    return (const fxl_surfaces *)(const void *)first;
 }

@@ -15,6 +15,7 @@ extern "C" {
 typedef struct {
     fxl_gradients gradients;
     uint16_t surface; /* a number */
+    uint8_t level;    /* of its texture; u and v are in texels of that level */
     uint8_t colour;   /* of the face */
 } fxl_surface_polygon;
 
@@ -29,12 +30,12 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
                                   fxl_surface_polygon *polygon);
 
 /* Paints the pixels of a polygon in a band. */
-void fxl_surface_polygon_paint(const fxl_surface_set *set, const fxl_surface_polygon *polygon,
+void fxl_surface_polygon_paint(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                                const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                                fxl_scan *scan);
 
 /* The surfaces of a renderer that has some. */
-const fxl_surface_set *fxl_surfaces_of(const fxl_renderer *renderer);
+const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer);
 
 /* Whether the renderer's visibility method draws polygons with surfaces. */
 bool fxl_draws_surfaces(const fxl_renderer *renderer);

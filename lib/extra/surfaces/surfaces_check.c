@@ -31,7 +31,11 @@ static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *s
     if (surface->opacity < 1 || surface->opacity > 16) {
         return FXL_E_RANGE;
     }
-    const bool plain = surface->division <= FXL_AFFINE && surface->flags <= FXL_SURFACE_LIT &&
+    if ((surface->flags & FXL_SURFACE_BLEND) && set->blend == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const bool plain = surface->division <= FXL_AFFINE &&
+                       surface->flags <= (FXL_SURFACE_LIT | FXL_SURFACE_BLEND) &&
                        (surface->reserved[0] | surface->reserved[1] | surface->reserved[2]) == 0;
     return plain ? FXL_OK : FXL_E_RESERVED;
 }
@@ -117,7 +121,8 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_ARGUMENT);
     }
     if (set->texture_count > FXL_TEXTURES_MAX || set->surface_count > FXL_SURFACES_MAX ||
-        set->face_count > FXL_MAPPED_FACES_MAX || set->normal_count > UINT16_MAX) {
+        set->face_count > FXL_MAPPED_FACES_MAX || set->normal_count > UINT16_MAX ||
+        set->blend_first > 255 || set->blend_count > 256 - set->blend_first) {
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_COUNT);
     }
     for (uint32_t i = 0; i < set->texture_count; i++) {

@@ -5,7 +5,7 @@
 static bool draw_list(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
-    const fxl_surface_set *set = fxl_surfaces_of(renderer);
+    const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     const fxl_band *band = on->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     fxl_display_list_record record;
@@ -15,7 +15,7 @@ static bool draw_list(const fxl_traversal *on)
         if (record.kind == FXL_POLYGON_SURFACE) {
             fxl_surface_polygon polygon;
             const uint32_t count = fxl_surface_polygon_read(&record, &polygon);
-            fxl_surface_polygon_paint(set, &polygon, record.points, count, band, scan);
+            fxl_surface_polygon_paint(surfaces, &polygon, record.points, count, band, scan);
         } else {
             fxl_draw_over(on->workspace, record.points, record.count, record.colour, band);
         }

@@ -4,7 +4,7 @@
 #ifndef FXL_SURFACES_H
 #define FXL_SURFACES_H
 
-#include "fixel/render.h"
+#include "fixel/extra/light.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,18 +56,21 @@ enum {
     FXL_DIVIDE_16 = 0, /* at each 16th column; where that is half a texel off, as the next */
     FXL_DIVIDE_8 = 1,  /* at each 8th column; where that is half a texel off, as the next */
     FXL_DIVIDE_1 = 2,  /* at each pixel */
-    FXL_AFFINE = 3     /* nowhere: linear on the screen, where the face's three corners are on it */
+    FXL_AFFINE = 3 /* nowhere: linear on the screen. Where one of the face's three corners is not on
+                      the screen, as FXL_DIVIDE_16 */
 };
 
 enum {
-    FXL_SURFACE_LIT = 1u << 0 /* light is found at the three corners, and is linear over the face */
+    FXL_SURFACE_LIT = 1u << 0,  /* light is found at the three corners, and is linear over the face:
+                                   fxl_renderer_light_surfaces */
+    FXL_SURFACE_BLEND = 1u << 1 /* colours are blended with those beneath, by the set's table */
 };
 
 /* What faces look like. */
 typedef struct {
     uint16_t texture; /* its number, counted from 1; 0: the face's own colour */
     uint8_t division; /* FXL_DIVIDE_16 and so on */
-    uint8_t flags;    /* FXL_SURFACE_LIT */
+    uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND */
     uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
     uint8_t reserved[3];
 } fxl_surface;
@@ -91,18 +94,27 @@ typedef struct {
                                  faces, counted from 1 */
     const fxl_direction *normals; /* of corners, in the model */
     uint32_t texture_count, surface_count, face_count, normal_count;
+    const uint8_t *blend; /* blend[256 * (colour - blend_first) + beneath]: what FXL_SURFACE_BLEND
+                             shows of a colour over another; null where no surface has that flag */
+    uint32_t blend_first, blend_count; /* the colours that are blended; others are opaque. The sum
+                                          is at most 256 */
 } fxl_surface_set;
+
+/* Bytes of a blend table of so many colours. */
+#define FXL_BLEND_TABLE_BYTES(colours) (256u * (colours))
 
 /* The surfaces of a renderer, which the caller owns. Members are internal. */
 typedef struct {
     fxl_shader shader;
     const fxl_surface_set *set;
-    const void *light;
+    const fxl_light *light; /* null: faces are not lit */
+    const struct fxl_surface_light_code *light_code;
 } fxl_surfaces;
 
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
- * corners of a face are not on one line; that normals have unit length. Requires a checked scene
- * and tables as long as their counts; fault may be null.
+ * corners of a face are not on one line; that normals have unit length; that a set with a surface
+ * that is FXL_SURFACE_BLEND has a table. Requires a checked scene and tables as long as their
+ * counts; fault may be null.
  * FXL_E_ARGUMENT, FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL, FXL_E_DEGENERATE (corners on
  * one line), FXL_E_RESERVED: *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
@@ -117,6 +129,26 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
  * fxl_surfaces_check: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                      const fxl_surface_set *set);
+
+/* Has the surfaces of a renderer that are FXL_SURFACE_LIT take a light, or, where light is null,
+ * has them drawn at full brightness. The light is one that fxl_renderer_set_light has set, so the
+ * same settings light flat faces and surfaces; another call of that function with the same *light
+ * changes both. The renderer keeps a pointer to *light. fxl_renderer_set_surfaces takes the light
+ * away. A frame must begin anew. Error of a corner's brightness: FXL_LIGHT_ERROR_MAX, given its
+ * place and its normal. Of a pixel's level: docs/extras/surfaces.md, section 5. FXL_E_ARGUMENT
+ * (renderer), FXL_E_ORDER (the renderer has no surfaces; a *light of zeros, which was never set):
+ * nothing is changed but refused_calls. */
+fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light);
+
+/* Makes a blend table for the colours first..first + count - 1 of a palette of 256 colours of three
+ * bytes, red, green, blue. The entry of a colour over another is the one of the palette that is
+ * nearest to beneath + (colour - beneath) * sixteenths / 16, each of the three rounded to nearest,
+ * halves upward; nearest as for fxl_light_make_ramp. Where colour and the one beneath are the same,
+ * it is that colour. It looks at 65536 * count pairs of colours; a program with little time
+ * computes the table on the host, and keeps it in flash. FXL_E_ARGUMENT, FXL_E_RANGE (sixteenths
+ * not within 1..16), FXL_E_COUNT (count of 0, or first + count above 256): table untouched. */
+fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,
+                                uint32_t count, uint8_t *table);
 
 /* The order of fxl_visibility_sorted; a later polygon covers an earlier one; faces with surfaces
  * show them. */

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* The levels of a texture: which one a face takes, and where it is. Internal. */
+#ifndef FXL_TEXTURE_LEVEL_H
+#define FXL_TEXTURE_LEVEL_H
+
+#include "paint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The log of a side of a level: one less a level, and at least least. */
+static inline uint32_t fxl_level_log(uint32_t log, uint32_t level, uint32_t least)
+{
+    return log > level + least ? log - level : least;
+}
+
+/* The log of the least width of a level: a row of 4 bits a texel has two texels. */
+static inline uint32_t fxl_level_least(const fxl_texture *texture)
+{
+    return texture->format == FXL_TEXTURE_4 ? 1 : 0;
+}
+
+/* Chooses the level of a face's texture and makes u and v texels of that level. It is the level l
+ * of which 4^l is at most twice the texels a pixel, by area, at that of the three corners whose
+ * depth is least; level 0 where that is not in front of the eye. Requires corners from which the
+ * gradients were found. Error: 2^-26 of the texels a pixel. */
+uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_corners *face,
+                                 const fxl_lens *lens, fxl_gradients *gradients);
+
+/* Finds a level of a texture. Requires one that it has. */
+void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
