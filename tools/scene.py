@@ -136,6 +136,8 @@ def summary(scene):
         "clusters": sum(len(model.clusters) for model in scene.models),
         "turned_objects": len(scene.turns), "moving_objects": len(scene.motions),
         "motion_keys": sum(len(motion.keys) for motion in scene.motions),
+        "light_levels": len(scene.light.ramp) if scene.light else 0,
+        "point_lights": len(scene.light.points) if scene.light else 0,
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
         "path": "poses" if scene.path_kind == image.POSES else "strides",
@@ -159,6 +161,8 @@ def info(file, as_json):
     if data["turned_objects"]:
         print(f"  turned   {data['turned_objects']} objects; {data['moving_objects']} of them move, by "
               f"{data['motion_keys']:,} keys")
+    if data["light_levels"]:
+        print(f"  light    at run time, in {data['light_levels']} levels; {data['point_lights']} point lights")
     if data["clusters"]:
         print(f"  clusters {data['clusters']:,} of faces")
     if data["tree_nodes"]:

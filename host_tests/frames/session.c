@@ -103,6 +103,11 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         bsp->pieces = run->pieces;
         bsp->pieces_size = settings->pieces_bytes;
     }
+    if (status == FXL_OK && run->image.light.base) {
+        fxl_light_settings light;
+        fxl_light_settings_of(&run->image.light, &light);
+        status = fxl_renderer_set_light(renderer, &run->light, &light);
+    }
     return status;
 }
 

@@ -45,6 +45,15 @@ static void read_tables(const fxl_scene_image *opened)
     sum += sum_bytes(opened->motion.motions,
                      opened->motion.motion_count * sizeof *opened->motion.motions);
     sum += sum_bytes(opened->motion.keys, opened->motion.key_count * sizeof *opened->motion.keys);
+    sum +=
+        sum_bytes(opened->light.points, opened->light.point_count * sizeof *opened->light.points);
+    sum += sum_bytes(opened->light.ramp, 256u * opened->light.levels);
+    if (opened->light.base != NULL) {
+        fxl_light_settings settings;
+        sum += sum_bytes(opened->light.base, sizeof *opened->light.base);
+        fxl_light_settings_of(&opened->light, &settings);
+        DEMAND(fxl_light_check(&settings, NULL) == FXL_OK);
+    }
     DEMAND((opened->poses == NULL) != (opened->segments == NULL));
     if (opened->poses != NULL) {
         sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);

@@ -73,9 +73,10 @@ static bool explained(const viewpoint *v, double x, double y, uint8_t colour)
     return false;
 }
 
-void judge_frame(const scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels)
+void judge_frame(scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels)
 {
     viewpoint view = viewpoint_of(s, frame);
+    scene_light(s, view.eye, ray_through(&view, s->width / 2.0, s->height / 2.0).direction);
     memset(v, 0, sizeof *v);
     for (uint32_t j = 0; j < s->height; j++)
         for (uint32_t i = 0; i < s->width; i++) {

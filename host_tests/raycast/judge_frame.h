@@ -18,7 +18,8 @@ typedef struct {
     example examples[EXAMPLES]; /* the first unexplained pixels */
 } verdict;
 
-/* pixels (may be null) receives the picture that the rays see, width x height. */
-void judge_frame(const scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels);
+/* Lights the scene for the frame's eye. pixels (may be null) receives the picture that the rays
+ * see, width x height. */
+void judge_frame(scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels);
 
 #endif

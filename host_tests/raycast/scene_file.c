@@ -11,6 +11,7 @@ enum {
     HEADER = 160,
     CLUSTER_HEADER = 184,
     TURN_HEADER = 208,
+    LIGHT_HEADER = 232,
     BEAM_COUNT = 164,
     VERTEX = 12,
     CORNER = 2,
@@ -19,7 +20,10 @@ enum {
     INSTANCE = 16,
     TURN = 40,
     MOTION = 76,
-    KEY = 32
+    KEY = 32,
+    LIGHT = 28,
+    POINT_LIGHT = 20,
+    LEVEL = 256
 };
 
 typedef struct {
@@ -32,6 +36,7 @@ typedef struct reader {
     file_block image;
     table vertices, corners, faces, models, instances;
     play_tables play;
+    light_tables light;
 } reader;
 
 static double q16(const uint8_t *at)
@@ -79,6 +84,22 @@ static void open_turns(reader *r)
         unusable("%s: more turns than instances, or more motions than turns", r->path);
 }
 
+/* Of an image of version 6: its light. */
+static void open_light(reader *r)
+{
+    const table ramp = table_at(r, TURN_HEADER + 16, LEVEL, "levels");
+    r->light.base = table_at(r, TURN_HEADER, LIGHT, "light").at;
+    r->light.ramp = ramp.at;
+    r->light.levels = ramp.count;
+    if (get_u32(r->image.bytes + TURN_HEADER + 12) > 0) {
+        const table points = table_at(r, TURN_HEADER + 8, POINT_LIGHT, "point lights");
+        r->light.points = points.at;
+        r->light.point_count = points.count;
+    }
+    if (ramp.count < 2)
+        unusable("%s: a ramp of one level", r->path);
+}
+
 static void open_image(reader *r, const char *path)
 {
     r->path = path;
@@ -90,6 +111,8 @@ static void open_image(reader *r, const char *path)
     if (!((version == 2 || version == 3) && header == HEADER) &&
         !(version == 4 && header == CLUSTER_HEADER && get_u32(bytes + BEAM_COUNT) == 0) &&
         !(version == 5 && header == TURN_HEADER && r->image.size >= TURN_HEADER &&
+          get_u32(bytes + BEAM_COUNT) == 0) &&
+        !(version == 6 && header == LIGHT_HEADER && r->image.size >= LIGHT_HEADER &&
           get_u32(bytes + BEAM_COUNT) == 0))
         unusable("%s: this version of the scene image is not known", path);
     uint32_t size = get_u32(bytes + 8);
@@ -105,8 +128,10 @@ static void open_image(reader *r, const char *path)
     r->instances = table_at(r, 120, INSTANCE, "instances");
     r->play.instances = r->instances.at;
     r->play.instance_count = r->instances.count;
-    if (version == 5)
+    if (version == 5 || (version == 6 && get_u32(bytes + CLUSTER_HEADER + 4) > 0))
         open_turns(r);
+    if (version == 6)
+        open_light(r);
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *instance)
@@ -121,13 +146,23 @@ static void add_face(const reader *r, const placing *place, const uint8_t *model
     *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = face[17]};
     if (polygon->count < 3)
         unusable("%s: a face of %u vertices", r->path, polygon->count);
+    vector low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = 0; i < polygon->count; i++) {
         uint64_t corner = (uint64_t)get_u32(face + 12) + i;
         uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
         vertex += get_u32(model);
-        const uint8_t *at = entry_of(r, r->vertices, vertex, VERTEX, "vertex");
-        w->corners[w->corner_count++] = placing_point(place, point_at(at));
+        const vector at = point_at(entry_of(r, r->vertices, vertex, VERTEX, "vertex"));
+        low = (vector){fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z)};
+        high = (vector){fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z)};
+        w->corners[w->corner_count++] = placing_point(place, at);
     }
+    placing turned = *place;
+    turned.centre = (vector){0, 0, 0};
+    turned.scale = 1;
+    const vector normal = {get_i32(face), get_i32(face + 4), get_i32(face + 8)};
+    polygon->lit =
+        (light_face){placing_point(&turned, vector_times(normal, 1 / 1073741824.0)),
+                     placing_point(place, vector_times(vector_plus(low, high), 0.5)), face[17]};
 }
 
 /* Counts faces and vertices first, so that each array is allocated once. */
@@ -170,6 +205,14 @@ void scene_play(scene *s, uint32_t frame)
     s->world = world_of(s->image, frame);
 }
 
+void scene_light(scene *s, vector eye, vector forward)
+{
+    for (uint32_t p = 0; s->light.ramp && p < s->world.polygon_count; p++) {
+        world_polygon *polygon = &s->world.polygons[p];
+        polygon->colour = light_colour(&s->light, &polygon->lit, eye, forward);
+    }
+}
+
 scene scene_read(const char *path)
 {
     reader *r = allocate(1, sizeof *r);
@@ -191,6 +234,7 @@ scene scene_read(const char *path)
         unusable("%s: its screen or its depths make no sense", path);
     s.image = r;
     s.moves = r->play.motion_count > 0;
+    s.light = r->light;
     s.world = world_of(r, 0);
     return s;
 }

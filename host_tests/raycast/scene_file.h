@@ -14,6 +14,7 @@ typedef struct {
     world world;
     struct reader *image; /* of which scene_play makes the world anew */
     bool moves;
+    light_tables light;
 } scene;
 
 /* Reads a scene image. Does not return if the image is unusable. */
@@ -21,5 +22,9 @@ scene scene_read(const char *path);
 
 /* Makes the world of a frame. */
 void scene_play(scene *s, uint32_t frame);
+
+/* Colours the world's faces as a scene's light shows them to an eye that looks along forward, if
+ * the scene has light. */
+void scene_light(scene *s, vector eye, vector forward);
 
 #endif

@@ -6,13 +6,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "light.h"
 #include "vector.h"
 
 typedef struct {
     uint32_t first, count; /* corners */
     uint8_t colour;
-    vector normal; /* Newell's normal, of any length; its sign has no meaning */
-    vector middle; /* mean of the vertices: a point of the plane */
+    light_face lit; /* of a scene with light at run time */
+    vector normal;  /* Newell's normal, of any length; its sign has no meaning */
+    vector middle;  /* mean of the vertices: a point of the plane */
 } world_polygon;
 
 /* A box around polygons first .. first + count - 1 (a leaf, count > 0), or around the two nodes

@@ -2,6 +2,7 @@
 #include "reference/light.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "reference/turn.h"
 
@@ -39,6 +40,34 @@ void ref_light_make_ramp(ref_light *light, const uint8_t *palette, const uint8_t
             light->ramp[level][colour] = (uint8_t)best;
         }
     }
+}
+
+static double q16(const uint8_t *bytes)
+{
+    return ldexp(ref_i32(bytes), -16);
+}
+
+static double q30(const uint8_t *bytes)
+{
+    return ldexp(ref_i32(bytes), -30);
+}
+
+void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points, int point_count,
+                    const uint8_t *ramp, int levels)
+{
+    light->ambient = q30(base);
+    light->strength = q30(base + 4);
+    light->direction = (ref_point){q30(base + 8), q30(base + 12), q30(base + 16)};
+    light->fog_near = q16(base + 20);
+    light->fog_far = q16(base + 24);
+    light->point_count = point_count;
+    for (int i = 0; i < point_count; i++) {
+        const uint8_t *at = points + 20 * i;
+        light->points[i] =
+            (ref_point_light){{q16(at), q16(at + 4), q16(at + 8)}, q16(at + 12), q30(at + 16)};
+    }
+    light->levels = levels;
+    memcpy(light->ramp, ramp, (size_t)levels * sizeof light->ramp[0]);
 }
 
 /* The middle of the bounding box of a face: in the world, or, of an instance that is turned, of the

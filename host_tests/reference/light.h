@@ -30,6 +30,12 @@ struct ref_light {
  * black and of fog. */
 void ref_light_make_ramp(ref_light *light, const uint8_t *palette, const uint8_t *dark);
 
+/* Reads the light of a scene image (docs/formats.md, section 1.2): the entry of its table, its
+ * point lights, its ramp. Requires counts that REF_LIGHT_POINTS_MAX and REF_LIGHT_LEVELS_MAX allow.
+ */
+void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points, int point_count,
+                    const uint8_t *ramp, int levels);
+
 /* The colour of a face in the light. */
 uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
                          const ref_instance *instance, const ref_face *face);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
+#include "reference/light.h"
 #include "reference/turn.h"
 
 #include <math.h>
@@ -201,12 +202,31 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
-/* Reads the turns of an image of version 5. Returns true also where there are none. */
+/* Reads the light of an image of version 6. Returns true also where there is none. */
+static bool read_light(const uint8_t *bytes, size_t size, ref_scene_image *image)
+{
+    uint32_t lights, points = 0, levels;
+    if (ref_u16(bytes + 4) < 6) {
+        return true;
+    }
+    const uint8_t *base = table_at(bytes, size, 208, 28, 1, &lights);
+    const uint8_t *at = table_at(bytes, size, 216, 20, REF_LIGHT_POINTS_MAX, &points);
+    const uint8_t *ramp = table_at(bytes, size, 224, 256, REF_LIGHT_LEVELS_MAX, &levels);
+    image->light = base && ramp && levels >= 2 ? calloc(1, sizeof *image->light) : NULL;
+    if (!image->light || (!at && ref_u32(bytes + 220) != 0)) {
+        return false;
+    }
+    ref_light_read(image->light, base, at, (int)points, ramp, (int)levels);
+    image->scene.light = image->light;
+    return true;
+}
+
+/* Reads the turns of an image of version 5 or later. Returns true also where there are none. */
 static bool read_turns(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     ref_scene *scene = &image->scene;
     uint32_t count;
-    if (ref_u16(bytes + 4) < 5) {
+    if (ref_u16(bytes + 4) < 5 || (ref_u16(bytes + 4) > 5 && ref_u32(bytes + 188) == 0)) {
         return true;
     }
     const uint8_t *turns = table_at(bytes, size, 184, 40, scene->instance_count, &count);
@@ -392,8 +412,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "it is not a scene image (no FXLS at its start)";
     }
     uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
-    if (version < 2 || version > 5 ||
-        header != (version == 5                     ? 208
+    if (version < 2 || version > 6 ||
+        header != (version == 6                     ? 232
+                   : version == 5                   ? 208
                    : header == 176 || header == 184 ? header
                                                     : 160)) {
         return "this version of the scene image is not known";
@@ -433,6 +454,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_beams(bytes, stated, &image->scene)) {
         return "the scene image's beams are not usable";
     }
+    if (!read_light(bytes, stated, image)) {
+        return "the scene image's light is not usable";
+    }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";
     }
@@ -459,6 +483,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.bsp_nodes);
     free(image->scene.beams);
     free(image->scene.clusters);
+    free(image->light);
     free(image->poses);
     free(image->segments);
     memset(image, 0, sizeof *image);

@@ -88,7 +88,7 @@ typedef struct {
     uint32_t cluster_count;
     ref_turn *turns; /* of the instances from first_turned on; null where there are none */
     uint32_t first_turned;
-    const ref_light *light; /* light at run time, which no image has; or null */
+    const ref_light *light; /* light at run time; or null */
 } ref_scene;
 
 typedef struct {
@@ -102,6 +102,7 @@ typedef struct {
     ref_path_segment *segments; /* null where the path is poses */
     uint32_t path_count, frame_count;
     uint32_t motion_count; /* instances that move; the reference draws them as in frame 0 */
+    ref_light *light;      /* the scene's, if the image has one; or null */
 } ref_scene_image;
 
 /* Reads an image. Returns null, or one sentence that says what is wrong; *image then holds

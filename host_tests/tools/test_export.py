@@ -17,11 +17,12 @@ CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]
 COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11"], ["g++", "-std=c++11", "-Wold-style-cast"],
              ["g++", "-std=c++20", "-Wold-style-cast"], ["clang++", "-std=c++11", "-Wold-style-cast"]]
-# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; turns and motions.
+# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; turns and motions; light.
 SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
           "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
-          "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None)}
+          "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None),
+          "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None)}
 
 
 @functools.cache
@@ -97,6 +98,15 @@ int main(int argc, char **argv)
 #else
     if (image.motion.motion_count != 0) { return 10; }
 #endif
+#ifdef LIGHT
+    fxl_light_settings light;
+    fxl_light_settings_of(&image.light, &light);
+    compare("ramp", OF(_ramp), light.ramp, sizeof OF(_ramp));
+    light.ramp = OF(_ramp);
+    compare("light", &OF(_light), &light, sizeof light);
+#else
+    if (image.light.base != NULL) { return 11; }
+#endif
     compare("lit", scene->lit, image.scene.lit, 256);
     if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
     compare("palette", OF(_palette), image.palette, sizeof OF(_palette));
@@ -118,8 +128,8 @@ int main(int argc, char **argv)
 
 def test_a_header_holds_what_the_image_holds(exported):
     path = [f"-DPATH={exported.name.upper()}_FRAMES"] if exported.frames else []
-    motion = ["-DMOTION"] if exported.scene.motions else []
-    program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path, *motion)
+    parts = (["-DMOTION"] if exported.scene.motions else []) + (["-DLIGHT"] if exported.scene.light else [])
+    program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path, *parts)
     done = subprocess.run([program, exported.folder / "scene.fxls"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, "")
 

@@ -63,3 +63,12 @@ def test_lit_frames_do_not_depend_on_bands_and_methods(options, build, tmp_path)
     clipper = options[:2] if "--clipper" in options else []
     assert pixels(drawn(build, image, "whole", "--light", "dusk", *clipper)) == \
         pixels(drawn(build, image, "other", "--light", "dusk", *options))
+
+
+def test_the_light_of_an_image_is_that_of_the_reference(build, tmp_path):
+    """Nobody names a light: the image has it."""
+    image = built("lit", tmp_path)
+    lit = drawn(build, image, "lit")
+    assert judged(build, image, lit)["pixels_unexplained"] == 0
+    dusk = drawn(build, image, "dusk", "--light", "dusk")
+    assert pixels(dusk) != pixels(lit) and judged(build, image, dusk)["pixels_unexplained"] > 1000

@@ -174,3 +174,33 @@ tiny_image *tiny_image_make(bool strides)
     tiny_seal(&image);
     return &image;
 }
+
+tiny_image *tiny_image_widen(uint16_t version, uint32_t header_size)
+{
+    static const uint32_t tables[] = {AT_PALETTE, AT_VERTICES,  AT_CORNERS, AT_FACES,
+                                      AT_MODELS,  AT_INSTANCES, AT_PATH,    AT_KEYS};
+    const uint32_t more = header_size - HEADER_SIZE;
+    tiny_image *of = tiny_image_make(false);
+    TEST_ASSERT_TRUE(of->size + more <= sizeof of->words);
+    memmove(tiny_at(of, header_size), tiny_at(of, HEADER_SIZE), of->size - HEADER_SIZE);
+    memset(tiny_at(of, HEADER_SIZE), 0, more);
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        tiny_put32(tiny_at(of, tables[i]), tiny_get(of, tables[i]) + more);
+    }
+    of->size += more;
+    tiny_put32(tiny_at(of, AT_SIZE), of->size);
+    tiny_put16(tiny_at(of, AT_VERSION), version);
+    tiny_put16(tiny_at(of, AT_HEADER_SIZE), (uint16_t)header_size);
+    return of;
+}
+
+void tiny_add_table(tiny_image *of, uint32_t field, const void *entries, uint32_t count,
+                    uint32_t entry_size)
+{
+    TEST_ASSERT_TRUE(of->size + count * entry_size <= sizeof of->words);
+    tiny_put32(tiny_at(of, field), of->size);
+    tiny_put32(tiny_at(of, field + 4), count);
+    memcpy(tiny_at(of, of->size), entries, (size_t)count * entry_size);
+    of->size += count * entry_size;
+    tiny_put32(tiny_at(of, AT_SIZE), of->size);
+}

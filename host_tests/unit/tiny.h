@@ -72,6 +72,14 @@ typedef struct {
  * two strides of 3 and 4 frames), sealed. */
 tiny_image *tiny_image_make(bool strides);
 
+/* Tiny's image of poses with another version and a header that is longer: every table moves. Not
+ * sealed. */
+tiny_image *tiny_image_widen(uint16_t version, uint32_t header_size);
+
+/* A table at the end of the image, named at a field of the header. Not sealed. */
+void tiny_add_table(tiny_image *image, uint32_t field, const void *entries, uint32_t count,
+                    uint32_t entry_size);
+
 /* Bytes of the image, and of an entry of a table. */
 uint8_t *tiny_at(tiny_image *image, uint32_t offset);
 uint8_t *tiny_entry(tiny_image *image, uint32_t table, uint32_t number, uint32_t entry_size);

@@ -171,6 +171,22 @@ def _motions(scene, name):
                    f"{c_text.INDENT}{name}_motions, {len(scene.motions)}, {name}_motion_keys, {len(keys)}", "};", ""])]
 
 
+def _light(scene, name):
+    """The light, for fxl_renderer_set_light, and its ramp."""
+    light = scene.light
+    if light is None:
+        return []
+    points = [braces(braces(*place), reach, strength) for *place, reach, strength in light.points]
+    entries = [f"{light.ambient}, {light.strength}, {braces(*light.direction)}", braces(*points or ["{0, 0, 0}, 0, 0"]),
+               ", ".join(map(str, [len(points), *light.fog, f"{name}_ramp", len(light.ramp)]))]
+    return [table("uint8_t", f"{name}_ramp", [str(entry) for level in light.ramp for entry in level],
+                  "For each level from dark to full, 256 entries: the colour of each colour."),
+            "\n".join([*comment("For fxl_renderer_set_light: ambient, strength and direction in 2.30; point lights; their "
+                                "count, fog's near and far in 16.16, ramp, levels."),
+                       f"static const fxl_light_settings {name}_light = {{",
+                       ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])]
+
+
 def _node(node):
     return braces(braces(*node.normal), *split64(node.distance), node.front, node.back, node.parent,
                   node.first_face, node.face_count, 0, braces(*node.centre), node.radius)
@@ -262,5 +278,5 @@ def header(scene, name, source, frames=False):
                  "no program need call fxl_scene_check."),
         f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", "",
         _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
-        *_motions(scene, name),
+        *_motions(scene, name), *_light(scene, name),
         *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])

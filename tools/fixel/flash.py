@@ -17,9 +17,9 @@ from fixel.errors import ToolError
 from fixel.flash_image import ERASED, read_old, replace
 
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
-SCENE_VERSIONS = (2, 3, 4, 5)
+SCENE_VERSIONS = (2, 3, 4, 5, 6)
 SCENE_HEADER_SIZE = 160
-SCENE_HEADER_SIZES = (160, 176, 184, 208)  # the larger ones of scenes with beams of light, clusters, turns
+SCENE_HEADER_SIZES = (160, 176, 184, 208, 232)  # the larger ones of scenes with beams, clusters, turns, light
 
 
 @dataclasses.dataclass(frozen=True)

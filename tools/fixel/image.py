@@ -6,17 +6,18 @@ from math import isqrt
 import struct
 import zlib
 
-from fixel import image_beam, image_cluster, image_keys, image_lens, image_turn, reading
+from fixel import image_beam, image_cluster, image_keys, image_lens, image_light, image_turn, reading
 from fixel.errors import ToolError
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
 
 MAGIC = b"FXLS"
-VERSION, VERSION_MORE, VERSION_CLUSTERS, VERSION_TURNS = 2, 3, 4, 5
+VERSION, VERSION_MORE, VERSION_CLUSTERS, VERSION_TURNS, VERSION_LIGHT = 2, 3, 4, 5, 6
 HEADER_SIZE = 160
 LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size               # of a scene with beams
 CLUSTER_HEADER_SIZE = LIT_HEADER_SIZE + image_cluster.HEADER.size        # of a scene with clusters
 TURN_HEADER_SIZE = CLUSTER_HEADER_SIZE + image_turn.HEADER.size          # of a scene with turned objects
+LIGHT_HEADER_SIZE = TURN_HEADER_SIZE + image_light.HEADER.size           # of a scene with light at run time
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
@@ -88,6 +89,7 @@ class SceneImage:
     lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
     turns: list = field(default_factory=list)       # of the last objects
     motions: list = field(default_factory=list)     # of the last of those
+    light: image_light.Light = None                 # at run time
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
     size: int = field(default=0, compare=False)
@@ -127,8 +129,10 @@ def _model_tables(image):
     return [vertices, corners, faces, models], keys, clusters
 
 
-def _kind(nodes, beams, clusters, turns):
+def _kind(nodes, beams, clusters, turns, light):
     """The version of an image, and the size of its header."""
+    if light:
+        return VERSION_LIGHT, LIGHT_HEADER_SIZE
     if turns:
         return VERSION_TURNS, TURN_HEADER_SIZE
     if clusters:
@@ -144,7 +148,8 @@ def pack(image):
     nodes = [node.pack() for node in image.tree.nodes] if image.tree else []
     beams = [beam.pack() for beam in image.beams]
     turns, motions, motion_keys = image_turn.tables(image.turns, image.motions)
-    version, header_size = _kind(nodes, beams, clusters, turns)
+    light = image.light.tables() if image.light else [[], [], []]
+    version, header_size = _kind(nodes, beams, clusters, turns, light[0])
     body, where = b"", []
 
     def place(table):
@@ -162,6 +167,7 @@ def pack(image):
     more = image_beam.LIT_HEADER.pack(*place(beams), place([bytes(image.lit)] if beams else [])[0], 0)
     more += image_cluster.HEADER.pack(*place(clusters))
     more += image_turn.HEADER.pack(*place(turns), *place(motions), *place(motion_keys))
+    more += image_light.HEADER.pack(*(number for table in light for number in place(table)))
     more = more[:header_size - HEADER_SIZE]
     size = header_size + len(body)
     if size > IMAGE_MAX:
@@ -188,10 +194,11 @@ def _head(blob):
     if magic != MAGIC:
         fail("magic", "this is not a scene image (it does not begin with FXLS)")
     sizes = {VERSION: [HEADER_SIZE], VERSION_MORE: [HEADER_SIZE, LIT_HEADER_SIZE],
-             VERSION_CLUSTERS: [CLUSTER_HEADER_SIZE], VERSION_TURNS: [TURN_HEADER_SIZE]}
+             VERSION_CLUSTERS: [CLUSTER_HEADER_SIZE], VERSION_TURNS: [TURN_HEADER_SIZE],
+             VERSION_LIGHT: [LIGHT_HEADER_SIZE]}
     if version not in sizes:
         fail("version", f"a scene image of version {version}; this tool knows versions {VERSION} "
-             f"to {VERSION_TURNS}")
+             f"to {VERSION_LIGHT}")
     if header_size not in sizes[version]:
         fail("size", f"a header of {header_size} bytes is not one of version {version}")
     if size % 4 or not header_size <= size <= IMAGE_MAX or size > len(blob):
@@ -237,9 +244,12 @@ def _tables(blob, fields):
               ("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1),
               ("clusters", image_cluster.CLUSTER, 1, image_cluster.CLUSTERS_MAX),
               ("turns", image_turn.TURN, 1, 65_535), ("motions", image_turn.MOTION, 1, 65_535),
-              ("motion keys", image_turn.KEY, 1, image_turn.KEYS_MAX)]
-    optional = {"keys", "nodes", "beams", "lit", "clusters", "turns", "motions", "motion keys"}
-    beams, lit, clusters, turns = (0, 0), (0, 0), (0, 0), (0,) * 6
+              ("motion keys", image_turn.KEY, 1, image_turn.KEYS_MAX), ("light", image_light.BASE, 1, 1),
+              ("point lights", image_light.POINT, 1, image_light.POINTS_MAX),
+              ("levels", image_light.LEVEL, 1, image_light.LEVELS_MAX)]
+    optional = {"keys", "nodes", "beams", "lit", "clusters", "turns", "motions", "motion keys", "light", "point lights",
+                "levels"}
+    beams, lit, clusters, turns, light = (0, 0), (0, 0), (0, 0), (0,) * 6, (0,) * 6
     if fields[2] != HEADER_SIZE:
         *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
         if reserved:
@@ -249,11 +259,14 @@ def _tables(blob, fields):
     if fields[2] >= CLUSTER_HEADER_SIZE:
         clusters = image_cluster.HEADER.unpack_from(blob, LIT_HEADER_SIZE)
         optional = optional - {"clusters"} | {"beams", "lit"}
-    if fields[2] == TURN_HEADER_SIZE:
+    if fields[2] >= TURN_HEADER_SIZE:
         turns = image_turn.HEADER.unpack_from(blob, CLUSTER_HEADER_SIZE)
         optional = optional - {"turns"} | {"clusters"}
+    if fields[2] == LIGHT_HEADER_SIZE:
+        light = image_light.HEADER.unpack_from(blob, TURN_HEADER_SIZE)
+        optional = optional - {"light", "levels"} | {"turns"}
     places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters,
-              turns[:2], turns[2:4], turns[4:]]
+              turns[:2], turns[2:4], turns[4:], light[:2], light[2:4], light[4:]]
     size, tables = fields[3], []
     for (offset, count), (name, entry, low, high) in zip(places, limits):
         if name in optional and not count:
@@ -377,7 +390,7 @@ def unpack(blob):
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
     palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters, turns, motions, \
-        motion_keys = _tables(blob, fields)
+        motion_keys, light, points, ramp = _tables(blob, fields)
     _check_faces(faces, corners)
     models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
@@ -402,9 +415,10 @@ def unpack(blob):
     lit = bytes(lit[0]) if lit else bytes(range(256))
     image_beam.check(beams, models)
     motions = image_turn.read_motions(motions, motion_keys, radii)
+    light = image_light.read(light, points, ramp)
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, beams, lit, turns, motions, size=fields[3], crc=fields[4])
+                      kind, path, start, gait, tree, beams, lit, turns, motions, light, size=fields[3], crc=fields[4])
 
 
 def load(path):

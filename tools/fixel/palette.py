@@ -66,7 +66,7 @@ def _ranges(group):
     return [max(axis) - min(axis) for axis in zip(*group)]
 
 
-def _median_cut(weights, count):
+def median_cut(weights, count):
     """Distinct colours merged into count groups: {colour: group's mean}."""
     groups = [sorted(weights)]
     spreads = [_ranges(groups[0])]
@@ -108,7 +108,7 @@ def allocate(background, wanted, reserved=()):
                         "nothing is left for objects with colour")
     merged = {c: c for c in baked}
     if len(baked) > len(free):
-        merged = _median_cut(baked, len(free))
+        merged = median_cut(baked, len(free))
     entries = {mean: free[i] for i, mean in enumerate(sorted(set(merged.values())))}
     for mean, index in entries.items():
         palette[index] = mean

@@ -6,7 +6,8 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import clusters, image, image_beam, image_lens, palette, quantity, toml_motion, toml_table
+from fixel import clusters, image, image_beam, image_lens, light_palette, palette, quantity, toml_light, toml_motion, \
+    toml_table
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -49,18 +50,6 @@ def _lens(top):
 def focal_pixels(width, fov):
     """The focal length that the library will use, in pixels."""
     return width / 2 / math.tan(fov * math.pi / 2 ** 32)
-
-
-def _light(top):
-    light = top.table("light", {"direction", "ambient", "colour", "sky"})
-    direction = quantity.vector(light.data.get("direction", ["-0.4", "-1", "0.7"]),
-                                light.at("direction"))
-    if not any(direction):
-        raise ToolError(f"{light.at('direction')}: [0, 0, 0] is no direction")
-    ambient = light.number("ambient", Fraction(2, 5), 0, 1)
-    return palette.Light([float(c) for c in direction], float(ambient),
-                         palette.parse(light.data.get("colour", "white"), light.at("colour")),
-                         palette.parse(light.data.get("sky", "white"), light.at("sky")))
 
 
 def _check_poses(count, where):
@@ -231,6 +220,17 @@ def _lit_table(placements, indices, lit):
     return bytes(table)
 
 
+def _palette(background, placements, reserved, light, lit):
+    """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
+    is in a beam. The ramp of light at run time goes into the light."""
+    if isinstance(light, toml_light.RunTime):
+        colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(
+            background, _count_colours(placements, None), reserved, light, lit)
+        return colours, indices, merged, in_beam
+    colours, indices, merged = palette.allocate(background, _count_colours(placements, lit), reserved)
+    return colours, indices, merged, _lit_table(placements, indices, lit)
+
+
 def _models(placements, indices):
     """Models and objects; equal models are made once. An object's position in
     the list is its number in the order of drawing."""
@@ -270,13 +270,14 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
     reserved = _reserved(top)
-    objects = Objects(name, folder, _light(top), notes, progress, meshes)
+    light = toml_light.read(top)
+    objects = Objects(name, folder, light, notes, progress, meshes)
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
     placements, turns, motions = toml_motion.settle(placements)
     try:
-        colours, indices, merged = palette.allocate(background, _count_colours(placements, lit), reserved)
+        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
@@ -284,7 +285,8 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     models, placed = _models(placements, indices)
     scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
     scene.beams, scene.turns, scene.motions = beams, turns, motions
-    scene.lit = _lit_table(placements, indices, lit)
+    scene.lit = in_beam
+    scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)
     scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
     return scene, list(dict.fromkeys(notes))

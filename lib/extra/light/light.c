@@ -63,37 +63,6 @@ static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
     return settings->ramp[256u * fxl_light_level(brightness, settings->levels) + full];
 }
 
-static bool is_fraction(fxl_q2_30 value)
-{
-    return value >= 0 && value <= FXL_Q2_30_ONE;
-}
-
-static bool is_fog(const fxl_light_settings *settings)
-{
-    return (settings->fog_near == 0 && settings->fog_far == 0) ||
-           (settings->fog_near >= 0 && settings->fog_near < settings->fog_far &&
-            settings->fog_far <= FXL_FAR_MAX);
-}
-
-static fxl_status check(const fxl_light_settings *settings)
-{
-    if (settings->point_count > FXL_LIGHT_POINTS_MAX || settings->levels < FXL_LIGHT_LEVELS_MIN ||
-        settings->levels > FXL_LIGHT_LEVELS_MAX) {
-        return FXL_E_COUNT;
-    }
-    if (!is_fraction(settings->ambient) || !is_fraction(settings->strength) || !is_fog(settings)) {
-        return FXL_E_RANGE;
-    }
-    for (uint32_t i = 0; i < settings->point_count; i++) {
-        const fxl_point_light *light = &settings->points[i];
-        if (!fxl_point_in_range(&light->position) || light->range < 1 ||
-            light->range > FXL_COORDINATE_MAX || !is_fraction(light->strength)) {
-            return FXL_E_RANGE;
-        }
-    }
-    return settings->strength == 0 || fxl_is_unit(&settings->direction) ? FXL_OK : FXL_E_NORMAL;
-}
-
 fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
                                   const fxl_light_settings *settings)
 {
@@ -107,7 +76,7 @@ fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
     }
     fxl_status status = FXL_E_ARGUMENT;
     if (light != NULL && settings->ramp != NULL) {
-        status = renderer->scene == NULL ? FXL_E_ORDER : check(settings);
+        status = renderer->scene == NULL ? FXL_E_ORDER : fxl_light_check(settings, NULL);
     }
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);

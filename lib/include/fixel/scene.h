@@ -29,6 +29,9 @@ extern "C" {
 #define FXL_SCENE_CLUSTERS_MAX      65535u
 #define FXL_MOTION_KEYS_MAX         1000000u
 #define FXL_MOTION_DEPTH_MAX        8u /* of a chain of parents */
+#define FXL_LIGHT_POINTS_MAX        4
+#define FXL_LIGHT_LEVELS_MIN        2
+#define FXL_LIGHT_LEVELS_MAX        64
 
 /* The largest distance of a vertex of a BSP node's faces from the node's plane, in units of
  * 1/65536. */
@@ -221,6 +224,44 @@ typedef struct {
     uint32_t key_count;
 } fxl_motion_set;
 
+/* A light at a point of the world. It reaches as far as its range, and fades towards it. */
+typedef struct {
+    fxl_point position; /* each coordinate within FXL_COORDINATE_MAX */
+    fxl_q16_16 range;   /* world units, 1/65536..8191 */
+    fxl_q2_30 strength; /* 0..1 */
+} fxl_point_light;
+
+/* What lights a frame (docs/extras/light.md). */
+typedef struct {
+    fxl_q2_30 ambient;       /* the brightness that every face has, 0..1 */
+    fxl_q2_30 strength;      /* of the directional light, 0..1; 0: there is none */
+    fxl_direction direction; /* in which it travels; of unit length where strength is not 0 */
+    fxl_point_light points[FXL_LIGHT_POINTS_MAX];
+    uint32_t point_count;         /* 0..FXL_LIGHT_POINTS_MAX */
+    fxl_q16_16 fog_near, fog_far; /* depths at which fog begins and hides all, 0 <= near < far <=
+                                     FXL_FAR_MAX; both 0: there is no fog */
+    const uint8_t *ramp;          /* ramp[256 * level + c]: the colour c at a level, from dark or
+                                     hidden by fog (0) to full (levels - 1) */
+    uint32_t levels;              /* FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX */
+} fxl_light_settings;
+
+/* The light of an image, as the image has it, without its point lights. The units and ranges are
+ * those of fxl_light_settings. */
+typedef struct {
+    fxl_q2_30 ambient, strength;
+    fxl_direction direction;
+    fxl_q16_16 fog_near, fog_far;
+} fxl_light_base;
+
+/* The light of an image: fxl_light_settings_of makes settings of it. */
+typedef struct {
+    const fxl_light_base *base;    /* null: the image has no light */
+    const fxl_point_light *points; /* null: there are none */
+    uint32_t point_count;
+    const uint8_t *ramp; /* 256 bytes a level */
+    uint32_t levels;
+} fxl_scene_light;
+
 /* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
  * the same frames; its sorted models take longer. */
 typedef struct {
@@ -262,6 +303,7 @@ typedef struct {
     uint32_t path_count;              /* poses or segments */
     uint32_t frame_count;             /* frames of the whole path */
     fxl_motion_set motion;            /* for fxl_motion_begin */
+    fxl_scene_light light;            /* for fxl_light_settings_of */
 } fxl_scene_image;
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */
@@ -295,6 +337,17 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
  * written. On FXL_OK *fault is untouched. */
 fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
                             fxl_scene_fault *fault);
+
+/* Checks the settings of a light: every count and range, and the length of the direction. fault may
+ * be null.
+ * FXL_E_COUNT (point_count, levels), FXL_E_RANGE, FXL_E_NORMAL (the direction): *fault written. On
+ * FXL_OK *fault is untouched. */
+fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
+
+/* Makes the settings of an image's light, for fxl_renderer_set_light. The ramp is that of the
+ * image. Requires a light that has a base and at most FXL_LIGHT_POINTS_MAX point lights, as that of
+ * an image that fxl_scene_open opened has. */
+void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *settings);
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
  * version, size, checksum, every table, every count, index and range. Nothing is copied, so the

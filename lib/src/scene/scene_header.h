@@ -45,6 +45,11 @@ typedef struct {
     table turns, motions, keys;
 } turn_header;
 
+/* The rest of the header after that of turned instances, only if the scene has light. */
+typedef struct {
+    table light, points, ramp; /* of the ramp: its levels */
+} light_header;
+
 FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
@@ -65,6 +70,9 @@ FXL_STATIC_ASSERT(sizeof(turn_header) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_turn) == 40, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_motion) == 76, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_motion_key) == 32, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(light_header) == 24, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_light_base) == 28, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_point_light) == 20, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
@@ -74,10 +82,12 @@ FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in
 #define VERSION_MORE     3u /* has a BSP tree, or beams, or both */
 #define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */
 #define VERSION_TURNS    5u /* has turned instances, and may have all the others */
+#define VERSION_LIGHT    6u /* has light, and may have all the others */
 #define PALETTE_ENTRIES  256u
 
 #define BEAM_HEADER_SIZE    (sizeof(header) + sizeof(beam_header))
 #define CLUSTER_HEADER_SIZE (BEAM_HEADER_SIZE + sizeof(cluster_header))
 #define TURN_HEADER_SIZE    (CLUSTER_HEADER_SIZE + sizeof(turn_header))
+#define LIGHT_HEADER_SIZE   (TURN_HEADER_SIZE + sizeof(light_header))
 
 #endif

@@ -34,8 +34,18 @@ static const turn_header *turn_header_of(const header *head)
                : NULL;
 }
 
+static const light_header *light_header_of(const header *head)
+{
+    return head->header_size > TURN_HEADER_SIZE
+               ? (const light_header *)(const void *)(turn_header_of(head) + 1)
+               : NULL;
+}
+
 static bool header_size_is_known(const header *head)
 {
+    if (head->version == VERSION_LIGHT) {
+        return head->header_size == LIGHT_HEADER_SIZE;
+    }
     if (head->version == VERSION_TURNS) {
         return head->header_size == TURN_HEADER_SIZE;
     }
@@ -55,7 +65,7 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     if (head->magic != MAGIC) {
         return FXL_E_MAGIC;
     }
-    if (head->version < VERSION || head->version > VERSION_TURNS) {
+    if (head->version < VERSION || head->version > VERSION_LIGHT) {
         return FXL_E_VERSION;
     }
     if (!header_size_is_known(head)) {
@@ -112,7 +122,7 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
 }
 
 /* Checks that a table is aligned, behind the header and within the image. A count times the
- * size of an entry, at most 176 bytes, is below 2^37. */
+ * size of an entry, at most 256 bytes, is below 2^37. */
 static fxl_status check_table(const header *head, const table *entry, uint32_t entry_size,
                               uint32_t count_max, const char *what, fxl_scene_fault *fault)
 {
@@ -154,6 +164,11 @@ static const struct {
      FXL_SCENE_INSTANCES_MAX, "motion table"},
     {CLUSTER_HEADER_SIZE + offsetof(turn_header, keys), sizeof(fxl_motion_key), FXL_MOTION_KEYS_MAX,
      "motion key table"},
+    {TURN_HEADER_SIZE, sizeof(fxl_light_base), 1, "light table"},
+    {TURN_HEADER_SIZE + offsetof(light_header, points), sizeof(fxl_point_light),
+     FXL_LIGHT_POINTS_MAX, "point light table"},
+    {TURN_HEADER_SIZE + offsetof(light_header, ramp), PALETTE_ENTRIES, FXL_LIGHT_LEVELS_MAX,
+     "ramp"},
 };
 
 enum {
@@ -161,18 +176,22 @@ enum {
     BEAM_TABLE = 9,
     CLUSTER_TABLE = 10,
     TURN_TABLE = 11,
-    TABLE_COUNT = 14
+    LIGHT_TABLE = 14,
+    RAMP_TABLE = 16,
+    TABLE_COUNT = 17
 };
 
 FXL_STATIC_ASSERT(sizeof tables / sizeof tables[0] == TABLE_COUNT, "one for each");
 
-/* Of the tables behind that of the path, a header needs that for which it is so long. */
+/* Of the tables behind that of the path, a header needs that for which it is so long; light has a
+ * ramp. */
 static bool is_needed(const header *head, size_t number)
 {
-    const size_t last = head->header_size == TURN_HEADER_SIZE      ? TURN_TABLE
+    const size_t last = head->header_size == LIGHT_HEADER_SIZE     ? LIGHT_TABLE
+                        : head->header_size == TURN_HEADER_SIZE    ? TURN_TABLE
                         : head->header_size == CLUSTER_HEADER_SIZE ? CLUSTER_TABLE
                                                                    : BEAM_TABLE;
-    return number <= PATH_TABLE || number == last;
+    return number <= PATH_TABLE || number == last || number == RAMP_TABLE;
 }
 
 /* The lit colours are there if beams are. */
@@ -238,8 +257,10 @@ static void point_to_turns(const header *head, fxl_scene_image *opened)
     if (more == NULL) {
         return;
     }
-    opened->scene.turns = (const fxl_turn *)at(head, more->turns.offset);
-    opened->scene.first_turned = head->instances.count - more->turns.count;
+    if (more->turns.count > 0) {
+        opened->scene.turns = (const fxl_turn *)at(head, more->turns.offset);
+        opened->scene.first_turned = head->instances.count - more->turns.count;
+    }
     if (more->motions.count > 0) {
         opened->motion.motions = (const fxl_motion *)at(head, more->motions.offset);
         opened->motion.motion_count = more->motions.count;
@@ -248,6 +269,21 @@ static void point_to_turns(const header *head, fxl_scene_image *opened)
         opened->motion.keys = (const fxl_motion_key *)at(head, more->keys.offset);
         opened->motion.key_count = more->keys.count;
     }
+}
+
+static void point_to_light(const header *head, fxl_scene_image *opened)
+{
+    const light_header *more = light_header_of(head);
+    if (more == NULL) {
+        return;
+    }
+    opened->light.base = (const fxl_light_base *)at(head, more->light.offset);
+    if (more->points.count > 0) {
+        opened->light.points = (const fxl_point_light *)at(head, more->points.offset);
+        opened->light.point_count = more->points.count;
+    }
+    opened->light.ramp = (const uint8_t *)at(head, more->ramp.offset);
+    opened->light.levels = more->ramp.count; /* bug: light-ramp-of-image */
 }
 
 static void point_to_tables(const header *head, fxl_scene_image *opened)
@@ -277,6 +313,7 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
         opened->scene.lit = (const uint8_t *)at(head, beam_header_of(head)->lit);
     }
     point_to_turns(head, opened);
+    point_to_light(head, opened);
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.index_count = head->indices.count;
     opened->scene.face_count = head->faces.count;
@@ -289,6 +326,16 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
                            : NULL;
     opened->path_count = head->path.count;
     opened->frame_count = head->frame_count;
+}
+
+static fxl_status check_light(const fxl_scene_light *light, fxl_scene_fault *fault)
+{
+    fxl_light_settings settings;
+    if (light->base == NULL) {
+        return FXL_OK;
+    }
+    fxl_light_settings_of(light, &settings);
+    return fxl_light_check(&settings, fault);
 }
 
 static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fault)
@@ -349,6 +396,9 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
     }
     if (turn_header_of(head) != NULL) {
         status = fxl_motion_check(&found.motion, &found.scene, fault);
+    }
+    if (status == FXL_OK) {
+        status = check_light(&found.light, fault);
     }
     if (status == FXL_OK) {
         status = check_path(&found, fault);

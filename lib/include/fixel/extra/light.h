@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Light and fog at run time: each flat face gets one level of a ramp of its colour.
- * docs/extras/light.md. */
+ * docs/extras/light.md. The settings, and their check, are in fixel/scene.h: an image may have a
+ * light. */
 #ifndef FXL_LIGHT_H
 #define FXL_LIGHT_H
 
@@ -10,10 +11,6 @@
 extern "C" {
 #endif
 
-#define FXL_LIGHT_POINTS_MAX 4
-#define FXL_LIGHT_LEVELS_MIN 2
-#define FXL_LIGHT_LEVELS_MAX 64
-
 /* Bytes of a ramp of so many levels. */
 #define FXL_LIGHT_RAMP_BYTES(levels) (256u * (levels))
 
@@ -21,27 +18,6 @@ extern "C" {
  * docs/extras/light.md, section 2. So a face has another level than the exact one only where the
  * exact brightness is this near to the boundary between two levels. */
 #define FXL_LIGHT_ERROR_MAX 26
-
-/* A light at a point of the world. It reaches as far as its range, and fades towards it. */
-typedef struct {
-    fxl_point position; /* each coordinate within FXL_COORDINATE_MAX */
-    fxl_q16_16 range;   /* world units, 1/65536..8191 */
-    fxl_q2_30 strength; /* 0..1 */
-} fxl_point_light;
-
-/* What lights a frame. */
-typedef struct {
-    fxl_q2_30 ambient;       /* the brightness that every face has, 0..1 */
-    fxl_q2_30 strength;      /* of the directional light, 0..1; 0: there is none */
-    fxl_direction direction; /* in which it travels; of unit length where strength is not 0 */
-    fxl_point_light points[FXL_LIGHT_POINTS_MAX];
-    uint32_t point_count;         /* 0..FXL_LIGHT_POINTS_MAX */
-    fxl_q16_16 fog_near, fog_far; /* depths at which fog begins and hides all, 0 <= near < far <=
-                                     FXL_FAR_MAX; both 0: there is no fog */
-    const uint8_t *ramp;          /* ramp[256 * level + c]: the colour c at a level, from dark or
-                                     hidden by fog (0) to full (levels - 1) */
-    uint32_t levels;              /* FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX */
-} fxl_light_settings;
 
 /* The light of a renderer, which the caller owns. Members are internal. */
 typedef struct {

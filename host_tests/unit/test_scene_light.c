@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* Light in a scene image: version 6, a header of 232 bytes. */
+#include "expect_scene.h"
+
+enum {
+    LIGHT_HEADER = 232,
+    AT_TURNS = 184,
+    AT_LIGHT = 208,
+    AT_POINTS = 216,
+    AT_RAMP = 224,
+    LIGHT = 28,
+    POINT = 20,
+    LEVEL = 256,
+    LEVELS = 2
+};
+
+/* Tiny's image with two point lights and fog. */
+static tiny_image *make(void)
+{
+    static const fxl_light_base base = {
+        FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 2, {0, -FXL_Q2_30_ONE, 0}, Q16(5), Q16(20)};
+    static const fxl_point_light points[2] = {{{0, Q16(3), 0}, Q16(9), FXL_Q2_30_ONE},
+                                              {{Q16(7), 0, Q16(-8)}, 1, 0}};
+    tiny_image *image = tiny_image_widen(6, LIGHT_HEADER);
+    tiny_add_table(image, AT_LIGHT, &base, 1, LIGHT);
+    tiny_add_table(image, AT_POINTS, points, 2, POINT);
+    /* Any bytes are a ramp: those of the palette. */
+    tiny_put32(tiny_at(image, AT_RAMP), tiny_get(image, AT_PALETTE));
+    tiny_put32(tiny_at(image, AT_RAMP + 4), LEVELS);
+    tiny_seal(image);
+    return image;
+}
+
+static void light_word(fxl_status status, uint32_t offset, uint32_t value)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_at(image, offset), value);
+    expect_opening(status, image);
+}
+
+static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t value)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_at(image, tiny_get(image, table) + at), value);
+    expect_opening(status, image);
+}
+
+/* The settings are those of the image, to the last member. */
+void test_light_is_used_in_place(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    fxl_light_settings settings;
+    memset(&settings, 0x5A, sizeof settings);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.scene.turns);
+    TEST_ASSERT_NULL(opened.scene.beams);
+    fxl_light_settings_of(&opened.light, &settings);
+    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE / 4, settings.ambient);
+    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE / 2, settings.strength);
+    TEST_ASSERT_EQUAL_INT32(-FXL_Q2_30_ONE, settings.direction.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(5), settings.fog_near);
+    TEST_ASSERT_EQUAL_INT32(Q16(20), settings.fog_far);
+    TEST_ASSERT_EQUAL_UINT32(2, settings.point_count);
+    TEST_ASSERT_EQUAL_INT32(Q16(3), settings.points[0].position.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(-8), settings.points[1].position.z);
+    TEST_ASSERT_EQUAL_INT32(1, settings.points[1].range);
+    TEST_ASSERT_EQUAL_INT32(0, settings.points[2].range);
+    TEST_ASSERT_EQUAL_UINT32(LEVELS, settings.levels);
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_RAMP)), settings.ramp);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_light_check(&settings, NULL));
+    image = tiny_image_make(false);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.light.base);
+}
+
+void test_an_image_may_have_no_point_lights(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    memset(tiny_at(image, AT_POINTS), 0, 8);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.light.points);
+    TEST_ASSERT_EQUAL_UINT32(0, opened.light.point_count);
+}
+
+void test_the_header_of_light_has_its_size(void)
+{
+    tiny_image *image = make();
+    tiny_put16(tiny_at(image, AT_HEADER_SIZE), LIGHT_HEADER - 24);
+    expect_opening(FXL_E_SIZE, image);
+    image = make();
+    tiny_put16(tiny_at(image, AT_VERSION), 5);
+    expect_opening(FXL_E_SIZE, image);
+}
+
+void test_tables_of_light_are_checked(void)
+{
+    light_word(FXL_E_COUNT, AT_LIGHT + 4, 0);
+    light_word(FXL_E_COUNT, AT_LIGHT + 4, 2);
+    light_word(FXL_E_OFFSET, AT_LIGHT, 4);
+    light_word(FXL_E_COUNT, AT_POINTS + 4, 0);
+    light_word(FXL_E_COUNT, AT_POINTS + 4, FXL_LIGHT_POINTS_MAX + 1);
+    light_word(FXL_E_ALIGNMENT, AT_POINTS, 250);
+    light_word(FXL_E_COUNT, AT_RAMP + 4, 0);
+    light_word(FXL_E_COUNT, AT_RAMP + 4, 1);
+    light_word(FXL_E_COUNT, AT_RAMP + 4, FXL_LIGHT_LEVELS_MAX + 1);
+    light_word(FXL_E_OFFSET, AT_RAMP, 0x7FFFFFF0u);
+    light_word(FXL_E_COUNT, AT_TURNS, LIGHT_HEADER);
+}
+
+void test_numbers_of_light_are_checked(void)
+{
+    entry_word(FXL_E_RANGE, AT_LIGHT, 0, FXL_Q2_30_ONE + 1);
+    entry_word(FXL_E_RANGE, AT_LIGHT, 4, 0xFFFFFFFFu);
+    entry_word(FXL_E_NORMAL, AT_LIGHT, 12, (uint32_t)-FXL_Q2_30_ONE / 2);
+    entry_word(FXL_E_RANGE, AT_LIGHT, 24, (uint32_t)Q16(5));
+    entry_word(FXL_E_RANGE, AT_LIGHT, 24, (uint32_t)FXL_FAR_MAX + 1);
+    entry_word(FXL_OK, AT_LIGHT, 24, (uint32_t)Q16(5) + 1);
+    entry_word(FXL_E_RANGE, AT_POINTS, POINT + 12, 0);
+    entry_word(FXL_E_RANGE, AT_POINTS, POINT + 16, 0xFFFFFFFFu);
+    entry_word(FXL_E_RANGE, AT_POINTS, POINT, FXL_COORDINATE_MAX + 1);
+}
+
+/* What is at fault has its name. */
+void test_the_fault_names_the_point_light(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    tiny_put32(tiny_at(image, tiny_get(image, AT_POINTS) + POINT + 12), 0);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("point light", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(1, fault.index);
+    image = make();
+    tiny_put32(tiny_at(image, tiny_get(image, AT_LIGHT)), 0xFFFFFFFFu);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("light", fault.what);
+}
