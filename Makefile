@@ -103,7 +103,7 @@ ifeq ($(filter %.fxls,$(SCENE)),)
 	@mkdir -p $(BUILD)/scenes
 	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION) $(SCREEN_OPTION)
 else ifneq ($(SCREEN),)
-	@echo "error: $(SCENE) is a scene image, which has its screen already: give the .toml or .obj" >&2; exit 2
+	@echo "error: $(SCENE) is a scene image, which has its screen already: give the .toml or the model" >&2; exit 2
 endif
 	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
 	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)

@@ -45,10 +45,10 @@ def check_frames(scene, wanted, there):
 
 
 def make_scene_image(scene, folder, frames, screen=None):
-    """The scene image of a .toml or .obj, compiled into folder; an .fxls is one already."""
+    """The scene image of a .toml or a model, compiled into folder; an .fxls is one already."""
     if pathlib.Path(scene).suffix == ".fxls":
         if screen:
-            raise ToolError(f"{scene} is a scene image, which has its screen already: give the .toml or .obj")
+            raise ToolError(f"{scene} is a scene image, which has its screen already: give the .toml or the model")
         if frames:
             check_frames(scene, frames, scene_image.load(scene).frames)
         return pathlib.Path(scene)
@@ -246,7 +246,7 @@ def frame_count(text):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
-    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     methods.add_options(parser)

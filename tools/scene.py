@@ -3,9 +3,9 @@
 """Scene files into scene images or C headers, and scene images explained.
 
     scene.py build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
-        SCENE is a .toml or an .obj; LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
+        SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
     scene.py export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
-        SCENE is a .toml, an .obj or a .fxls; --frames N exports the path too, as N poses
+        SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
     scene.py info OUT.fxls [--json]"""
 
 from fixel import interpreter
@@ -19,7 +19,7 @@ import re
 import sys
 import time
 
-from fixel import c_scene, framing, image, image_lens, output, path, toml_scene, tree
+from fixel import c_scene, framing, image, image_lens, model_file, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 from fixel.reading import quoted
 
@@ -55,16 +55,16 @@ def whole(text):
 
 
 def compile_scene(scene, frames=None, screen=None, layers=None, framed=framing.WALK):
-    """Compiles a .toml or .obj; answers the SceneImage and what there is to say about it. screen: width
+    """Compiles a .toml or a model; answers the SceneImage and what there is to say about it. screen: width
     and height instead of the scene's. layers: those that are to have a tree (tree.layers_of). framed:
-    how an .obj is framed."""
-    suffix = os.path.splitext(scene)[1].lower()
-    if suffix not in (".toml", ".obj"):
-        raise ToolError(f"{scene}: a scene is a .toml or an .obj file")
+    how a model is framed."""
+    is_model = model_file.is_model(scene)
+    if not is_model and model_file.suffix_of(scene) != ".toml":
+        raise ToolError(f"{scene}: a scene is a .toml file, or a model: {model_file.SUFFIXES}")
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
-    if suffix == ".obj":
-        compiled, notes = framing.compile_obj(scene, frames, Progress(), screen, framed)
+    if is_model:
+        compiled, notes = framing.compile_model(scene, frames, Progress(), screen, framed)
     else:
         compiled, notes = toml_scene.compile_file(scene, frames, Progress(), screen)
     if layers:
@@ -97,7 +97,7 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None):
     c_scene.check_name(name)
     if suffix.lower() == ".fxls":
         if frames or screen or layers:
-            raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or .obj; a scene image "
+            raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
                             "has its path, its screen and its tree already")
         compiled, notes = image.load(scene), []
     else:
@@ -173,8 +173,8 @@ def info(file, as_json):
 def arguments_of(argv):
     parser = argparse.ArgumentParser(prog="scene.py", description=__doc__.split("\n")[0])
     commands = parser.add_subparsers(dest="command", required=True)
-    making = commands.add_parser("build", help="compile a .toml or .obj into a scene image")
-    exporting = commands.add_parser("export", help="write a .toml, .obj or .fxls as a C header")
+    making = commands.add_parser("build", help="compile a .toml or a model into a scene image")
+    exporting = commands.add_parser("export", help="write a .toml, a model or a .fxls as a C header")
     exporting.add_argument("--c", action="store_true", required=True, help="as C, the only language there is")
     exporting.add_argument("--name", help="what the header's names begin with; without, the file's name")
     for command in (making, exporting):

@@ -41,7 +41,7 @@ def photograph(options, folder):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--board", required=True, help="an emulated board with a screen")
-    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--device", help="a display to add to the board, in the words of QEMU's -device")

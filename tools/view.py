@@ -97,7 +97,7 @@ def port_number(text):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--board", required=True)
-    parser.add_argument("--scene", required=True, help="a .toml, an .obj, or a scene image (.fxls)")
+    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     methods.add_options(parser)
     parser.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")

@@ -16,8 +16,10 @@ import sys
 import pytest
 
 from conftest import CHECKOUT, TOOLS, environment
+from model_files import TETRAHEDRON, glb, gltf, png, stl
 from test_checkers import sealed
-from fixel import image, obj, toml_table
+from test_model_files import big_png, grid
+from fixel import gltf as gltf_reader, image, obj, toml_table
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\n'
@@ -189,7 +191,49 @@ def test_a_file_of_more_bytes_than_the_limit_is_not_read(tmp_path, name, most):
     assert code == 2 and f"the limit of {most:,}" in said
 
 
-@pytest.mark.parametrize("suffix", ["obj", "toml", "fxls"])
+def waves(cells):
+    """A square of triangles of which no two lie in one plane."""
+    return grid(cells, lambda x, y: math.sin(x * 0.1) * math.cos(y * 0.13) * 3)
+
+
+def test_as_many_triangles_of_gltf_as_there_may_be(tmp_path):
+    points, triangles = waves(90)
+    noise = png([[((x * 79 + y * 104) % 256, (x * 31 + y * 17) % 256, (x * x + y) % 256) for x in range(64)] for y in range(64)])
+    file = tmp_path / "scene.glb"
+    file.write_bytes(glb(*gltf(points, triangles, uvs=[(x / 90, y / 90) for x, y, _ in points], image=noise)))
+    assert 2 * 90 * 90 > 0.98 * gltf_reader.FACES_MAX
+    assert_built(tmp_path, file)
+
+
+def test_as_many_nodes_of_gltf_as_there_may_be(tmp_path):
+    data, blob = gltf(*TETRAHEDRON, nodes=[{"mesh": 0, "translation": [i, i % 7, 0]} for i in range(4096)])
+    data["scenes"][0]["nodes"] = list(range(4096))
+    (tmp_path / "scene.glb").write_bytes(glb(data, blob))
+    assert_built(tmp_path, tmp_path / "scene.glb")
+
+
+def test_as_many_triangles_of_stl_as_there_may_be(tmp_path):
+    (tmp_path / "scene.stl").write_bytes(stl(*waves(180)))
+    assert_built(tmp_path, tmp_path / "scene.stl")
+
+
+GLTF = {
+    "image": (glb(*gltf(uvs=[(0, 0)] * 4, image=big_png(60_000, 60_000))), ["image 0", "both sides must be"]),
+    "nodes": (glb(*gltf(nodes=[{}] * 9000)), ["9,000", "8,192"]),
+    "deep nodes": (glb(*gltf(nodes=[{"children": [i + 1]} for i in range(2000)] + [{"mesh": 0}])), ["1,000 nodes deep"]),
+    "JSON": (b'{"asset": {"version": "2.0"}, "x": "' + b"x" * 9_000_000 + b'"}', ["bytes of JSON", "8,388,608"]),
+    "nested": (b'{"asset": ' + b"[" * 500_000, ["nested"]),
+}
+
+
+@pytest.mark.parametrize("kind", GLTF)
+def test_gltf_files_beyond_a_limit(tmp_path, kind):
+    data, words = GLTF[kind]
+    (tmp_path / "scene.glb").write_bytes(data)
+    assert_refused(tmp_path, tmp_path / "scene.glb", *words)
+
+
+@pytest.mark.parametrize("suffix", ["obj", "glb", "stl", "toml", "fxls"])
 @pytest.mark.parametrize("kind", ["FIFO", "device", "folder"])
 def test_files_that_are_not_regular(tmp_path, suffix, kind):
     file = tmp_path / f"scene.{suffix}"

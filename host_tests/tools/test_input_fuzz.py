@@ -3,6 +3,7 @@
 ToolError with a short message. The seed is fixed; FUZZ_EXAMPLES (make fuzz) asks for more examples, by another
 seed."""
 
+import copy
 import os
 import pathlib
 import re
@@ -14,6 +15,7 @@ import scene as scene_tool
 from conftest import CHECKOUT
 from fixel import image, toml_object, toml_scene
 from fixel.errors import ToolError
+from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "150"))
@@ -68,6 +70,76 @@ def obj_files(draw):
 @given(obj_files())
 def test_any_obj_file(data):
     check("model.obj", data)
+
+
+# --- glTF, STL, MTL, images --------------------------------------------------------
+
+GLTF = gltf(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], colours=[(9, 99, 199, 255)] * 4, material={"baseColorFactor": [1, 0.5, 0, 1]},
+            image=png([[(1, 2, 3), (40, 50, 60)]]), nodes=[{"children": [1], "scale": [1, 2, 3]}, {"mesh": 0, "matrix": [
+                1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]}])
+JSON = st.recursive(st.one_of(st.none(), st.booleans(), st.integers(-3, 9), st.floats(), st.sampled_from([
+    1 << 31, 1 << 70, 1e300, "", "x", "VEC3", "SCALAR", "OPAQUE", "BLEND", "data:,", "data:;base64,AAAA", "/dev/zero", "../x", "\0",
+    5120, 5121, 5123, 5125, 5126])), lambda inner: st.one_of(st.lists(inner, max_size=4), st.dictionaries(
+        st.sampled_from(["mesh", "children", "uri", "index", "source", "bufferView", "POSITION", "TEXCOORD_0"]), inner, max_size=3)),
+    max_leaves=5)
+
+
+def places_of(value, before=()):
+    """The paths of keys to all values below one."""
+    below = enumerate(value) if isinstance(value, list) else value.items() if isinstance(value, dict) else ()
+    return [before] * bool(before) + [path for key, each in below for path in places_of(each, (*before, key))]
+
+
+@st.composite
+def gltf_files(draw):
+    """A sound file in which one to three values are others, or gone."""
+    data, blob = copy.deepcopy(GLTF[0]), GLTF[1]
+    for _ in range(draw(st.integers(1, 3))):
+        *way, last = draw(st.sampled_from(places_of(data)))
+        place = data
+        for key in way:
+            place = place[key]
+        if draw(st.booleans()) and isinstance(place, dict):
+            del place[last]
+        else:
+            place[last] = draw(JSON)
+    return glb(data, blob)
+
+
+@fuzzed
+@given(gltf_files())
+def test_any_gltf_file(data):
+    check("model.glb", data)
+
+
+@fuzzed
+@given(st.sampled_from([glb(*GLTF), stl(), stl_text()]), st.randoms(use_true_random=False), st.integers(1, 5),
+       st.integers(0, 60))
+def test_models_with_other_bytes(data, chance, changes, cut):
+    blob = bytearray(data[:len(data) - cut])
+    for _ in range(changes):
+        blob[chance.randrange(len(blob))] = chance.randrange(256)
+    check("model.glb" if data[:4] == b"glTF" else "model.stl", bytes(blob))
+
+
+MTL_WORDS = st.sampled_from(["newmtl a", "newmtl b", "Kd", "Kd 1", "Kd 0.1 0.2 0.3", "Kd nan 0 0", "Kd spectral x", "map_Kd a.png",
+                             "map_Kd -s 1 1 1 a.png", "map_Kd /dev/zero", "map_Kd", "d 0.5", "d -halo 0.5", "d x", "Tr 0.1", "#", "Ks 1"])
+
+
+@fuzzed
+@given(st.lists(MTL_WORDS, max_size=6), st.one_of(st.none(), st.binary(max_size=90), st.just(png([[(1, 2, 3)]]))))
+def test_any_materials(lines, picture):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder)
+        (file / "m.mtl").write_text("\n".join(lines))
+        if picture is not None:
+            (file / "a.png").write_bytes(picture)
+        (file / "m.obj").write_text("mtllib m.mtl\nusemtl a\n" + SOUND + "f 1/1 2/1 3/1\n")
+        try:
+            scene_tool.compile_scene(str(file / "m.obj"), 3)
+        except ToolError as error:
+            text = str(error).replace(folder, "")
+            assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
 
 
 # --- TOML --------------------------------------------------------------------------
@@ -132,7 +204,7 @@ def test_any_path(pairs):
 # --- bytes, and images -------------------------------------------------------------
 
 @fuzzed
-@given(st.binary(max_size=400), st.sampled_from(["scene.toml", "model.obj", "scene.fxls"]))
+@given(st.binary(max_size=400), st.sampled_from(["scene.toml", "model.obj", "model.glb", "model.gltf", "model.stl", "scene.fxls"]))
 def test_any_bytes(data, name):
     check(name, data)
 

@@ -92,7 +92,7 @@ def test_a_file_without_faces_is_refused(tmp_path):
 def compiled(tmp_path, text, frames=8):
     """A bare OBJ file as scene.py build compiles it: the scene and the notes."""
     (tmp_path / "model.obj").write_text(text)
-    return framing.compile_obj(str(tmp_path / "model.obj"), frames)
+    return framing.compile_model(str(tmp_path / "model.obj"), frames)
 
 
 def test_a_byte_order_mark_and_display_attributes_are_skipped(tmp_path):
@@ -153,7 +153,7 @@ def test_a_model_far_from_its_origin_is_told_so_in_a_scene_file(tmp_path):
 
 def test_a_bare_model_is_framed(tmp_path):
     (tmp_path / "cube.obj").write_text(CUBE)
-    scene, notes = framing.compile_obj(str(tmp_path / "cube.obj"), 8)
+    scene, notes = framing.compile_model(str(tmp_path / "cube.obj"), 8)
     assert scene.frames == 8 and (scene.width, scene.height) == (320, 240)
     assert len(scene.models[0].faces) == 6
     assert any("framed" in note for note in notes)
@@ -189,7 +189,7 @@ def _check_in_view(scene):
 def test_models_by_others_stand_upright_and_face_outward(name):
     if not (MODELS / name).exists():
         pytest.skip(f"the model {name} is not beside this checkout")
-    scene, notes = framing.compile_obj(str(MODELS / name))
+    scene, notes = framing.compile_model(str(MODELS / name))
     assert scene.frames == 60 and not any("inside out" in note for note in notes)
     image.pack(scene)
     _check_in_view(scene)

@@ -21,7 +21,7 @@ WIDTH, HEIGHT = 320, 240
 
 def write_scene(folder):
     """Writes cube_scene.h into a folder; answers the scene."""
-    scene, _ = framing.compile_obj(str(MODEL), framing=framing.PROGRAM)
+    scene, _ = framing.compile_model(str(MODEL), framing=framing.PROGRAM)
     (pathlib.Path(folder) / "cube_scene.h").write_text(c_scene.header(scene, "cube", MODEL.name), encoding="utf-8")
     return scene
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A scene for a bare OBJ file: the model in the middle, the camera about it."""
+"""A scene for a bare model file: the model in the middle, the camera about it."""
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -8,9 +8,10 @@ import os
 
 import numpy as np
 
-from fixel import obj, toml_scene
+from fixel import model_file, toml_scene
 from fixel.errors import ToolError
 from fixel.mesh import UNIT
+from fixel.toml_model import short
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
 MARGIN = 0.9        # how much of the screen the model may fill
@@ -27,7 +28,7 @@ class Framing:
     light: tuple    # the way that the light travels
 
 
-# Most models face +z in an OBJ file, which is -z here: the light falls on that side.
+# Most models face +z in their file, which is -z here: the light falls on that side.
 _LIGHT = (Fraction(8, 10), -1, Fraction(4, 10))
 # A scene image: the front, from a corner.
 WALK = Framing(4, 30, _LIGHT)
@@ -71,9 +72,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK):
     size = float(np.sqrt((points ** 2).sum(axis=1)).max())
     if not 1e-9 < size < 1e9:
         raise ToolError(f"{name}: the model's radius of {size:g} cannot be framed")
-    # Sixteen significant bits of scale do, and make the same numbers everywhere.
-    bits = 16 - math.frexp(radius / size)[1]
-    scale = Fraction(round(radius / size * Fraction(2) ** bits)) / Fraction(2) ** bits
+    scale = short(radius / size)
     distance = max(_distance(points * float(scale), framing.start, frames or FRAMES, width, height),
                    radius * 1.1)
     distance = Fraction(math.ceil(distance * 64), 64)
@@ -86,17 +85,17 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK):
         "background": "#1b2a38",
         "light": {"direction": list(framing.light), "ambient": Fraction(1, 3),
                   "colour": "#fff2dc", "sky": "#c4d4ff"},
-        "objects": [{"name": name, "obj": name, "scale": scale, "anchor": "middle",
-                     "colour": "#e8a860", "two_sided": "open"}],
+        "objects": [{"name": name, "model": name, "scale": scale, "anchor": "middle", "two_sided": "open",
+                     **({} if mesh.surfaces else {"colour": "#e8a860"})}],
         "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
                            "frames": frames or FRAMES}},
     }
 
 
-def compile_obj(path, frames=None, progress=None, screen=None, framing=WALK):
-    """A bare OBJ file -> (SceneImage, notes)."""
+def compile_model(path, frames=None, progress=None, screen=None, framing=WALK):
+    """A bare model file -> (SceneImage, notes)."""
     name = os.path.basename(path)
-    mesh, read_notes = obj.read(path, name, progress)
+    mesh, read_notes = model_file.read(path, name, progress)
     mesh = _centred(mesh)
     data = scene_data(mesh, name, frames, screen, framing)
     scene, notes = toml_scene.compile_data(data, name, os.path.dirname(path), frames, progress, meshes={name: mesh})

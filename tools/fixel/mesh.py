@@ -8,6 +8,7 @@ here holds for the numbers that the library sees."""
 from dataclasses import dataclass, field, replace
 from math import isqrt, lcm
 
+from fixel import mend
 from fixel.errors import ToolError
 from fixel.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, Face
 from fixel.triangles import triangulate
@@ -28,6 +29,7 @@ class Mesh:
     vertices: list
     faces: list
     places: list = field(default_factory=list)  # where each face stands, for messages
+    surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
 
 
 @dataclass
@@ -84,6 +86,16 @@ def transform(mesh, matrix):
     whole = 2 * half
     return [tuple((r[0] * x + r[1] * y + r[2] * z + half) // whole for r in rows)
             for x, y, z in mesh.vertices]
+
+
+def rounding_error(mesh, matrix):
+    """The farthest that transform moves a coordinate, in units of 1/65536: a float of 0..1/2."""
+    common = lcm(*(entry.denominator for row in matrix for entry in row))
+    rows = [[int(entry * common) << 16 for entry in row] for row in matrix]
+    whole = common * UNIT
+    worst = max(min(left, whole - left) for r in rows for x, y, z in mesh.vertices
+                for left in [(r[0] * x + r[1] * y + r[2] * z) % whole])
+    return worst / whole
 
 
 def _merge(points):
@@ -204,9 +216,19 @@ def _check_size(points, name):
                     "(-8191..8191); make scale smaller")
 
 
-def shape(mesh, matrix, name, inside=False, progress=None):
+def _mend(result, name):
+    """Turns faces that disagree with their neighbours about the front."""
+    wrong = mend.faces_to_turn(result.faces)
+    if wrong:
+        result.faces = [turned(face) if number in wrong else face for number, face in enumerate(result.faces)]
+        result.notes.append(f"{name}: {len(wrong):,} faces were turned round: they faced the other way than their "
+                            "neighbours")
+
+
+def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
     """The mesh, transformed, as the library takes it; vertices still relative
-    to the mesh's origin. inside: turn every face inward."""
+    to the mesh's origin. inside: turn every face inward. mends: turn faces that
+    disagree with their neighbours first."""
     points, renamed = _merge(transform(mesh, matrix))
     _check_size(points, name)
     counts, faces, sources = _Counts(), [], []
@@ -223,6 +245,8 @@ def shape(mesh, matrix, name, inside=False, progress=None):
     if not faces:
         raise ToolError(f"{name}: no face with any area is left; is scale too small?")
     result = _used(points, faces, sources, counts.notes(name))
+    if mends:
+        _mend(result, name)
     result.open_edges = _open_edges(result.faces)
     if not result.open_edges and _volume(result.vertices, result.faces) < 0:
         result.faces = [turned(face) for face in result.faces]

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reading Wavefront OBJ: v, vt, vn and f in every index form.
+"""Reading Wavefront OBJ: v, vt, vn and f in every index form, and materials (fixel/mtl.py).
+
+The project has a reader of its own for OBJ, because a refusal names the file's line, and coordinates stay exact:
+readers for all formats keep neither.
 
 OBJ is right-handed and its outlines run counter-clockwise; Fixel is
 left-handed and clockwise. Negating z changes the handedness and leaves what is
@@ -9,19 +12,31 @@ and its corners are taken in reverse."""
 
 from decimal import Decimal, InvalidOperation
 import io
+import os
 
-from fixel import reading
+from fixel import mtl, reading
 from fixel.errors import ToolError
 from fixel.mesh import FACES_MAX, UNIT, Mesh
 from fixel.reading import quoted
+from fixel.surface import Material, Surfaces
 
 FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
 COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
-_IGNORED = {"g", "o", "s", "usemtl", "mtllib", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod",
+_IGNORED = {"g", "o", "s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod",
             "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
+_UV_MAX = 1e6               # images across
 _LINES_A_WORD = 4096        # lines between two words about the progress
+
+
+def _coordinate(words, where):
+    """u and v, v downward as in an image. What cannot be used is 0, 0."""
+    try:
+        u, v = float(words[0]), float(words[1]) if len(words) > 1 else 0.0
+    except ValueError:
+        raise ToolError(f"{where}: {quoted(' '.join(words[:2]))} is not a texture coordinate") from None
+    return (u, 1 - v) if abs(u) <= _UV_MAX and abs(v) <= _UV_MAX else (0.0, 0.0)
 
 
 def _vertex(words, where):
@@ -54,13 +69,12 @@ def _index(text, counts, kind, where):
 
 
 def _corner(word, counts, where):
+    """Numbers of a vertex and of a texture coordinate, None without."""
     parts = word.split("/")
     if len(parts) > 3 or not parts[0]:
         raise ToolError(f"{where}: {quoted(word)} is not a corner (v, v/vt, v//vn or v/vt/vn)")
-    for text, kind in zip(parts[1:], ("vt", "vn")):
-        if text:
-            _index(text, counts, kind, where)
-    return _index(parts[0], counts, "v", where)
+    more = [_index(text, counts, kind, where) if text else None for text, kind in zip(parts[1:], ("vt", "vn"))]
+    return _index(parts[0], counts, "v", where), more[0] if more else None
 
 
 def _lines(blob):
@@ -104,29 +118,89 @@ def _without_unused(vertices, faces):
             len(vertices) - len(used))
 
 
-def _parse(blob, name, progress):
-    """Vertices, faces, the line of each face, and how many statements of each kind were ignored."""
-    vertices, faces, lines = [], [], []
-    counts, ignored = {"v": 0, "vt": 0, "vn": 0}, {}
-    for number, (word, *rest) in _lines(blob):
-        where = f"{name}:{number}"
-        if progress and number % _LINES_A_WORD == 0:
-            progress(f"{name}: line {number:,}")
+class _Materials:
+    """What usemtl and mtllib of a file say."""
+
+    def __init__(self, folder, name):
+        self.reader, self.name = mtl.Reader(folder), name
+        self.surfaces, self.numbers, self.current = Surfaces(), {}, None
+        self.missing, self.unknown, self.used = [], 0, 0
+
+    def library(self, words, where):
+        """mtllib: the names of files, or one name with blanks."""
+        names = words if any(self._exists(word) for word in words) else [" ".join(words)]
+        for each in names:
+            if self._exists(each):
+                self.reader.read(each)
+            else:
+                self.missing.append(f"{where}: there is no {quoted(each)}")
+
+    def _exists(self, name):
+        return bool(name) and "\0" not in name and os.path.exists(os.path.join(self.reader.folder, name))
+
+    def use(self, words):
+        """usemtl: the material of the faces from here on."""
+        self.current = " ".join(words)
+        self.used += 1
+
+    def add(self, coordinates):
+        """One more face with these texture coordinates, None where a corner has none."""
+        material = self.reader.materials.get(self.current)
+        self.unknown += material is None and self.current is not None
+        key = id(material)
+        if key not in self.numbers:
+            self.numbers[key] = len(self.surfaces.materials)
+            self.surfaces.materials.append(material or Material("none"))
+        self.surfaces.add(self.numbers[key], coordinates)
+
+    def result(self):
+        """The surfaces, None where the file has no material; and notes."""
+        notes = [f"{text}: its materials are left out" for text in self.missing[:1]]
+        if self.unknown and self.reader.materials:
+            notes.append(f"{self.name}: faces whose material no mtllib has: {self.unknown:,}")
+        return self.surfaces if self.reader.materials else None, notes
+
+
+class _Parser:
+    """What a file says, line by line."""
+
+    def __init__(self, name, folder):
+        self.name = name
+        self.vertices, self.coordinates, self.faces, self.lines = [], [], [], []
+        self.counts, self.ignored = {"v": 0, "vt": 0, "vn": 0}, {}
+        self.materials = _Materials(folder, name)
+
+    def _add_face(self, rest, where):
+        corners = _face(rest, self.counts, where)
+        self.faces.append([vertex for vertex, _ in corners])
+        self.lines.append(where)
+        _refuse_many_faces(self.name, len(self.faces))
+        numbers = [number for _, number in corners]
+        self.materials.add(None if None in numbers else [self.coordinates[number] for number in numbers])
+
+    def _add_numbers(self, word, rest, where):
+        if len(rest) < _SIZES[word]:
+            raise ToolError(f"{where}: {word} needs {_SIZES[word]} numbers, found {len(rest)}")
+        self.counts[word] += 1
+        if word == "v":
+            self.vertices.append(_vertex(rest, where))
+        elif word == "vt":
+            self.coordinates.append(_coordinate(rest, where))
+
+    def line(self, word, rest, where):
+        """A statement."""
         if word in _SIZES:
-            if len(rest) < _SIZES[word]:
-                raise ToolError(f"{where}: {word} needs {_SIZES[word]} numbers, found {len(rest)}")
-            counts[word] += 1
-            if word == "v":
-                vertices.append(_vertex(rest, where))
+            self._add_numbers(word, rest, where)
         elif word == "f":
-            faces.append(_face(rest, counts, where))
-            lines.append(where)
-            _refuse_many_faces(name, len(faces))
+            self._add_face(rest, where)
+        elif word == "mtllib":
+            self.materials.library(rest, where)
+        elif word == "usemtl":
+            self.materials.use(rest)
         elif word in _IGNORED:
-            ignored[word] = ignored.get(word, 0) + 1
+            self.ignored[word] = self.ignored.get(word, 0) + 1
         else:
             raise ToolError(f"{where}: unknown statement {quoted(word)}; is this an OBJ file?")
-    return vertices, faces, lines, ignored
 
 
 def read(path, name=None, progress=None):
@@ -135,14 +209,21 @@ def read(path, name=None, progress=None):
     blob = reading.read_whole(path, FILE_MAX, "simplify the model")
     # Most files have a face a line: one with too many is refused before anything of it is parsed.
     _refuse_many_faces(name, blob.count(b"\nf "))
-    vertices, faces, lines, ignored = _parse(blob, name, progress)
-    if not faces:
+    parser = _Parser(name, os.path.dirname(path))
+    for number, (word, *rest) in _lines(blob):
+        if progress and number % _LINES_A_WORD == 0:
+            progress(f"{name}: line {number:,}")
+        parser.line(word, rest, f"{name}:{number}")
+    if not parser.faces:
         raise ToolError(f"{name}: there is no face in this file")
-    vertices, faces, unused = _without_unused(vertices, faces)
+    vertices, faces, unused = _without_unused(parser.vertices, parser.faces)
     notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every "
              "outline reversed"]
-    if ignored:
-        notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in ignored.items()))
+    surfaces, more = parser.materials.result()
+    if not surfaces and parser.materials.used:
+        parser.ignored["usemtl"] = parser.materials.used
+    if parser.ignored:
+        notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    return Mesh(vertices, faces, lines), notes
+    return Mesh(vertices, faces, parser.lines, surfaces), notes + more

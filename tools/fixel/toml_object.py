@@ -5,9 +5,8 @@ colours. Each becomes one or more placements of a coloured shape."""
 from dataclasses import dataclass
 from fractions import Fraction
 import math
-import os
 
-from fixel import image, obj, palette, quantity, solids, toml_motion
+from fixel import image, palette, quantity, solids, toml_model, toml_motion
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
@@ -15,14 +14,14 @@ from fixel.reading import quoted
 from fixel.toml_table import Table
 from fixel.turning import matrix, sine_cosine
 
-KEYS = {"name", "obj", "solid", "sides", "taper", "rings", "cells", "inside", "position",
+KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves", "two_sided", "clusters", *toml_motion.KEYS}
+        "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS}
 _RING = {"count", "radius", "start", "turn", "turned"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
-MADE_MAX = 40_000       # faces of all models, beside those of the scene's OBJ files
+MADE_MAX = 40_000       # faces of all models, beside those of the scene's files
 
 
 @dataclass
@@ -147,28 +146,25 @@ class Objects:
     def __init__(self, name, folder, light, notes, progress=None, files=None):
         self.name, self.folder, self.light = name, folder, light
         self.notes, self.progress = notes, progress
-        self.files, self.shapes, self.coloured = files or {}, {}, {}
+        self.files, self.shapes, self.coloured, self.surfaces = files or {}, {}, {}, {}
         self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
 
     def mesh(self, table):
         """(mesh, name, identity) of an object's solid or file."""
-        source = table.only_one("obj", "solid")
+        source = table.only_one("obj", "model", "solid")
         if source == "solid":
+            for key in sorted(toml_model.KEYS - {"obj", "model"}):
+                if key in table:
+                    raise ToolError(f"{table.at(key)}: means nothing for a solid")
             name = table.choice("solid", None, list(solids.SOLIDS))
             options = _solid_options(table)
             return (solids.make(name, options, table.where), table.where,
                     (name, *sorted(options.items())))
         for key in ("sides", "rings", "taper", "cells"):
             if key in table:
-                raise ToolError(f"{table.at(key)}: means nothing for an OBJ file")
-        name = table.text("obj")
-        if name not in self.files:
-            path = os.path.join(self.folder, name)
-            if not os.path.exists(path):
-                raise ToolError(f"{table.at('obj')}: there is no file {quoted(name)}; the path is taken "
-                                "from the scene file's folder")
-            self.files[name], notes = obj.read(path, name, self.progress)
-            self.notes += notes
+                raise ToolError(f"{table.at(key)}: means nothing for a file")
+        self.files[table.text(source)], name, notes = toml_model.read(table, source, self.folder, self.files, self.progress)
+        self.notes += notes
         return self.files[name], name, (name,)
 
     def _shape(self, table, scale, rotation):
@@ -177,12 +173,14 @@ class Objects:
         inside = table.switch("inside", False)
         rotation = tuple(a % 360 for a in rotation)
         sides = self._sides(table)
-        key = (identity, scale, rotation, inside, sides)
+        scale = toml_model.fit(table, mesh) if "fit" in table else scale
+        wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
+        key = (identity, scale, rotation, inside, sides, wanted)
         if key not in self.shapes:
             self._check_made(len(mesh.faces), table.where)
-            made = shape(mesh, matrix(scale, rotation), name, inside, self.progress)
+            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
             self.notes += made.notes
-            made = self._with_sides(made, sides, name, "obj" in table)
+            made = self._with_sides(made, sides, name, "solid" not in table)
             self.shapes[key] = (made, is_convex(made.vertices, made.faces))
         return self.shapes[key]
 
@@ -218,8 +216,7 @@ class Objects:
             self.notes.append(f"{table.where}: not convex, so its faces are sorted far to near")
         return image.CONVEX if convex and stated != "sorted" else image.SORTED
 
-    @staticmethod
-    def _wish(table):
+    def _wish(self, table):
         """What colours an object's faces wish for, as a key of self.coloured."""
         if "colour_index" in table:
             return ("index", table.whole("colour_index", None, 1, 255) - 1, table.whole("colour_next", 0, 0, 254),
@@ -230,9 +227,21 @@ class Objects:
         if "colours" in table:
             bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
                           for i, c in enumerate(table.rows("colours")))
+        elif "colour" not in table and "solid" not in table and self.mesh(table)[0].surfaces:
+            bases = self._of_file(self.mesh(table)[1])
         else:
             bases = (palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour")),)
         return "shaded" if table.switch("shade", True) else "plain", bases
+
+    def _of_file(self, name):
+        """The colours of a file's faces; the same object for the same file."""
+        if name not in self.surfaces:
+            surfaces = self.files[name].surfaces
+            self.surfaces[name] = tuple(surfaces.colours())
+            clear = sum(surfaces.materials[number].opacity < 1 for number in surfaces.of_face)
+            if clear:
+                self.notes.append(f"{name}: faces that are partly transparent are drawn opaque: {clear:,}")
+        return self.surfaces[name]
 
     def _colours(self, made, wish, copy, clusters, where):
         """What colour each face of a shape wishes for; the same object for the same wish."""
@@ -258,7 +267,7 @@ class Objects:
         most = MADE_MAX + sum(len(mesh.faces) for mesh in self.files.values())
         if self.made + faces > most:
             raise ToolError(f"{where}: the scene's models have more than the limit of {most:,} faces together ("
-                            f"{MADE_MAX:,} and those of its OBJ files); each size, turn and colouring counts, and with "
+                            f"{MADE_MAX:,} and those of its files); each size, turn and colouring counts, and with "
                             "clusters twice")
 
     def _count_placed(self, vertices, where):

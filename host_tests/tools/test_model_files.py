@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: MIT
+"""Models in scenes: materials, images, fit, mend, merge."""
+
+import struct
+import zlib
+
+import pytest
+
+import scene as scene_tool
+from fixel import image, mesh, texture_image
+from fixel.errors import ToolError
+from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
+
+PATH = "[path]\nkeys = [{ position = [0, 0, -4] }]\n"
+QUADS = """\
+mtllib paint.mtl
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 2 0 0
+v 2 1 0
+vt 0 0
+vt 0.4 0
+vt 0.4 1
+vt 0 1
+usemtl red
+f 1 2 3 4
+usemtl cloth
+f 2/1 5/2 6/3 3/4
+"""
+PAINT = "# paint\nnewmtl red\nKd 1 0 0.2\nd 0.5\nnewmtl cloth\nKd 1 1 0.5\nmap_Kd -s 1 1 1 a skin.png\n"
+
+
+def compiled(tmp_path, objects, **files):
+    """A scene of these objects, whose files are given, and the tool's notes."""
+    for name, data in files.items():
+        name = name.replace("__", " ").replace("_", ".")
+        (tmp_path / name).write_bytes(data.encode() if isinstance(data, str) else data)
+    (tmp_path / "scene.toml").write_text(objects + PATH)
+    made, notes = scene_tool.compile_scene(str(tmp_path / "scene.toml"))
+    image.unpack(image.pack(made))
+    return made, notes
+
+
+def colours(made):
+    return {made.palette[face.colour] for model in made.models for face in model.faces}
+
+
+SKIN = png([[(200, 100, 50)] * 4 + [(0, 0, 255)] * 6])
+
+
+def test_materials_of_an_obj_file(tmp_path):
+    made, notes = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nshade = false\n',
+                           m_obj=QUADS, paint_mtl=PAINT, a__skin_png=SKIN)
+    assert colours(made) == {(255, 0, 51), (200, 100, 25)}      # the image's left part, times Kd
+    assert any("partly transparent are drawn opaque: 1" in note for note in notes)
+
+
+def test_a_colour_of_the_scene_goes_before_those_of_the_file(tmp_path):
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\ncolour = "lime"\nshade = false\n',
+                       m_obj=QUADS, paint_mtl=PAINT, a__skin_png=SKIN)
+    assert colours(made) == {(0, 255, 0)}
+
+
+def test_all_models_share_the_palette_without_its_reserved_entries(tmp_path):
+    rainbow = png([[(17 * x, 17 * y, 255 - 17 * x) for x in range(16)] for y in range(16)])
+    points = [(x, y, 0) for y in range(17) for x in range(17)]
+    triangles = [t for y in range(16) for x in range(16) for i in [17 * y + x] for t in ((i, i + 1, i + 18), (i, i + 18, i + 17))]
+    data = glb(*gltf(points, triangles, uvs=[(x / 16, y / 16) for x, y, _ in points], image=rainbow))
+    objects = '[palette]\nreserve = 200\n[[objects]]\nmodel = "m.glb"\nshade = false\nfit = 2\n' \
+              '[[objects]]\nmodel = "m.obj"\nshade = false\nposition = [0, 0, 5]\n'
+    made, notes = compiled(tmp_path, objects, m_glb=data, m_obj=QUADS, paint_mtl=PAINT, a__skin_png=SKIN)
+    used = {face.colour for model in made.models for face in model.faces}
+    assert max(used) < 256 - 200 and len(used) == 55
+    assert any("colours were merged" in note for note in notes)
+    assert image.pack(made) == image.pack(compiled(tmp_path, objects)[0])
+
+
+def test_an_obj_file_without_its_materials_is_drawn_in_one_colour(tmp_path):
+    made, notes = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nshade = false\n', m_obj=QUADS)
+    assert colours(made) == {(0xc8, 0xc0, 0xb0)}
+    assert any('m.obj:1: there is no "paint.mtl"' in note for note in notes)
+
+
+BAD = {
+    "image": (PAINT, {}, ["paint.mtl:7", '"a skin.png"', "take map_Kd out"]),
+    "damaged": (PAINT, {"a__skin_png": SKIN[:40]}, ["paint.mtl:7: a skin.png", "cannot be read"]),
+    "no image": (PAINT, {"a__skin_png": b"GIF89a"}, ["cannot be read"]),
+    "Kd": ("newmtl red\nKd 1 x 0\n", {}, ["paint.mtl:2", '"x"']),
+    "NaN": ("newmtl red\nd nan\n", {}, ["paint.mtl:2", '"nan"']),
+    "order": ("Kd 1 1 1\n", {}, ["paint.mtl:1", "before the first newmtl"]),
+    "name": ("newmtl red\nmap_Kd -o 1 1 1\n", {}, ["paint.mtl:2", "names no file"]),
+}
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_materials_that_are_wrong(tmp_path, kind):
+    paint, files, words = BAD[kind]
+    with pytest.raises(ToolError) as caught:
+        compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\n', m_obj=QUADS, paint_mtl=paint, **files)
+    for word in words:
+        assert word in str(caught.value)
+
+
+def big_png(width, height):
+    """A sound head that promises a large image."""
+    def part(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    return b"\x89PNG\r\n\x1a\n" + part(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) + \
+        part(b"IDAT", zlib.compress(b"")) + part(b"IEND", b"")
+
+
+@pytest.mark.parametrize("size", [(60_000, 60_000), (2049, 1), (1, 2049)])
+def test_images_of_absurd_sizes(size):
+    with pytest.raises(ToolError, match=f"an image of ({size[0]}x{size[1]}|very many) pixels; both sides must be 1..2048"):
+        texture_image.decode(big_png(*size), "big.png")
+
+
+# --- fit, mend, merge -----------------------------------------------------------------
+
+def test_fit_makes_the_largest_extent_so_many_units(tmp_path):
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.stl"\nfit = 3\n', m_stl=stl([(0, 0, 0), (700, 0, 0), (0, 90, 0),
+                                                                                  (0, 0, 50)]))
+    ends = [max(axis) - min(axis) for axis in zip(*made.models[0].vertices)]
+    assert abs(max(ends) - 3 * 65536) <= 4
+
+
+def grid(cells, height=lambda x, y: 0.0):
+    """A square of so many cells by so many, each of two triangles."""
+    side = cells + 1
+    points = [(x, y, height(x, y)) for y in range(side) for x in range(side)]
+    return points, [t for y in range(cells) for x in range(cells) for i in [side * y + x]
+                    for t in ((i, i + 1, i + side + 1), (i, i + side + 1, i + side))]
+
+
+def test_faces_in_one_plane_are_merged(tmp_path):
+    made, notes = compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\n', m_glb=glb(*gltf(*grid(1))))
+    assert [len(face.corners) for face in made.models[0].faces] == [4]
+    assert any("1 faces merged" in note for note in notes)
+
+
+def test_merging_keeps_area_corners_and_whole_edges(tmp_path):
+    points, triangles = grid(6, lambda x, y: float(max(0, x - 3)))      # two planes
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\n', m_glb=glb(*gltf(points, triangles)))
+    model = made.models[0]
+    assert len(model.faces) < 30
+    areas = {}
+    for face in model.faces:
+        outline = [model.vertices[c] for c in face.corners]
+        area = mesh.newell(outline)
+        assert mesh.is_convex_outline(outline, area) and mesh.is_flat(outline, face.normal)
+        assert all(mesh.dot(area, mesh.minus(point, outline[0])) == 0 for point in outline)
+        areas[face.normal] = areas.get(face.normal, 0) + mesh.dot(area, area) ** 0.5
+    unit = 65536.0 ** 2
+    assert sorted(round(area / unit, 3) for area in areas.values()) == sorted([2 * 18.0, round(2 * 18 * 2 ** 0.5, 3)])
+    edges = {}
+    for face in model.faces:
+        for a, b in zip(face.corners, face.corners[1:] + face.corners[:1]):
+            edges[a, b] = edges.get((a, b), 0) + 1
+    open_edges = [edge for edge in edges if edge[::-1] not in edges]
+    assert len(open_edges) == 24 and set(edges.values()) == {1}     # the border, of 6 on each side
+
+
+def test_merge_keeps_materials_and_bent_faces_apart(tmp_path):
+    bent = glb(*gltf(*grid(1, lambda x, y: x * y / 65536)))
+    assert len(compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\n', m_glb=bent)[0].models[0].faces) == 2
+    painted = QUADS.replace("usemtl cloth\n", "")
+    for text, faces in ((QUADS, 2), (painted, 1)):
+        made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nmerge = true\n', m_obj=text, paint_mtl=PAINT,
+                           a__skin_png=SKIN)
+        assert len(made.models[0].faces) == faces
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\n', m_obj=painted)
+    assert len(made.models[0].faces) == 2       # not unless asked for
+
+
+def test_no_face_gets_more_than_24_corners(tmp_path):
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\n', m_glb=glb(*gltf(*grid(30))))
+    assert max(len(face.corners) for face in made.models[0].faces) <= 24
+
+
+def test_what_was_welded_and_how_far_rounding_went_is_said(tmp_path):
+    third = [(c / 3 for c in point) for point in TETRAHEDRON[0]]
+    _, notes = compiled(tmp_path, '[[objects]]\nmodel = "m.stl"\n', m_stl=stl([tuple(point) for point in third]))
+    assert any("12 vertices welded to 4; rounded to 16.16, a coordinate is at most 0.33/65536 unit off" in note for note in notes)
+
+
+def test_a_band_that_has_no_front_is_left_as_it_is(tmp_path):
+    """A Moebius band: its faces cannot agree."""
+    points = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 1), (1, 1, 2)]
+    band = [(i, (i + 1) % 5, (i + 2) % 5) for i in range(5)]
+    _, notes = compiled(tmp_path, '[[objects]]\nmodel = "m.stl"\n', m_stl=stl(points, band))
+    assert not any("turned round: they" in note for note in notes)
+
+
+@pytest.mark.parametrize("text, words", [
+    ('model = "m.glb"\nsolid = "box"', ["both model and solid"]), ('solid = "box"\nfit = 3', ["fit", "means nothing"]),
+    ('model = "m.glb"\nfit = 1\nscale = 2', ["both fit and scale"]), ('model = "m.ply"', ["m.ply", "there is no file"]),
+    ('obj = "m.glb"', ["no OBJ file"]), ('model = "m.glb"\nfit = 0', ["fit"]), ('model = "m.glb"\nmerge = 1', ["merge"]),
+    ('model = "scene.toml"', ["a model is an .obj, .gltf, .glb or .stl file"])])
+def test_keys_that_are_wrong(tmp_path, text, words):
+    with pytest.raises(ToolError) as caught:
+        compiled(tmp_path, f"[[objects]]\n{text}\n", m_glb=glb(*gltf(*SQUARE)))
+    for word in words:
+        assert word in str(caught.value)

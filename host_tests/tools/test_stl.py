@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""The reader of STL: against trimesh, and what it refuses."""
+
+import struct
+
+import numpy
+import pytest
+import trimesh
+
+import scene as scene_tool
+from fixel import stl
+from fixel.errors import ToolError
+from fixel.mesh import UNIT
+from model_files import stl as make, stl_text
+
+
+def read(tmp_path, data):
+    (tmp_path / "model.stl").write_bytes(data)
+    return stl.read(str(tmp_path / "model.stl"), "model.stl")
+
+
+@pytest.mark.parametrize("pack", [make, stl_text])
+def test_triangles_as_trimesh_reads_them(tmp_path, pack):
+    points = [(0, 0, 0), (1.5, 0, 0), (0, 2.25, 0), (0.1, 0, 3)]
+    mesh, notes = read(tmp_path, pack(points))
+    ours = [[(x / UNIT, z / UNIT, y / UNIT) for x, y, z in (mesh.vertices[c] for c in reversed(face))] for face in mesh.faces]
+    theirs = trimesh.load_mesh(tmp_path / "model.stl", process=False)
+    assert numpy.allclose(numpy.array(ours), theirs.vertices[theirs.faces], atol=1e-7)
+    assert any("z upward" in note for note in notes) and len(mesh.places) == 4
+
+
+@pytest.mark.parametrize("pack", [make, stl_text])
+def test_a_model_stands_upright_and_looks_outward(tmp_path, pack):
+    (tmp_path / "model.stl").write_bytes(pack([(-1, -1, 0), (1, -1, 0), (0, 1, 0), (0, 0, 5)],
+                                              [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]))
+    compiled, notes = scene_tool.compile_scene(str(tmp_path / "model.stl"), 4)
+    tops = [max(axis) - min(axis) for axis in zip(*compiled.models[0].vertices)]
+    assert tops[1] == max(tops)             # STL's z is up
+    assert not any("inside out" in note or "turned round" in note for note in notes)
+
+
+def test_faces_that_look_the_wrong_way_are_turned(tmp_path):
+    triangles = [(0, 2, 1), (0, 1, 3), (3, 2, 1), (2, 0, 3)]    # the third one
+    points = [(-1, -1, 0), (1, -1, 0), (0, 1, 0), (0, 0, 5)]
+    (tmp_path / "model.stl").write_bytes(make(points, triangles))
+    compiled, notes = scene_tool.compile_scene(str(tmp_path / "model.stl"), 4)
+    assert any("1 faces were turned round" in note for note in notes)
+    assert compiled.models[0].kind == 0     # convex: all fronts look outward
+
+
+BAD = {
+    "2 GB": (bytes(80) + struct.pack("<I", 42_949_672) + bytes(200), ["promises 42,949,672 triangles", "2,147,483,684 bytes"]),
+    "many": (bytes(80) + struct.pack("<I", 65_536) + bytes(50 * 65_536), ["65,536 triangles", "65,535"]),
+    "none": (bytes(84), ["no face"]),
+    "short": (b"xyz", ["3 bytes are fewer"]),
+    "NaN": (make([(float("nan"), 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["triangle 0", "x of corner 0 is nan"]),
+    "huge": (make([(0, 0, 1e30), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["triangle 0", "z of corner 0"]),
+    "word": (stl_text().replace(b"endfacet", b"nonsense", 1), ["model.stl:8", '"nonsense"']),
+    "number": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 zero 0", 1), ["model.stl:4", '"zero" is not a number']),
+    "nan": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 nan 0", 1), ["model.stl:4", "out of every range"]),
+    "two": (stl_text().replace(b"vertex 0 0 0\n", b"", 1), ["model.stl:6", "this one has 2"]),
+    "end": (stl_text().rsplit(b"endloop", 1)[0], ["ends within a facet"]),
+    "few": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 0", 1), ["model.stl:4", "3 numbers, found 2"]),
+}
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_what_is_wrong_is_said_in_one_sentence(tmp_path, kind):
+    data, words = BAD[kind]
+    with pytest.raises(ToolError) as caught:
+        read(tmp_path, data)
+    text = str(caught.value)
+    assert text.startswith("model.stl") and len(text) < 300
+    for word in words:
+        assert word in text
