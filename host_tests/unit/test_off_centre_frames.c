@@ -121,7 +121,7 @@ void test_tiles_by_every_clipper(void)
 {
     for (int which = 0; which < CLIPPERS; which++) {
         drawn = differing = 0;
-        for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
+        for (int round = 0; round < UNIT_REPEAT / 100; round++) {
             const fxl_pose pose = random_pose();
             compare(&pose, clippers[which], &fxl_visibility_sorted);
         }
@@ -133,7 +133,7 @@ void test_tiles_by_every_clipper(void)
 void test_tiles_by_the_clipper_in_the_world(void)
 {
     drawn = differing = 0;
-    for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = random_pose();
         compare(&pose, &fxl_clipper_world, &fxl_visibility_sorted);
     }
@@ -147,7 +147,7 @@ void test_tiles_by_other_visibility_methods(void)
                                              &fxl_visibility_spans_box};
     for (int which = 0; which < 3; which++) {
         drawn = differing = 0;
-        for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
+        for (int round = 0; round < UNIT_REPEAT / 100; round++) {
             const fxl_pose pose = random_pose();
             compare(&pose, NULL, methods[which]);
         }
@@ -161,7 +161,7 @@ void test_tiles_by_other_visibility_methods(void)
 void test_a_renderer_moves_its_centre(void)
 {
     const fxl_lens lens = whole_lens();
-    for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = random_pose(), other = random_pose();
         const fxl_q16_16 x = unit_between(Q16(-WIDTH), Q16(2 * WIDTH));
         const fxl_q16_16 y = unit_between(Q16(-HEIGHT), Q16(2 * HEIGHT));
