@@ -37,12 +37,13 @@ static fxl_q16_16 drawn_focal(const fxl_lens *lens)
     return (fxl_q16_16)(length + (length >> 25) + 2);
 }
 
-/* 2^30 / sqrt(2), downward. */
-#define ROOT_HALF 759250124
+/* 2^30 / sqrt(2), less 1: enough for the rounding. */
+#define ROOT_HALF 759250123
 
 static fxl_q2_30 shortened(fxl_q2_30 component)
 {
-    return (fxl_q2_30)(fxl_multiply_s32(component, ROOT_HALF) >> 30); /* bug: off-centre-long */
+    /* bug: off-centre-long */
+    return (fxl_q2_30)fxl_round_shift(fxl_multiply_s32(component, ROOT_HALF), 30);
 }
 
 /* With n = (F^2 + (w/2)^2)^1/2 the normal of the left plane in the unsheared view is
