@@ -125,7 +125,8 @@ def summary(scene):
         "bytes": scene.size, "crc32": f"{scene.crc:08x}",
         "width": scene.width, "height": scene.height,
         "fov_degrees": round(scene.fov * 360 / 2 ** 32, 6),
-        "focal_pixels": round(toml_scene.focal_pixels(scene.width, scene.fov), 6),
+        "focal_pixels": round(image_lens.focal_pixels(scene.width, scene.fov), 6),
+        "centre": [value / 65536 for value in scene.centre or image_lens.middle(scene.width, scene.height)],
         "near": scene.near / 65536, "far": scene.far / 65536, "inset": scene.inset / 65536,
         "objects": len(scene.objects), "convex_objects": kinds.count(image.CONVEX),
         "sorted_objects": kinds.count(image.SORTED), "layers": layers,
@@ -153,6 +154,8 @@ def info(file, as_json):
     print(f"{file}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
     print(f"  screen   {data['width']}x{data['height']}, field of view {data['fov_degrees']:g} "
           f"degrees (focal {data['focal_pixels']:g} pixels)")
+    if data["centre"] != [data["width"] / 2, data["height"] / 2]:
+        print(f"  centre   {data['centre'][0]:g}, {data['centre'][1]:g} pixels: the lens is off-centre")
     print(f"  depth    near {data['near']:g}, far {data['far']:g}, inset {data['inset']:g}")
     print(f"  objects  {data['objects']} ({data['convex_objects']} convex, "
           f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")

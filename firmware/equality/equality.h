@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "fixel/stage/lens.h"
+
 /* A kernel's test: all its boundary inputs, then `rounds` random ones. */
 typedef struct {
     const char *name;
@@ -27,6 +29,9 @@ uint64_t any_64(void);
 
 /* Returns a number of 0 to 64 bits; every length is equally likely. */
 uint64_t any_length(void);
+
+/* Takes the inset from a quarter of the lenses, and moves their centre anywhere in its range. */
+void any_centre(fxl_lens *lens);
 
 /* Returns number i of BOUNDARY_32_COUNT near powers of two, where kernels tend to fail. */
 uint32_t boundary_32(uint32_t i);

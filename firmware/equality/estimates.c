@@ -69,6 +69,7 @@ void test_sphere(uint32_t rounds)
             fxl_angle fov = FXL_FOV_MIN + any_32() % (FXL_FOV_MAX - FXL_FOV_MIN + 1u);
             fxl_lens_from_fov(320, 240, fov, FXL_NEAR_MIN << (any_32() >> 9 & 7u),
                               FXL_FAR_MAX >> (any_32() >> 9 & 7u), 4, &lens);
+            any_centre(&lens);
             fxl_view_set_lens(&view, &lens);
             fxl_view_set_pose(&view, &pose);
         }

@@ -118,6 +118,7 @@ static void any_view(void)
     fxl_angle fov = FXL_FOV_MIN + any_32() % (FXL_FOV_MAX - FXL_FOV_MIN + 1u);
     fxl_lens_from_fov((uint16_t)(1u + any_32() % 1024u), (uint16_t)(1u + any_32() % 1024u), fov,
                       FXL_NEAR_MIN << (any_32() >> 9 & 7u), FXL_FAR_MAX, 4, &lens);
+    any_centre(&lens);
     fxl_view_set_lens(&view, &lens);
     fxl_view_set_pose(&view, &pose);
 }

@@ -28,6 +28,22 @@ uint64_t any_length(void)
     return length == 0 ? value : value >> length;
 }
 
+/* At most three halves of the extent, and four focal lengths. */
+static int32_t any_offset(uint16_t extent, fxl_q16_16 focal)
+{
+    const int32_t far = extent * 98304, most = far < 4 * focal ? far : 4 * focal;
+    return (int32_t)(any_32() % (2u * (uint32_t)most + 1u)) - most;
+}
+
+void any_centre(fxl_lens *lens)
+{
+    if ((any_32() & 0x180u) == 0) {
+        lens->inset = 0;
+        fxl_lens_set_centre(lens, lens->width * 32768 + any_offset(lens->width, lens->focal),
+                            lens->height * 32768 + any_offset(lens->height, lens->focal));
+    }
+}
+
 uint32_t boundary_32(uint32_t i)
 {
     if (i == 0) {

@@ -43,6 +43,7 @@ static void any_view(void)
     pose.roll = any_32();
     fxl_lens_from_fov((uint16_t)(1u + any_32() % 1024u), (uint16_t)(1u + any_32() % 1024u), fov,
                       near, FXL_FAR_MAX >> (any_32() >> 9 & 7u), inset, &lens);
+    any_centre(&lens);
     fxl_view_set_lens(&view, &lens);
     fxl_view_set_pose(&view, &pose);
     placed.view = &view;

@@ -46,7 +46,8 @@ static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const f
     judge_screen(cut, screen);
     if (clipped != NULL) {
         fxl_screen_polygon same;
-        DEMAND(fxl_project_polygon(&model_view->view->lens, clipped, &same) == FXL_OK);
+        const fxl_lens lens = fxl_view_drawn_lens(model_view->view);
+        DEMAND(fxl_project_polygon(&lens, clipped, &same) == FXL_OK);
         DEMAND(same.count == screen->count && same.colour == screen->colour);
         DEMAND(memcmp(same.points, screen->points, same.count * sizeof same.points[0]) == 0);
     }

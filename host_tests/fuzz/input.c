@@ -3,6 +3,9 @@
 
 #include "demand.h"
 
+/* A lens whose input says this inset is off-centre instead. */
+#define OFF_CENTRE 7
+
 uint64_t fuzz_bits(fuzz_input *in, unsigned bytes)
 {
     uint64_t value = 0;
@@ -106,6 +109,22 @@ fxl_pose fuzz_pose(fuzz_input *in)
     return pose;
 }
 
+/* Moves the centre by an offset within its range, made from the lens's own numbers. */
+static void move_centre(fxl_lens *lens)
+{
+    const uint32_t mixed = ((uint32_t)lens->far_z ^ (uint32_t)lens->near_z << 7) * 2654435761u;
+    const uint64_t most_x = (uint32_t)lens->width * 98304u,
+                   most_y = (uint32_t)lens->height * 98304u;
+    const uint64_t focal = 4 * (uint64_t)lens->focal;
+    const uint64_t reach_x = most_x < focal ? most_x : focal;
+    const uint64_t reach_y = most_y < focal ? most_y : focal;
+    const int64_t x = (int64_t)(reach_x * (mixed >> 16) / 32768) - (int64_t)reach_x;
+    const int64_t y = (int64_t)(reach_y * (mixed & 65535u) / 32768) - (int64_t)reach_y;
+    DEMAND(fxl_lens_set_centre(lens, (fxl_q16_16)(lens->width * 32768 + x),
+                               (fxl_q16_16)(lens->height * 32768 + y)) == FXL_OK);
+    DEMAND(fxl_lens_is_valid(lens));
+}
+
 fxl_lens fuzz_lens(fuzz_input *in, uint32_t pixels)
 {
     static const fxl_angle fovs[] = {FXL_ANGLE_QUARTER, FXL_FOV_MIN, FXL_FOV_MAX};
@@ -127,5 +146,9 @@ fxl_lens fuzz_lens(fuzz_input *in, uint32_t pixels)
     fxl_status status =
         fxl_lens_from_fov((uint16_t)width, (uint16_t)height, fov, near, far, inset, &lens);
     DEMAND(status == FXL_OK);
+    if (inset == OFF_CENTRE) {
+        lens.inset = 0;
+        move_centre(&lens);
+    }
     return lens;
 }

@@ -19,9 +19,12 @@ static int32_t screen_slack(fxl_q16_16 focal, int32_t half)
     return (int32_t)(2 + (turned >> 29));
 }
 
-static void judge_on_screen(fxl_q16_16 focal, uint16_t extent, int32_t coordinate)
+/* The components of an off-centre lens's planes are shorter, and rounded twice. */
+static void judge_on_screen(const fxl_view *view, fxl_q16_16 focal, uint16_t extent,
+                            int32_t coordinate)
 {
     int32_t slack = screen_slack(focal, extent * 32768);
+    slack *= view->lens.off_centre != NULL ? 2 : 1;
     DEMAND(coordinate >= -slack && coordinate <= extent * 65536 + slack);
 }
 
@@ -55,17 +58,18 @@ void judge_view_clip(fxl_clip_result cut, const fxl_view_polygon *result, const 
     if (result == NULL) {
         return;
     }
+    const fxl_lens lens = fxl_view_drawn_lens(view);
     for (uint32_t i = 0; i < result->count; i++) {
         const fxl_view_point *point = &result->vertices[i].position;
         fxl_screen_point screen;
         for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
             DEMAND(fxl_view_distance(&view->view_frustum, plane, point) >= -VIEW_SLACK);
         }
-        fxl_status status = fxl_project_point(&view->lens, point, &screen);
+        fxl_status status = fxl_project_point(&lens, point, &screen);
         DEMAND(status == FXL_OK);
-        judge_projection(&view->lens, point, status, &screen);
-        judge_on_screen(view->lens.focal, view->lens.width, screen.x);
-        judge_on_screen(view->lens.focal, view->lens.height, screen.y);
+        judge_projection(&lens, point, status, &screen);
+        judge_on_screen(view, lens.focal, lens.width, screen.x);
+        judge_on_screen(view, lens.focal, lens.height, screen.y);
     }
 }
 

@@ -128,6 +128,8 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_visibility(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, NULL, 8) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, room, 8) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_set_centre(NULL, 0, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_centre(renderer, INT32_MAX, 0) == FXL_E_RANGE);
     DEMAND(fxl_renderer_set_beams(NULL, beams, 1, lit, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, NULL, 1, lit, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, 1, NULL, room, 64) == FXL_E_ARGUMENT);

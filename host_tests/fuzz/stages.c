@@ -289,6 +289,36 @@ static void judge_sine(fxl_angle angle)
     DEMAND(fxl_sin(0u - angle) == -sine && fxl_cos(0u - angle) == cosine);
 }
 
+/* Any centre, part and window: a valid lens, or a status and the lens as it was. */
+static void judge_moved_lenses(const fxl_lens *lens, fuzz_input *in)
+{
+    fxl_lens moved, before;
+    memset(&moved, 0x5A, sizeof moved);
+    before = moved;
+    const uint16_t width = (uint16_t)fuzz_between(in, 0, FXL_SCREEN_MAX + 1);
+    const int32_t a = fuzz_any(in), b = fuzz_any(in);
+    int32_t sides[6];
+    for (uint32_t i = 0; i < 6; i++) {
+        sides[i] = fuzz_coordinate(in, FXL_COORDINATE_MAX + 1);
+    }
+    fxl_status status = fxl_lens_from_window(width, sides[0], sides[1], sides[2], sides[3],
+                                             sides[4], sides[5], &moved);
+    DEMAND(status == FXL_OK || status == FXL_E_RANGE);
+    DEMAND(status == FXL_OK ? fxl_lens_is_valid(&moved)
+                            : memcmp(&before, &moved, sizeof moved) == 0);
+    if (lens == NULL) {
+        return;
+    }
+    before = moved;
+    status = fxl_lens_of_part(lens, (int16_t)a, (int16_t)b, width, (uint16_t)(b >> 16), &moved);
+    DEMAND(status == FXL_OK ? fxl_lens_is_valid(&moved)
+                            : memcmp(&before, &moved, sizeof moved) == 0);
+    before = moved = *lens;
+    status = fxl_lens_set_centre(&moved, a, b);
+    DEMAND(status == FXL_OK ? fxl_lens_is_valid(&moved)
+                            : memcmp(&before, &moved, sizeof moved) == 0);
+}
+
 void fuzz_lenses(fuzz_input *in)
 {
     fxl_lens before, lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
@@ -315,4 +345,5 @@ void fuzz_lenses(fuzz_input *in)
     DEMAND(legal || memcmp(&before, &lens, sizeof lens) == 0);
     DEMAND(fxl_status_text((fxl_status)fuzz_any(in)) != NULL);
     judge_sine((fxl_angle)fov);
+    judge_moved_lenses(legal ? &lens : NULL, in);
 }

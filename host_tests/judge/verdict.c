@@ -94,6 +94,8 @@ static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
         .near = (int32_t)lround(lens->near_z * REF_ONE),
         .far = (int32_t)lround(lens->far_z * REF_ONE),
         .inset = (int32_t)lround(lens->inset * REF_ONE),
+        .centre = {(int32_t)lround(lens->centre_x * REF_ONE),
+                   (int32_t)lround(lens->centre_y * REF_ONE)},
     };
 }
 

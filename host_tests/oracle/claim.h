@@ -9,7 +9,7 @@
 #include "oracle/random.h"
 
 enum {
-    ORACLE_NUMBERS_MAX = 96,
+    ORACLE_NUMBERS_MAX = 98,
     ORACLE_KINDS_MAX = 16,
     ORACLE_EXTRAS_MAX = 8
 };

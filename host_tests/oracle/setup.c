@@ -16,7 +16,7 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
         return 0;
     }
     for (int i = 2; i < ORACLE_SETUP_NUMBERS; i++) {
-        int is_angle = i == 2 || i >= 9;
+        int is_angle = i == 2 || (i >= 9 && i <= 11);
         if (is_angle ? n[i] < 0 || n[i] > UINT32_MAX : !in_32_bits(n[i])) {
             return 0;
         }
@@ -27,11 +27,16 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
                              .roll = (uint32_t)n[11]};
     fxl_lens lens;
     if (fxl_lens_from_fov((uint16_t)n[0], (uint16_t)n[1], (uint32_t)n[2], (int32_t)n[3],
-                          (int32_t)n[4], (int32_t)n[5], &lens) != FXL_OK) {
+                          (int32_t)n[4], (int32_t)n[5], &lens) != FXL_OK ||
+        fxl_lens_set_centre(&lens, (int32_t)n[12], (int32_t)n[13]) != FXL_OK) {
         return 0;
     }
     fxl_view_set_lens(&setup->view, &lens);
-    return fxl_view_set_pose(&setup->view, &setup->pose) == FXL_OK;
+    if (fxl_view_set_pose(&setup->view, &setup->pose) != FXL_OK) {
+        return 0;
+    }
+    setup->view.lens = fxl_view_drawn_lens(&setup->view);
+    return 1;
 }
 
 static int side(oracle_random *random, int usual, int side_max)
@@ -71,6 +76,28 @@ static void generate_depths(oracle_random *random, oracle_input *input)
     oracle_put(input, inset);
 }
 
+static double focal_of(const oracle_input *input)
+{
+    const int64_t *n = input->numbers;
+    return (double)n[0] / 2 / tan(ldexp((double)n[2], -32) * 3.141592653589793);
+}
+
+/* A third of the lenses have their centre elsewhere, a quarter of these at the end of its range. */
+static void generate_centre(oracle_random *random, oracle_input *input)
+{
+    int64_t *n = input->numbers;
+    const int moved = oracle_below(random, 3) == 0;
+    const double focal = focal_of(input);
+    if (moved) {
+        n[5] = 0; /* no inset */
+    }
+    for (int i = 0; i < 2; i++) {
+        const double most = floor(fmin(1.5 * (double)n[i], 4 * focal - 1.0 / 1024) * 65536);
+        const double offset = oracle_below(random, 4) ? oracle_uniform(random, -most, most) : most;
+        oracle_put(input, n[i] * 32768 + (moved ? (int64_t)offset : 0));
+    }
+}
+
 static uint32_t angle(oracle_random *random)
 {
     uint32_t any = (uint32_t)oracle_random_next(random);
@@ -103,6 +130,7 @@ void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *in
     for (int i = 0; i < 3; i++) {
         oracle_put(input, quarters ? angle(random) & 0xC0000000u : angle(random));
     }
+    generate_centre(random, input);
 }
 
 void oracle_to_world(const oracle_input *input, const double view[3], double world[3])
@@ -118,8 +146,12 @@ void oracle_to_world(const oracle_input *input, const double view[3], double wor
     double up[3] = {-s[2] * c[0] - c[2] * s[1] * s[0], c[2] * c[1],
                     s[2] * s[0] - c[2] * s[1] * c[0]};
     double forward[3] = {c[1] * s[0], s[1], c[1] * c[0]};
+    const int64_t *n = input->numbers;
+    const double scale = view[2] / (65536 * focal_of(input));
+    const double x = view[0] - (double)(n[12] - n[0] * 32768) * scale;
+    const double y = view[1] - (double)(n[1] * 32768 - n[13]) * scale;
     for (int i = 0; i < 3; i++) {
-        world[i] = view[0] * right[i] + view[1] * up[i] + view[2] * forward[i];
+        world[i] = x * right[i] + y * up[i] + view[2] * forward[i];
     }
 }
 

@@ -10,13 +10,13 @@
 __extension__ typedef __int128 oracle_wide;
 
 enum {
-    ORACLE_SETUP_NUMBERS = 12
+    ORACLE_SETUP_NUMBERS = 14
 };
 
-#define ORACLE_SETUP_TEXT "width height fov near far inset, eye x y z yaw pitch roll"
+#define ORACLE_SETUP_TEXT "width height fov near far inset, eye x y z yaw pitch roll, centre x y"
 
 /* The lens, the matrix and the frustum are the library's own. The exact side takes them as
- * given. */
+ * given. The lens of the view is the one that it is drawn with: centred. */
 typedef struct {
     fxl_pose pose;
     fxl_view view; /* the frustum in the world is not set */
@@ -29,7 +29,9 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup);
 /* Appends random numbers for a setup. The sides of the screen are at most side_max. */
 void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *input);
 
-/* Converts a vector of the view to one of the world, in double: for making samples. */
+/* Converts a vector of the view to one of the world, in double: for making samples. Where the lens
+ * is off-centre, the view is sheared so that the middle of the screen is straight ahead; its x and
+ * y are as long as those of the unsheared view. */
 void oracle_to_world(const oracle_input *input, const double view[3], double world[3]);
 
 /* Computes the exact coordinates of a point in the view, in units of 2^-46. */

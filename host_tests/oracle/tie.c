@@ -122,14 +122,20 @@ static bool at_least(long double value, long double limit, long double scale)
 static bool in_frustum(const oracle_tie_view *view, const long double p[3])
 {
     long double inset = view->inset, scale = fabsl(p[2]) + 1;
-    long double half[2] = {view->width * 32768.0L, view->height * 32768.0L};
+    /* How far the borders are from the centre, towards -x, -y up and towards +x, +y up. */
+    long double low[2] = {view->centre[0], view->height * 65536.0L - view->centre[1]};
+    long double high[2] = {view->width * 65536.0L - view->centre[0], view->centre[1]};
     if (!at_least(p[2], view->near + inset, scale) || !at_least(view->far - inset, p[2], scale)) {
         return false;
     }
     for (int i = 0; i < 2; i++) {
-        long double length = hypotl(view->focal, half[i]);
-        if (!at_least(half[i] * p[2] - view->focal * fabsl(p[i]), inset * length, scale * length)) {
-            return false;
+        long double border[2] = {low[i], high[i]};
+        for (int side = 0; side < 2; side++) {
+            long double length = hypotl(view->focal, border[side]);
+            long double across = view->focal * (side == 0 ? p[i] : -p[i]);
+            if (!at_least(border[side] * p[2] + across, inset * length, scale * length)) {
+                return false;
+            }
         }
     }
     return true;
@@ -195,8 +201,8 @@ static bool edge_tied(const oracle_tie_view *view, const int32_t *from, const in
 bool oracle_tied(const oracle_tie_view *view, const int32_t *vertices, int count, int column,
                  int row)
 {
-    const int64_t ray[3] = {(2 * (int64_t)column + 1 - view->width) * 32768,
-                            (view->height - 2 * (int64_t)row - 1) * 32768, view->focal};
+    const int64_t ray[3] = {(2 * (int64_t)column + 1) * 32768 - view->centre[0],
+                            view->centre[1] - (2 * (int64_t)row + 1) * 32768, view->focal};
     for (int i = 0; i < count; i++) {
         if (edge_tied(view, &vertices[3 * i], &vertices[3 * ((i + 1) % count)], ray)) {
             return true;

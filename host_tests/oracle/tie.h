@@ -28,6 +28,7 @@ typedef struct {
     int32_t width, height;    /* pixels */
     int32_t focal;            /* pixels, 16.16, rounded as in the lens */
     int32_t near, far, inset; /* 16.16 */
+    int32_t centre[2];        /* where the screen is straight ahead: x, and y down; pixels, 16.16 */
 } oracle_tie_view;
 
 /* Tells whether the centre of pixel (column, row) lies on the visible part of an edge of the

@@ -40,8 +40,8 @@ static viewpoint viewpoint_of(const scene *s, const dump_frame *frame)
  * by roll first and yaw last. */
 static world_ray ray_through(const viewpoint *v, double x, double y)
 {
-    double right = (x - v->s->width / 2.0) / v->s->focal;
-    double up = (v->s->height / 2.0 - y) / v->s->focal;
+    double right = (x - v->s->centre_x) / v->s->focal;
+    double up = (v->s->centre_y - y) / v->s->focal;
     double forward = 1;
     turn(&right, &up, v->cosine[2], v->sine[2]);      /* the right side towards the up side */
     turn(&forward, &up, v->cosine[1], v->sine[1]);    /* forward towards up */

@@ -230,6 +230,15 @@ scene scene_read(const char *path)
     /* Half the field of view, pi times the turn: half the screen's width lies
      * this far to the side at a depth of one focal length. */
     s.focal = s.width / 2.0 / tan(turn * acos(-1.0));
+    s.centre_x = s.width / 2.0;
+    s.centre_y = s.height / 2.0;
+    if (get_u16(bytes + 38) != 0) {
+        const uint8_t *centre = bytes + get_u16(bytes + 6);
+        if (centre + 8 > bytes + r->image.size)
+            unusable("%s: it ends before the centre of its lens", path);
+        s.centre_x = q16(centre);
+        s.centre_y = q16(centre + 4);
+    }
     if (s.width == 0 || s.height == 0 || !(s.focal > 0) || !(s.near > 0) || !(s.far > s.near))
         unusable("%s: its screen or its depths make no sense", path);
     s.image = r;

@@ -8,8 +8,9 @@
 
 typedef struct {
     uint32_t width, height;
-    double focal;     /* pixels */
-    double near, far; /* the visible depths, with the inset taken off */
+    double focal;              /* pixels */
+    double near, far;          /* the visible depths, with the inset taken off */
+    double centre_x, centre_y; /* pixels: where the screen is straight ahead */
     uint8_t background;
     world world;
     struct reader *image; /* of which scene_play makes the world anew */

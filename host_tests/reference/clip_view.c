@@ -11,13 +11,13 @@ static ref_view_plane side_plane(bool upright, double across, double along, doub
 
 ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens)
 {
-    double half_width = lens->width / 2.0, half_height = lens->height / 2.0;
+    double x = lens->centre_x, y = lens->centre_y;
     double focal = lens->focal, inset = lens->inset;
     ref_view_frustum frustum;
-    frustum.planes[REF_PLANE_LEFT] = side_plane(false, focal, half_width, inset);
-    frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, half_width, inset);
-    frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, half_height, inset);
-    frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, half_height, inset);
+    frustum.planes[REF_PLANE_LEFT] = side_plane(false, focal, x, inset);
+    frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, lens->width - x, inset);
+    frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, lens->height - y, inset);
+    frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, y, inset);
     frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near_z + inset};
     frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far_z};
     return frustum;

@@ -20,17 +20,40 @@ static ref_plane view_plane(const ref_camera *camera, double x, double y, double
     return ref_plane_from_point(&through, &normal, inset);
 }
 
+/* Borders on the screen, in pixels from its upper left corner. */
+typedef struct {
+    double left, right, top, bottom;
+} ref_sides;
+
+/* Makes the four planes through the eye and these borders. A border at x is centre_x + focal X / Z,
+ * so X along focal and Z along x - centre_x. */
+static void set_sides(const ref_camera *camera, const ref_lens *lens, const ref_sides *sides,
+                      ref_plane planes[REF_PLANE_COUNT])
+{
+    double focal = lens->focal, inset = lens->inset;
+    double x = lens->centre_x, y = lens->centre_y;
+    planes[REF_PLANE_LEFT] = view_plane(camera, focal, 0, x - sides->left, 0, inset);
+    planes[REF_PLANE_RIGHT] = view_plane(camera, -focal, 0, sides->right - x, 0, inset);
+    planes[REF_PLANE_BOTTOM] = view_plane(camera, 0, focal, sides->bottom - y, 0, inset);
+    planes[REF_PLANE_TOP] = view_plane(camera, 0, -focal, y - sides->top, 0, inset);
+}
+
 ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *lens, unsigned cuts,
                                    double pixels)
 {
-    double focal = lens->focal;
+    double middle_x = lens->width / 2.0, middle_y = lens->height / 2.0;
+    ref_lens guard = *lens;
+    guard.inset = 0;
     ref_frustum frustum = ref_frustum_from_camera(camera, lens);
+    ref_sides sides = {.left = middle_x - pixels,
+                       .right = middle_x + pixels,
+                       .top = middle_y - pixels,
+                       .bottom = middle_y + pixels};
+    ref_plane wide[REF_PLANE_COUNT];
+    set_sides(camera, &guard, &sides, wide);
     for (int plane = REF_PLANE_LEFT; plane <= REF_PLANE_TOP; plane++) {
         if ((cuts >> plane & 1) == 0) {
-            double across = plane == REF_PLANE_LEFT || plane == REF_PLANE_BOTTOM ? focal : -focal;
-            bool upright = plane == REF_PLANE_BOTTOM || plane == REF_PLANE_TOP;
-            frustum.planes[plane] =
-                view_plane(camera, upright ? 0 : across, upright ? across : 0, pixels, 0, 0);
+            frustum.planes[plane] = wide[plane];
         }
     }
     return frustum;
@@ -38,13 +61,10 @@ ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *len
 
 ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens)
 {
-    double half_width = lens->width / 2.0, half_height = lens->height / 2.0;
-    double focal = lens->focal, inset = lens->inset;
+    double inset = lens->inset;
+    ref_sides screen = {.right = lens->width, .bottom = lens->height};
     ref_frustum frustum;
-    frustum.planes[REF_PLANE_LEFT] = view_plane(camera, focal, 0, half_width, 0, inset);
-    frustum.planes[REF_PLANE_RIGHT] = view_plane(camera, -focal, 0, half_width, 0, inset);
-    frustum.planes[REF_PLANE_BOTTOM] = view_plane(camera, 0, focal, half_height, 0, inset);
-    frustum.planes[REF_PLANE_TOP] = view_plane(camera, 0, -focal, half_height, 0, inset);
+    set_sides(camera, lens, &screen, frustum.planes);
     frustum.planes[REF_PLANE_NEAR] = view_plane(camera, 0, 0, 1, lens->near_z, inset);
     frustum.planes[REF_PLANE_FAR] = view_plane(camera, 0, 0, -1, lens->far_z, inset);
     return frustum;

@@ -23,7 +23,7 @@ typedef struct {
 ref_frustum ref_frustum_from_camera(const ref_camera *camera, const ref_lens *lens);
 
 /* Makes the same frustum, except for the sides without a bit in cuts: they lie at this many
- * pixels from the centre of the screen, without an inset (docs/extras/clippers.md, section 2.3). */
+ * pixels from the middle of the screen, without an inset (docs/extras/clippers.md, section 2.3). */
 ref_frustum ref_frustum_with_guard(const ref_camera *camera, const ref_lens *lens, unsigned cuts,
                                    double pixels);
 

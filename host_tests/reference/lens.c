@@ -14,5 +14,7 @@ ref_lens ref_lens_from_fov(int width, int height, ref_angle fov, double near_z, 
                       .focal = floor(focal * REF_ONE + 0.5) / REF_ONE,
                       .near_z = near_z,
                       .far_z = far_z,
-                      .inset = inset};
+                      .inset = inset,
+                      .centre_x = width / 2.0,
+                      .centre_y = height / 2.0};
 }

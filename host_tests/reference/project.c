@@ -3,8 +3,8 @@
 
 ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view)
 {
-    return (ref_screen_point){(double)(lens->width / 2.0 + lens->focal * view->x / view->z),
-                              (double)(lens->height / 2.0 - lens->focal * view->y / view->z)};
+    return (ref_screen_point){(double)(lens->centre_x + lens->focal * view->x / view->z),
+                              (double)(lens->centre_y - lens->focal * view->y / view->z)};
 }
 
 void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,

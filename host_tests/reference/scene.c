@@ -315,7 +315,24 @@ static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
     return frames >= 1 && frames == image->frame_count;
 }
 
-static bool read_lens(const uint8_t *bytes, ref_lens *lens)
+/* Moves the centre of the lens, if the image has one behind its header. */
+static bool read_centre(const uint8_t *bytes, size_t size, ref_lens *lens)
+{
+    const size_t at = ref_u16(bytes + 6);
+    if (ref_u16(bytes + 38) == 0) {
+        return true;
+    }
+    if (ref_u16(bytes + 38) != 1 || at + 8 > size || lens->inset != 0) {
+        return false;
+    }
+    lens->centre_x = ref_i32(bytes + at) / REF_ONE;
+    lens->centre_y = ref_i32(bytes + at + 4) / REF_ONE;
+    const double x = fabs(lens->centre_x - lens->width / 2.0);
+    const double y = fabs(lens->centre_y - lens->height / 2.0);
+    return x <= 1.5 * lens->width && y <= 1.5 * lens->height && fmax(x, y) <= 4 * lens->focal;
+}
+
+static bool read_lens(const uint8_t *bytes, size_t size, ref_lens *lens)
 {
     int width = ref_u16(bytes + 16), height = ref_u16(bytes + 18);
     ref_angle fov = ref_u32(bytes + 20);
@@ -324,7 +341,7 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
     *lens = ref_lens_from_fov(width, height, fov, near_z, far_z, inset);
     return width >= 1 && width <= REF_SCREEN_MAX && height >= 1 && height <= REF_SCREEN_MAX &&
            fov >= 119304648u && fov <= 1789569706u && near_z >= 1.0 / 256 && far_z <= 32767 &&
-           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z;
+           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, size, lens);
 }
 
 /* Tells whether the clusters of a model hold all of its faces. */
@@ -426,7 +443,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
         return "the scene image's checksum does not match";
     }
-    if (!read_lens(bytes, &image->lens)) {
+    if (!read_lens(bytes, stated, &image->lens)) {
         return "the scene image's lens is out of range";
     }
     image->background = bytes[36];

@@ -31,8 +31,8 @@ ref_camera bridge_camera(const fxl_camera *camera)
 
 ref_lens bridge_lens(const fxl_lens *lens)
 {
-    return (ref_lens){lens->width,       lens->height,     q16(lens->focal),
-                      q16(lens->near_z), q16(lens->far_z), q16(lens->inset)};
+    return (ref_lens){lens->width,      lens->height,     q16(lens->focal),    q16(lens->near_z),
+                      q16(lens->far_z), q16(lens->inset), q16(lens->centre_x), q16(lens->centre_y)};
 }
 
 ref_polygon bridge_polygon(const fxl_polygon *polygon)

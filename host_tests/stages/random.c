@@ -92,6 +92,19 @@ fxl_lens stages_random_lens(stages_random *random)
     return lens;
 }
 
+fxl_lens stages_random_moved_lens(stages_random *random)
+{
+    fxl_lens lens = stages_random_lens(random);
+    if (stages_random_below(random, 3) == 0) {
+        const double focal = 4.0 * lens.focal;
+        const double x = fmin(lens.width * 98304.0, focal), y = fmin(lens.height * 98304.0, focal);
+        lens.inset = 0;
+        fxl_lens_set_centre(&lens, lens.width * 32768 + (fxl_q16_16)uniform(random, -x, x),
+                            lens.height * 32768 + (fxl_q16_16)uniform(random, -y, y));
+    }
+    return lens;
+}
+
 /* eye + right x + up y + forward z */
 static void along_camera(const fxl_camera *camera, const double view[3], double world[3])
 {

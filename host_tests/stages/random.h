@@ -15,6 +15,9 @@ stages_random stages_random_start(uint64_t seed, uint64_t shard);
 fxl_pose stages_random_pose(stages_random *random);
 fxl_lens stages_random_lens(stages_random *random);
 
+/* A third of these are off-centre, without an inset. */
+fxl_lens stages_random_moved_lens(stages_random *random);
+
 /* Makes a polygon near the visible part of the world: mostly flat and convex; one in eight is
  * any polygon. */
 fxl_polygon stages_random_polygon(stages_random *random, const fxl_camera *camera);

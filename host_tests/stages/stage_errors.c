@@ -116,8 +116,9 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
         return;
     }
     fxl_screen_polygon screen = {.colour = seen.colour, .count = seen.count};
+    const fxl_lens drawn = fxl_view_drawn_lens(view);
     for (int i = 0; i < seen.count; i++) {
-        if (!stages_measure_project(&to->project, &view->lens, &seen.vertices[i].position,
+        if (!stages_measure_project(&to->project, &drawn, &seen.vertices[i].position,
                                     &screen.points[i])) {
             return;
         }
@@ -235,13 +236,15 @@ static int take_scene(tallies *to, const char *path)
 static void take_random_polygon(tallies *to, stages_random *random)
 {
     fxl_pose pose = stages_random_pose(random);
-    fxl_lens lens = stages_random_lens(random);
+    fxl_lens lens = stages_random_moved_lens(random);
     fxl_view view;
     if (!view_from(&pose, &lens, &view)) {
         to->clip.mismatched++; /* every random pose is in range */
         return;
     }
-    stages_check_view_frustum(&to->clip, &lens, &view.view_frustum);
+    if (lens.off_centre == NULL) {
+        stages_check_view_frustum(&to->clip, &lens, &view.view_frustum);
+    }
     fxl_polygon polygon = stages_random_polygon(random, &view.camera);
     fxl_view_polygon seen;
     fxl_transform_polygon(&view.camera, &polygon, &seen);
@@ -264,7 +267,7 @@ static void take_random_polygon(tallies *to, stages_random *random)
 static void take_random_sphere(stages_tally *sphere, stages_random *random)
 {
     fxl_pose pose = stages_random_pose(random);
-    fxl_lens lens = stages_random_lens(random);
+    fxl_lens lens = stages_random_moved_lens(random);
     fxl_view view;
     if (!view_from(&pose, &lens, &view)) {
         sphere->mismatched++;

@@ -104,7 +104,7 @@ def test_focal_and_range_ends_of_the_field_of_view(tmp_path):
     assert build(tmp_path, "[view]\nfov = 10\n" + BOX + PATH)[0].fov == image_lens.FOV_MIN
     assert build(tmp_path, "[view]\nfov = 150\n" + BOX + PATH)[0].fov == image_lens.FOV_MAX
     scene, _ = build(tmp_path, "[view]\nfocal = 277.25\nnear = 1\n" + BOX + PATH)
-    assert round(toml_scene.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
+    assert round(image_lens.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
 
 
 @pytest.mark.parametrize("near", ["0.2", "0.07", "1/256"])
@@ -274,7 +274,7 @@ def test_plaza_is_what_it_promises():
     assert all(m.kind == image.CONVEX for m in scene.models)
     # Frames 0 and 15 look along +z with vertices exactly on the far and the near
     # plane, inset and all, and inside the screen.
-    slope = 160 / toml_scene.focal_pixels(320, scene.fov)
+    slope = 160 / image_lens.focal_pixels(320, scene.fov)
     for frame, depth in ((0, scene.far - scene.inset), (15, scene.near + scene.inset)):
         x, y, z, *turn = scene.path[frame]
         assert turn == [0, 0, 0]

@@ -93,6 +93,8 @@ static bool is_valid_with(int member, int32_t value)
     lens.near_z = member == 3 ? value : lens.near_z;
     lens.far_z = member == 4 ? value : lens.far_z;
     lens.inset = member == 5 ? value : lens.inset;
+    lens.centre_x = lens.width * 32768;
+    lens.centre_y = lens.height * 32768;
     /* The focal length of 90 degrees is that of the width. */
     lens.focal = member == 0 ? Q16(0.5) * (lens.width > 0 ? lens.width : 1) : lens.focal;
     return fxl_lens_is_valid(&lens);

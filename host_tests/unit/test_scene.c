@@ -149,7 +149,7 @@ void test_the_checksum_comes_before_the_contents(void)
 
 void test_reserved_fields_and_kinds(void)
 {
-    expect_half(FXL_E_RESERVED, AT_RESERVED_HALF, 1);
+    expect_half(FXL_E_RESERVED, AT_HAS_CENTRE, 2);
     for (uint32_t at = 0; at < 12; at += 4) {
         expect_word(FXL_E_RESERVED, AT_RESERVED + at, 0x01000000u);
     }
@@ -162,6 +162,50 @@ void test_reserved_fields_and_kinds(void)
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 17, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 19, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_INSTANCES, 2, INSTANCE, 15, 1);
+}
+
+/* The image with the centre behind its header, over the first bytes of the palette. */
+static tiny_image *image_with_centre(uint16_t has_centre, fxl_q16_16 x, fxl_q16_16 y)
+{
+    tiny_image *image = tiny_image_make(false);
+    tiny_put16(tiny_at(image, AT_HAS_CENTRE), has_centre);
+    tiny_put32(tiny_at(image, AT_INSET), 0);
+    tiny_put32(tiny_at(image, HEADER_SIZE), (uint32_t)x);
+    tiny_put32(tiny_at(image, HEADER_SIZE + 4), (uint32_t)y);
+    tiny_seal(image);
+    return image;
+}
+
+void test_a_lens_with_a_moved_centre(void)
+{
+    tiny_image *image = image_with_centre(1, Q16(-10), Q16(40));
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_INT32(Q16(-10), opened.lens.centre_x);
+    TEST_ASSERT_EQUAL_INT32(Q16(40), opened.lens.centre_y);
+    TEST_ASSERT_TRUE(fxl_lens_is_valid(&opened.lens));
+    TEST_ASSERT_NOT_NULL(opened.lens.off_centre);
+    image = image_with_centre(0, Q16(-10), Q16(40));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_INT32(Q16(24), opened.lens.centre_x);
+    TEST_ASSERT_NULL(opened.lens.off_centre);
+}
+
+void test_a_wrong_centre_is_refused(void)
+{
+    expect_opening(FXL_E_RANGE, image_with_centre(1, Q16(24 + 72) + 1, 0));
+    expect_opening(FXL_E_RANGE, image_with_centre(1, 0, Q16(16 - 48) - 1));
+    expect_opening(FXL_E_RESERVED, image_with_centre(1, Q16(24), Q16(16)));
+    expect_opening(FXL_E_RESERVED, image_with_centre(2, 0, 0));
+    tiny_image *image = image_with_centre(1, 0, 0);
+    tiny_put32(tiny_at(image, AT_INSET), 1);
+    tiny_seal(image);
+    expect_opening(FXL_E_RANGE, image);
+    image = image_with_centre(1, 0, 0);
+    tiny_put32(tiny_at(image, AT_SIZE), HEADER_SIZE + 4); /* it ends within the centre */
+    image->size = HEADER_SIZE + 4;
+    tiny_seal(image);
+    expect_opening(FXL_E_SIZE, image);
 }
 
 void test_lens(void)

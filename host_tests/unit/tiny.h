@@ -46,7 +46,7 @@ enum {
     AT_INSET = 32,
     AT_BACKGROUND = 36,
     AT_PATH_KIND = 37,
-    AT_RESERVED_HALF = 38,
+    AT_HAS_CENTRE = 38,
     AT_START = 40,
     AT_MOTION_LIMITS = 64,
     AT_PALETTE = 80,

@@ -94,8 +94,8 @@
 #define MODEL_VIEW_SCALE_VERTEX 76
 
 /* fxl_view */
-#define VIEW_PROJECTION 68
-#define VIEW_FRUSTUM    96
+#define VIEW_PROJECTION 80
+#define VIEW_FRUSTUM    112
 
 /* fxl_view_frustum */
 #define FRUSTUM_X_SIDE      0

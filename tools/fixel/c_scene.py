@@ -222,6 +222,11 @@ def _reserved(scene, name):
                                 "which no face has."), f"#define {name.upper()}_RESERVED {first}", ""])] if scene.reserved else []
 
 
+def _signed(value):
+    """A number as an expression of C that nothing about it takes apart."""
+    return f"({value})" if value < 0 else str(value)
+
+
 def _view(scene, name, frames):
     """The lens, the first pose, and the path if it was asked for."""
     config = braces(scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
@@ -232,6 +237,12 @@ def _view(scene, name, frames):
                        f"static const fxl_config {name}_config = {config};", "",
                        *comment("The scene's first pose: x, y, z in 16.16, yaw, pitch, roll."),
                        f"static const fxl_pose {name}_start =", f"{c_text.INDENT}{_pose(first)};", ""])]
+    if scene.centre:
+        made.append("\n".join([*comment("The scene's lens is off-centre. After fxl_renderer_init call "
+                                        f"fxl_renderer_set_centre(&renderer, {name.upper()}_CENTRE_X, "
+                                        f"{name.upper()}_CENTRE_Y)."),
+                               f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
+                               f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
     if frames:
         made.append("\n".join([f"#define {name.upper()}_FRAMES {len(scene.path)}", "",
                                table("fxl_pose", f"{name}_path", list(map(_pose, scene.path)),

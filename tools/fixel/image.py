@@ -87,6 +87,7 @@ class SceneImage:
     tree: Tree = None
     beams: list = field(default_factory=list)
     lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
+    centre: tuple = None                # (x, y) of the lens in 16.16; None: the middle of the screen
     turns: list = field(default_factory=list)       # of the last objects
     motions: list = field(default_factory=list)     # of the last of those
     light: image_light.Light = None                 # at run time
@@ -150,7 +151,7 @@ def pack(image):
     turns, motions, motion_keys = image_turn.tables(image.turns, image.motions)
     light = image.light.tables() if image.light else [[], [], []]
     version, header_size = _kind(nodes, beams, clusters, turns, light[0])
-    body, where = b"", []
+    body, where = image_lens.CENTRE.pack(*image.centre) if image.centre else b"", []
 
     def place(table):
         """Puts a table at the end of the body; its offset and count, both 0 for no table."""
@@ -177,7 +178,7 @@ def pack(image):
     def head(crc):
         return _HEAD.pack(MAGIC, version, header_size, size, crc, image.width, image.height,
                           image.fov, image.near, image.far, image.inset, image.background,
-                          image.path_kind, 0, *image.start, *image.gait, *where, image.frames,
+                          image.path_kind, int(image.centre is not None), *image.start, *image.gait, *where, image.frames,
                           *where_more, image.tree.object if nodes else 0)
 
     blob = head(zlib.crc32(head(0)[16:] + more + body)) + more + body
@@ -205,10 +206,12 @@ def _head(blob):
         fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
     if zlib.crc32(blob[16:size]) != crc:
         fail("crc", "the checksum does not match: the image is damaged")
-    if fields[13] or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
+    if fields[13] > 1 or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
         fail("reserved", "a reserved field of the header is not zero, or the kind of the path is unknown")
     if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
         fail("version", f"version {VERSION_MORE} of a scene image without a BSP tree or beams")
+    if size - header_size < fields[13] * image_lens.CENTRE.size:
+        fail("size", "the image ends before the centre of its lens")
     return fields
 
 
@@ -381,11 +384,24 @@ def _check_path(kind, path, frames):
         fail("count", f"the path has {total} frames, the header says {frames}")
 
 
+def _centre(blob, fields):
+    """The centre of a lens that is off-centre, behind the header; else None."""
+    if not fields[13]:
+        return None
+    width, height, fov, inset = fields[5], fields[6], fields[7], fields[10]
+    centre = image_lens.CENTRE.unpack_from(blob, fields[2])
+    image_lens.check_centre(width, height, fov, inset, centre)
+    if centre == image_lens.middle(width, height):
+        fail("reserved", "the image gives the middle of the screen as the centre of its lens")
+    return centre
+
+
 def unpack(blob):
     """The scene of an image; ToolError names what is wrong, as the loader would."""
     fields = _head(blob)
     width, height, fov, near, far, inset, background, kind = *fields[5:11], *fields[11:13]
     image_lens.check(width, height, fov, near, far, inset)
+    centre = _centre(blob, fields)
     start, gait = fields[14:20], fields[20:24]
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
@@ -418,7 +434,7 @@ def unpack(blob):
     light = image_light.read(light, points, ramp)
     _check_path(kind, path, fields[38])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, beams, lit, turns, motions, light, size=fields[3], crc=fields[4])
+                      kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, size=fields[3], crc=fields[4])
 
 
 def load(path):

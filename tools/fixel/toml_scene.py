@@ -19,12 +19,30 @@ POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette"}
 
 
+def _centre(view, width, height, fov, inset):
+    """The lens's centre in the image's integers; None for the middle of the screen."""
+    if "centre" not in view:
+        return None
+    numbers = view.need("centre")
+    if not isinstance(numbers, list) or len(numbers) != 2:
+        raise ToolError(f"{view.at('centre')}: expected [x, y] in pixels, from the upper left corner of the screen")
+    centre = tuple(quantity.q16(quantity.in_range(quantity.fraction(number, view.at("centre")), -4096, 4096,
+                                                  view.at("centre"), "pixels")) for number in numbers)
+    if centre == image_lens.middle(width, height):
+        return None
+    try:
+        image_lens.check_centre(width, height, fov, inset, centre)
+    except ToolError as error:
+        raise ToolError(f"{view.at('centre')}: {error}") from error
+    return centre
+
+
 def _lens(top):
-    """width, height, fov, near, far, inset in the image's integers."""
+    """width, height, fov, near, far, inset, centre in the image's integers."""
     screen = top.table("screen", {"width", "height"})
     width = screen.whole("width", 320, 1, image_lens.SCREEN_MAX)
     height = screen.whole("height", 240, 1, image_lens.SCREEN_MAX)
-    view = top.table("view", {"fov", "focal", "near", "far", "inset"})
+    view = top.table("view", {"fov", "focal", "near", "far", "inset", "centre"})
     if "focal" in view and "fov" in view:
         raise ToolError(f"{view.where}: both fov and focal are given; keep one")
     if "focal" in view:
@@ -44,12 +62,18 @@ def _lens(top):
     if near + 2 * inset >= far:
         raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "
                         f"below far = {far / 65536:g}")
-    return width, height, fov, near, far, inset
+    return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
 
 
-def focal_pixels(width, fov):
-    """The focal length that the library will use, in pixels."""
-    return width / 2 / math.tan(fov * math.pi / 2 ** 32)
+def _on_screen(lens, screen):
+    """The lens on a screen of another width and height, with the same field of view. As the focal length, the centre's
+    distance from the middle grows with the width."""
+    width, height, centre = *lens[:2], lens[-1]
+    if centre:
+        before, after = image_lens.middle(width, height), image_lens.middle(*screen)
+        centre = tuple(at + (value - old) * screen[0] // width for value, old, at in zip(centre, before, after))
+        centre = None if centre == after else centre
+    return (*screen, *lens[2:-1], centre)
 
 
 def _check_poses(count, where):
@@ -264,7 +288,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     top = Table(data, name, TOP_KEYS)
     lens = _lens(top)
     if screen:
-        lens = (*screen, *lens[2:])
+        lens = _on_screen(lens, screen)
     notes = []
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     kind, entries, start, gait = _path(top, frames)
@@ -283,7 +307,8 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     models, placed = _models(placements, indices)
-    scene = SceneImage(*lens, 0, colours, models, placed, kind, entries, start, gait)
+    scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
+    scene.centre = lens[-1]
     scene.beams, scene.turns, scene.motions = beams, turns, motions
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None

@@ -25,8 +25,12 @@ void tearDown(void)
 /* 8 pixels wide, 90 degrees. */
 static oracle_tie_view small_view(void)
 {
-    return (oracle_tie_view){
-        .width = 8, .height = 9, .focal = 4 * ONE, .near = ONE / 4, .far = 1000 * ONE};
+    return (oracle_tie_view){.width = 8,
+                             .height = 9,
+                             .focal = 4 * ONE,
+                             .near = ONE / 4,
+                             .far = 1000 * ONE,
+                             .centre = {4 * ONE, 9 * ONE / 2}};
 }
 
 void test_an_upright_edge_at_an_eighth_of_a_turn(void)

@@ -56,7 +56,7 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     fxl_volume_workspace *workspace = workspace_of(model_view);
     (void)work;
     if (workspace->frame != view->frame) {
-        fxl_volume_from_sides(&view->view_frustum, view->lens.focal, FXL_PLANES_ALL,
+        fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), FXL_PLANES_ALL,
                               &workspace->volume);
         workspace->frame = view->frame;
     }

@@ -48,8 +48,9 @@ static bool next_piece(const fxl_model_view *model_view, fxl_fan_workspace *work
                        fxl_screen_polygon *screen)
 {
     fxl_status status;
+    const fxl_lens lens = fxl_view_drawn_lens(model_view->view);
     const fxl_screen_triangle *piece =
-        fxl_triangle_next(&workspace->volume, &model_view->view->lens, &workspace->clip, &status);
+        fxl_triangle_next(&workspace->volume, &lens, &workspace->clip, &status);
     FXL_ASSERT(status == FXL_OK);
     if (piece == NULL) {
         return false;
@@ -120,7 +121,8 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     unsigned any = 0, all = FXL_PLANES_ALL;
     (void)work;
     if (workspace->frame != view->frame) {
-        fxl_volume_from_sides(&view->view_frustum, view->lens.focal, DEPTHS, &workspace->volume);
+        fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), DEPTHS,
+                              &workspace->volume);
         workspace->frame = view->frame;
     }
     for (uint32_t i = 0; i < face->count; i++) {

@@ -46,7 +46,8 @@ static inline fxl_clip_result clip_in_frustum(const fxl_model_view *model_view,
     FXL_NORMALISED_WORKSPACE *workspace = workspace_of(model_view);
     const fxl_view *view = model_view->view;
     if (workspace->frame != view->frame) { /* bug: normalised-stale */
-        fxl_normalised_from_camera(&view->camera, &view->lens, &workspace->frustum);
+        const fxl_lens lens = fxl_view_drawn_lens(view);
+        fxl_normalised_from_camera(&view->camera, &lens, &workspace->frustum);
         workspace->frame = view->frame;
     }
     return fxl_clip_common_face(model_view, face, screen, steps, FXL_PLANES_ALL);

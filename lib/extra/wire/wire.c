@@ -17,7 +17,8 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
     wire->scene = scene;
     wire->clipper = clipper;
     fxl_view_set_lens(&wire->view, lens);
-    fxl_volume_from_lens(lens, FXL_PLANES_ALL, &wire->volume);
+    fxl_volume_from_sides(&wire->view.view_frustum, fxl_view_drawn_focal(&wire->view),
+                          FXL_PLANES_ALL, &wire->volume);
     return FXL_OK;
 }
 

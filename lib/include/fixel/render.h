@@ -101,8 +101,8 @@ struct fxl_shader {
     const struct fxl_shader_code *code;
 };
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 480 bytes and
- * 64 for each vertex of FXL_POLYGON_CAPACITY: 2528 where that is 32, 1248 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 488 bytes and
+ * 64 for each vertex of FXL_POLYGON_CAPACITY: 2536 where that is 32, 1256 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only. A renderer may be moved: no pointer in it leads into it. Two copies share the
  * caller's memory, so that only one of them may be used. */
@@ -179,6 +179,12 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
  * zeros), FXL_E_CAPACITY (workspace_size): renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
                                     void *workspace, uint32_t workspace_size);
+
+/* Moves the centre of the lens (fxl_lens_set_centre), as a window needs in front of a viewer who
+ * moves. Then a frame must begin anew.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_RANGE (those of
+ * fxl_lens_set_centre): renderer untouched but for refused_calls. */
+fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 
 /* Sets the visibility method and its workspace, of the caller's memory, aligned to 8; the renderer
  * keeps the pointer. May be null where the method wants none. Then a frame must begin anew.

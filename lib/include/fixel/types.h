@@ -216,12 +216,18 @@ typedef struct {
     fxl_angle yaw, pitch, roll;
 } fxl_pose;
 
-/* The screen, and the part of the world that it shows. fxl_lens_from_fov makes one. */
+/* What a view needs of an off-centre lens (fixel/stage/lens.h). Members are internal. */
+typedef struct fxl_off_centre_code fxl_off_centre_code;
+
+/* The screen, and the part of the world that it shows. fxl_lens_from_fov makes one. Its centre is
+ * the middle of the screen; fxl_lens_set_centre moves it. */
 typedef struct {
-    uint16_t width, height;   /* pixels */
-    fxl_q16_16 focal;         /* pixels: screen x = width/2 + focal * X / Z */
-    fxl_q16_16 near_z, far_z; /* world units along forward */
-    fxl_q16_16 inset;         /* world units that every plane of the frustum moves inward */
+    uint16_t width, height;        /* pixels */
+    fxl_q16_16 focal;              /* pixels: screen x = centre_x + focal * X / Z */
+    fxl_q16_16 near_z, far_z;      /* world units along forward */
+    fxl_q16_16 inset;              /* world units that every plane of the frustum moves inward */
+    fxl_q16_16 centre_x, centre_y; /* pixels, y down: the point of the screen straight ahead */
+    const fxl_off_centre_code *off_centre; /* null: the centre is the middle of the screen */
 } fxl_lens;
 
 /* A vertex of a polygon in the world. u and v are texture coordinates in texels,
@@ -240,7 +246,8 @@ typedef struct {
 } fxl_polygon;
 
 /* A point relative to the eye, along right, up and forward, in units of 2^-46
- * world unit. Each coordinate is below 2^61. */
+ * world unit. Each coordinate is below 2^61. Where the lens is off-centre, right and up are those
+ * of the sheared view (SPEC.md, section 4.2). */
 typedef struct {
     fxl_q18_46 x, y, z;
 } fxl_view_point;

@@ -4,7 +4,7 @@
 #include "renderer.h"
 
 #ifdef __arm__
-FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 480 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
+FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 488 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)

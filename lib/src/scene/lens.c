@@ -3,6 +3,7 @@
 
 #include "../math/arith.h"
 #include "../math/sine.h"
+#include "off_centre_code.h"
 
 FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested at once");
 
@@ -40,6 +41,9 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
     lens->near_z = near_z;
     lens->far_z = far_z;
     lens->inset = inset;
+    lens->centre_x = (int32_t)width * 32768;
+    lens->centre_y = (int32_t)height * 32768;
+    lens->off_centre = NULL;
     return FXL_OK;
 }
 
@@ -49,10 +53,17 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
 #define FOCAL_LEAST 0x2240
 #define FOCAL_MOST  0x5B800
 
+static bool centre_in_range(const fxl_lens *lens)
+{
+    return lens->off_centre != NULL ? lens->off_centre->is_valid(lens)
+                                    : lens->centre_x == (int32_t)lens->width * 32768 &&
+                                          lens->centre_y == (int32_t)lens->height * 32768;
+}
+
 bool fxl_lens_is_valid(const fxl_lens *lens)
 {
     return screen_in_range(lens->width, lens->height) &&
            depth_in_range(lens->near_z, lens->far_z, lens->inset) &&
            lens->focal >= (int32_t)lens->width * FOCAL_LEAST &&
-           lens->focal <= (int32_t)lens->width * FOCAL_MOST;
+           lens->focal <= (int32_t)lens->width * FOCAL_MOST && centre_in_range(lens);
 }

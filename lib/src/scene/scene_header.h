@@ -18,7 +18,7 @@ typedef struct {
     uint32_t fov;
     int32_t near_z, far_z, inset;
     uint8_t background, path_kind;
-    uint16_t reserved;
+    uint16_t has_centre; /* 1: a lens_centre follows the whole header; else 0 */
     fxl_pose start;
     int32_t acceleration, friction, speed_max;
     uint32_t turn;
@@ -50,6 +50,11 @@ typedef struct {
     table light, points, ramp; /* of the ramp: its levels */
 } light_header;
 
+/* Behind the header, however long that is, only if the lens is off-centre. */
+typedef struct {
+    fxl_q16_16 x, y;
+} lens_centre;
+
 FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
@@ -61,6 +66,7 @@ FXL_STATIC_ASSERT(sizeof(fxl_instance) == 16, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_face_bounds) == 20, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, bsp_nodes) == 148, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_bsp_node) == 48, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(lens_centre) == 8, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(beam_header) == 16, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_beam) == 176, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(cluster_header) == 8, "docs/formats.md, section 1");

@@ -80,8 +80,12 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
         return FXL_E_CRC;
     }
-    if (head->reserved != 0 || head->path_kind > PATH_SEGMENTS) {
+    if (head->has_centre > 1 || head->path_kind > PATH_SEGMENTS) {
         return FXL_E_RESERVED;
+    }
+    if (head->image_size - head->header_size < head->has_centre * sizeof(lens_centre)) {
+        *what = "header"; /* bug: centre-behind */
+        return FXL_E_SIZE;
     }
     if (beam_header_of(head) != NULL && beam_header_of(head)->reserved != 0) {
         return FXL_E_RESERVED;
@@ -95,12 +99,25 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
                                                                                : FXL_E_VERSION;
 }
 
+/* An image says where the centre is only if that is not the middle, so a scene has one image. */
+static fxl_status check_lens(const header *head, fxl_lens *lens)
+{
+    fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
+                                          head->far_z, head->inset, lens);
+    if (status != FXL_OK || head->has_centre == 0) {
+        return status;
+    }
+    const lens_centre *centre =
+        (const lens_centre *)(const void *)((const uint8_t *)head + head->header_size);
+    status = fxl_lens_set_centre(lens, centre->x, centre->y);
+    return status == FXL_OK && lens->off_centre == NULL ? FXL_E_RESERVED : status;
+}
+
 /* Lens, start pose and motion limits. */
 static fxl_status check_settings(const header *head, fxl_scene_image *opened,
                                  fxl_scene_fault *fault)
 {
-    fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
-                                          head->far_z, head->inset, &opened->lens);
+    fxl_status status = check_lens(head, &opened->lens);
     if (status != FXL_OK) {
         return fxl_fault_at(fault, "lens", 0, status);
     }

@@ -38,16 +38,14 @@ static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 
     return turned;
 }
 
-/* Sets up the two side planes that bound one axis of the screen. */
-static void set_side_planes(const fxl_camera *camera, const fxl_lens *lens, uint16_t extent,
-                            const fxl_direction *axis, fxl_plane *low, fxl_plane *high)
+/* Sets up the two side planes that bound one axis of the screen, by those of the view. */
+static void set_side_planes(const fxl_camera *camera, const fxl_direction *axis, fxl_q2_30 along,
+                            fxl_q2_30 depth, fxl_q16_16 inset, fxl_plane *low, fxl_plane *high)
 {
-    fxl_q2_30 along, depth;
-    normalise((uint32_t)lens->focal, (uint32_t)extent * 32768u, &along, &depth);
     fxl_direction normal = turn(along, axis, depth, &camera->axes.forward);
-    *low = fxl_plane_from_point(&camera->position, &normal, lens->inset);
+    *low = fxl_plane_from_point(&camera->position, &normal, inset);
     normal = turn(-along, axis, depth, &camera->axes.forward);
-    *high = fxl_plane_from_point(&camera->position, &normal, lens->inset);
+    *high = fxl_plane_from_point(&camera->position, &normal, inset);
 }
 
 void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
@@ -63,11 +61,19 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
 
 void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum)
 {
+    fxl_view_frustum sides;
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_frustum_from_sides(camera, lens, &sides, frustum);
+}
+
+void fxl_frustum_from_sides(const fxl_camera *camera, const fxl_lens *lens,
+                            const fxl_view_frustum *sides, fxl_frustum *frustum)
+{
     fxl_plane *planes = frustum->planes;
-    set_side_planes(camera, lens, lens->width, &camera->axes.right, &planes[FXL_PLANE_LEFT],
-                    &planes[FXL_PLANE_RIGHT]);
-    set_side_planes(camera, lens, lens->height, &camera->axes.up, &planes[FXL_PLANE_BOTTOM],
-                    &planes[FXL_PLANE_TOP]);
+    set_side_planes(camera, &camera->axes.right, sides->x_side, sides->x_depth, lens->inset,
+                    &planes[FXL_PLANE_LEFT], &planes[FXL_PLANE_RIGHT]);
+    set_side_planes(camera, &camera->axes.up, sides->y_side, sides->y_depth, lens->inset,
+                    &planes[FXL_PLANE_BOTTOM], &planes[FXL_PLANE_TOP]);
 
     /* near_z and far_z add at most 2^31 * 2^30 = 2^61 to a distance below 2^61. */
     planes[FXL_PLANE_NEAR] =

@@ -33,7 +33,8 @@ typedef struct {
  *   near          if  z >= near_z,
  *   far           if  z <= far_z.
  * These integers are the planes: every clipper in the view clips to them exactly.
- * near_z and far_z include the inset. */
+ * near_z and far_z include the inset. (x_side, x_depth) and (y_side, y_depth) have unit length, or
+ * half the square of it in the sheared view of an off-centre lens. */
 typedef struct fxl_view_frustum {
     fxl_q2_30 x_side, x_depth;
     fxl_q2_30 y_side, y_depth;
@@ -59,6 +60,12 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
  * 1/65536 (exactly, except for the length of the normal).
  * Source: A4 (Listing 65.3, SetUpFrustum). */
 void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum);
+
+/* Does the same with the sides set up beforehand. It reads near_z, far_z and inset of the lens.
+ * Requires the sides of a view, and its camera. In the sheared view of an off-centre lens a side's
+ * normal is at most 1 long, and its direction is that of the border that it stands for. */
+void fxl_frustum_from_sides(const fxl_camera *camera, const fxl_lens *lens,
+                            const fxl_view_frustum *sides, fxl_frustum *frustum);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@ extern "C" {
 
 /* Makes a lens from a horizontal field of view:
  *   focal = (width / 2) / tan(fov / 2), for both axes (square pixels).
+ * Its centre is the middle of the screen.
  * width and height are in pixels; near_z, far_z and inset are in world units.
  * Requires width, height in 1..FXL_SCREEN_MAX; fov in FXL_FOV_MIN..FXL_FOV_MAX;
  * near_z >= FXL_NEAR_MIN; far_z <= FXL_FAR_MAX; 0 <= inset <= FXL_INSET_MAX;
@@ -20,10 +21,50 @@ extern "C" {
 fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
                              fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens);
 
-/* Whether a lens may have been made by fxl_lens_from_fov: all members within their ranges, and a
- * focal length of a field of view within FXL_FOV_MIN..FXL_FOV_MAX, or beyond it by less than
- * 2/1000. */
+/* Whether a lens may have been made by the functions of this header: all members within their
+ * ranges, and a focal length of a field of view within FXL_FOV_MIN..FXL_FOV_MAX, or beyond it by
+ * less than 2/1000. */
 bool fxl_lens_is_valid(const fxl_lens *lens);
+
+/* --- off-centre ------------------------------------------------------------------------- */
+
+/* A window that is wider to one side than to the other: one display of several that show one
+ * picture, or a display that is a window in front of a viewer who moves. The focal length stays,
+ * and so does the perspective: the picture of the moved lens is a part of one larger picture.
+ *
+ * Every function that takes an fxl_lens to draw with takes such a lens. A stage (the functions of
+ * fixel/stage/frustum.h and project.h, fxl_normalised_from_camera, fxl_volume_from_lens) does not
+ * read the centre. It takes the lens of fxl_view_drawn_lens (fixel/stage/view.h) instead. */
+
+/* Moves the centre of a lens to the point (x, y) of the screen, in pixels, y down. The middle of
+ * the screen makes it a lens as fxl_lens_from_fov does.
+ * Requires a lens made by the functions of this header. FXL_E_RANGE if its inset is not 0, or if
+ * the centre is farther from the middle of the screen than one and a half times the width in x, or
+ * the height in y, or than four focal lengths in x or y. FXL_E_ARGUMENT, FXL_E_RANGE: lens
+ * untouched. Exact. Source: D1. */
+fxl_status fxl_lens_set_centre(fxl_lens *lens, fxl_q16_16 x, fxl_q16_16 y);
+
+/* Makes the lens of a part of a screen: the pixels x <= column < x + width, y <= row < y + height,
+ * which may lie beyond the screen. With the same pose it draws what the whole shows there; a pixel
+ * may differ if its centre lies within 1/8192 pixel of an edge.
+ * Requires a lens made by the functions of this header; part may be whole. FXL_E_RANGE if the part
+ * is not 1..FXL_SCREEN_MAX pixels wide and high, if its centre is out of the range of
+ * fxl_lens_set_centre, or if it is so narrow that its field of view is below FXL_FOV_MIN.
+ * FXL_E_ARGUMENT, FXL_E_RANGE: part untouched. Exact. */
+fxl_status fxl_lens_of_part(const fxl_lens *whole, int16_t x, int16_t y, uint16_t width,
+                            uint16_t height, fxl_lens *part);
+
+/* Makes the lens of a window: the eye looks through a rectangle in the plane z = near_z, whose
+ * sides lie at left < right and bottom < top, in world units. The screen shows the rectangle;
+ * its pixels are square, so its height follows from its width and is rounded to whole pixels, and
+ * the last row may show up to half a pixel more or less than the window.
+ * Requires |left|, |right|, |bottom|, |top| <= FXL_COORDINATE_MAX; a width in 1..FXL_SCREEN_MAX;
+ * near_z and far_z as fxl_lens_from_fov. FXL_E_RANGE also if a height, a focal length or a centre
+ * is out of its range. FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched.
+ * Error: half a unit of 1/65536 pixel in focal and centre. Source: D1. */
+fxl_status fxl_lens_from_window(uint16_t width, fxl_q16_16 left, fxl_q16_16 right,
+                                fxl_q16_16 bottom, fxl_q16_16 top, fxl_q16_16 near_z,
+                                fxl_q16_16 far_z, fxl_lens *lens);
 
 #ifdef __cplusplus
 }
