@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws every frame of the board's scene, each as one region. Clearing the
- * frame and showing it are outside. Prints
+ * frame, moving what has a motion, and showing the frame are outside. Prints
  *   bench: memory BYTES     beside the band, the scene and the stack
  *   bench: stack BYTES      the deepest that drawing went
  *   bench: frames N         the end marker */
@@ -9,6 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "draw.h"
+#include "fixel/extra/motion.h"
 #include "fixel/stage/fill.h"
 #include "path.h"
 #include "region.h"
@@ -17,8 +18,12 @@
 
 #define STACK_WORDS   2048u /* words that are checked below the caller of draw_frame */
 #define STACK_PATTERN 0xA5C35A3Cu
+#define MOVING_MAX    128u /* instances of a scene with motions */
 
 static uint8_t pixels[DRAW_PIXELS_MAX];
+static fxl_instance instances[MOVING_MAX];
+static fxl_turn turns[MOVING_MAX];
+static fxl_motion_player motion;
 
 /* Fills the memory below the stack pointer. Uses a volatile pointer and no call, because a call
  * would use that memory itself. */
@@ -65,6 +70,9 @@ static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t num
     if (walk_path_next(path, 0) != FXL_OK) {
         return SYSTEM_EXIT_INPUT;
     }
+    if (image->motion.motion_count > 0) {
+        fxl_motion_play(&motion, number);
+    }
     if (!journal_begin(number, &path->viewer.pose)) {
         return SYSTEM_EXIT_JOURNAL;
     }
@@ -99,6 +107,14 @@ static int all_frames(const fxl_scene_image *image, uint32_t frames)
     return display_close() ? SYSTEM_EXIT_DONE : SYSTEM_EXIT_DISPLAY;
 }
 
+/* Motions move copies of the instances, which the scene then names. */
+static bool motion_open(fxl_scene_image *image)
+{
+    const fxl_motion_memory copies = {instances, MOVING_MAX, turns, MOVING_MAX};
+    return image->motion.motion_count == 0 ||
+           fxl_motion_begin(&motion, &image->motion, &image->scene, &copies) == FXL_OK;
+}
+
 static int run(void)
 {
     fxl_scene_image image;
@@ -115,7 +131,7 @@ static int run(void)
         text_with_number("bench: scene refused: ", fault.what, " ", fault.index);
         return SYSTEM_EXIT_SCENE;
     }
-    if ((uint32_t)image.lens.width * image.lens.height > DRAW_PIXELS_MAX) {
+    if ((uint32_t)image.lens.width * image.lens.height > DRAW_PIXELS_MAX || !motion_open(&image)) {
         return SYSTEM_EXIT_CAPACITY;
     }
     code = draw_open(&image);

@@ -53,6 +53,8 @@ void portable_intersect_edge(const fxl_view_point *from, const fxl_view_point *t
                              const fxl_q18_46 *inside, const fxl_q18_46 *outside,
                              fxl_view_point *point);
 
+void portable_turn_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
+
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */

@@ -11,6 +11,7 @@
 #include "products.h"
 #include "project.h"
 #include "rows.h"
+#include "turn_rows.h"
 
 #include <stddef.h>
 
@@ -31,6 +32,7 @@ const equality_test equality_tests[] = {
     {"front-faces", test_front_faces},
     {"clip-by-view", test_clip_by_view},
     {"intersect", test_intersect},
+    {"turn-rows", test_turn_rows},
     {"chains", test_chains},
     {"fill", test_fill},
     {"draw-outline", test_draw_outline},

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers of turned instances, against their definitions in whole numbers of 128 bits. */
+#include "src/scene/turn_code.h"
 #include "turns.h"
 #include "wide.h"
 
@@ -111,6 +112,41 @@ void test_what_is_no_rotation(void)
         }
         TEST_ASSERT_EQUAL(FXL_E_TURN, check(&turn));
     }
+}
+
+/* A number of any size below 2^bits, sometimes a power of two. */
+static int32_t any_size(int bits)
+{
+    const int32_t power = 1 << unit_between(0, bits - 1);
+    return unit_between(0, 3) == 0 ? power : unit_between(0, power);
+}
+
+/* What a frame asks of all instances is what the check of one asks. */
+void test_the_places_of_a_scene(void)
+{
+    static fxl_instance instances[2];
+    static fxl_model model;
+    fxl_turn turn = none;
+    const fxl_scene scene = {.models = &model,
+                             .instances = instances,
+                             .model_count = 1,
+                             .instance_count = 2,
+                             .turns = &turn,
+                             .first_turned = 1};
+    int32_t *centre = &instances[1].centre.x;
+    uint32_t in_range = 0;
+    instances[0].centre.x = INT32_MAX;
+    for (int round = 0; round < UNIT_REPEAT; round++) {
+        turn.scale = any_size(26) - (round % 64 == 0 ? 300 : 0);
+        model.radius = any_size(31);
+        for (int i = 0; i < 3; i++) {
+            centre[i] = any_size(31) * (unit_between(0, 1) ? 1 : -1) - unit_between(0, 1);
+        }
+        const bool is_ok = fxl_turn_check(&turn, &instances[1].centre, model.radius) == FXL_OK;
+        TEST_ASSERT_EQUAL(is_ok, fxl_turn_places_are_in_range(&scene));
+        in_range += is_ok;
+    }
+    TEST_ASSERT_TRUE(in_range > UNIT_REPEAT / 10 && in_range < UNIT_REPEAT);
 }
 
 void test_ranges_of_a_turn(void)

@@ -16,7 +16,7 @@ enum {
 
 static FXL_ALIGN_8 fxl_clipper_workspace room;
 static FXL_ALIGN_8 uint8_t span_room[SPANS];
-static uint8_t frames[2][PIXELS];
+static uint8_t frames[2][PIXELS], third[PIXELS];
 static fxl_order_entry order[64];
 static uint32_t list[LIST_WORDS];
 static fxl_cached_vertex cache[9];
@@ -62,9 +62,8 @@ static void start(int which, uint32_t list_words, uint32_t entries, bool front_t
     }
 }
 
-static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
+static void draw_bands(int rows, uint8_t *frame)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (int row = 0; row < HEIGHT; row += rows) {
         int left = HEIGHT - row;
         fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
@@ -72,6 +71,12 @@ static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
+}
+
+static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    draw_bands(rows, frame);
 }
 
 /* Between and beside the cubes, where many faces are cut. */
@@ -247,6 +252,55 @@ void test_a_bad_turn_leaves_the_frame_before(void)
         draw(&pose, HEIGHT, frames[1]);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
     }
+}
+
+static bool is_in_sight(uint32_t number)
+{
+    for (uint32_t i = 0; i < renderer.frame.visible_count; i++) {
+        if (order[i].index == number) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* An orientation is refused where its instance is in sight. The frame before stays current also
+ * where its rows were measured, and where there was none. */
+void test_orientations_in_sight_are_checked(void)
+{
+    const uint32_t rounds = UNIT_REPEAT / 500;
+    uint32_t in_sight = 0, measured = 0;
+    for (uint32_t round = 0; round < rounds; round++) {
+        const fxl_pose poses[] = {random_pose(), random_pose()};
+        const uint32_t number = round % TINY_INSTANCES;
+        make(round % 2);
+        turn_all();
+        start(CLIPPERS, round % 3 * 20, 9, false);
+        draw(&poses[1], 5, frames[1]);
+        const bool seen = is_in_sight(number) && number >= tiny->scene.first_turned;
+        draw(&poses[0], 5, frames[0]);
+        measured += renderer.frame.state == FXL_FRAME_MEASURED;
+        fxl_turn *turn =
+            &turns[number - (number < tiny->scene.first_turned ? 0 : tiny->scene.first_turned)];
+        const fxl_turn good = *turn;
+        if (number >= tiny->scene.first_turned) {
+            turn->orientation.x.x ^= 1 << 20;
+        }
+        TEST_ASSERT_EQUAL(seen ? FXL_E_TURN : FXL_OK, fxl_frame_begin(&renderer, &poses[1]));
+        *turn = good;
+        in_sight += seen;
+        draw_bands(5, third);
+        TEST_ASSERT_EQUAL_MEMORY(frames[seen ? 0 : 1], third, PIXELS);
+        draw(&poses[1], 5, third);
+        TEST_ASSERT_EQUAL_MEMORY(frames[1], third, PIXELS);
+    }
+    TEST_ASSERT_TRUE(in_sight > 0 && in_sight < rounds && measured > 0);
+    make(0);
+    start(CLIPPERS, 0, 9, false);
+    turns[0].orientation.x.x = turns[1].orientation.x.x = turns[2].orientation.x.x = 0;
+    expect_refused(FXL_E_TURN);
+    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
 }
 
 /* Instances may come and go, the turned ones at the end of the table. */

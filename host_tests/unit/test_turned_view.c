@@ -146,7 +146,8 @@ void test_facing(void)
         start();
         set_up(0);
         for (uint32_t i = 0; i < FACES; i++) {
-            TEST_ASSERT_EQUAL(is_front(i), fxl_turned_view_face_is_front(&turned, &faces[i]));
+            TEST_ASSERT_EQUAL(is_front(i), fxl_turned_view_face_is_front(&turned, &faces[i],
+                                                                         turned.eye_shift == 0));
             fronts += is_front(i);
             if (turned.eye_shift == 0) {
                 const fxl_point first = fxl_model_view_vertex(&turned.model_view, 3 * i);

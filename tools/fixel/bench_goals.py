@@ -38,6 +38,13 @@ def _conversion(result, goal):
     return row and shown and ((shown[0] - row["frame"]["mean"]) / SCREEN, None)
 
 
+def _by_workload(result, goal):
+    """A mean frame by that of another workload on the same core."""
+    row, other = _row(result, goal), _row(result, {**goal, "workload": goal["other"]})
+    return row and other and (row["frame"]["mean"] / other["frame"]["mean"],
+                              f"{row['frame']['mean']:,} of {other['frame']['mean']:,}")
+
+
 def _worst(result, goal):
     row = _row(result, goal)
     return row and (row["frame"]["max"] / row["frame"]["mean"], f"{row['frame']['max']:,} at worst")
@@ -132,7 +139,8 @@ def _helpers(result, goal):
 
 def _stack(result, goal):
     rows = [(row["stack_bytes"], row["workload"]) for row in result["rows"]
-            if row["renderer"] == OURS and row["core"] == goal["core"] and row["stack_bytes"] is not None]
+            if row["renderer"] == OURS and row["core"] == goal["core"] and row["stack_bytes"] is not None
+            and row["workload"] not in goal["but"]]
     return max(rows) if rows else None
 
 
@@ -146,7 +154,7 @@ def _renderer(result, goal):
     return size and (size, None)
 
 
-FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "worst": _worst, "share": _share, "worst share": _worst_share,
+FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
            "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "code": _code,
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 

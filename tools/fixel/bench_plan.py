@@ -5,7 +5,7 @@ import pathlib
 import tomllib
 
 import scene as scene_tool
-from fixel import image, output
+from fixel import bench_turned, image, output
 from fixel.errors import ToolError
 
 CORES = ("m0", "m3", "m4f", "m55")
@@ -51,7 +51,8 @@ class Plan:
         """(core, workload, renderer) of everything to be drawn."""
         return [(core, workload, renderer) for core in cores for workload in self.workloads
                 for renderer, entry in self.renderers.items()
-                if workload in entry.get("only", self.workloads)]
+                if workload in entry.get("only", self.workloads) and
+                renderer in self.workloads[workload].get("by", self.renderers)]
 
     def variant_runs(self, cores):
         """(core, workload, variant) of everything to be drawn by the variants."""
@@ -68,6 +69,9 @@ def compile_scene(workload, folder):
     """A workload's scene image in a folder: (file, scene)."""
     file = pathlib.Path(folder) / f"{workload['name']}.fxls"
     compiled, _ = scene_tool.build(workload["scene"], file)
+    if "turned" in workload:
+        compiled = bench_turned.turned(compiled, workload["turned"])
+        save_scene(compiled, file)
     return file, compiled
 
 

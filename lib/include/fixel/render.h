@@ -199,9 +199,10 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * counters except refused_calls, and counts the faces that it came to. Then draw the frame
  * whole or in bands. scene->instance_count may change between the last band of a frame and
  * fxl_frame_begin, as far as the order has room; so may the turns, and the centres of instances
- * that have one. All turns are checked: in constant time each.
+ * that have one. They are checked in constant time each: the scales and centres of all, and the
+ * orientations of the instances in sight. fxl_scene_check checks all orientations.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, no visibility method, or turns without a turn_code),
- * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (an orientation), FXL_E_CAPACITY
+ * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (the orientation of one in sight), FXL_E_CAPACITY
  * (scene->instance_count has grown beyond the order's room): the frame before stays current;
  * counted in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);

@@ -13,6 +13,7 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../raster/draw_outline.h"
+#include "../view/order_instance.h"
 #include "draw_band.h"
 #include "reach.h"
 #include "renderer.h"
@@ -47,6 +48,26 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->visibility->submit == fxl_submit_by_distance;
 }
 
+/* The camera, and the order of the instances in sight; culled: the faces of the others. */
+static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
+{
+    fxl_frame *frame = &renderer->frame;
+    const fxl_scene *scene = renderer->scene;
+    if (scene->turns != NULL) {
+        return scene->turn_code == NULL ? FXL_E_ORDER
+                                        : scene->turn_code->look(renderer, pose, culled);
+    }
+    const fxl_status status = fxl_view_set_pose(&frame->view, pose);
+    if (status == FXL_OK) {
+        if (!FXL_IS_SMALL) {
+            fxl_reach_take_back(renderer, &renderer->workspace);
+        }
+        frame->visible_count = (uint16_t)fxl_order_still_instances(
+            scene, &frame->view.camera, &frame->view.view_frustum, frame->order, culled);
+    }
+    return status;
+}
+
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands)
 {
     if (renderer == NULL) {
@@ -58,29 +79,16 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
     if (renderer->scene->instance_count > renderer->instance_capacity) {
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
-    if (renderer->scene->turns != NULL) {
-        const fxl_status turned = fxl_check_turns(renderer->scene);
-        if (turned != FXL_OK) {
-            return fxl_refuse(&renderer->workspace, turned);
-        }
-    }
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;
-    /* camera */
-    fxl_status status = fxl_view_set_pose(&frame->view, pose);
+    uint32_t culled;
+    const fxl_status status = look(renderer, pose, &culled);
     if (status != FXL_OK) {
-        return fxl_refuse(&renderer->workspace, status);
+        return fxl_refuse(workspace, status);
     }
     if (renderer->clipper->begin != NULL) {
         renderer->clipper->begin(&frame->view);
     }
-    if (!FXL_IS_SMALL) {
-        fxl_reach_take_back(renderer, workspace);
-    }
-    /* cull and sort */
-    uint32_t culled;
-    frame->visible_count = (uint16_t)fxl_order_instances(
-        renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->order, &culled);
     begin_counters(&workspace->counters, culled);
     begin_workspace(workspace, &frame->view, false);
     /* for each face: transform, clip, project, append */

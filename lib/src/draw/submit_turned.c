@@ -4,6 +4,7 @@
 #include "../scene/turn_code.h"
 #include "../view/order_instance.h"
 #include "../view/turned_view.h"
+#include "reach.h"
 #include "submit_instance.h"
 
 /* --- the scene ----------------------------------------------------------------------------- */
@@ -87,6 +88,54 @@ static uint32_t order(const fxl_scene *scene, const fxl_camera *camera,
     return count;
 }
 
+/* Whether the orientations of all instances in sight are rotations. */
+static bool are_rotations(const fxl_scene *scene, const fxl_order_entry *entries, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (entries[i].index >= scene->first_turned &&
+            !fxl_is_rotation(&fxl_turn_of(scene, entries[i].index)->orientation)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The sphere test takes scales and places, so these are checked before it, and orientations of
+ * instances in sight after it: no stage reads another orientation. The order of the frame before is
+ * lost by then, and is made again if an orientation is refused. Which rows its instances reach is
+ * not: they are submitted for each band. */
+static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
+{
+    fxl_frame *frame = &renderer->frame;
+    fxl_view *view = &frame->view;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_camera before = view->camera;
+    const uint32_t number = view->frame;
+    if (!fxl_turn_places_are_in_range(scene)) {
+        return FXL_E_RANGE;
+    }
+    const fxl_status status = fxl_view_set_pose(view, pose);
+    if (status != FXL_OK) {
+        return status;
+    }
+    if (!FXL_IS_SMALL) {
+        fxl_reach_take_back(renderer, &renderer->workspace);
+    }
+    const uint32_t count = order(scene, &view->camera, &view->view_frustum, frame->order, culled);
+    if (are_rotations(scene, frame->order, count)) {
+        frame->visible_count = (uint16_t)count;
+        return FXL_OK;
+    }
+    view->camera = before;
+    view->frame = number;
+    if (frame->state != FXL_FRAME_NONE) {
+        frame->state = FXL_FRAME_BEGUN; /* bug: turn-refused-rows */
+        frame->visible_count =
+            (uint16_t)order(scene, &view->camera, &view->view_frustum, frame->order, culled);
+    }
+    return FXL_E_TURN;
+}
+
 /* --- points rounded in the world ------------------------------------------------------------ */
 
 /* The instance whose faces are rounded. It is the model view's shader, so that fxl_submit_face
@@ -109,15 +158,18 @@ static bool is_split(const fxl_traversal *on, uint32_t number)
     return shader != NULL;
 }
 
-static bool is_rounded(const fxl_traversal *on, uint32_t number)
+static inline bool is_rounded(const fxl_traversal *on, uint32_t number)
 {
-    return on->clipper->by_points || is_split(on, number);
+    return on->clipper->by_points || (on->renderer->shader != NULL && is_split(on, number));
 }
 
 static uint32_t count_rounded(const fxl_traversal *on, uint32_t first, uint32_t end)
 {
     const fxl_frame *frame = &on->renderer->frame;
     uint32_t count = 0;
+    if (first == end && !on->clipper->by_points && on->renderer->shader == NULL) {
+        return 0;
+    }
     for (uint32_t i = 0; i < frame->visible_count; i++) {
         const uint32_t number = frame->order[i].index;
         count += fxl_turn_code_of(on->renderer->scene, number) != NULL &&
@@ -149,9 +201,16 @@ static const fxl_shader_code rounded_code = {.face = submit_rounded_face};
 
 /* --- submission ----------------------------------------------------------------------------- */
 
-static bool view_face_is_front(const fxl_model_view *model_view, const fxl_face *face)
+/* The facing tests of an eye that is near, and of any eye: fxl_turned_view_face_is_front. */
+static bool face_is_front_to_near(const fxl_model_view *model_view, const fxl_face *face)
 {
-    return fxl_turned_view_face_is_front((const fxl_turned_view *)model_view, face);
+    return fxl_turned_view_face_is_front((const fxl_turned_view *)model_view, face, true);
+}
+
+static bool face_is_front_to_any(const fxl_model_view *model_view, const fxl_face *face)
+{
+    const fxl_turned_view *turned = (const fxl_turned_view *)model_view;
+    return fxl_turned_view_face_is_front(turned, face, turned->eye_shift == 0);
 }
 
 /* fxl_order_model. The clusters of a turned instance are not tested. */
@@ -176,27 +235,40 @@ static void order_faces(const fxl_traversal *on, const fxl_model_view *model_vie
     fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
 }
 
+/* What takes the faces of an instance before they are clipped. */
+static void set_shader(const fxl_traversal *on, const fxl_order_entry *entry, bool rounded,
+                       fxl_model_view *model_view, rounded_instance *instance)
+{
+    const fxl_renderer *renderer = on->renderer;
+    model_view->instance = &renderer->scene->instances[entry->index];
+    if (rounded || is_rounded(on, entry->index)) {
+        instance->shader.code = &rounded_code;
+        instance->number = entry->index;
+        instance->planes = entry->instance.planes;
+        model_view->shader = &instance->shader;
+    } else {
+        model_view->shader =
+            fxl_shader_reaching(renderer->shader, renderer->scene, model_view->instance);
+    }
+}
+
 static bool submit_turned(const fxl_traversal *on, const fxl_order_entry *entry, bool rounded)
 {
     const fxl_renderer *renderer = on->renderer;
     FXL_ALIGN_8 fxl_turned_view view;
     rounded_instance instance;
-    const fxl_model *model = model_of(renderer->scene, entry->index);
-    fxl_turned_view_of_instance(&view, renderer->scene, entry->index, &renderer->frame.view,
-                                &on->workspace->cache, entry->instance.planes);
-    view.model_view.instance = &renderer->scene->instances[entry->index];
-    if (rounded || is_rounded(on, entry->index)) {
-        instance.shader.code = &rounded_code;
-        instance.number = entry->index;
-        instance.planes = entry->instance.planes;
-        view.model_view.shader = &instance.shader;
-    } else {
-        view.model_view.shader =
-            fxl_shader_reaching(renderer->shader, renderer->scene, view.model_view.instance);
+    const fxl_model *model =
+        fxl_turned_view_of_instance(&view, renderer->scene, entry->index, &renderer->frame.view,
+                                    &on->workspace->cache, entry->instance.planes);
+    if (rounded || on->clipper->by_points || renderer->shader != NULL) {
+        set_shader(on, entry, rounded, &view.model_view, &instance);
     }
-    return model->kind == FXL_MODEL_SORTED
-               ? fxl_submit_sorted(on, &view.model_view, model, order_faces, ONE_LOOP)
-               : fxl_submit_convex(on, &view.model_view, model, view_face_is_front);
+    if (model->kind == FXL_MODEL_SORTED) {
+        return fxl_submit_sorted(on, &view.model_view, model, order_faces, ONE_LOOP);
+    }
+    return !FXL_IS_COMPACT && view.eye_shift == 0
+               ? fxl_submit_convex(on, &view.model_view, model, face_is_front_to_near)
+               : fxl_submit_convex(on, &view.model_view, model, face_is_front_to_any);
 }
 
 static bool submit_one(const fxl_traversal *on, const fxl_order_entry *entry)
@@ -213,6 +285,7 @@ static bool submit(const fxl_traversal *on)
 }
 
 const fxl_turn_code fxl_turned_instances = {.check = fxl_turn_check_all,
+                                            .look = look,
                                             .radius = radius_of,
                                             .face_is_front = face_is_front,
                                             .place_face = place_face,

@@ -37,7 +37,7 @@ static inline uint32_t upper_minor(uint64_t start, int32_t a, int32_t d, int32_t
  *
  * A sum of three squares is below 3 2^62, so it does not wrap. If both squared lengths pass, all
  * components of x and y are below 2^30 + 2^2 and no other sum wraps. */
-static inline bool is_rotation(const fxl_orientation *rows)
+bool fxl_is_rotation(const fxl_orientation *rows)
 {
     const fxl_direction x = rows->x, y = rows->y;
     uint32_t narrow = upper_sum(TOLERANCE - ONE, &x, x.x, x.y, x.z);
@@ -75,17 +75,43 @@ static inline bool is_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q1
            (uint32_t)centre->z + limit <= 2 * limit;
 }
 
+/* is_in_range, first for instances as most scenes have them: a scale of at most 8 of a radius below
+ * 256 is below 2048, and with a centre within 4096 the sphere lies within 6144 and the slack. */
+static inline bool is_surely_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q16_16 radius)
+{
+    const uint32_t near_by = (uint32_t)FXL_UNITS(4096);
+    return (uint32_t)scale - FXL_SCALE_MIN <= (uint32_t)(FXL_UNITS(8) - FXL_SCALE_MIN) &&
+           (uint32_t)radius < (uint32_t)FXL_UNITS(256) && /* bug: turn-near-by */
+           (((uint32_t)centre->x + near_by) | ((uint32_t)centre->y + near_by) |
+            ((uint32_t)centre->z + near_by)) < 2 * near_by;
+}
+
 static inline fxl_status check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
 {
     if (!is_in_range(turn->scale, centre, radius)) {
         return FXL_E_RANGE;
     }
-    return is_rotation(&turn->orientation) ? FXL_OK : FXL_E_TURN;
+    return fxl_is_rotation(&turn->orientation) ? FXL_OK : FXL_E_TURN;
 }
 
 fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
 {
     return turn == NULL || centre == NULL ? FXL_E_ARGUMENT : check(turn, centre, radius);
+}
+
+bool fxl_turn_places_are_in_range(const fxl_scene *scene)
+{
+    const fxl_turn *turn = scene->turns;
+    const fxl_instance *instance = &scene->instances[scene->first_turned];
+    const fxl_instance *const end = &scene->instances[scene->instance_count];
+    for (; instance < end; instance++, turn++) {
+        const fxl_q16_16 radius = scene->models[instance->model].radius;
+        if (!is_surely_in_range(turn->scale, &instance->centre, radius) &&
+            !is_in_range(turn->scale, &instance->centre, radius)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number)

@@ -10,12 +10,16 @@
 struct fxl_camera;
 struct fxl_view_frustum;
 struct fxl_order_entry;
+struct fxl_renderer;
 struct fxl_traversal;
 
 struct fxl_turn_code {
     /* Whether all instances from first_turned on may be turned as they are: fxl_turn_check. On
      * failure *number is the instance. */
     fxl_status (*check)(const fxl_scene *scene, uint32_t *number);
+    /* fxl_begin's part from the camera to the order of the instances. *culled: the faces of those
+     * out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_TURN: the frame before stays current. */
+    fxl_status (*look)(struct fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled);
     /* fxl_turn_radius of a turned instance. */
     fxl_q16_16 (*radius)(const fxl_scene *scene, uint32_t number);
     /* fxl_face_is_front of a turned instance. */
@@ -49,11 +53,18 @@ extern "C" {
 /* fxl_turn_code.check. */
 fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number);
 
+/* Whether the scales of all turned instances are in range and their spheres lie in the world: what
+ * fxl_turn_check answers FXL_E_RANGE for where they do not. */
+bool fxl_turn_places_are_in_range(const fxl_scene *scene);
+
+/* Whether rows are those of a rotation: what fxl_turn_check answers FXL_E_TURN for if not. */
+bool fxl_is_rotation(const fxl_orientation *rows);
+
 #ifdef __cplusplus
 }
 #endif
 
-/* Whether the turns of a frame are those of rotations in range: fxl_turn_check. A scene without
+/* Whether all turns of a scene are those of rotations in range: fxl_turn_check. A scene without
  * turns passes. */
 static inline fxl_status fxl_check_turns(const fxl_scene *scene)
 {

@@ -8,6 +8,8 @@
 #include "fixel/stage/turn.h"
 
 #include "../math/arith.h"
+#include "turn_eye.h"
+#include "turn_rows.h"
 
 /* floor(value * scale / 2^32). |value| < 2^61 and scale <= 2^24: the result is below 2^53. */
 static int64_t scaled(int64_t value, fxl_q16_16 scale)
@@ -20,14 +22,6 @@ static int64_t scaled(int64_t value, fxl_q16_16 scale)
 #define ALONG(row, of, n) \
     (fxl_multiply_s31((row)->x, (of)->x.n) + fxl_multiply_s31((row)->y, (of)->y.n) + \
      fxl_multiply_s31((row)->z, (of)->z.n))
-
-/* A row of the matrix without a scale. */
-static inline void turn_row(const fxl_direction *row, const fxl_orientation *of, fxl_direction *to)
-{
-    to->x = (fxl_q2_30)fxl_round_shift(ALONG(row, of, x), 30);
-    to->y = (fxl_q2_30)fxl_round_shift(ALONG(row, of, y), 30);
-    to->z = (fxl_q2_30)fxl_round_shift(ALONG(row, of, z), 30);
-}
 
 /* A row of the matrix / 2^shift. The 32 bits that `scaled` leaves out are below the half unit that
  * the rounding adds. */
@@ -44,9 +38,7 @@ unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *m
 {
     unsigned shift = 0;
     if (turn->scale == FXL_Q16_16_ONE) {
-        turn_row(&view->right, &turn->orientation, &matrix->right);
-        turn_row(&view->up, &turn->orientation, &matrix->up);
-        turn_row(&view->forward, &turn->orientation, &matrix->forward);
+        fxl_turn_rows(view, &turn->orientation, matrix);
         return 0;
     }
     while (FXL_Q16_16_ONE << shift < turn->scale) { /* bug: turn-shift */
@@ -92,49 +84,20 @@ static inline void eye_along(const fxl_orientation *of, const fxl_point *from_ey
     eye[2] = ALONG(&to_eye, of, z);
 }
 
-/* Whether no coordinate exceeds the limit, which is at least 0. */
-static inline bool is_within(const fxl_point *point, int32_t limit)
-{
-    const uint32_t most = (uint32_t)limit;
-    return (uint32_t)point->x + most <= 2 * most && (uint32_t)point->y + most <= 2 * most &&
-           (uint32_t)point->z + most <= 2 * most;
-}
-
-/* value / (scale 2^(14 + shift)), rounded: floor((value + half) / divisor), in two exact floors.
- * half is below 2^24 2^23. Returns false if the quotient exceeds 2^30. */
-static bool divide(int64_t value, fxl_q16_16 scale, unsigned shift, int32_t *quotient)
-{
-    const int64_t half = (int64_t)scale << (13 + shift);
-    const int64_t numerator = (value + half) >> (14 + shift);
-    if (!fxl_within(numerator, (int64_t)scale << 30)) {
-        return false;
-    }
-    *quotient = fxl_divide_down(numerator, (uint32_t)scale);
-    return true;
-}
-
 unsigned fxl_turn_eye(const fxl_turn *turn, const fxl_point *from_eye, fxl_q16_16 radius,
                       fxl_point *eye)
 {
-    const fxl_q16_16 scale = turn->scale;
     fxl_q18_46 exact[3];
-    unsigned shift = 0;
-    int32_t limit = (1 << 30) - 1 - radius; /* bug: turn-eye-near */
     eye_along(&turn->orientation, from_eye, exact);
-    if (scale == FXL_Q16_16_ONE) { /* sums below 2^61: the results fit */
+    if (turn->scale == FXL_Q16_16_ONE) { /* sums below 2^61: the results fit */
         eye->x = (int32_t)fxl_round_shift(exact[0], 30);
         eye->y = (int32_t)fxl_round_shift(exact[1], 30);
         eye->z = (int32_t)fxl_round_shift(exact[2], 30);
-        if (is_within(eye, limit)) {
+        if (fxl_eye_is_within(eye, (1 << 30) - 1 - radius)) {
             return 0;
         }
     }
-    while (!(divide(exact[0], scale, shift, &eye->x) && divide(exact[1], scale, shift, &eye->y) &&
-             divide(exact[2], scale, shift, &eye->z) && limit >= 0 && is_within(eye, limit))) {
-        shift++;
-        limit = (1 << 30) - 1 - (radius >> shift);
-    }
-    return shift;
+    return fxl_turn_divide_eye(exact, turn->scale, radius, eye);
 }
 
 /* Both sides in units of 2^-76, as upper * 2^32 + lower, 0 <= lower < 2^32. Left: with

@@ -26,27 +26,31 @@ static uint32_t scale_vertex(const fxl_model_view *model_view, fxl_cached_vertex
     return entry->clip_flags;
 }
 
-void fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene, uint32_t number,
-                                 const fxl_view *view, fxl_vertex_cache *cache, uint32_t planes)
+const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene,
+                                             uint32_t number, const fxl_view *view,
+                                             fxl_vertex_cache *cache, uint32_t planes)
 {
     fxl_model_view *model_view = &turned->model_view;
     const fxl_instance *instance = &scene->instances[number];
+    const fxl_model *model = &scene->models[instance->model];
+    const fxl_turn *turn = fxl_turn_of(scene, number);
     fxl_point eye;
-    turned->turn = fxl_turn_of(scene, number);
+    turned->turn = turn;
     fxl_model_view_of_instance(model_view, scene, instance, view, cache);
     turned->from_eye = model_view->offset;
-    turned->eye_shift =
-        fxl_turn_eye(turned->turn, &turned->from_eye, scene->models[instance->model].radius, &eye);
+    turned->eye_shift = fxl_turn_eye(turn, &turned->from_eye, model->radius, &eye);
     model_view->offset.x = -eye.x;
     model_view->offset.y = -eye.y;
     model_view->offset.z = -eye.z;
     model_view->axes = &turned->matrix;
     model_view->planes = (fxl_planes)planes;
-    model_view->shift = (uint8_t)fxl_turn_matrix(turned->turn, &view->camera.axes, &turned->matrix);
-    if (model_view->shift != 0) {
+    const unsigned shift = fxl_turn_matrix(turn, &view->camera.axes, &turned->matrix);
+    if (shift != 0) {
+        model_view->shift = (uint8_t)shift;
         model_view->planes |= FXL_MODEL_VIEW_SCALED;
         model_view->scale_vertex = scale_vertex;
     }
+    return model;
 }
 
 bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *face)

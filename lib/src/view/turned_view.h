@@ -19,11 +19,12 @@ typedef struct {
     unsigned eye_shift;
 } fxl_turned_view;
 
-/* Sets up the turned view of an instance that is turned, as fxl_model_view_of_instance does. Its
- * planes are those given; the caller gives those that fxl_sphere_planes finds for fxl_turn_radius.
- * Requires a checked scene and a checked turn. */
-void fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene, uint32_t number,
-                                 const fxl_view *view, fxl_vertex_cache *cache, uint32_t planes);
+/* Sets up the turned view of an instance that is turned, as fxl_model_view_of_instance does, and
+ * answers the instance's model. Its planes are those given; the caller gives those that
+ * fxl_sphere_planes finds for fxl_turn_radius. Requires a checked scene and a checked turn. */
+const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene,
+                                             uint32_t number, const fxl_view *view,
+                                             fxl_vertex_cache *cache, uint32_t planes);
 
 /* Fills entries with the faces of the instance's model that face the eye, as fxl_order_front_faces
  * does. */
@@ -41,18 +42,18 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
 static inline int fxl_estimated_side(fxl_q18_46 distance)
 {
     const int32_t upper = (int32_t)(distance >> 32);
-    if ((uint32_t)upper + 1u <= 1u) { /* bug: turn-estimate */
-        return 0;
+    if (upper < -1) { /* bug: turn-estimate */
+        return -1;
     }
-    return upper < 0 ? -1 : 1;
+    return upper > 0;
 }
 
-/* Whether a face is turned towards the eye. Exact. */
+/* Whether a face is turned towards the eye. Exact. is_near: eye_shift is 0. */
 static inline bool fxl_turned_view_face_is_front(const fxl_turned_view *turned,
-                                                 const fxl_face *face)
+                                                 const fxl_face *face, bool is_near)
 {
     const fxl_model_view *model_view = &turned->model_view;
-    if (turned->eye_shift == 0) {
+    if (is_near) {
         /* Below 2^30: fxl_turn_eye says so. */
         const fxl_point first =
             fxl_model_view_vertex(model_view, model_view->indices[face->first_index]);

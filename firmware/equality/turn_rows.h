@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TURN_ROWS_H
+#define TURN_ROWS_H
+
+#include <stdint.h>
+
+/* fxl_turn_rows. */
+void test_turn_rows(uint32_t rounds);
+
+#endif
