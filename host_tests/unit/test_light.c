@@ -5,6 +5,7 @@
 #include "../../lib/extra/light/light_level.h"
 #include "fixel/all.h"
 #include "../../lib/src/draw/submit.h"
+#include "exact_light.h"
 #include "tiny.h"
 
 enum {
@@ -26,96 +27,7 @@ static union {
     fxl_workspace second;
 } memory_of;
 
-/* --- the definitions --------------------------------------------------------------------- */
-
-typedef struct {
-    double x, y, z;
-} vector;
-
-static vector of_point(const fxl_point *point, double unit)
-{
-    return (vector){point->x * unit, point->y * unit, point->z * unit};
-}
-
-static vector of_direction(const fxl_direction *direction)
-{
-    const double unit = 1.0 / FXL_Q2_30_ONE;
-    return (vector){direction->x * unit, direction->y * unit, direction->z * unit};
-}
-
-static double dot(vector a, vector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static vector minus(vector a, vector b)
-{
-    return (vector){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static double held(double value)
-{
-    return value < 0 ? 0 : value > 1 ? 1 : value;
-}
-
-/* The brightness of a face, by its middle and normal. */
-static double exact_brightness(const fxl_light_settings *of, const fxl_camera *camera,
-                               vector middle, vector normal)
-{
-    double sum = of->ambient / (double)FXL_Q2_30_ONE;
-    sum += of->strength / (double)FXL_Q2_30_ONE * held(-dot(normal, of_direction(&of->direction)));
-    for (uint32_t i = 0; i < of->point_count; i++) {
-        const fxl_point_light *point = &of->points[i];
-        const vector to = minus(of_point(&point->position, 1.0 / 65536), middle);
-        const double square = dot(to, to), range = point->range / 65536.0;
-        if (square > 0 && square < range * range && dot(normal, to) > 0) {
-            sum += point->strength / (double)FXL_Q2_30_ONE * (dot(normal, to) / sqrt(square)) *
-                   (1 - square / (range * range));
-        }
-    }
-    sum = sum > 1 ? 1 : sum;
-    if (of->fog_far != 0) {
-        const vector from = minus(middle, of_point(&camera->position, 1.0 / 65536));
-        const double depth = dot(from, of_direction(&camera->axes.forward));
-        const double near_z = of->fog_near / 65536.0, far_z = of->fog_far / 65536.0;
-        sum *= held((far_z - depth) / (far_z - near_z));
-    }
-    return sum;
-}
-
-/* --- random settings ------------------------------------------------------------------------ */
-
-static fxl_q2_30 any_fraction(void)
-{
-    const int32_t kind = unit_between(0, 5);
-    return kind == 0 ? 0 : kind == 1 ? FXL_Q2_30_ONE : unit_between(0, FXL_Q2_30_ONE);
-}
-
-static fxl_light_settings any_settings(const fxl_point *about)
-{
-    fxl_light_settings made;
-    memset(&made, 0, sizeof made);
-    made.ambient = any_fraction() / 8;
-    made.strength = unit_between(0, 1) ? any_fraction() : 0;
-    made.direction = unit_direction();
-    made.point_count = (uint32_t)unit_between(0, FXL_LIGHT_POINTS_MAX);
-    for (uint32_t i = 0; i < made.point_count; i++) {
-        fxl_point_light *point = &made.points[i];
-        const int32_t far_off = unit_between(1, 1 << unit_between(1, 26));
-        point->position = (fxl_point){about->x + unit_between(-far_off, far_off),
-                                      about->y + unit_between(-far_off, far_off),
-                                      about->z + unit_between(-far_off, far_off)};
-        point->range = unit_between(1, 3) == 1 ? far_off : unit_between(1, FXL_COORDINATE_MAX);
-        point->strength = any_fraction();
-    }
-    if (unit_between(0, 1)) {
-        made.fog_near = unit_between(0, Q16(200));
-        made.fog_far = made.fog_near + unit_between(1, 1 << unit_between(1, 26));
-    }
-    made.ramp = ramp;
-    made.levels = (uint32_t)unit_between(FXL_LIGHT_LEVELS_MIN, FXL_LIGHT_LEVELS_MAX);
-    return made;
-}
+/* --- brightness and level ---------------------------------------------------------------- */
 
 static fxl_camera any_camera(void)
 {
@@ -125,8 +37,6 @@ static fxl_camera any_camera(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
     return camera;
 }
-
-/* --- brightness and level ---------------------------------------------------------------- */
 
 static double worst;
 
@@ -147,13 +57,13 @@ void test_brightness_is_that_of_the_definition(void)
     for (uint32_t i = 0; i < UNIT_REPEAT; i++) {
         const fxl_point about = {unit_between(-Q16(50), Q16(50)), unit_between(-Q16(50), Q16(50)),
                                  unit_between(-Q16(50), Q16(50))};
-        const fxl_light_settings of = any_settings(&about);
+        const fxl_light_settings of = exact_light_any(ramp, &about);
         const fxl_camera camera = any_camera();
         const fxl_lit_place place = {
             unit_direction(),
             {2 * about.x + unit_between(0, 1), 2 * about.y, 2 * about.z + unit_between(0, 1)}};
-        const double exact = exact_brightness(&of, &camera, of_point(&place.middle, 1.0 / 131072),
-                                              of_direction(&place.normal));
+        const double exact = exact_brightness(
+            &of, &camera, exact_point(&place.middle, 1.0 / 131072), exact_direction(&place.normal));
         const fxl_q2_30 found = fxl_light_brightness(&of, &camera, &place);
         const double error = fabs(found - exact * FXL_Q2_30_ONE);
         worst = error > worst ? error : worst;
@@ -173,7 +83,7 @@ void test_brightness_at_the_ends_of_the_ranges(void)
     for (uint32_t i = 0; i < UNIT_REPEAT / 10; i++) {
         const fxl_point corner = {unit_between(0, 1) ? end : -end, unit_between(0, 1) ? end : -end,
                                   unit_between(0, 1) ? end : -end};
-        fxl_light_settings of = any_settings(&corner);
+        fxl_light_settings of = exact_light_any(ramp, &corner);
         fxl_camera camera = any_camera();
         for (uint32_t k = 0; k < of.point_count; k++) {
             of.points[k].position = unit_point(end);
@@ -182,8 +92,8 @@ void test_brightness_at_the_ends_of_the_ranges(void)
         of.fog_far = unit_between(0, 1) ? FXL_FAR_MAX : of.fog_far;
         camera.position = unit_point(end);
         const fxl_lit_place place = {unit_direction(), {2 * corner.x, 2 * corner.y, 2 * corner.z}};
-        TEST_ASSERT_NEAR(exact_brightness(&of, &camera, of_point(&place.middle, 1.0 / 131072),
-                                          of_direction(&place.normal)) *
+        TEST_ASSERT_NEAR(exact_brightness(&of, &camera, exact_point(&place.middle, 1.0 / 131072),
+                                          exact_direction(&place.normal)) *
                              FXL_Q2_30_ONE,
                          fxl_light_brightness(&of, &camera, &place), FXL_LIGHT_ERROR_MAX);
     }
@@ -231,11 +141,12 @@ static void draw(const fxl_pose *pose, uint8_t *frame)
 }
 
 /* Of the cube's face of a colour 1..6 or 11..16: -x +x -y +y -z +z. */
-static vector normal_of(uint32_t colour)
+static exact_vector normal_of(uint32_t colour)
 {
     const uint32_t face = (colour - 1) % 10;
     const double sign = face % 2 ? 1 : -1;
-    return (vector){face / 2 == 0 ? sign : 0, face / 2 == 1 ? sign : 0, face / 2 == 2 ? sign : 0};
+    return (exact_vector){face / 2 == 0 ? sign : 0, face / 2 == 1 ? sign : 0,
+                          face / 2 == 2 ? sign : 0};
 }
 
 /* One cube, convex or sorted: each pixel has the level of its face, by the definition. */
@@ -248,7 +159,7 @@ void test_each_face_has_its_level(void)
         tiny->instances[0] = tiny->instances[shown];
         tiny->scene.instance_count = 1;
         const fxl_point *centre = &tiny->instances[0].centre;
-        fxl_light_settings of = any_settings(centre);
+        fxl_light_settings of = exact_light_any(ramp, centre);
         const fxl_pose pose = {
             {unit_between(-Q16(4), Q16(4)), unit_between(-Q16(3), Q16(3)), centre->z - Q16(5)},
             0,
@@ -265,8 +176,8 @@ void test_each_face_has_its_level(void)
                 continue;
             }
             const uint32_t colour = frames[0][i];
-            const vector normal = normal_of(colour), at = of_point(centre, 1.0 / 65536);
-            const vector middle = {at.x + normal.x, at.y + normal.y, at.z + normal.z};
+            const exact_vector normal = normal_of(colour), at = exact_point(centre, 1.0 / 65536);
+            const exact_vector middle = {at.x + normal.x, at.y + normal.y, at.z + normal.z};
             const uint32_t level = (frames[1][i] - colour) / 20u;
             TEST_ASSERT_EQUAL(at_level(colour, level), frames[1][i]);
             expect_level(&of, exact_brightness(&of, &renderer.frame.view.camera, middle, normal),
@@ -294,7 +205,7 @@ void test_light_follows_turns(void)
         tiny->scene.first_turned = 2;
         tiny->scene.turn_code = &fxl_turned_instances;
         const fxl_instance *instance = &tiny->instances[2];
-        fxl_light_settings of = any_settings(&instance->centre);
+        fxl_light_settings of = exact_light_any(ramp, &instance->centre);
         of.levels = LEVELS;
         for (uint32_t i = 0; i < of.point_count; i++) { /* not where half a unit matters */
             of.points[i].range = Q16(1000);
@@ -303,13 +214,16 @@ void test_light_follows_turns(void)
         of.fog_near = of.fog_far = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
         for (uint32_t number = 0; number < 6; number++) {
-            const vector n = normal_of(number + 1), at = of_point(&instance->centre, 1.0 / 65536);
-            const vector rows[3] = {of_direction(&orientation.x), of_direction(&orientation.y),
-                                    of_direction(&orientation.z)};
+            const exact_vector n = normal_of(number + 1),
+                               at = exact_point(&instance->centre, 1.0 / 65536);
+            const exact_vector rows[3] = {exact_direction(&orientation.x),
+                                          exact_direction(&orientation.y),
+                                          exact_direction(&orientation.z)};
             const double scale = turn.scale / 65536.0;
-            const vector normal = {dot(rows[0], n), dot(rows[1], n), dot(rows[2], n)};
-            const vector middle = {at.x + scale * normal.x, at.y + scale * normal.y,
-                                   at.z + scale * normal.z};
+            const exact_vector normal = {exact_dot(rows[0], n), exact_dot(rows[1], n),
+                                         exact_dot(rows[2], n)};
+            const exact_vector middle = {at.x + scale * normal.x, at.y + scale * normal.y,
+                                         at.z + scale * normal.z};
             const uint8_t found = renderer.shader->code->colour(renderer.shader, &renderer,
                                                                 instance, &tiny->faces[number], 1);
             expect_level(&of, exact_brightness(&of, &renderer.frame.view.camera, middle, normal),
@@ -416,7 +330,7 @@ void test_settings_out_of_range_are_refused(void)
     (void)start();
     fxl_light_settings right;
     do {
-        right = any_settings(&origin);
+        right = exact_light_any(ramp, &origin);
     } while (right.point_count < 2 || right.strength == 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &right));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(NULL, &light, &right));

@@ -66,8 +66,7 @@ void setUp(void)
     config.near_z = 4096;
     config.far_z = 64 * 65536;
     config.background = BACKGROUND;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
 }
 
 void tearDown(void)

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT */
+/* Levels of textures, surfaces that are linear on the screen, and blending, against the
+ * definitions. */
+#include <math.h>
+
+#include "quad_scene.h"
+
+enum {
+    ROUNDS = UNIT_REPEAT / 200
+};
+
+/* A texture of 8 x 2 texels, of which each is another colour: levels of 16, 4, 2 and 1 texels. */
+static const uint8_t texels[] = {1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
+                                 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23};
+/* The same of 4 bits, with levels of 16, 4, 2 and 2 texels. */
+static const uint8_t halves[] = {0x10, 0x32, 0x54, 0x76, 0x98, 0xBA,
+                                 0xDC, 0xFE, 0x10, 0x32, 0x54, 0x76};
+static const uint8_t colours[16] = {40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55};
+static uint32_t compared, of_level[4];
+
+void setUp(void)
+{
+    compared = 0;
+    memset(of_level, 0, sizeof of_level);
+}
+
+void tearDown(void)
+{
+}
+
+static int log_of(int log, int level, int least)
+{
+    return log > level + least ? log - level : least;
+}
+
+/* The colour of a texel of a level, repeated. */
+static uint8_t exact_texel(bool of_4_bits, int level, double u, double v)
+{
+    const int least = of_4_bits ? 1 : 0;
+    int at = 0;
+    for (int i = 0; i < level; i++) {
+        at += 1 << (log_of(3, i, least) + log_of(1, i, 0));
+    }
+    const int columns = 1 << log_of(3, level, least), rows = 1 << log_of(1, level, 0);
+    const int column = (int)floor(u * columns / 8) & (columns - 1);
+    const int row = (int)floor(v * rows / 2) & (rows - 1);
+    at += row * columns + column;
+    return of_4_bits ? colours[halves[at / 2] >> 4 * (at % 2) & 15] : texels[at];
+}
+
+static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
+{
+    const double scale_u = ldexp(1, log_of(3, level, of_4_bits) - 3);
+    const double scale_v = ldexp(1, log_of(1, level, 0) - 1);
+    double u[3], v[3], weight;
+    for (int k = 0; k < 3; k++) {
+        u[k] = quad->mapped.texels[k].u / 65536.0;
+        v[k] = quad->mapped.texels[k].v / 65536.0;
+    }
+    for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+        const double at_u = quad_value(quad, p % QUAD_WIDTH, p / QUAD_WIDTH, u, &weight);
+        const double at_v = quad_value(quad, p % QUAD_WIDTH, p / QUAD_WIDTH, v, &weight);
+        const double off = fmin(fabs(at_u * scale_u - floor(at_u * scale_u + 0.5)),
+                                fabs(at_v * scale_v - floor(at_v * scale_v + 0.5)));
+        if (quad->frame[p] != QUAD_BACKGROUND && weight > 0.02 && off > 0.01) {
+            TEST_ASSERT_EQUAL(exact_texel(of_4_bits, level, at_u, at_v), quad->frame[p]);
+            compared++;
+            of_level[level]++;
+        }
+    }
+}
+
+/* The level is that of the definition, and so is each texel of it. */
+void test_a_face_takes_the_level_of_its_nearest_corner(void)
+{
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        const bool of_4_bits = unit_between(0, 1) == 1;
+        quad_scene *quad = quad_make(false);
+        quad->texture = (fxl_texture){.texels = of_4_bits ? halves : texels,
+                                      .colours = of_4_bits ? colours : NULL,
+                                      .log_width = 3,
+                                      .log_height = 1,
+                                      .format = of_4_bits ? FXL_TEXTURE_4 : FXL_TEXTURE_8,
+                                      .levels = 4};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->surface.division = FXL_DIVIDE_1;
+        for (int k = 0; k < 3; k++) {
+            quad->mapped.texels[k].u = quad->mapped.texels[k].u * 8 >> i % 10;
+            quad->mapped.texels[k].v = quad->mapped.texels[k].v * 8 >> i % 10;
+        }
+        quad_begin(quad);
+        quad_draw(quad);
+        const double ratio = quad_texels(quad);
+        const double log = ratio <= 0 ? 0 : fmin(fmax((log2(ratio) + 1) / 2, 0), 3.9);
+        if (fabs(log - floor(log + 0.5)) > 1e-6) {
+            check_levels(quad, of_4_bits, (int)floor(log));
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
+    for (int level = 0; level < 4; level++) {
+        TEST_ASSERT_GREATER_THAN(compared / 200, of_level[level]);
+    }
+}
+
+/* The display list keeps level, light and blending of a face. */
+void test_lists_and_bands_give_the_same_pixels(void)
+{
+    static uint8_t frame[QUAD_WIDTH * QUAD_HEIGHT], table[FXL_BLEND_TABLE_BYTES(1)], ramp[512];
+    static fxl_light light;
+    const fxl_light_settings of = {.ambient = FXL_Q2_30_ONE / 3,
+                                   .strength = FXL_Q2_30_ONE,
+                                   .direction = {FXL_Q2_30_ONE, 0, 0},
+                                   .ramp = ramp,
+                                   .levels = 2};
+    uint32_t listed = 0;
+    for (uint32_t i = 0; i < 256; i++) {
+        ramp[i] = (uint8_t)(i + 100);
+        ramp[256 + i] = (uint8_t)(i + 150);
+        table[i] = (uint8_t)(255 - i);
+    }
+    for (uint32_t i = 0; i < ROUNDS / 4; i++) {
+        quad_scene *quad = quad_make(i % 2 == 0);
+        quad->texture =
+            (fxl_texture){.texels = texels, .log_width = 3, .log_height = 1, .levels = 4};
+        quad->set.texture_count = 1;
+        quad->set.blend = table;
+        quad->set.blend_first = 105;
+        quad->set.blend_count = 1;
+        quad->surface.texture = i % 3 != 0;
+        quad->surface.flags = FXL_SURFACE_LIT | FXL_SURFACE_BLEND;
+        quad->surface.opacity = i % 5 == 0 ? 8 : 16;
+        quad_begin(quad);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+        quad_draw(quad);
+        listed += quad->renderer.frame.display_list.used > 0;
+        quad->renderer.frame.display_list.capacity = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
+        for (uint16_t row = 0; row < QUAD_HEIGHT; row += 4) {
+            const fxl_band band = {frame + row * QUAD_WIDTH, QUAD_WIDTH, QUAD_WIDTH, row, 4};
+            fxl_fill_band(&band, QUAD_BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
+        }
+        TEST_ASSERT_EQUAL_MEMORY(quad->frame, frame, sizeof frame);
+    }
+    TEST_ASSERT_GREATER_THAN(ROUNDS / 8, listed);
+}
+
+/* Where its corners are on the screen, a face of FXL_AFFINE is linear there; else it is exact to
+ * half a texel. */
+void test_an_affine_face_is_linear_on_the_screen(void)
+{
+    static uint8_t wide[64];
+    uint32_t linear = 0;
+    for (uint32_t i = 0; i < sizeof wide; i++) {
+        wide[i] = (uint8_t)i;
+    }
+    for (uint32_t i = 0; i < ROUNDS * 4; i++) {
+        quad_scene *quad = quad_make(false);
+        double u[3], at;
+        quad->texture = (fxl_texture){.texels = wide, .log_width = 6, .levels = 1};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->surface.division = FXL_AFFINE;
+        for (int k = 0; k < 3; k++) {
+            quad->mapped.texels[k].u /= 8;
+            u[k] = quad->mapped.texels[k].u / 65536.0;
+        }
+        quad_begin(quad);
+        quad_draw(quad);
+        const bool is_linear = quad_affine_value(quad, 0, 0, u, &at);
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            if (quad->frame[p] == QUAD_BACKGROUND || !is_linear) {
+                continue;
+            }
+            (void)quad_affine_value(quad, p % QUAD_WIDTH, p / QUAD_WIDTH, u, &at);
+            if (fabs(at - floor(at + 0.5)) > 0.01) {
+                TEST_ASSERT_EQUAL((int)floor(at) & 63, quad->frame[p]);
+                linear++;
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(10 * ROUNDS, linear);
+}
+
+/* A face beyond the screen's borders is drawn as one that is divided every 16 pixels. */
+void test_an_affine_face_beyond_the_screen_is_divided(void)
+{
+    static uint8_t frame[QUAD_WIDTH * QUAD_HEIGHT];
+    quad_scene *quad;
+    double zero[3] = {0, 0, 0}, at;
+    do {
+        quad = quad_make(false);
+        quad->texture =
+            (fxl_texture){.texels = texels, .log_width = 3, .log_height = 1, .levels = 1};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->surface.division = FXL_AFFINE;
+        quad_begin(quad);
+        quad_draw(quad);
+    } while (quad_affine_value(quad, 0, 0, zero, &at) ||
+             quad->renderer.workspace.counters.clipped == 0);
+    memcpy(frame, quad->frame, sizeof frame);
+    quad->surface.division = FXL_DIVIDE_16;
+    quad_draw(quad);
+    TEST_ASSERT_EQUAL_MEMORY(quad->frame, frame, sizeof frame);
+}
+
+/* --- blending ------------------------------------------------------------------------------ */
+
+/* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
+void test_colours_are_blended_with_those_beneath(void)
+{
+    static uint8_t table[FXL_BLEND_TABLE_BYTES(3)];
+    uint32_t covered = 0;
+    for (uint32_t i = 0; i < sizeof table; i++) {
+        table[i] = (uint8_t)(100 + 10 * (i / 256) + (i & 255) % 7);
+    }
+    for (uint32_t i = 0; i < 40; i++) {
+        quad_scene *quad = quad_make(false);
+        const int32_t first = unit_between(QUAD_COLOUR - 4, QUAD_COLOUR + 1);
+        quad->surface.flags = FXL_SURFACE_BLEND;
+        quad->set.blend = table;
+        quad->set.blend_first = (uint32_t)first;
+        quad->set.blend_count = 3;
+        quad_begin(quad);
+        const fxl_band band = {quad->frame, QUAD_WIDTH, QUAD_WIDTH, 0, QUAD_HEIGHT};
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            quad->frame[p] = (uint8_t)(200 + p % 50);
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            const int beneath = 200 + p % 50;
+            if (quad->frame[p] != beneath) {
+                covered++;
+                TEST_ASSERT_EQUAL(first <= QUAD_COLOUR && QUAD_COLOUR < first + 3
+                                      ? 100 + 10 * (QUAD_COLOUR - first) + beneath % 7
+                                      : QUAD_COLOUR,
+                                  quad->frame[p]);
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(1000, covered);
+}
+
+/* A set says which colours it blends, and has a table where a surface does. */
+void test_a_blend_table_that_is_none_is_refused(void)
+{
+    quad_scene *quad = quad_make(false);
+    const uint8_t table[1] = {0};
+    quad_begin(quad);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    quad->surface.flags = FXL_SURFACE_BLEND;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    quad->set.blend = table;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    quad->set.blend_first = 1;
+    quad->set.blend_count = 256;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    quad->set.blend_count = 255;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    quad->set.blend_first = 256;
+    quad->set.blend_count = 0;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    quad->set.blend_first = 0;
+    quad->surface.flags = 4;
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+}
+
+/* A grey of a palette of greys, some of them twice, blended with another. */
+void test_a_blend_table_has_the_nearest_colours(void)
+{
+    static uint8_t palette[3 * 256], table[FXL_BLEND_TABLE_BYTES(2)];
+    for (int i = 0; i < 256; i++) {
+        palette[3 * i] = palette[3 * i + 1] = palette[3 * i + 2] = (uint8_t)(i < 250 ? i : 9);
+    }
+    for (int sixteenths = 1; sixteenths <= 16; sixteenths += 5) {
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_blend_make_table(palette, (uint32_t)sixteenths, 249, 2, table));
+        for (int beneath = 0; beneath < 250; beneath++) {
+            const int mixed = (int)floor(beneath + (249 - beneath) * sixteenths / 16.0 + 0.5);
+            TEST_ASSERT_EQUAL(mixed, table[beneath]);
+            TEST_ASSERT_EQUAL((int)floor(beneath + (9 - beneath) * sixteenths / 16.0 + 0.5),
+                              table[256 + beneath]);
+        }
+        TEST_ASSERT_EQUAL(9, table[256 + 255]); /* of two that are equal, the first */
+        TEST_ASSERT_EQUAL(250, table[256 + 250]);
+    }
+    const uint8_t before = table[0];
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_blend_make_table(NULL, 8, 0, 1, table));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_blend_make_table(palette, 8, 0, 1, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_blend_make_table(palette, 0, 0, 1, table));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_blend_make_table(palette, 17, 0, 1, table));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_blend_make_table(palette, 8, 0, 0, table));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_blend_make_table(palette, 8, 255, 2, table));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_blend_make_table(palette, 8, 256, 1, table));
+    TEST_ASSERT_EQUAL(before, table[0]);
+}

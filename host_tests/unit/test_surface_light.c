@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/* Faces that are lit at their corners, against the definitions in double. */
+#include <math.h>
+
+#include "quad_scene.h"
+
+enum {
+    LEVELS = 16,
+    ROUNDS = UNIT_REPEAT / 200
+};
+
+static uint8_t ramp[256 * LEVELS];
+static fxl_light light;
+static double worst;
+static uint32_t compared, differing;
+
+void setUp(void)
+{
+    for (uint32_t level = 0; level < LEVELS; level++) {
+        for (uint32_t c = 0; c < 256; c++) {
+            ramp[256 * level + c] = (uint8_t)(16 * level + (c & 15));
+        }
+    }
+    worst = 0;
+    compared = differing = 0;
+    memset(&light, 0, sizeof light);
+}
+
+void tearDown(void)
+{
+}
+
+/* Light with its sources about the face. */
+static fxl_light_settings any_settings(void)
+{
+    const fxl_point origin = {0, 0, 0};
+    fxl_light_settings of = exact_light_any(ramp, &origin);
+    of.levels = LEVELS;
+    if (of.fog_far != 0) {
+        of.fog_near = unit_between(0, Q16(4));
+        of.fog_far = of.fog_near + unit_between(Q16(1), Q16(24));
+    }
+    for (uint32_t i = 0; i < of.point_count; i++) {
+        of.points[i].range = unit_between(Q16(5), Q16(60));
+        of.points[i].position = unit_point(Q16(20));
+        of.points[i].strength = FXL_Q2_30_ONE / 2;
+    }
+    return of;
+}
+
+/* The exact levels of the corners, and a half. */
+static void find_levels(const quad_scene *quad, const fxl_light_settings *of, double levels[3])
+{
+    for (int i = 0; i < 3; i++) {
+        levels[i] = exact_brightness(of, &quad->renderer.frame.view.camera, quad->corners[i],
+                                     quad->lit[i]) *
+                        (LEVELS - 1) +
+                    0.5;
+    }
+}
+
+static double held(double level)
+{
+    return level < 0.5 ? 0.5 : level > LEVELS - 0.5 ? LEVELS - 0.5 : level;
+}
+
+/* Every pixel of the frame that the face covers: its level is within tolerance of the exact one.
+ * Pixels near the horizon, where the weight is small, and faces seen from far aside are the
+ * bound's, not this test's. */
+static void check_levels(const quad_scene *quad, const fxl_light_settings *of, double tolerance)
+{
+    double levels[3], weight;
+    find_levels(quad, of, levels);
+    for (int y = 0; y < QUAD_HEIGHT; y++) {
+        for (int x = 0; x < QUAD_WIDTH; x++) {
+            const uint8_t shown = quad->frame[y * QUAD_WIDTH + x];
+            const double exact = held(quad_value(quad, x, y, levels, &weight));
+            if (shown == QUAD_BACKGROUND || weight < 0.02) {
+                continue;
+            }
+            const double level = shown >> 4;
+            const double off = fmax(level - exact, exact - level - 1);
+            TEST_ASSERT_TRUE(off <= tolerance);
+            worst = fmax(worst, off);
+            compared++;
+            differing += off > 0;
+        }
+    }
+}
+
+static void draw_random_faces(bool turned, uint8_t division, double tolerance)
+{
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        const fxl_light_settings of = any_settings();
+        quad_scene *quad = quad_make(turned);
+        quad->surface.flags = FXL_SURFACE_LIT;
+        quad->surface.division = division;
+        quad_begin(quad);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+        quad_draw(quad);
+        check_levels(quad, &of, tolerance);
+    }
+    TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
+}
+
+/* At each pixel the level is the exact one, but for a 1/256 of a level. */
+void test_levels_divided_at_each_pixel(void)
+{
+    draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
+    TEST_ASSERT_TRUE(differing < compared / 1000);
+}
+
+void test_levels_divided_every_16_pixels(void)
+{
+    draw_random_faces(false, FXL_DIVIDE_16, 0.5 + 1.0 / 256);
+    TEST_ASSERT_TRUE(worst > 1.0 / 256); /* they are linear in between */
+}
+
+/* Corners and normals of an instance that has a turn; its corners are rounded in the world. */
+void test_levels_of_turned_faces(void)
+{
+    draw_random_faces(true, FXL_DIVIDE_1, 1.0 / 128);
+}
+
+/* The texel and the level of one pixel, at once: the ramp's colours have both. */
+void test_light_goes_over_textures(void)
+{
+    static uint8_t texels[64];
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)((i >> 4 & 1) * 2 + (i >> 1 & 1));
+    }
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        const fxl_light_settings of = any_settings();
+        quad_scene *quad = quad_make(false);
+        double u[3], v[3], weight;
+        quad->texture =
+            (fxl_texture){.texels = texels, .log_width = 3, .log_height = 3, .levels = 1};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->surface.flags = FXL_SURFACE_LIT;
+        quad->surface.division = FXL_DIVIDE_1;
+        for (int k = 0; k < 3; k++) {
+            u[k] = quad->mapped.texels[k].u / 65536.0;
+            v[k] = quad->mapped.texels[k].v / 65536.0;
+        }
+        quad_begin(quad);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+        quad_draw(quad);
+        check_levels(quad, &of, 1.0 / 256);
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            const double at_u = quad_value(quad, p % QUAD_WIDTH, p / QUAD_WIDTH, u, &weight);
+            const double at_v = quad_value(quad, p % QUAD_WIDTH, p / QUAD_WIDTH, v, &weight);
+            const double off_u = fabs(at_u / 2 - floor(at_u / 2 + 0.5)) * 2;
+            const double off_v = fabs(at_v / 2 - floor(at_v / 2 + 0.5)) * 2;
+            if (quad->frame[p] != QUAD_BACKGROUND && weight > 0.02 && off_u > 0.02 &&
+                off_v > 0.02) {
+                TEST_ASSERT_EQUAL(((int)floor(at_v / 2) & 1) * 2 + ((int)floor(at_u / 2) & 1),
+                                  quad->frame[p] & 15);
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
+}
+
+/* Without a light a lit surface has its colour; taken away, it has it again. */
+void test_light_is_taken_and_left(void)
+{
+    fxl_light_settings of = {.ramp = ramp, .levels = LEVELS};
+    quad_scene *quad = quad_make(false);
+    quad->surface.flags = FXL_SURFACE_LIT;
+    quad->pose = (fxl_pose){.position = {0, 0, 0}};
+    for (int i = 0; i < 4; i++) { /* a wall before the eye */
+        quad->vertices[i] =
+            (fxl_point){i % 3 ? Q16(20) : Q16(-20), i < 2 ? Q16(20) : Q16(-20), Q16(5)};
+        quad->normals[i] = (fxl_direction){0, 0, -FXL_Q2_30_ONE};
+    }
+    quad->face.normal = quad->normals[0];
+    quad->model.radius = Q16(30);
+    quad_begin(quad);
+    quad_draw(quad);
+    TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_light_surfaces(&quad->renderer, &light));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+    quad_draw(quad); /* the renderer's light is for flat faces */
+    TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+    TEST_ASSERT_EQUAL(FXL_FRAME_NONE, quad->renderer.frame.state);
+    quad_draw(quad);
+    TEST_ASSERT_EACH_EQUAL_UINT8(ramp[QUAD_COLOUR], quad->frame, sizeof quad->frame);
+    of.ambient = FXL_Q2_30_ONE; /* the same settings light both */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+    quad_draw(quad);
+    TEST_ASSERT_EACH_EQUAL_UINT8(ramp[256 * (LEVELS - 1) + QUAD_COLOUR], quad->frame,
+                                 sizeof quad->frame);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, NULL));
+    quad_draw(quad);
+    TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&quad->renderer, &quad->surfaces, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_light_surfaces(&quad->renderer, &light));
+    TEST_ASSERT_EQUAL(2, quad->renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_light_surfaces(NULL, &light));
+}
