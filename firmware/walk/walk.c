@@ -121,11 +121,24 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-/* How the list's memory is shared: what the act wants, what beams want, what the light wants, then
- * what the methods want; the rest is the list. In bytes, multiples of 8. */
+/* How the list's memory is shared: what the act, beams, the light and surfaces want, then what the
+ * methods want; the rest is the list. In bytes, multiples of 8. */
 typedef struct {
-    uint32_t act, beams, light, taken;
+    uint32_t act, beams, light, surfaces, taken;
 } shares;
+
+/* What surfaces want: these, and a record of each texture after them. */
+typedef struct {
+    fxl_surfaces surfaces;
+    fxl_surface_set set;
+} surface_memory;
+
+static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
+{
+    const size_t bytes = sizeof(surface_memory) + surfaces->texture_count * sizeof(fxl_texture);
+
+    return surfaces->face_map != NULL ? ((uint32_t)bytes + 7u) & ~7u : 0;
+}
 
 static int share_list(const fxl_scene_image *image, shares *of)
 {
@@ -135,7 +148,8 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->act = act_bytes(image);
     of->beams = (fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u;
     of->light = image->light.base != NULL ? ((uint32_t)sizeof(fxl_light) + 7u) & ~7u : 0;
-    of->taken = of->act + of->beams + of->light;
+    of->surfaces = surface_bytes(&image->surfaces);
+    of->taken = of->act + of->beams + of->light + of->surfaces;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree; "
                     "VISIBILITY=sorted draws without\n");
@@ -143,8 +157,9 @@ static int share_list(const fxl_scene_image *image, shares *of)
     }
     of->taken += walk_methods_bytes(&methods);
     if (of->taken > room) {
-        print_with_number("walk: motions, beams, light, clipper and visibility method need ",
-                          of->taken, " bytes");
+        print_with_number(
+            "walk: motions, beams, light, surfaces, clipper and visibility method need ", of->taken,
+            " bytes");
         print_with_number(", this board's display list has ", room, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
@@ -182,6 +197,21 @@ static fxl_status open_lights(const fxl_scene_image *image, uint8_t *memory, con
     return status;
 }
 
+/* Has the renderer draw the surfaces of the image, if it has some. */
+static fxl_status open_surfaces(const fxl_scene_image *image, uint8_t *memory)
+{
+    surface_memory *own = (surface_memory *)(void *)memory;
+    fxl_texture *textures = (fxl_texture *)(void *)(own + 1);
+    fxl_status status;
+
+    if (image->surfaces.face_map == NULL) {
+        return FXL_OK;
+    }
+    status = fxl_surfaces_open(image, textures, image->surfaces.texture_count, &own->set, NULL);
+    return status == FXL_OK ? fxl_renderer_set_surfaces(&renderer, &own->surfaces, &own->set)
+                            : status;
+}
+
 static int open_renderer(fxl_scene_image *image)
 {
     uint8_t *const bytes = (uint8_t *)list;
@@ -210,7 +240,11 @@ static int open_renderer(fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.beams + of.light);
+        status = open_surfaces(image, bytes + of.act + of.beams + of.light);
+    }
+    if (status == FXL_OK) {
+        status = walk_methods_set(&methods, &renderer,
+                                  bytes + of.act + of.beams + of.light + of.surfaces);
     }
     if (status == FXL_OK) {
         status = open_lights(image, bytes + of.act, &of);

@@ -25,6 +25,11 @@ const char *session_open(session *run, const char *path)
         return "it cannot be read";
     }
     fxl_status status = fxl_scene_open(bytes, size, &run->image, NULL);
+    if (status == FXL_OK && run->image.surfaces.face_map) {
+        const uint32_t count = run->image.surfaces.texture_count;
+        status = fxl_surfaces_open(&run->image, session_memory(count * sizeof(fxl_texture)), count,
+                                   &run->surface_set, NULL);
+    }
     if (status == FXL_OK && run->image.motion.motion_count > 0) {
         fxl_scene *scene = &run->image.scene;
         const uint32_t turned = scene->instance_count - scene->first_turned;
@@ -34,6 +39,11 @@ const char *session_open(session *run, const char *path)
         status = fxl_motion_begin(&run->motion, &run->image.motion, scene, &memory);
     }
     return status == FXL_OK ? NULL : fxl_status_text(status);
+}
+
+const fxl_visibility *session_visibility(const session *run)
+{
+    return run->image.surfaces.face_map ? &fxl_visibility_surfaces : &fxl_visibility_sorted;
 }
 
 void session_play(const session *run, uint32_t frame)
@@ -88,6 +98,9 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     if (status == FXL_OK) {
         status = fxl_renderer_set_clipper(renderer, settings->clipper, &run->clipper_workspace,
                                           sizeof run->clipper_workspace);
+    }
+    if (status == FXL_OK && run->image.surfaces.face_map) {
+        status = fxl_renderer_set_surfaces(renderer, &run->surfaces, &run->surface_set);
     }
     if (status == FXL_OK) {
         status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,

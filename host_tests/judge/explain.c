@@ -65,27 +65,72 @@ judge_box judge_box_of_drawn(const ref_drawn *drawn)
     return judge_box_of(judge_most(drawn, true));
 }
 
-double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t count,
-                     uint8_t background, double cx, double cy, uint8_t colour, bool doubt)
+/* Whether a polygon may show a colour, and whether it may be clear, at a pixel that it covers. */
+typedef struct {
+    bool shown, clear;
+} showing;
+
+static void add_texel(showing *found, int texel, uint8_t colour)
 {
+    found->shown = found->shown || texel == colour;
+    found->clear = found->clear || texel == REF_CLEAR;
+}
+
+/* Every texel that the place may be in. */
+static showing texels_about(const ref_texture *texture, const ref_place *place, double slack,
+                            uint8_t colour)
+{
+    showing found = {false, false};
+    for (double v = floor(place->v - slack); v <= place->v + slack; v++) {
+        for (double u = floor(place->u - slack); u <= place->u + slack; u++) {
+            add_texel(&found, ref_texture_colour(texture, (int64_t)u, (int64_t)v), colour);
+        }
+    }
+    return found;
+}
+
+static showing shows(const ref_lens *lens, const ref_drawn *drawn, const judge_question *question)
+{
+    const ref_surface_view *look = &drawn->look;
+    ref_place place;
+    if (!look->surface) {
+        return (showing){drawn->polygon.colour == question->colour, false};
+    }
+    if (!ref_stipple_draws(look->surface->opacity, question->x, question->y)) {
+        return (showing){false, true};
+    }
+    if (!look->texture) {
+        return (showing){drawn->polygon.colour == question->colour, false};
+    }
+    if (!ref_surface_place(look, lens, question->x + 0.5, question->y + 0.5, &place)) {
+        return (showing){false, true};
+    }
+    return texels_about(look->texture, &place, question->texels ? place.slack : 0,
+                        question->colour);
+}
+
+double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+                     size_t count, const judge_question *question)
+{
+    const double cx = question->x + 0.5, cy = question->y + 0.5;
     double best = INFINITY;
     double uncovered = 0; /* the cost of putting every later polygon out */
     for (size_t i = count; i-- > 0 && uncovered < best;) {
-        const ref_screen_polygon *least = judge_least(&drawn[i], doubt);
-        const ref_screen_polygon *most = judge_most(&drawn[i], doubt);
-        bool wanted = most->colour == colour;
+        const ref_screen_polygon *least = judge_least(&drawn[i], question->doubt);
+        const ref_screen_polygon *most = judge_most(&drawn[i], question->doubt);
         bool near = box_holds(&boxes[i], cx, cy);
-        if (!near && (!wanted || box_is_beyond(&boxes[i], cx, cy, best))) {
+        if (!near && box_is_beyond(&boxes[i], cx, cy, best)) {
             continue;
         }
-        if (wanted) {
+        const showing found = shows(lens, &drawn[i], question);
+        if (found.shown) {
             bool in = near && ref_scan_covers(most, cx, cy);
             double cost = in ? 0 : judge_edge_distance(most, cx, cy);
             best = fmin(best, fmax(uncovered, cost));
         }
-        if (near && ref_scan_covers(least, cx, cy)) {
+        if (near && !found.clear && ref_scan_covers(least, cx, cy)) {
             uncovered = fmax(uncovered, judge_edge_distance(least, cx, cy));
         }
     }
-    return background == colour ? fmin(best, uncovered) : best;
+    return question->background == question->colour ? fmin(best, uncovered) : best;
 }
