@@ -9,6 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "fixel/all.h"
+#include "looks.h"
 #include "methods.h"
 #include "path.h"
 
@@ -121,35 +122,19 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-/* How the list's memory is shared: what the act, beams, the light and surfaces want, then what the
+/* How the list's memory is shared: what the act wants, what the scene's looks want, then what the
  * methods want; the rest is the list. In bytes, multiples of 8. */
 typedef struct {
-    uint32_t act, beams, light, surfaces, taken;
+    uint32_t act, looks, taken;
 } shares;
-
-/* What surfaces want: these, and a record of each texture after them. */
-typedef struct {
-    fxl_surfaces surfaces;
-    fxl_surface_set set;
-} surface_memory;
-
-static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
-{
-    const size_t bytes = sizeof(surface_memory) + surfaces->texture_count * sizeof(fxl_texture);
-
-    return surfaces->face_map != NULL ? ((uint32_t)bytes + 7u) & ~7u : 0;
-}
 
 static int share_list(const fxl_scene_image *image, shares *of)
 {
-    const fxl_scene *scene = &image->scene;
     const uint32_t room = WALK_LIST_BYTES / 8 * 8;
 
     of->act = act_bytes(image);
-    of->beams = (fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u;
-    of->light = image->light.base != NULL ? ((uint32_t)sizeof(fxl_light) + 7u) & ~7u : 0;
-    of->surfaces = surface_bytes(&image->surfaces);
-    of->taken = of->act + of->beams + of->light + of->surfaces;
+    of->looks = walk_looks_bytes(image);
+    of->taken = of->act + of->looks;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree; "
                     "VISIBILITY=sorted draws without\n");
@@ -176,40 +161,6 @@ static uint32_t list_bytes(uint32_t taken)
 #else
     return left;
 #endif
-}
-
-/* Beams and light, which lie behind what the act has. */
-static fxl_status open_lights(const fxl_scene_image *image, uint8_t *memory, const shares *of)
-{
-    const fxl_scene *scene = renderer.scene;
-    fxl_light_settings settings;
-    fxl_status status = FXL_OK;
-
-    if (scene->beam_count > 0) {
-        status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
-                                        memory, of->beams);
-    }
-    if (status == FXL_OK && of->light > 0) {
-        fxl_light_settings_of(&image->light, &settings);
-        status =
-            fxl_renderer_set_light(&renderer, (fxl_light *)(void *)(memory + of->beams), &settings);
-    }
-    return status;
-}
-
-/* Has the renderer draw the surfaces of the image, if it has some. */
-static fxl_status open_surfaces(const fxl_scene_image *image, uint8_t *memory)
-{
-    surface_memory *own = (surface_memory *)(void *)memory;
-    fxl_texture *textures = (fxl_texture *)(void *)(own + 1);
-    fxl_status status;
-
-    if (image->surfaces.face_map == NULL) {
-        return FXL_OK;
-    }
-    status = fxl_surfaces_open(image, textures, image->surfaces.texture_count, &own->set, NULL);
-    return status == FXL_OK ? fxl_renderer_set_surfaces(&renderer, &own->surfaces, &own->set)
-                            : status;
 }
 
 static int open_renderer(fxl_scene_image *image)
@@ -240,14 +191,10 @@ static int open_renderer(fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK) {
-        status = open_surfaces(image, bytes + of.act + of.beams + of.light);
+        status = walk_looks_open(image, &renderer, bytes + of.act);
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer,
-                                  bytes + of.act + of.beams + of.light + of.surfaces);
-    }
-    if (status == FXL_OK) {
-        status = open_lights(image, bytes + of.act, &of);
+        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.looks);
     }
     if (status == FXL_OK) {
         status = act_attach(&renderer);

@@ -87,6 +87,15 @@ static bool goes_by_bsp(const session *run, const fxl_visibility *visibility)
            visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
 }
 
+/* Lights flat faces and surfaces. */
+static fxl_status light_all(session *run, const fxl_light_settings *settings)
+{
+    const fxl_status status = fxl_renderer_set_light(&run->renderer, &run->light, settings);
+    return status == FXL_OK && run->image.surfaces.face_map
+               ? fxl_renderer_light_surfaces(&run->renderer, &run->light)
+               : status;
+}
+
 fxl_status session_set_up(session *run, const session_settings *settings)
 {
     const fxl_scene *scene = &run->image.scene;
@@ -119,7 +128,7 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     if (status == FXL_OK && run->image.light.base) {
         fxl_light_settings light;
         fxl_light_settings_of(&run->image.light, &light);
-        status = fxl_renderer_set_light(renderer, &run->light, &light);
+        status = light_all(run, &light);
     }
     return status;
 }
@@ -144,8 +153,7 @@ fxl_status session_light(session *run, const named_light *light)
     settings.ramp = run->ramp;
     fxl_status status =
         fxl_light_make_ramp(run->image.palette, light->dark, settings.levels, run->ramp);
-    return status == FXL_OK ? fxl_renderer_set_light(&run->renderer, &run->light, &settings)
-                            : status;
+    return status == FXL_OK ? light_all(run, &settings) : status;
 }
 
 fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,

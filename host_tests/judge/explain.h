@@ -43,8 +43,10 @@ typedef struct {
  * distance of an edge of its most. Putting it out costs 0 where its least is out, else the
  * distance of an edge of its least.
  *
- * A polygon with a surface shows the colour of its texel there, or with texels: of any texel within
- * the bound (reference/surface.h). Where its texel is clear, putting it out costs 0. */
+ * A polygon with a surface shows the colour of its texel there at its level of light, or with
+ * texels: of any texel and any level within their bounds (reference/surface.h). Where its texel is
+ * clear, putting it out costs 0. Where it is blended, it shows what the table makes of its colour
+ * and of the one beneath; so the cost is found for each colour that may be beneath. */
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question);
 

@@ -145,8 +145,8 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
         return true;
     }
     if (draws_surfaces(renderer)) {
-        ref_surface_look(renderer->scene, &renderer->camera, &renderer->scene->instances[instance],
-                         face, &drawn.look);
+        ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
+                         &renderer->scene->instances[instance], face, &drawn.look);
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_display_list_append(&renderer->display_list, &drawn);
@@ -323,9 +323,9 @@ static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, cons
         ref_fill_span(band, span, drawn->polygon.colour);
         return;
     }
+    const uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
     for (int x = span->x0; x < span->x1; x++) {
-        const int colour =
-            ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, drawn->polygon.colour);
+        const int colour = ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
         if (colour != REF_CLEAR) {
             const ref_span pixel = {span->y, x, x + 1};
             ref_fill_span(band, &pixel, (uint8_t)colour);

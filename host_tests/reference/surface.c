@@ -2,61 +2,47 @@
 #include "reference/surface.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "reference/light.h"
 #include "reference/project.h"
 #include "reference/transform.h"
 #include "reference/turn.h"
 
-/* --- the view of a face ----------------------------------------------------------------------- */
+/* --- the corners of a face ---------------------------------------------------------------------
+ */
 
-static ref_view_point corner_of(const ref_scene *scene, const ref_camera *camera,
-                                const ref_instance *instance, const ref_face *face, int number)
+static ref_view_point corner_in_view(const ref_scene *scene, const ref_camera *camera,
+                                     const ref_instance *instance, const ref_face *face, int number)
 {
     const ref_turn *turn = ref_turn_of(scene, instance);
     const ref_lattice_point corner = ref_face_corner(scene, instance, face, number);
-    if (turn) {
-        const ref_point at = ref_turn_point(turn, &instance->centre, &corner);
-        return ref_transform_point(camera, &at);
-    }
     const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, number);
-    const ref_point at = ref_point_from_lattice(&vertex);
+    const ref_point at =
+        turn ? ref_turn_point(turn, &instance->centre, &corner) : ref_point_from_lattice(&vertex);
     return ref_transform_point(camera, &at);
+}
+
+/* The light at a corner, in levels of the ramp, so that the nearest is what is below. */
+static double light_at(const ref_scene *scene, const ref_camera *camera,
+                       const ref_instance *instance, const ref_face *face, int corner,
+                       const int32_t normal[3])
+{
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, corner);
+    int32_t turned[3] = {normal[0], normal[1], normal[2]};
+    if (turn) {
+        ref_turn_normal(turn, normal, turned);
+    }
+    const ref_point way = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
+    return ref_light_brightness(scene->light, camera, ref_point_from_lattice(&vertex), way) *
+               (scene->light->levels - 1) +
+           0.5;
 }
 
 static ref_view_point difference(const ref_view_point *a, const ref_view_point *b)
 {
     return (ref_view_point){a->x - b->x, a->y - b->y, a->z - b->z};
 }
-
-void ref_surface_look(const ref_scene *scene, const ref_camera *camera,
-                      const ref_instance *instance, uint32_t face, ref_surface_view *view)
-{
-    const ref_surfaces *surfaces = scene->surfaces;
-    const uint32_t number = scene->models[instance->model].first_face + face;
-    *view = (ref_surface_view){.surface = NULL};
-    if (!surfaces || surfaces->face_map[number] == 0) {
-        return;
-    }
-    const ref_mapped_face *mapped = &surfaces->faces[surfaces->face_map[number] - 1];
-    ref_view_point corners[3];
-    for (int i = 0; i < 3; i++) {
-        corners[i] = corner_of(scene, camera, instance, &scene->faces[number], mapped->corners[i]);
-    }
-    view->surface = &surfaces->surfaces[mapped->surface];
-    view->texture = view->surface->texture ? &surfaces->textures[view->surface->texture - 1] : NULL;
-    view->corner = corners[0];
-    for (int i = 0; i < 2; i++) {
-        view->sides[i] = difference(&corners[i + 1], &corners[0]);
-        view->texel[i] = mapped->texels[0][i];
-        for (int k = 0; k < 2; k++) {
-            view->steps[i][k] = mapped->texels[i + 1][k] - mapped->texels[0][k];
-        }
-    }
-}
-
-/* --- texture coordinates ------------------------------------------------------------------------
- */
 
 static long double product(const ref_view_point *a, const ref_view_point *b)
 {
@@ -68,6 +54,121 @@ static ref_view_point cross(const ref_view_point *a, const ref_view_point *b)
     return (ref_view_point){a->y * b->z - a->z * b->y, a->z * b->x - a->x * b->z,
                             a->x * b->y - a->y * b->x};
 }
+
+/* --- the look of a face -------------------------------------------------------------------------
+ */
+
+static bool is_on_screen(const ref_lens *lens, const ref_view_point *corner,
+                         ref_screen_point *point)
+{
+    if (!(corner->z > 0)) {
+        return false;
+    }
+    *point = ref_project_point(lens, corner);
+    return point->x >= 0 && point->x <= lens->width && point->y >= 0 && point->y <= lens->height;
+}
+
+/* The area of a triangle of the screen, times two. */
+static double area_of(const ref_screen_point points[3])
+{
+    return (points[1].x - points[0].x) * (points[2].y - points[0].y) -
+           (points[2].x - points[0].x) * (points[1].y - points[0].y);
+}
+
+/* Texels a pixel, by area, where the face is as near as at its nearest corner. With n, the cross
+ * product of two sides: |n| units of area have so many texels, and one of them, seen at depth z
+ * along a ray of the length r and of depth 1, is focal^2 (n . ray) / |n| / z^2 / 1 pixels. */
+static double texels_a_pixel(const ref_surface_view *view, const ref_lens *lens,
+                             const ref_view_point corners[3])
+{
+    const double texels = fabs(view->steps[0][REF_U] * view->steps[1][REF_V] -
+                               view->steps[1][REF_U] * view->steps[0][REF_V]);
+    if (view->is_affine) {
+        return texels / fabs(area_of(view->points));
+    }
+    const ref_view_point normal = cross(&view->sides[0], &view->sides[1]);
+    const double near =
+        fmin((double)corners[0].z, fmin((double)corners[1].z, (double)corners[2].z));
+    const double volume = (double)fabsl(product(&normal, &corners[0]));
+    return near > 0 && volume > 0
+               ? texels * near * near * near / (lens->focal * lens->focal * volume)
+               : 0;
+}
+
+static void choose_level(ref_surface_view *view, const ref_lens *lens,
+                         const ref_view_point corners[3])
+{
+    const ref_texture *texture = view->texture;
+    const double twice = 2 * texels_a_pixel(view, lens, corners);
+    int level = 0;
+    while (level + 1 < texture->level_count && ldexp(1, 2 * (level + 1)) <= twice) {
+        level++;
+    }
+    view->level = &texture->levels[level];
+    view->scales[0] = (double)view->level->width / texture->levels[0].width;
+    view->scales[1] = (double)view->level->height / texture->levels[0].height;
+}
+
+static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])
+{
+    for (int k = 0; k < REF_VALUES; k++) {
+        view->values[k] = at[0][k];
+        view->steps[0][k] = at[1][k] - at[0][k];
+        view->steps[1][k] = at[2][k] - at[0][k];
+    }
+}
+
+static void find_values(const ref_scene *scene, const ref_camera *camera,
+                        const ref_instance *instance, const ref_face *face,
+                        const ref_mapped_face *mapped, ref_surface_view *view)
+{
+    double at[3][REF_VALUES] = {{0}};
+    for (int i = 0; i < 3; i++) {
+        at[i][REF_U] = mapped->texels[i][0];
+        at[i][REF_V] = mapped->texels[i][1];
+        if (view->light) {
+            at[i][REF_BRIGHTNESS] = light_at(scene, camera, instance, face, mapped->corners[i],
+                                             scene->surfaces->normals[mapped->normals[i]]);
+        }
+    }
+    spread_values(view, at);
+}
+
+void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const ref_lens *lens,
+                      const ref_instance *instance, uint32_t number, ref_surface_view *view)
+{
+    const ref_surfaces *surfaces = scene->surfaces;
+    number += scene->models[instance->model].first_face;
+    *view = (ref_surface_view){.surface = NULL};
+    if (!surfaces || surfaces->face_map[number] == 0) {
+        return;
+    }
+    const ref_face *face = &scene->faces[number];
+    const ref_mapped_face *mapped = &surfaces->faces[surfaces->face_map[number] - 1];
+    ref_view_point corners[3];
+    bool on_screen = true;
+    view->surfaces = surfaces;
+    view->surface = &surfaces->surfaces[mapped->surface];
+    view->own = face->material;
+    view->light = view->surface->is_lit ? scene->light : NULL;
+    for (int i = 0; i < 3; i++) {
+        corners[i] = corner_in_view(scene, camera, instance, face, mapped->corners[i]);
+        on_screen = is_on_screen(lens, &corners[i], &view->points[i]) && on_screen;
+    }
+    view->corner = corners[0];
+    view->sides[0] = difference(&corners[1], &corners[0]);
+    view->sides[1] = difference(&corners[2], &corners[0]);
+    view->is_affine =
+        view->surface->division == REF_AFFINE && on_screen && area_of(view->points) != 0;
+    find_values(scene, camera, instance, face, mapped, view);
+    if (view->surface->texture) {
+        view->texture = &surfaces->textures[view->surface->texture - 1];
+        choose_level(view, lens, corners);
+    }
+}
+
+/* --- values -------------------------------------------------------------------------------------
+ */
 
 /* How many times each side leads from the corner to a point of the plane: the two equations that
  * the products with the sides give. */
@@ -82,8 +183,21 @@ static void solve(const ref_surface_view *view, const ref_view_point *from_corne
     times[1] = (pb * aa - pa * ab) / whole;
 }
 
-bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
-                       ref_place *place)
+/* The same on the screen, by areas. */
+static void solve_affine(const ref_surface_view *view, double x, double y, long double times[2])
+{
+    const ref_screen_point at = {x, y};
+    const ref_screen_point *points = view->points;
+    const ref_screen_point to_second[3] = {points[0], at, points[2]};
+    const ref_screen_point to_third[3] = {points[0], points[1], at};
+    const long double whole = area_of(points);
+    times[0] = area_of(to_second) / whole;
+    times[1] = area_of(to_third) / whole;
+}
+
+/* Where the ray through a point of the screen meets the plane. */
+static bool solve_ray(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                      long double times[2])
 {
     const ref_screen_point at = {x, y};
     const ref_view_point ray = ref_ray_through(lens, &at);
@@ -95,20 +209,36 @@ bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, doubl
     const long double reach = height / slope;
     const ref_view_point hit = {ray.x * reach, ray.y * reach, ray.z * reach};
     const ref_view_point from_corner = difference(&hit, &view->corner);
-    long double times[2];
     solve(view, &from_corner, times);
-    place->u =
-        (double)(view->texel[0] + times[0] * view->steps[0][0] + times[1] * view->steps[1][0]);
-    place->v =
-        (double)(view->texel[1] + times[0] * view->steps[0][1] + times[1] * view->steps[1][1]);
-    place->slack = view->surface->division == REF_DIVIDE_1 ? 1.0 / 256 : 0.5 + 1.0 / 256;
-    return fabs(place->u) < 0x1p40 && fabs(place->v) < 0x1p40;
+    return true;
+}
+
+bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                       ref_place *place)
+{
+    const bool is_linear = view->is_affine || view->surface->division == REF_DIVIDE_1;
+    long double times[2];
+    bool found = true;
+    if (view->is_affine) {
+        solve_affine(view, x, y, times);
+    } else if (!solve_ray(view, lens, x, y, times)) {
+        return false;
+    }
+    for (int k = 0; k < REF_VALUES; k++) {
+        const double scale = view->texture && k < REF_BRIGHTNESS ? view->scales[k] : 1;
+        place->values[k] = (double)(view->values[k] + times[0] * view->steps[0][k] +
+                                    times[1] * view->steps[1][k]) *
+                           scale;
+        place->slack[k] = (is_linear ? 0 : 0.5 * scale) + 1.0 / 256;
+        found = found && fabs(place->values[k]) < 0x1p40;
+    }
+    return found;
 }
 
 /* --- colours ------------------------------------------------------------------------------------
  */
 
-static int64_t within(int64_t number, int count, bool clamps)
+static int64_t within(int64_t number, int64_t count, bool clamps)
 {
     if (clamps) {
         return number < 0 ? 0 : number >= count ? count - 1 : number;
@@ -116,12 +246,33 @@ static int64_t within(int64_t number, int count, bool clamps)
     return (number % count + count) % count;
 }
 
-int ref_texture_colour(const ref_texture *texture, int64_t column, int64_t row)
+int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row)
 {
-    const int64_t x = within(column, texture->width, texture->clamps);
-    const int64_t y = within(row, texture->height, texture->clamps);
-    const uint8_t colour = texture->colours[y * texture->width + x];
+    const ref_texture *texture = view->texture;
+    if (!texture) {
+        return view->own;
+    }
+    const ref_texture_level *level = view->level;
+    const int64_t x = within(column, level->width, texture->clamps);
+    const int64_t y = within(row, level->height, texture->clamps);
+    const uint8_t colour = level->colours[y * level->width + x];
     return texture->is_keyed && colour == texture->key ? REF_CLEAR : colour;
+}
+
+uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
+{
+    return view->light ? view->light->ramp[within(level, view->light->levels, true)][colour]
+                       : colour;
+}
+
+uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath)
+{
+    const ref_surfaces *surfaces = view->surfaces;
+    const uint32_t first = surfaces->blend_first;
+    if (!view->surface->blends || colour < first || colour >= first + surfaces->blend_count) {
+        return colour;
+    }
+    return surfaces->blend[256 * (colour - first) + beneath];
 }
 
 /* The ordered dither matrix of 4 x 4, as docs/formats.md, section 4, defines that of 8 x 8. */
@@ -136,159 +287,19 @@ bool ref_stipple_draws(int opacity, int x, int y)
 }
 
 int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x, int y,
-                       uint8_t own)
+                       uint8_t beneath)
 {
     ref_place place;
-    if (!ref_stipple_draws(view->surface->opacity, x, y)) {
+    if (!ref_stipple_draws(view->surface->opacity, x, y) ||
+        !ref_surface_place(view, lens, x + 0.5, y + 0.5, &place)) {
         return REF_CLEAR;
     }
-    if (!view->texture) {
-        return own;
+    const int texel = ref_surface_texel(view, (int64_t)floor(place.values[REF_U]),
+                                        (int64_t)floor(place.values[REF_V]));
+    if (texel == REF_CLEAR) {
+        return REF_CLEAR;
     }
-    return ref_surface_place(view, lens, x + 0.5, y + 0.5, &place)
-               ? ref_texture_colour(view->texture, (int64_t)floor(place.u), (int64_t)floor(place.v))
-               : REF_CLEAR;
-}
-
-/* --- reading an image
- * ----------------------------------------------------------------------------- */
-
-enum {
-    TEXTURES_AT = 232, /* in the header */
-    TEXELS_AT = 240,
-    SURFACES_AT = 248,
-    MAPPED_AT = 256,
-    MAP_AT = 264
-};
-
-static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes,
-                         ref_texture *texture)
-{
-    const uint32_t at = ref_u32(p), colours = ref_u32(p + 4);
-    const bool is_4 = p[10] == 1;
-    if (p[8] > 8 || p[9] > 8 || p[10] > 1 || (is_4 && p[8] == 0)) {
-        return false;
-    }
-    *texture = (ref_texture){.width = 1 << p[8],
-                             .height = 1 << p[9],
-                             .clamps = p[11] & 1,
-                             .is_keyed = p[11] >> 1 & 1,
-                             .key = p[12]};
-    const uint32_t count = (uint32_t)texture->width * (uint32_t)texture->height;
-    if ((uint64_t)at + (is_4 ? count / 2 : count) > bytes || (is_4 && colours + 16ull > bytes)) {
-        return false;
-    }
-    texture->colours = malloc(count);
-    for (uint32_t i = 0; texture->colours && i < count; i++) {
-        texture->colours[i] =
-            is_4 ? texels[colours + (texels[at + i / 2] >> 4 * (i % 2) & 15)] : texels[at + i];
-    }
-    return texture->colours != NULL;
-}
-
-static bool read_textures(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
-{
-    uint32_t texel_bytes;
-    const uint8_t *textures =
-        ref_image_table(bytes, size, TEXTURES_AT, 16, 65535, &surfaces->texture_count);
-    const uint8_t *texels = ref_image_table(bytes, size, TEXELS_AT, 1, 16u << 20, &texel_bytes);
-    surfaces->textures = calloc(surfaces->texture_count + 1u, sizeof *surfaces->textures);
-    if (!surfaces->textures || (textures && !texels)) {
-        return false;
-    }
-    for (uint32_t i = 0; textures && i < surfaces->texture_count; i++) {
-        if (!read_texture(textures + 16 * (size_t)i, texels, texel_bytes, &surfaces->textures[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool read_surfaces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
-{
-    const uint8_t *p =
-        ref_image_table(bytes, size, SURFACES_AT, 8, 65535, &surfaces->surface_count);
-    surfaces->surfaces = calloc(surfaces->surface_count + 1u, sizeof *surfaces->surfaces);
-    if (!p || !surfaces->surfaces) {
-        return false;
-    }
-    for (uint32_t i = 0; i < surfaces->surface_count; i++, p += 8) {
-        surfaces->surfaces[i] = (ref_surface){ref_u16(p), p[2], p[4]};
-        if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool read_faces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
-{
-    const uint8_t *p = ref_image_table(bytes, size, MAPPED_AT, 36, 65535, &surfaces->face_count);
-    surfaces->faces = calloc(surfaces->face_count + 1u, sizeof *surfaces->faces);
-    if (!p || !surfaces->faces) {
-        return false;
-    }
-    for (uint32_t i = 0; i < surfaces->face_count; i++, p += 36) {
-        ref_mapped_face *face = &surfaces->faces[i];
-        face->surface = ref_u16(p);
-        for (int k = 0; k < 3; k++) {
-            face->corners[k] = p[8 + k];
-            face->texels[k][0] = ref_i32(p + 12 + 8 * k) / REF_ONE;
-            face->texels[k][1] = ref_i32(p + 16 + 8 * k) / REF_ONE;
-        }
-        if ((uint32_t)face->surface >= surfaces->surface_count) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool read_map(const uint8_t *bytes, size_t size, const ref_scene *scene,
-                     ref_surfaces *surfaces)
-{
-    uint32_t count;
-    const uint8_t *p = ref_image_table(bytes, size, MAP_AT, 2, 1000000, &count);
-    surfaces->face_map = calloc(scene->face_count, sizeof *surfaces->face_map);
-    if (!p || count != scene->face_count || !surfaces->face_map) {
-        return false;
-    }
-    for (uint32_t i = 0; i < count; i++) {
-        const uint16_t number = ref_u16(p + 2 * (size_t)i);
-        if (number > surfaces->face_count) {
-            return false;
-        }
-        for (int k = 0; number && k < 3; k++) {
-            if (surfaces->faces[number - 1].corners[k] >= scene->faces[i].count) {
-                return false;
-            }
-        }
-        surfaces->face_map[i] = number;
-    }
-    return true;
-}
-
-bool ref_surfaces_read(const uint8_t *bytes, size_t size, ref_scene *scene)
-{
-    if (ref_u16(bytes + 6) <= MAP_AT) {
-        return true;
-    }
-    ref_surfaces *surfaces = calloc(1, sizeof *surfaces);
-    scene->surfaces = surfaces;
-    return surfaces && read_textures(bytes, size, surfaces) &&
-           read_surfaces(bytes, size, surfaces) && read_faces(bytes, size, surfaces) &&
-           read_map(bytes, size, scene, surfaces);
-}
-
-void ref_surfaces_close(ref_surfaces *surfaces)
-{
-    for (uint32_t i = 0; surfaces && surfaces->textures && i < surfaces->texture_count; i++) {
-        free(surfaces->textures[i].colours);
-    }
-    if (surfaces) {
-        free(surfaces->textures);
-        free(surfaces->surfaces);
-        free(surfaces->faces);
-        free(surfaces->face_map);
-    }
-    free(surfaces);
+    const uint8_t lit =
+        ref_surface_lit(view, (int64_t)floor(place.values[REF_BRIGHTNESS]), (uint8_t)texel);
+    return ref_surface_over(view, lit, beneath);
 }
