@@ -126,7 +126,7 @@ PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 # What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
 # walk-<visibility>-<clipper>, that differs in one object.
 CLIPPERS := view world normalised once half-spaces triangles near left
-VISIBILITIES := sorted box spans spans-box tree tree-spans
+VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces
 ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
 $(error there is no CLIPPER "$(CLIPPER)"; the clippers are: $(CLIPPERS))
 endif

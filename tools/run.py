@@ -112,9 +112,10 @@ def count_wrong_order(programs, image, folder, frames):
     """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
     and of how many.
 
-    None where the scene has light beams, whose faces no ray knows.
+    None where the scene has light beams or surfaces, which no ray knows.
     """
-    if scene_image.load(image).beams:
+    scene = scene_image.load(image)
+    if scene.beams or scene.surfaces:
         return None, 0
     every = -(-frames // RAYS_FRAMES_MAX)
     verdict = programs.raycast(image, folder / "double.fxld", folder / "rays.json", every)
@@ -159,9 +160,11 @@ def judged_rows(summary):
     return [["differ from double", f"{differing:,} of {pixels:,} pixels "
                                    f"({100 * differing / pixels:.5f} %), worst frame "
                                    f"{summary['worst_frame_differing']:,}"],
+            *([["by another texel", f"{summary['texel_pixels']:,}, within the bound of texture coordinates"]]
+              if summary["texel_pixels"] else []),
             ["unexplained", f"{summary['pixels_unexplained']:,}"],
             ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
-            ["wrong by the order", "not counted: the scene has light beams" if wrong is None else
+            ["wrong by the order", "not counted: the scene has light beams or surfaces" if wrong is None else
              f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
 
 
@@ -200,6 +203,7 @@ def judge(options, image, drawn, file, work):
     check_verdict(verdict, drawn, twin)
     wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames))
     return {"pixels_differing": verdict["pixels_differing"],
+            "texel_pixels": verdict["texel_pixels"],
             "pixels_unexplained": verdict["pixels_unexplained"],
             "worst_frame_differing": max(frame["pixels_differing"] for frame in verdict["frames"]),
             "max_edge_distance_px": verdict["max_edge_distance_px"],
@@ -207,7 +211,7 @@ def judge(options, image, drawn, file, work):
 
 
 # Of a program in which more moves than the eye: the reference renderer does not know what it draws.
-UNJUDGED = dict.fromkeys(["pixels_differing", "pixels_unexplained", "worst_frame_differing",
+UNJUDGED = dict.fromkeys(["pixels_differing", "texel_pixels", "pixels_unexplained", "worst_frame_differing",
                           "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
 
 

@@ -12,15 +12,20 @@ static uint32_t aligned(uint32_t bytes)
     return (bytes + 7u) & ~7u;
 }
 
-static const fxl_visibility *visibility_of(const fxl_scene *scene)
+static const fxl_visibility *visibility_of(const fxl_scene_image *image)
 {
 #if defined WALK_VISIBILITY
-    (void)scene;
+    (void)image;
     return &WALK_VISIBILITY;
-#elif defined WALK_WITHOUT_BSP
-    return scene->bsp_nodes != NULL ? NULL : &fxl_visibility_sorted;
 #else
-    return scene->bsp_nodes != NULL ? &fxl_visibility_bsp : &fxl_visibility_sorted;
+    if (image->scene.bsp_nodes == NULL) {
+        return image->surfaces.face_map != NULL ? &fxl_visibility_surfaces : &fxl_visibility_sorted;
+    }
+#if defined WALK_WITHOUT_BSP
+    return NULL;
+#else
+    return &fxl_visibility_bsp;
+#endif
 #endif
 }
 
@@ -59,7 +64,7 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, ui
     const fxl_scene *scene = &image->scene;
 
     methods->clipper = &WALK_CLIPPER;
-    methods->visibility = visibility_of(scene);
+    methods->visibility = visibility_of(image);
     if (methods->visibility == NULL) {
         return false;
     }

@@ -9,6 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "fixel/all.h"
+#include "looks.h"
 #include "methods.h"
 #include "path.h"
 
@@ -121,21 +122,19 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-/* How the list's memory is shared: what the act wants, what beams want, what the light wants, then
- * what the methods want; the rest is the list. In bytes, multiples of 8. */
+/* How the list's memory is shared: what the act wants, what the scene's looks want, then what the
+ * methods want; the rest is the list. In bytes, multiples of 8. */
 typedef struct {
-    uint32_t act, beams, light, taken;
+    uint32_t act, looks, taken;
 } shares;
 
 static int share_list(const fxl_scene_image *image, shares *of)
 {
-    const fxl_scene *scene = &image->scene;
     const uint32_t room = WALK_LIST_BYTES / 8 * 8;
 
     of->act = act_bytes(image);
-    of->beams = (fxl_beam_light_workspace_size(scene->beams, scene->beam_count) + 7u) & ~7u;
-    of->light = image->light.base != NULL ? ((uint32_t)sizeof(fxl_light) + 7u) & ~7u : 0;
-    of->taken = of->act + of->beams + of->light;
+    of->looks = walk_looks_bytes(image);
+    of->taken = of->act + of->looks;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree; "
                     "VISIBILITY=sorted draws without\n");
@@ -143,8 +142,9 @@ static int share_list(const fxl_scene_image *image, shares *of)
     }
     of->taken += walk_methods_bytes(&methods);
     if (of->taken > room) {
-        print_with_number("walk: motions, beams, light, clipper and visibility method need ",
-                          of->taken, " bytes");
+        print_with_number(
+            "walk: motions, beams, light, surfaces, clipper and visibility method need ", of->taken,
+            " bytes");
         print_with_number(", this board's display list has ", room, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
@@ -161,25 +161,6 @@ static uint32_t list_bytes(uint32_t taken)
 #else
     return left;
 #endif
-}
-
-/* Beams and light, which lie behind what the act has. */
-static fxl_status open_lights(const fxl_scene_image *image, uint8_t *memory, const shares *of)
-{
-    const fxl_scene *scene = renderer.scene;
-    fxl_light_settings settings;
-    fxl_status status = FXL_OK;
-
-    if (scene->beam_count > 0) {
-        status = fxl_renderer_set_beams(&renderer, scene->beams, scene->beam_count, scene->lit,
-                                        memory, of->beams);
-    }
-    if (status == FXL_OK && of->light > 0) {
-        fxl_light_settings_of(&image->light, &settings);
-        status =
-            fxl_renderer_set_light(&renderer, (fxl_light *)(void *)(memory + of->beams), &settings);
-    }
-    return status;
 }
 
 static int open_renderer(fxl_scene_image *image)
@@ -210,10 +191,10 @@ static int open_renderer(fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.beams + of.light);
+        status = walk_looks_open(image, &renderer, bytes + of.act);
     }
     if (status == FXL_OK) {
-        status = open_lights(image, bytes + of.act, &of);
+        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.looks);
     }
     if (status == FXL_OK) {
         status = act_attach(&renderer);

@@ -18,7 +18,7 @@
 typedef struct {
     const char *scene, *out;
     const named_clipper *clipper;
-    const named_visibility *visibility;
+    const named_visibility *visibility; /* null: that of the scene */
     const named_light *light;
     uint32_t frames, rows, list, cache, sliver, pieces;
 } options;
@@ -45,11 +45,8 @@ static bool parse_number(const char *text, uint32_t *number)
 
 static bool parse(int count, char **arguments, options *wanted)
 {
-    *wanted = (options){.clipper = find_clipper("view"),
-                        .visibility = find_visibility("sorted"),
-                        .list = 1u << 20,
-                        .cache = 256,
-                        .pieces = 1u << 20};
+    *wanted = (options){
+        .clipper = find_clipper("view"), .list = 1u << 20, .cache = 256, .pieces = 1u << 20};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         if (strncmp(name, "--", 2) != 0) {
@@ -67,6 +64,9 @@ static bool parse(int count, char **arguments, options *wanted)
             wanted->clipper = find_clipper(value);
         } else if (strcmp(name, "--hidden") == 0) {
             wanted->visibility = find_visibility(value);
+            if (!wanted->visibility) {
+                return false;
+            }
         } else if (strcmp(name, "--light") == 0) {
             wanted->light = find_light(value);
             if (!wanted->light) {
@@ -85,13 +85,14 @@ static bool parse(int count, char **arguments, options *wanted)
             }
         }
     }
-    return wanted->out && wanted->clipper && wanted->visibility;
+    return wanted->out && wanted->clipper;
 }
 
 /* A backend that goes with the clipper replaces the visibility method's. */
-static fxl_visibility visibility_of(const options *wanted)
+static fxl_visibility visibility_of(const options *wanted, const session *run)
 {
-    fxl_visibility visibility = *wanted->visibility->visibility;
+    fxl_visibility visibility =
+        wanted->visibility ? *wanted->visibility->visibility : *session_visibility(run);
     if (wanted->clipper->backend) {
         visibility.backend = visibility.backend == &fxl_raster_spans ? &fxl_raster_spans_box
                                                                      : wanted->clipper->backend;
@@ -108,7 +109,7 @@ static const char *open_scene(const options *wanted, session *run)
         return wrong;
     }
     const fxl_lens *lens = &run->image.lens;
-    visibility = visibility_of(wanted);
+    visibility = visibility_of(wanted, run);
     const session_settings settings = {
         .clipper = wanted->clipper->clipper,
         .visibility = &visibility,
@@ -187,8 +188,8 @@ int main(int count, char **arguments)
     printf("{\"clipper\": \"%s\", \"hidden\": \"%s\", \"frames\": %" PRIu32 ", \"drawn\": %" PRIu64
            ", \"clipped\": %" PRIu64 ", \"refused\": %" PRIu64 ", \"degenerate\": %" PRIu64
            ", \"intersections\": %" PRIu32 ", \"distances\": %" PRIu32 "}\n",
-           wanted.clipper->name, wanted.visibility->name, frames, counted.drawn, counted.clipped,
-           counted.refused, counted.degenerate, run.clipper_workspace.stats.intersections,
-           run.clipper_workspace.stats.distances);
+           wanted.clipper->name, wanted.visibility ? wanted.visibility->name : "unasked", frames,
+           counted.drawn, counted.clipped, counted.refused, counted.degenerate,
+           run.clipper_workspace.stats.intersections, run.clipper_workspace.stats.distances);
     return fflush(stdout) == 0 ? 0 : 2;
 }

@@ -16,10 +16,9 @@ static const named_clipper clippers[] = {
 };
 
 static const named_visibility methods[] = {
-    {"sorted", &fxl_visibility_sorted},
-    {"spans", &fxl_visibility_spans},
-    {"tree", &fxl_visibility_bsp},
-    {"tree-spans", &fxl_visibility_bsp_spans},
+    {"sorted", &fxl_visibility_sorted},     {"spans", &fxl_visibility_spans},
+    {"tree", &fxl_visibility_bsp},          {"tree-spans", &fxl_visibility_bsp_spans},
+    {"surfaces", &fxl_visibility_surfaces},
 };
 
 const named_clipper *find_clipper(const char *name)

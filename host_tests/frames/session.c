@@ -25,6 +25,11 @@ const char *session_open(session *run, const char *path)
         return "it cannot be read";
     }
     fxl_status status = fxl_scene_open(bytes, size, &run->image, NULL);
+    if (status == FXL_OK && run->image.surfaces.face_map) {
+        const uint32_t count = run->image.surfaces.texture_count;
+        status = fxl_surfaces_open(&run->image, session_memory(count * sizeof(fxl_texture)), count,
+                                   &run->surface_set, NULL);
+    }
     if (status == FXL_OK && run->image.motion.motion_count > 0) {
         fxl_scene *scene = &run->image.scene;
         const uint32_t turned = scene->instance_count - scene->first_turned;
@@ -34,6 +39,11 @@ const char *session_open(session *run, const char *path)
         status = fxl_motion_begin(&run->motion, &run->image.motion, scene, &memory);
     }
     return status == FXL_OK ? NULL : fxl_status_text(status);
+}
+
+const fxl_visibility *session_visibility(const session *run)
+{
+    return run->image.surfaces.face_map ? &fxl_visibility_surfaces : &fxl_visibility_sorted;
 }
 
 void session_play(const session *run, uint32_t frame)
@@ -77,6 +87,15 @@ static bool goes_by_bsp(const session *run, const fxl_visibility *visibility)
            visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
 }
 
+/* Lights flat faces and surfaces. */
+static fxl_status light_all(session *run, const fxl_light_settings *settings)
+{
+    const fxl_status status = fxl_renderer_set_light(&run->renderer, &run->light, settings);
+    return status == FXL_OK && run->image.surfaces.face_map
+               ? fxl_renderer_light_surfaces(&run->renderer, &run->light)
+               : status;
+}
+
 fxl_status session_set_up(session *run, const session_settings *settings)
 {
     const fxl_scene *scene = &run->image.scene;
@@ -88,6 +107,9 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     if (status == FXL_OK) {
         status = fxl_renderer_set_clipper(renderer, settings->clipper, &run->clipper_workspace,
                                           sizeof run->clipper_workspace);
+    }
+    if (status == FXL_OK && run->image.surfaces.face_map) {
+        status = fxl_renderer_set_surfaces(renderer, &run->surfaces, &run->surface_set);
     }
     if (status == FXL_OK) {
         status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,
@@ -106,7 +128,7 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     if (status == FXL_OK && run->image.light.base) {
         fxl_light_settings light;
         fxl_light_settings_of(&run->image.light, &light);
-        status = fxl_renderer_set_light(renderer, &run->light, &light);
+        status = light_all(run, &light);
     }
     return status;
 }
@@ -131,8 +153,7 @@ fxl_status session_light(session *run, const named_light *light)
     settings.ramp = run->ramp;
     fxl_status status =
         fxl_light_make_ramp(run->image.palette, light->dark, settings.levels, run->ramp);
-    return status == FXL_OK ? fxl_renderer_set_light(&run->renderer, &run->light, &settings)
-                            : status;
+    return status == FXL_OK ? light_all(run, &settings) : status;
 }
 
 fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,

@@ -22,6 +22,8 @@ typedef struct {
     fxl_renderer renderer;
     fxl_clipper_workspace clipper_workspace;
     fxl_memory memory;
+    fxl_surface_set surface_set; /* if the image has surfaces */
+    fxl_surfaces surfaces;
     fxl_light light;
     uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
     void *workspace, *pieces, *beam_light; /* the visibility method's, the tree's, the beams' */
@@ -29,6 +31,9 @@ typedef struct {
 
 /* Zeroed memory that lives until the program ends. Without memory, the program ends with 2. */
 void *session_memory(size_t size);
+
+/* The visibility method of a scene for which none is asked. */
+const fxl_visibility *session_visibility(const session *run);
 
 /* Reads and opens a scene image, which stays open until the program ends; what moves is as in
  * frame 0. Null, or what is wrong. */

@@ -2,6 +2,7 @@
 #include "judge/explain.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "reference/scan.h"
 
@@ -65,27 +66,124 @@ judge_box judge_box_of_drawn(const ref_drawn *drawn)
     return judge_box_of(judge_most(drawn, true));
 }
 
-double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t count,
-                     uint8_t background, double cx, double cy, uint8_t colour, bool doubt)
+/* The colours that a polygon may show at a pixel that it covers, and whether it may be clear there.
+ */
+typedef struct {
+    bool colours[256], clear;
+} showing;
+
+static int64_t down(double value)
 {
-    double best = INFINITY;
-    double uncovered = 0; /* the cost of putting every later polygon out */
-    for (size_t i = count; i-- > 0 && uncovered < best;) {
-        const ref_screen_polygon *least = judge_least(&drawn[i], doubt);
-        const ref_screen_polygon *most = judge_most(&drawn[i], doubt);
-        bool wanted = most->colour == colour;
-        bool near = box_holds(&boxes[i], cx, cy);
-        if (!near && (!wanted || box_is_beyond(&boxes[i], cx, cy, best))) {
-            continue;
-        }
-        if (wanted) {
-            bool in = near && ref_scan_covers(most, cx, cy);
-            double cost = in ? 0 : judge_edge_distance(most, cx, cy);
-            best = fmin(best, fmax(uncovered, cost));
-        }
-        if (near && ref_scan_covers(least, cx, cy)) {
-            uncovered = fmax(uncovered, judge_edge_distance(least, cx, cy));
+    return (int64_t)floor(value);
+}
+
+/* One texel at every level of light within the slack. part: of the slack, 0 or 1. */
+static void add_texel(const ref_surface_view *look, const ref_place *place, double part, int texel,
+                      showing *found)
+{
+    const double level = place->values[REF_BRIGHTNESS], slack = part * place->slack[REF_BRIGHTNESS];
+    if (texel == REF_CLEAR) {
+        found->clear = true;
+        return;
+    }
+    for (int64_t i = down(level - slack); i <= down(level + slack); i++) {
+        found->colours[ref_surface_lit(look, i, (uint8_t)texel)] = true;
+    }
+}
+
+/* Every texel that the place may be in. */
+static void add_texels(const ref_surface_view *look, const ref_place *place, double part,
+                       showing *found)
+{
+    const double u = place->values[REF_U], v = place->values[REF_V];
+    const double u_slack = part * place->slack[REF_U], v_slack = part * place->slack[REF_V];
+    for (int64_t row = down(v - v_slack); row <= down(v + v_slack); row++) {
+        for (int64_t column = down(u - u_slack); column <= down(u + u_slack); column++) {
+            add_texel(look, place, part, ref_surface_texel(look, column, row), found);
         }
     }
-    return background == colour ? fmin(best, uncovered) : best;
+}
+
+static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
+                         const judge_question *question, showing *found)
+{
+    const ref_surface_view *look = &drawn->look;
+    ref_place place;
+    *found = (showing){.clear = false};
+    if (!look->surface) {
+        found->colours[drawn->polygon.colour] = true;
+    } else if (!ref_stipple_draws(look->surface->opacity, question->x, question->y) ||
+               !ref_surface_place(look, lens, question->x + 0.5, question->y + 0.5, &place)) {
+        found->clear = true;
+    } else {
+        add_texels(look, &place, question->texels ? 1 : 0, found);
+    }
+}
+
+/* What a choice costs: to show a polygon, to leave it out. */
+typedef struct {
+    double in, out;
+} choice;
+
+/* costs[c]: what it costs that the colour c, beneath the polygons after this one, explains the
+ * pixel. Makes them those beneath this polygon too. Returns what it costs that the polygon itself
+ * explains the pixel. */
+static double add_polygon(const ref_surface_view *look, const showing *found, choice made,
+                          double costs[256])
+{
+    double before[256], shown = INFINITY;
+    memcpy(before, costs, sizeof before);
+    for (int c = 0; c < 256; c++) {
+        costs[c] = fmax(costs[c], made.out);
+    }
+    for (int c = 0; c < 256 && isfinite(made.in); c++) {
+        if (!found->colours[c]) {
+            continue;
+        }
+        if (!look->surface || !look->surface->blends) {
+            shown = fmin(shown, fmax(before[c], made.in));
+            continue;
+        }
+        for (int beneath = 0; beneath < 256; beneath++) {
+            const uint8_t mixed = ref_surface_over(look, (uint8_t)c, (uint8_t)beneath);
+            costs[beneath] = fmin(costs[beneath], fmax(before[mixed], made.in));
+        }
+    }
+    return shown;
+}
+
+static double least_of(const double costs[256])
+{
+    double least = INFINITY;
+    for (int c = 0; c < 256; c++) {
+        least = fmin(least, costs[c]);
+    }
+    return least;
+}
+
+double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+                     size_t count, const judge_question *question)
+{
+    const double cx = question->x + 0.5, cy = question->y + 0.5;
+    double best = INFINITY, least_cost = 0, costs[256];
+    for (int c = 0; c < 256; c++) {
+        costs[c] = c == question->colour ? 0 : INFINITY;
+    }
+    for (size_t i = count; i-- > 0 && least_cost < best;) {
+        const ref_screen_polygon *least = judge_least(&drawn[i], question->doubt);
+        const ref_screen_polygon *most = judge_most(&drawn[i], question->doubt);
+        bool near = box_holds(&boxes[i], cx, cy);
+        if (!near && box_is_beyond(&boxes[i], cx, cy, best)) {
+            continue;
+        }
+        showing found;
+        find_showing(lens, &drawn[i], question, &found);
+        const bool is_in = near && ref_scan_covers(most, cx, cy);
+        const bool is_out = found.clear || !near || !ref_scan_covers(least, cx, cy);
+        const choice made = {is_in ? 0 : judge_edge_distance(most, cx, cy),
+                             is_out ? 0 : judge_edge_distance(least, cx, cy)};
+        best = fmin(best, add_polygon(&drawn[i].look, &found, made, costs));
+        least_cost = least_of(costs);
+    }
+    return fmin(best, costs[question->background]);
 }

@@ -19,9 +19,18 @@ judge_box judge_box_of_drawn(const ref_drawn *drawn);
 /* Returns the distance in pixels from a point to the nearest edge of an outline. */
 double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y);
 
-/* Returns the smallest distance d that explains a colour at (cx, cy). Every polygon of the
- * reference renderer that has an edge within d of (cx, cy) may be put in or out there. d
- * explains the colour if some choice makes the last polygon that is in have that colour. Returns
+/* What is to be explained at the centre of a pixel. */
+typedef struct {
+    int x, y;
+    uint8_t colour;
+    uint8_t background;
+    bool doubt;  /* near and far may leave more or less of a polygon; see below */
+    bool texels; /* a face may show another texel within the bound of its coordinates */
+} judge_question;
+
+/* Returns the smallest distance d that explains a colour at a pixel's centre. Every polygon of the
+ * reference renderer that has an edge within d of the centre may be put in or out there. d
+ * explains the colour if some choice makes the last polygon that is in show that colour. Returns
  * infinity where no choice does. boxes holds each polygon's bounds.
  *
  * A choice that shows polygon i puts i in: this costs 0 if it is in already, else the distance
@@ -32,8 +41,13 @@ double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y
  * doubt: near and far may leave anything of a polygon from its least to its most
  * (docs/accuracy.md, section 4). Putting it in then costs 0 where its most is in, else the
  * distance of an edge of its most. Putting it out costs 0 where its least is out, else the
- * distance of an edge of its least. */
-double judge_explain(const ref_drawn *drawn, const judge_box *boxes, size_t count,
-                     uint8_t background, double cx, double cy, uint8_t colour, bool doubt);
+ * distance of an edge of its least.
+ *
+ * A polygon with a surface shows the colour of its texel there at its level of light, or with
+ * texels: of any texel and any level within their bounds (reference/surface.h). Where its texel is
+ * clear, putting it out costs 0. Where it is blended, it shows what the table makes of its colour
+ * and of the one beneath; so the cost is found for each colour that may be beneath. */
+double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+                     size_t count, const judge_question *question);
 
 #endif

@@ -2,7 +2,8 @@
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
  *     [--clipper NAME] [--hidden NAME]
  *
- * --hidden names the visibility method. Without it, a scene that has a tree is drawn by it.
+ * --hidden names the visibility method. Without it, a scene that has a tree is drawn by it, and
+ * one that has surfaces with them.
  * Renders every frame of a board's dump with the reference renderer in double precision, from
  * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
  * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
@@ -23,6 +24,7 @@ typedef struct {
     unsigned cuts; /* the planes that the board's clipper cuts by */
     bool by_points;
     bool by_bsp; /* the board drew in the order of the scene's BSP */
+    bool flat;   /* the board drew faces in their own colours */
     double distance;
     const named_light *light; /* in which the board drew; or null */
 } options;
@@ -91,9 +93,9 @@ static void say_frame(report *out, uint32_t number, const judge_frame *frame)
 {
     say(out,
         "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_tied\": %u, "
-        "\"pixels_near_far\": %u, \"pixels_unexplained\": %u, ",
+        "\"pixels_near_far\": %u, \"texel_pixels\": %u, \"pixels_unexplained\": %u, ",
         (unsigned)number, (unsigned)frame->differing, (unsigned)frame->tied,
-        (unsigned)frame->near_far, (unsigned)frame->unexplained);
+        (unsigned)frame->near_far, (unsigned)frame->texels, (unsigned)frame->unexplained);
     say_distance(out, "max_edge_distance_px", frame->max_distance);
     if (frame->unexplained > 0) {
         say(out, ",\n     \"first_unexplained\": [");
@@ -115,12 +117,13 @@ static void say_all(report *out, const options *wanted, const session *run)
 {
     uint32_t count = run->dump.frame_count;
     uint64_t pixels = (uint64_t)run->dump.width * (uint64_t)run->dump.height * count;
-    uint64_t differing = 0, tied = 0, near_far = 0, unexplained = 0, inexplicable = 0;
+    uint64_t differing = 0, tied = 0, near_far = 0, texels = 0, unexplained = 0, inexplicable = 0;
     double farthest = -1;
     for (uint32_t i = 0; i < count; i++) {
         differing += run->frames[i].differing;
         tied += run->frames[i].tied;
         near_far += run->frames[i].near_far;
+        texels += run->frames[i].texels;
         unexplained += run->frames[i].unexplained;
         inexplicable += run->frames[i].inexplicable;
         farthest = fmax(farthest, run->frames[i].max_distance);
@@ -129,6 +132,7 @@ static void say_all(report *out, const options *wanted, const session *run)
         wanted->distance, (unsigned long long)pixels, (unsigned long long)differing);
     say(out, "  \"pixels_tied\": %llu,\n", (unsigned long long)tied);
     say(out, "  \"pixels_near_far\": %llu,\n", (unsigned long long)near_far);
+    say(out, "  \"texel_pixels\": %llu,\n", (unsigned long long)texels);
     say(out, "  \"pixels_unexplained\": %llu,\n  \"pixels_inexplicable\": %llu,\n  ",
         (unsigned long long)unexplained, (unsigned long long)inexplicable);
     say_distance(out, "max_edge_distance_px", farthest);
@@ -171,7 +175,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
-            if (!ref_visibility_goes_by_bsp(value, &wanted->by_bsp)) {
+            if (!ref_visibility_draws(value, &wanted->by_bsp, &wanted->flat)) {
                 return false;
             }
         } else if (strcmp(name, "--light") == 0) {
@@ -234,7 +238,8 @@ static int judge(const options *wanted, session *run)
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
-                      wanted->distance, run->frames, wanted->twin ? &run->twin : NULL)) {
+                      wanted->flat, wanted->distance, run->frames,
+                      wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s, or the library refuses its scene",
                     wanted->dump);
     }

@@ -27,6 +27,7 @@ typedef struct {
     unsigned cuts;
     bool by_points;
     bool by_bsp;
+    bool flat;
     double distance;
     judge_frame *frames;
     judge_dump *twin;
@@ -61,23 +62,31 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
     }
 }
 
-/* Sets the pixel's distance. Returns true where explaining it needs near and far moved by the
- * bound on depths. */
-static bool explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
-                    judge_sample *pixel)
+/* Sets the pixel's distance. Counts where explaining it needs near and far moved by the bound on
+ * depths, or another texel within the bound. */
+static void explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
+                    judge_sample *pixel, judge_frame *frame)
 {
-    for (int doubt = 0; doubt < 2; doubt++) {
-        double distance = judge_explain(renderer->display_list.drawn, boxes,
-                                        renderer->display_list.count, work->image->background,
-                                        pixel->x + 0.5, pixel->y + 0.5, pixel->board, doubt);
-        if (doubt == 0 || distance <= work->distance) {
+    const ref_display_list *list = &renderer->display_list;
+    judge_question question = {.x = pixel->x,
+                               .y = pixel->y,
+                               .colour = pixel->board,
+                               .background = work->image->background};
+    const int ways = work->image->scene.surfaces ? 4 : 2;
+    for (int way = 0; way < ways; way++) {
+        question.doubt = way & 1;
+        question.texels = way & 2;
+        double distance =
+            judge_explain(&renderer->lens, list->drawn, boxes, list->count, &question);
+        if (way == 0 || distance <= work->distance) {
             pixel->distance = distance;
         }
         if (distance <= work->distance) {
-            return doubt;
+            frame->near_far += question.doubt;
+            frame->texels += question.texels;
+            return;
         }
     }
-    return false;
 }
 
 static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
@@ -152,7 +161,7 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
                 return false;
             }
             judge_sample pixel = {x, y, *board, *twin, 0};
-            frame->near_far += explain(work, renderer, boxes, &pixel);
+            explain(work, renderer, boxes, &pixel, frame);
             count_pixel(frame, &pixel, work->distance);
             frame->tied += is_tied(work, renderer, boxes, &view, x, y);
         }
@@ -203,6 +212,7 @@ static void *run_worker(void *argument)
     renderer.cuts = work->cuts;
     renderer.by_points = work->by_points;
     renderer.by_bsp = work->by_bsp;
+    renderer.draws_flat = work->flat;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
@@ -225,7 +235,7 @@ static void *run_worker(void *argument)
 }
 
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, double distance, judge_frame *frames, judge_dump *twin)
+                  bool by_bsp, bool flat, double distance, judge_frame *frames, judge_dump *twin)
 {
     job work = {.scene = scene,
                 .image = scene->image,
@@ -233,6 +243,7 @@ bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cut
                 .cuts = cuts,
                 .by_points = by_points,
                 .by_bsp = by_bsp,
+                .flat = flat,
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,

@@ -20,6 +20,7 @@ typedef struct {
     uint32_t differing;
     uint32_t tied;         /* of the differing pixels: the centre is exactly on an edge */
     uint32_t near_far;     /* of the differing pixels: explained with near and far moved */
+    uint32_t texels;       /* of the differing pixels: explained with texels within their bound */
     uint32_t unexplained;  /* explained only beyond the allowed distance, or not at all */
     uint32_t inexplicable; /* not at all */
     double max_distance;   /* the largest finite one; negative where nothing differs */
@@ -36,10 +37,11 @@ typedef struct {
 /* Judges every frame, on as many threads as there are processors. frames has room for
  * dump->frame_count. cuts: the planes that the board's clipper cuts by (reference/clipper.h).
  * by_points: that clipper works from points rounded in the world. by_bsp: the board drew in the
- * order of the scene's BSP. twin (may be null) receives the pixels of the reference renderer.
+ * order of the scene's BSP. flat: it drew
+ * faces in their own colours. twin (may be null) receives the pixels of the reference renderer.
  * Prints progress on stderr. Returns false where memory is short, or where the library
  * refuses a scene in which something moves. */
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, double distance, judge_frame *frames, judge_dump *twin);
+                  bool by_bsp, bool flat, double distance, judge_frame *frames, judge_dump *twin);
 
 #endif

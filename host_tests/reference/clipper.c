@@ -37,15 +37,17 @@ bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points)
 
 static const struct {
     const char *name;
-    bool by_bsp;
-} methods[] = {{"sorted", false},    {"box", false}, {"spans", false},
-               {"spans-box", false}, {"tree", true}, {"tree-spans", true}};
+    bool by_bsp, flat;
+} methods[] = {{"sorted", false, true},    {"box", false, true}, {"spans", false, true},
+               {"spans-box", false, true}, {"tree", true, true}, {"tree-spans", true, true},
+               {"surfaces", false, false}};
 
-bool ref_visibility_goes_by_bsp(const char *name, bool *by_bsp)
+bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat)
 {
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
-        if (strcmp(name, methods[i].name) == 0) {
+        if (strcmp(methods[i].name, name) == 0) {
             *by_bsp = methods[i].by_bsp;
+            *flat = methods[i].flat;
             return true;
         }
     }

@@ -18,8 +18,9 @@
 /* Looks a clipper up by its name. Returns false where no clipper has that name. */
 bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points);
 
-/* Whether a visibility method of this name draws a scene that has a BSP tree by the tree. Returns
- * false where no method has that name. A span buffer gives the same picture as drawing over. */
-bool ref_visibility_goes_by_bsp(const char *name, bool *by_bsp);
+/* How a visibility method of this name draws: by_bsp: a scene that has a BSP tree by the tree;
+ * flat: faces in their own colours, whatever surfaces they have. Returns false where no method has
+ * that name. A span buffer gives the same picture as drawing over. */
+bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef REF_DISPLAY_LIST_H
 #define REF_DISPLAY_LIST_H
 
-#include "reference/record.h"
+#include "reference/surface.h"
 
 /* A polygon that was drawn: its outline in the reference renderer, the rows that it reaches, and
  * the face that it came from. */
@@ -12,6 +12,7 @@ typedef struct {
         polygon; /* no points: the reference renderer leaves it out; but see in_doubt */
     ref_rows rows;
     uint32_t instance, face; /* numbers in the scene and in the model */
+    ref_surface_view look;   /* of the face */
 
     /* Whether the rounding of depths may decide what near and far leave of the polygon
      * (docs/accuracy.md, section 4). If so, least and most are the least and the most that they

@@ -104,8 +104,8 @@ static double from_point(const ref_point_light *light, ref_point middle, ref_poi
            (1 - (distance / light->range) * (distance / light->range));
 }
 
-static double brightness(const ref_light *light, const ref_camera *camera, ref_point middle,
-                         ref_point normal)
+double ref_light_brightness(const ref_light *light, const ref_camera *camera, ref_point middle,
+                            ref_point normal)
 {
     double sum = light->ambient + light->strength * fmax(0, -dot(normal, light->direction));
     for (int i = 0; i < light->point_count; i++) {
@@ -130,6 +130,7 @@ uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const
     }
     const ref_point normal = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
     const double exact =
-        brightness(light, camera, middle_of(scene, instance, face), normal) * (light->levels - 1);
+        ref_light_brightness(light, camera, middle_of(scene, instance, face), normal) *
+        (light->levels - 1);
     return light->ramp[(int)floor(exact + 0.5)][face->material];
 }

@@ -36,6 +36,10 @@ void ref_light_make_ramp(ref_light *light, const uint8_t *palette, const uint8_t
 void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points, int point_count,
                     const uint8_t *ramp, int levels);
 
+/* The brightness of a place of the world with a normal, 0..1. */
+double ref_light_brightness(const ref_light *light, const ref_camera *camera, ref_point place,
+                            ref_point normal);
+
 /* The colour of a face in the light. */
 uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
                          const ref_instance *instance, const ref_face *face);

@@ -7,6 +7,12 @@ ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *v
                               (double)(lens->centre_y - lens->focal * view->y / view->z)};
 }
 
+ref_view_point ref_ray_through(const ref_lens *lens, const ref_screen_point *screen)
+{
+    return (ref_view_point){screen->x - lens->width / 2.0L, lens->height / 2.0L - screen->y,
+                            lens->focal};
+}
+
 void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,
                          ref_screen_polygon *screen)
 {

@@ -115,6 +115,21 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
     }
 }
 
+/* Whether surfaces are drawn: no BSP draws them. */
+static bool draws_surfaces(const ref_renderer *renderer)
+{
+    const ref_scene *scene = renderer->scene;
+    return scene->surfaces && !renderer->draws_flat && !(renderer->by_bsp && scene->bsp_nodes);
+}
+
+/* Whether a face of an instance shows a surface. */
+static bool shows_surface(const ref_renderer *renderer, const ref_instance *instance, uint32_t face)
+{
+    const ref_scene *scene = renderer->scene;
+    return draws_surfaces(renderer) &&
+           scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
+}
+
 bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
                         uint32_t face, ref_counters *counters)
 {
@@ -128,6 +143,10 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
     }
     if (drawn.polygon.count == 0 && drawn.most.count == 0) {
         return true;
+    }
+    if (draws_surfaces(renderer)) {
+        ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
+                         &renderer->scene->instances[instance], face, &drawn.look);
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_display_list_append(&renderer->display_list, &drawn);
@@ -198,14 +217,17 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
 {
     const ref_instance *instance = &renderer->scene->instances[instance_number];
     const ref_model *model = &renderer->scene->models[instance->model];
-    if (ref_beam_light_reaches(renderer->scene, &instance->centre,
+    if (!shows_surface(renderer, instance, face_number) &&
+        ref_beam_light_reaches(renderer->scene, &instance->centre,
                                ref_instance_radius(renderer->scene, instance))) {
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
     const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
     ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points, &whole);
-    whole.colour = ref_face_colour(renderer, instance, face);
+    whole.colour = shows_surface(renderer, instance, face_number)
+                       ? face->material
+                       : ref_face_colour(renderer, instance, face);
     return ref_submit_polygon(renderer, &whole, instance_number, face_number, &renderer->counters);
 }
 
@@ -294,6 +316,23 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     return true;
 }
 
+static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, const ref_band *band,
+                      const ref_span *span)
+{
+    if (!drawn->look.surface) {
+        ref_fill_span(band, span, drawn->polygon.colour);
+        return;
+    }
+    const uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
+    for (int x = span->x0; x < span->x1; x++) {
+        const int colour = ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
+        if (colour != REF_CLEAR) {
+            const ref_span pixel = {span->y, x, x + 1};
+            ref_fill_span(band, &pixel, (uint8_t)colour);
+        }
+    }
+}
+
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
 {
     ref_rows rows = {band->first_row, band->first_row + band->rows};
@@ -304,7 +343,7 @@ void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
         ref_span span;
         ref_scan_begin(&drawn->polygon, band, &scan);
         while (ref_scan_next(&scan, &span)) {
-            ref_fill_span(band, &span, drawn->polygon.colour);
+            draw_span(renderer, drawn, band, &span);
         }
     }
 }

@@ -21,6 +21,7 @@ typedef struct {
     ref_display_list display_list; /* the frame's polygons */
     bool keeps_doubt;              /* set before a frame: the list says what depends on rounding */
     bool by_bsp;                   /* set before a frame: draw by the BSP, if the scene has one */
+    bool draws_flat;               /* set before a frame: faces have their own colours */
     bool by_points;                /* set before a frame: the clipper works from rounded points */
     uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
 } ref_renderer;

@@ -2,6 +2,7 @@
 #include "reference/scene.h"
 
 #include "reference/light.h"
+#include "reference/surface.h"
 #include "reference/turn.h"
 
 #include <math.h>
@@ -87,6 +88,12 @@ static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, 
         return NULL;
     }
     return bytes + offset;
+}
+
+const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
+                               uint32_t maximum, uint32_t *count)
+{
+    return table_at(bytes, size, field, entry_size, maximum, count);
 }
 
 static bool coordinate_is_sound(int64_t c)
@@ -206,7 +213,7 @@ static bool geometry_is_sound(const ref_scene *scene)
 static bool read_light(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     uint32_t lights, points = 0, levels;
-    if (ref_u16(bytes + 4) < 6) {
+    if (ref_u16(bytes + 4) < 6 || (ref_u16(bytes + 6) > 232 && ref_u32(bytes + 212) == 0)) {
         return true;
     }
     const uint8_t *base = table_at(bytes, size, 208, 28, 1, &lights);
@@ -430,10 +437,10 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     }
     uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
     if (version < 2 || version > 6 ||
-        header != (version == 6                     ? 232
-                   : version == 5                   ? 208
-                   : header == 176 || header == 184 ? header
-                                                    : 160)) {
+        !(header == 232 || header == 296 ? version == 6
+          : header == 208                ? version == 5
+          : version > 4                  ? false
+                                         : header == 160 || header == 176 || header == 184)) {
         return "this version of the scene image is not known";
     }
     uint32_t stated = ref_u32(bytes + 8);
@@ -474,6 +481,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_light(bytes, stated, image)) {
         return "the scene image's light is not usable";
     }
+    if (!ref_surfaces_read(bytes, stated, &image->scene)) {
+        return "the scene image's surfaces are not usable";
+    }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";
     }
@@ -501,6 +511,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.beams);
     free(image->scene.clusters);
     free(image->light);
+    ref_surfaces_close(image->scene.surfaces);
     free(image->poses);
     free(image->segments);
     memset(image, 0, sizeof *image);

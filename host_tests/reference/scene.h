@@ -71,6 +71,7 @@ typedef struct {
 } ref_beam;
 
 typedef struct ref_light ref_light;
+typedef struct ref_surfaces ref_surfaces;
 
 typedef struct {
     ref_lattice_point *vertices; /* relative to the instance's centre */
@@ -88,6 +89,7 @@ typedef struct {
     uint32_t cluster_count;
     ref_turn *turns; /* of the instances from first_turned on; null where there are none */
     uint32_t first_turned;
+    ref_surfaces *surfaces; /* null where there are none */
     const ref_light *light; /* light at run time; or null */
 } ref_scene;
 
@@ -118,6 +120,11 @@ uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size);
 uint16_t ref_u16(const uint8_t *bytes);
 uint32_t ref_u32(const uint8_t *bytes);
 int32_t ref_i32(const uint8_t *bytes);
+
+/* Returns the first entry of the table whose offset and count stand at field of the header; null,
+ * and *count 0, where it is not usable. */
+const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
+                               uint32_t maximum, uint32_t *count);
 
 /* Reads a pose of 24 bytes (position, yaw, pitch, roll), as here and in the frame dump. */
 ref_pose ref_pose_read(const uint8_t *bytes);

@@ -6,7 +6,7 @@ from math import isqrt
 import struct
 import zlib
 
-from fixel import image_beam, image_cluster, image_keys, image_lens, image_light, image_turn, reading
+from fixel import image_beam, image_cluster, image_keys, image_lens, image_light, image_surface, image_turn, reading
 from fixel.errors import ToolError
 from fixel.image_tree import (NODE, NODES_MAX, NORMAL_SQUARE_MAX_ERROR, SORTED, Node, Tree,
                               check_tree, fail)
@@ -18,6 +18,7 @@ LIT_HEADER_SIZE = HEADER_SIZE + image_beam.LIT_HEADER.size               # of a 
 CLUSTER_HEADER_SIZE = LIT_HEADER_SIZE + image_cluster.HEADER.size        # of a scene with clusters
 TURN_HEADER_SIZE = CLUSTER_HEADER_SIZE + image_turn.HEADER.size          # of a scene with turned objects
 LIGHT_HEADER_SIZE = TURN_HEADER_SIZE + image_light.HEADER.size           # of a scene with light at run time
+SURFACE_HEADER_SIZE = LIGHT_HEADER_SIZE + image_surface.HEADER.size      # of a scene with surfaces
 IMAGE_MAX = 16 << 20
 
 COORDINATE_MAX = 8191 << 16
@@ -50,6 +51,7 @@ class Face:
     normal: tuple       # 2.30
     corners: tuple      # numbers of vertices within the model, clockwise from the front
     colour: int
+    mapped: image_surface.Mapped = None     # its surface
 
 
 @dataclass
@@ -91,6 +93,7 @@ class SceneImage:
     turns: list = field(default_factory=list)       # of the last objects
     motions: list = field(default_factory=list)     # of the last of those
     light: image_light.Light = None                 # at run time
+    surfaces: image_surface.Surfaces = None
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
     size: int = field(default=0, compare=False)
@@ -130,10 +133,10 @@ def _model_tables(image):
     return [vertices, corners, faces, models], keys, clusters
 
 
-def _kind(nodes, beams, clusters, turns, light):
+def _kind(nodes, beams, clusters, turns, light, surfaces):
     """The version of an image, and the size of its header."""
-    if light:
-        return VERSION_LIGHT, LIGHT_HEADER_SIZE
+    if light or surfaces:
+        return VERSION_LIGHT, SURFACE_HEADER_SIZE if surfaces else LIGHT_HEADER_SIZE
     if turns:
         return VERSION_TURNS, TURN_HEADER_SIZE
     if clusters:
@@ -150,7 +153,8 @@ def pack(image):
     beams = [beam.pack() for beam in image.beams]
     turns, motions, motion_keys = image_turn.tables(image.turns, image.motions)
     light = image.light.tables() if image.light else [[], [], []]
-    version, header_size = _kind(nodes, beams, clusters, turns, light[0])
+    surfaces = image_surface.tables(image.surfaces, image.models)
+    version, header_size = _kind(nodes, beams, clusters, turns, light[0], image.surfaces)
     body, where = image_lens.CENTRE.pack(*image.centre) if image.centre else b"", []
 
     def place(table):
@@ -169,6 +173,8 @@ def pack(image):
     more += image_cluster.HEADER.pack(*place(clusters))
     more += image_turn.HEADER.pack(*place(turns), *place(motions), *place(motion_keys))
     more += image_light.HEADER.pack(*(number for table in light for number in place(table)))
+    more += image_surface.HEADER.pack(*(number for table in surfaces for number in place(table)),
+                                      image.surfaces.blend_first if image.surfaces else 0, 0)
     more = more[:header_size - HEADER_SIZE]
     size = header_size + len(body)
     if size > IMAGE_MAX:
@@ -196,7 +202,7 @@ def _head(blob):
         fail("magic", "this is not a scene image (it does not begin with FXLS)")
     sizes = {VERSION: [HEADER_SIZE], VERSION_MORE: [HEADER_SIZE, LIT_HEADER_SIZE],
              VERSION_CLUSTERS: [CLUSTER_HEADER_SIZE], VERSION_TURNS: [TURN_HEADER_SIZE],
-             VERSION_LIGHT: [LIGHT_HEADER_SIZE]}
+             VERSION_LIGHT: [LIGHT_HEADER_SIZE, SURFACE_HEADER_SIZE]}
     if version not in sizes:
         fail("version", f"a scene image of version {version}; this tool knows versions {VERSION} "
              f"to {VERSION_LIGHT}")
@@ -208,6 +214,10 @@ def _head(blob):
         fail("crc", "the checksum does not match: the image is damaged")
     if fields[13] > 1 or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
         fail("reserved", "a reserved field of the header is not zero, or the kind of the path is unknown")
+    if header_size == SURFACE_HEADER_SIZE:
+        *_, blend, first, reserved = image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)
+        if reserved or not blend and first:
+            fail("reserved", "a reserved field of the header is not zero")
     if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
         fail("version", f"version {VERSION_MORE} of a scene image without a BSP tree or beams")
     if size - header_size < fields[13] * image_lens.CENTRE.size:
@@ -249,10 +259,10 @@ def _tables(blob, fields):
               ("turns", image_turn.TURN, 1, 65_535), ("motions", image_turn.MOTION, 1, 65_535),
               ("motion keys", image_turn.KEY, 1, image_turn.KEYS_MAX), ("light", image_light.BASE, 1, 1),
               ("point lights", image_light.POINT, 1, image_light.POINTS_MAX),
-              ("levels", image_light.LEVEL, 1, image_light.LEVELS_MAX)]
+              ("levels", image_light.LEVEL, 1, image_light.LEVELS_MAX), *image_surface.TABLES]
     optional = {"keys", "nodes", "beams", "lit", "clusters", "turns", "motions", "motion keys", "light", "point lights",
-                "levels"}
-    beams, lit, clusters, turns, light = (0, 0), (0, 0), (0, 0), (0,) * 6, (0,) * 6
+                "levels", *(name for name, *_ in image_surface.TABLES)}
+    beams, lit, clusters, turns, light, surfaces = (0, 0), (0, 0), (0, 0), (0,) * 6, (0,) * 6, (0,) * 14
     if fields[2] != HEADER_SIZE:
         *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
         if reserved:
@@ -265,11 +275,14 @@ def _tables(blob, fields):
     if fields[2] >= TURN_HEADER_SIZE:
         turns = image_turn.HEADER.unpack_from(blob, CLUSTER_HEADER_SIZE)
         optional = optional - {"turns"} | {"clusters"}
-    if fields[2] == LIGHT_HEADER_SIZE:
+    if fields[2] >= LIGHT_HEADER_SIZE:
         light = image_light.HEADER.unpack_from(blob, TURN_HEADER_SIZE)
         optional = optional - {"light", "levels"} | {"turns"}
+    if fields[2] == SURFACE_HEADER_SIZE:
+        *surfaces, _, _ = image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)
+        optional = optional - image_surface.NEEDED | {"light"} | ({"levels"} if not light[1] else set())
     places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters,
-              turns[:2], turns[2:4], turns[4:], light[:2], light[2:4], light[4:]]
+              turns[:2], turns[2:4], turns[4:], light[:2], light[2:4], light[4:], *zip(surfaces[::2], surfaces[1::2])]
     size, tables = fields[3], []
     for (offset, count), (name, entry, low, high) in zip(places, limits):
         if name in optional and not count:
@@ -289,6 +302,10 @@ def _tables(blob, fields):
             fail("count", f"{len(held)} {name} are fewer than 3")
     if len(tables[12]) > len(tables[5]) or len(tables[13]) > len(tables[12]):
         fail("count", f"{len(tables[5])} objects, {len(tables[12])} turns and {len(tables[13])} motions do not go together")
+    if not tables[15] and (tables[16] or tables[17]):
+        fail("count", "there are point lights or levels, but no light")
+    if tables[22] and len(tables[22]) != len(tables[3]):
+        fail("count", f"{len(tables[22])} entries of the face map for {len(tables[3])} faces")
     return tables
 
 
@@ -396,6 +413,11 @@ def _centre(blob, fields):
     return centre
 
 
+def _blend_first(blob, fields):
+    """The first colour of the blend table; 0 without one."""
+    return image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)[-2] if fields[2] == SURFACE_HEADER_SIZE else 0
+
+
 def unpack(blob):
     """The scene of an image; ToolError names what is wrong, as the loader would."""
     fields = _head(blob)
@@ -406,7 +428,7 @@ def unpack(blob):
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
     palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters, turns, motions, \
-        motion_keys, light, points, ramp = _tables(blob, fields)
+        motion_keys, light, points, ramp, *surfaces = _tables(blob, fields)
     _check_faces(faces, corners)
     models, extras = _read_models(models, vertices, corners, faces)
     objects = _read_objects(objects, models)
@@ -433,8 +455,10 @@ def unpack(blob):
     motions = image_turn.read_motions(motions, motion_keys, radii)
     light = image_light.read(light, points, ramp)
     _check_path(kind, path, fields[38])
+    surfaces = image_surface.read(surfaces, _blend_first(blob, fields), models)
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, size=fields[3], crc=fields[4])
+                      kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, surfaces,
+                      size=fields[3], crc=fields[4])
 
 
 def load(path):

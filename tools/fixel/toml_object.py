@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 
-from fixel import image, palette, quantity, solids, toml_model, toml_motion
+from fixel import image, palette, quantity, solids, toml_model, toml_motion, toml_texture
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
@@ -17,7 +17,7 @@ from fixel.turning import matrix, sine_cosine
 KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "inside", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS}
+        "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
 _RING = {"count", "radius", "start", "turn", "turned"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
@@ -37,6 +37,7 @@ class Placement:
     clusters: bool
     where: str
     name: str = None
+    looks: tuple = ()       # a surfaces.Look or None for each face; none if no face has a surface
     life: object = None     # a toml_motion.Life, of what is turned; its centre is then without the rise
 
 
@@ -143,10 +144,11 @@ def _places(table, room):
 class Objects:
     """Compiles the objects of one scene. notes are told to the user, once each."""
 
-    def __init__(self, name, folder, light, notes, progress=None, files=None):
+    def __init__(self, name, folder, light, notes, progress=None, files=None, textures=None):
         self.name, self.folder, self.light = name, folder, light
         self.notes, self.progress = notes, progress
         self.files, self.shapes, self.coloured, self.surfaces = files or {}, {}, {}, {}
+        self.textures, self.looks = textures or {}, {}
         self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
 
     def mesh(self, table):
@@ -167,21 +169,26 @@ class Objects:
         self.notes += notes
         return self.files[name], name, (name,)
 
-    def _shape(self, table, scale, rotation):
-        """The shape and whether it is convex, computed once for each mesh, size and turn."""
+    def _shape(self, table, scale, rotation, look):
+        """The shape, whether it is convex, and where its corners are on its textures, computed once for each mesh, size,
+        turn and texture."""
         mesh, name, identity = self.mesh(table)
         inside = table.switch("inside", False)
         rotation = tuple(a % 360 for a in rotation)
         sides = self._sides(table)
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
-        key = (identity, scale, rotation, inside, sides, wanted)
+        wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
+        key = (identity, scale, rotation, inside, sides, wanted, look.key)
         if key not in self.shapes:
             self._check_made(len(mesh.faces), table.where)
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)
-            self.shapes[key] = (made, is_convex(made.vertices, made.faces))
+            convex, coordinates = is_convex(made.vertices, made.faces), None
+            if look.wanted():
+                made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
+            self.shapes[key] = (made, convex, coordinates)
         return self.shapes[key]
 
     @staticmethod
@@ -216,8 +223,8 @@ class Objects:
             self.notes.append(f"{table.where}: not convex, so its faces are sorted far to near")
         return image.CONVEX if convex and stated != "sorted" else image.SORTED
 
-    def _wish(self, table):
-        """What colours an object's faces wish for, as a key of self.coloured."""
+    def _wish(self, table, look):
+        """What colours an object's faces wish for, as a key of self.coloured. With textures: their mean colours."""
         if "colour_index" in table:
             return ("index", table.whole("colour_index", None, 1, 255) - 1, table.whole("colour_next", 0, 0, 254),
                     table.whole("colour_step", 0, 0, 254))
@@ -230,7 +237,8 @@ class Objects:
         elif "colour" not in table and "solid" not in table and self.mesh(table)[0].surfaces:
             bases = self._of_file(self.mesh(table)[1])
         else:
-            bases = (palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour")),)
+            own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
+            bases = (own,) if "colour" in table else tuple(p.picture.mean() if p else own for p in look.paints)
         return "shaded" if table.switch("shade", True) else "plain", bases
 
     def _of_file(self, name):
@@ -262,6 +270,16 @@ class Objects:
         self.coloured[key] = colours
         return colours
 
+    def _looks(self, made, coordinates, look, shaded, where):
+        """The looks of a shape's faces; the same object for the same wish."""
+        if coordinates is None:
+            return ()
+        key = id(made), look.key, shaded
+        if key not in self.looks:
+            bake = self.light.bake if shaded else lambda colour, _normal: colour
+            self.looks[key] = look.looks(made, coordinates, bake, where)
+        return self.looks[key]
+
     def _check_made(self, faces, where):
         """Refuses more faces than a scene may make of its files."""
         most = MADE_MAX + sum(len(mesh.faces) for mesh in self.files.values())
@@ -285,7 +303,8 @@ class Objects:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
-        layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table)
+        look = toml_texture.Wish(table, self.textures)
+        layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = _places(table, PLACEMENTS_MAX - self.count)
         self.count += len(places)
@@ -299,11 +318,11 @@ class Objects:
             key = baked, i if "colour_next" in table else 0
             place = where + (f", copy {i}" if i else "")
             if key not in known:
-                made, convex = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]))
+                made, convex, coordinates = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]), look)
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
                 known[key] = (made, moved, self._kind(table, convex), self._colours(made, wish, i, clusters, place),
-                              _ends(made, moved))
-            made, moved, kind, colours, ends = known[key]
+                              _ends(made, moved), self._looks(made, coordinates, look, wish[0] == "shaded", place))
+            made, moved, kind, colours, ends, looks = known[key]
             self._count_placed(len(made.vertices), place)
             if clusters and kind != image.SORTED:
                 raise ToolError(f"{table.at('clusters')}: the faces of a convex model have no clusters; leave clusters "
@@ -311,10 +330,11 @@ class Objects:
             rise = made.half_height if anchor == "base" else 0
             if life or turned:
                 own = (life or toml_motion.Life()).on_ring(yaw if turned else 0, rise)
-                result.append(Placement((made, moved), colours, kind, position, layer, True, clusters, place, name, own))
+                result.append(Placement((made, moved), colours, kind, position, layer, True, clusters, place, name, looks,
+                                        own))
                 continue
             centre = _centre(position, rise, ends, place)
-            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name))
+            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
         return result
 
 

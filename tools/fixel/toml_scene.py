@@ -7,16 +7,18 @@ import math
 import os
 
 from fixel import clusters, image, image_beam, image_lens, light_palette, palette, quantity, toml_light, toml_motion, \
-    toml_table
+    toml_table, toml_texture
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
+from fixel.surfaces import Records
 from fixel.toml_object import Objects
 from fixel.toml_table import Table
 
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
-TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette"}
+TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
+            "textures"}
 
 
 def _centre(view, width, height, fov, inset):
@@ -229,6 +231,9 @@ def _count_colours(placements, lit):
     for colours in {id(placement.colours): placement.colours for placement in placements}.values():
         for colour in colours:
             wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
+    for colour in {c for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look
+                   for c in look.colours}:
+        wanted[colour] = wanted.get(colour, 0) + 1
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
             wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
@@ -255,17 +260,18 @@ def _palette(background, placements, reserved, light, lit):
     return colours, indices, merged, _lit_table(placements, indices, lit)
 
 
-def _models(placements, indices):
+def _models(placements, indices, records):
     """Models and objects; equal models are made once. An object's position in
-    the list is its number in the order of drawing."""
+    the list is its number in the order of drawing. records: a surfaces.Records."""
     numbers, models, objects = {}, [], []
     for item in placements:
         made, moved = item.shape
-        key = (id(made), moved, id(item.colours), item.kind, item.clusters)
+        key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters)
         if key not in numbers:
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
-            faces = tuple((f.normal, f.corners, c) for f, c in zip(made.faces, colours))
+            mapped = map(records.mapped, item.looks or (None,) * len(colours))
+            faces = tuple((f.normal, f.corners, c, m) for f, c, m in zip(made.faces, colours, mapped))
             # Meshes from different sources may come out the same.
             content = (vertices, faces, item.kind, item.clusters)
             if content not in numbers:
@@ -295,7 +301,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     beams, lit = _beams(top)
     reserved = _reserved(top)
     light = toml_light.read(top)
-    objects = Objects(name, folder, light, notes, progress, meshes)
+    objects = Objects(name, folder, light, notes, progress, meshes, toml_texture.read(top, folder))
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
@@ -306,10 +312,11 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
         raise ToolError(f"{name}: {error}") from error
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
-    models, placed = _models(placements, indices)
+    records = Records(indices)
+    models, placed = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre = lens[-1]
-    scene.beams, scene.turns, scene.motions = beams, turns, motions
+    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result()
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)

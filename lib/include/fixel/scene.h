@@ -28,7 +28,8 @@ extern "C" {
 #define FXL_BSP_DEPTH_MAX           1023u /* of a node below the root */
 #define FXL_SCENE_CLUSTERS_MAX      65535u
 #define FXL_MOTION_KEYS_MAX         1000000u
-#define FXL_MOTION_DEPTH_MAX        8u /* of a chain of parents */
+#define FXL_SCENE_TABLE_MAX         65535u /* textures; surfaces; mapped faces; normals of corners */
+#define FXL_MOTION_DEPTH_MAX        8u     /* of a chain of parents */
 #define FXL_LIGHT_POINTS_MAX        4
 #define FXL_LIGHT_LEVELS_MIN        2
 #define FXL_LIGHT_LEVELS_MAX        64
@@ -262,6 +263,32 @@ typedef struct {
     uint32_t levels;
 } fxl_scene_light;
 
+/* A texture as a scene image has it: fxl_texture (extra/surfaces.h) with places instead of
+ * pointers.
+ */
+typedef struct {
+    uint32_t texels;  /* where in the image's texels its first byte is */
+    uint32_t colours; /* FXL_TEXTURE_4: where in the image's texels its 16 colours are; else 0 */
+    uint8_t log_width, log_height, format, flags, key, levels;
+    uint16_t reserved; /* 0 */
+} fxl_scene_texture;
+
+typedef struct fxl_surface fxl_surface;
+typedef struct fxl_mapped_face fxl_mapped_face;
+
+/* The surfaces of a scene image, of which fxl_surfaces_open (extra/surfaces.h) makes a set. */
+typedef struct {
+    const fxl_scene_texture *textures;
+    const uint8_t *texels; /* of all textures */
+    const fxl_surface *surfaces;
+    const fxl_mapped_face *faces;
+    const uint16_t *face_map; /* one for each face of the scene; null: there are no surfaces */
+    const fxl_direction *normals;
+    const uint8_t *blend; /* null: there is none */
+    uint32_t texture_count, texel_bytes, surface_count, face_count, normal_count;
+    uint32_t blend_first, blend_count;
+} fxl_scene_surfaces;
+
 /* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
  * the same frames; its sorted models take longer. */
 typedef struct {
@@ -304,6 +331,7 @@ typedef struct {
     uint32_t frame_count;             /* frames of the whole path */
     fxl_motion_set motion;            /* for fxl_motion_begin */
     fxl_scene_light light;            /* for fxl_light_settings_of */
+    fxl_scene_surfaces surfaces;      /* for fxl_surfaces_open, which checks them */
 } fxl_scene_image;
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */
@@ -350,7 +378,8 @@ fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *
 void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *settings);
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
- * version, size, checksum, every table, every count, index and range. Nothing is copied, so the
+ * version, size, checksum, every table, every count, index and range. Of surfaces it checks the
+ * tables, and fxl_surfaces_open checks the rest. Nothing is copied, so the
  * image must outlive *opened. size may exceed the size that the image states: a flash partition is
  * longer than the image in it.
  * Requires memory aligned to four bytes and a little-endian machine; fault may be null.

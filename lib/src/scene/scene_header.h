@@ -45,7 +45,8 @@ typedef struct {
     table turns, motions, keys;
 } turn_header;
 
-/* The rest of the header after that of turned instances, only if the scene has light. */
+/* The rest of the header after that of turned instances, only if the scene has light or surfaces.
+ */
 typedef struct {
     table light, points, ramp; /* of the ramp: its levels */
 } light_header;
@@ -54,6 +55,13 @@ typedef struct {
 typedef struct {
     fxl_q16_16 x, y;
 } lens_centre;
+
+/* The rest of the header after that of light, only if the scene has surfaces. */
+typedef struct {
+    table textures, texels, surfaces, mapped_faces, face_map, corner_normals;
+    table blend; /* of the table: its colours */
+    uint32_t blend_first, reserved;
+} surface_header;
 
 FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
@@ -79,6 +87,8 @@ FXL_STATIC_ASSERT(sizeof(fxl_motion_key) == 32, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(light_header) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_light_base) == 28, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_point_light) == 20, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(surface_header) == 64, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_scene_texture) == 16, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
@@ -88,12 +98,17 @@ FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in
 #define VERSION_MORE     3u /* has a BSP tree, or beams, or both */
 #define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */
 #define VERSION_TURNS    5u /* has turned instances, and may have all the others */
-#define VERSION_LIGHT    6u /* has light, and may have all the others */
+#define VERSION_LIGHT    6u /* has light or surfaces, and may have all the others */
 #define PALETTE_ENTRIES  256u
+
+/* Bytes of a surface and of a mapped face, which extra/surfaces.h defines. */
+#define SURFACE_SIZE     8u
+#define MAPPED_FACE_SIZE 36u
 
 #define BEAM_HEADER_SIZE    (sizeof(header) + sizeof(beam_header))
 #define CLUSTER_HEADER_SIZE (BEAM_HEADER_SIZE + sizeof(cluster_header))
 #define TURN_HEADER_SIZE    (CLUSTER_HEADER_SIZE + sizeof(turn_header))
 #define LIGHT_HEADER_SIZE   (TURN_HEADER_SIZE + sizeof(light_header))
+#define SURFACE_HEADER_SIZE (LIGHT_HEADER_SIZE + sizeof(surface_header))
 
 #endif

@@ -41,10 +41,17 @@ static const light_header *light_header_of(const header *head)
                : NULL;
 }
 
+static const surface_header *surface_header_of(const header *head)
+{
+    return head->header_size > LIGHT_HEADER_SIZE
+               ? (const surface_header *)(const void *)(light_header_of(head) + 1)
+               : NULL;
+}
+
 static bool header_size_is_known(const header *head)
 {
     if (head->version == VERSION_LIGHT) {
-        return head->header_size == LIGHT_HEADER_SIZE;
+        return head->header_size == LIGHT_HEADER_SIZE || head->header_size == SURFACE_HEADER_SIZE;
     }
     if (head->version == VERSION_TURNS) {
         return head->header_size == TURN_HEADER_SIZE;
@@ -92,6 +99,11 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     }
     bool has_bsp = (head->bsp_nodes.offset | head->bsp_nodes.count | head->bsp_instance) != 0;
     if (has_bsp && head->version == VERSION) {
+        return FXL_E_RESERVED;
+    }
+    const surface_header *surfaces = surface_header_of(head);
+    if (surfaces != NULL &&
+        (surfaces->reserved != 0 || (surfaces->blend.count == 0 && surfaces->blend_first != 0))) {
         return FXL_E_RESERVED;
     }
     /* An image has VERSION_MORE only if it has a tree or beams, so a scene has one image. */
@@ -157,6 +169,8 @@ static fxl_status check_table(const header *head, const table *entry, uint32_t e
     return FXL_OK;
 }
 
+#define SURFACE_TABLE_AT(name) (LIGHT_HEADER_SIZE + offsetof(surface_header, name))
+
 /* The tables whose offset and count the header states, in their order there. An entry size of 0 is
  * that of the path's kind. */
 static const struct {
@@ -186,6 +200,14 @@ static const struct {
      FXL_LIGHT_POINTS_MAX, "point light table"},
     {TURN_HEADER_SIZE + offsetof(light_header, ramp), PALETTE_ENTRIES, FXL_LIGHT_LEVELS_MAX,
      "ramp"},
+    {SURFACE_TABLE_AT(textures), sizeof(fxl_scene_texture), FXL_SCENE_TABLE_MAX, "texture table"},
+    {SURFACE_TABLE_AT(texels), 1, FXL_SCENE_IMAGE_MAX, "texel table"},
+    {SURFACE_TABLE_AT(surfaces), SURFACE_SIZE, FXL_SCENE_TABLE_MAX, "surface table"},
+    {SURFACE_TABLE_AT(mapped_faces), MAPPED_FACE_SIZE, FXL_SCENE_TABLE_MAX, "mapped face table"},
+    {SURFACE_TABLE_AT(face_map), sizeof(uint16_t), FXL_SCENE_FACES_MAX, "face map"},
+    {SURFACE_TABLE_AT(corner_normals), sizeof(fxl_direction), FXL_SCENE_TABLE_MAX,
+     "corner normal table"},
+    {SURFACE_TABLE_AT(blend), PALETTE_ENTRIES, PALETTE_ENTRIES, "blend table"},
 };
 
 enum {
@@ -195,15 +217,24 @@ enum {
     TURN_TABLE = 11,
     LIGHT_TABLE = 14,
     RAMP_TABLE = 16,
-    TABLE_COUNT = 17
+    SURFACE_TABLE = 19,
+    MAPPED_FACE_TABLE = 20,
+    FACE_MAP_TABLE = 21,
+    TABLE_COUNT = 24
 };
 
 FXL_STATIC_ASSERT(sizeof tables / sizeof tables[0] == TABLE_COUNT, "one for each");
 
-/* Of the tables behind that of the path, a header needs that for which it is so long; light has a
+/* Of the tables behind that of the path, a header needs those for which it is so long; light has a
  * ramp. */
 static bool is_needed(const header *head, size_t number)
 {
+    if (number == RAMP_TABLE) {
+        return light_header_of(head)->light.count != 0;
+    }
+    if (head->header_size == SURFACE_HEADER_SIZE) {
+        return number <= PATH_TABLE || (number >= SURFACE_TABLE && number <= FACE_MAP_TABLE);
+    }
     const size_t last = head->header_size == LIGHT_HEADER_SIZE     ? LIGHT_TABLE
                         : head->header_size == TURN_HEADER_SIZE    ? TURN_TABLE
                         : head->header_size == CLUSTER_HEADER_SIZE ? CLUSTER_TABLE
@@ -236,6 +267,24 @@ static fxl_status check_turn_counts(const header *head, fxl_scene_fault *fault)
                : fxl_fault_at(fault, "motion table", 0, FXL_E_COUNT);
 }
 
+/* Point lights and a ramp are there only if light is. */
+static fxl_status check_light_counts(const header *head, fxl_scene_fault *fault)
+{
+    const light_header *more = light_header_of(head);
+    return more == NULL || more->light.count != 0 || (more->points.count | more->ramp.count) == 0
+               ? FXL_OK
+               : fxl_fault_at(fault, "light table", 0, FXL_E_COUNT);
+}
+
+/* Each face has its entry in the face map. */
+static fxl_status check_face_map(const header *head, fxl_scene_fault *fault)
+{
+    const surface_header *more = surface_header_of(head);
+    return more == NULL || more->face_map.count == head->faces.count
+               ? FXL_OK
+               : fxl_fault_at(fault, "face map", 0, FXL_E_COUNT);
+}
+
 static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
 {
     const uint32_t path_entry =
@@ -260,7 +309,11 @@ static fxl_status check_tables(const header *head, fxl_scene_fault *fault)
             return status;
         }
     }
-    return check_turn_counts(head, fault);
+    fxl_status status = check_turn_counts(head, fault);
+    if (status == FXL_OK) {
+        status = check_light_counts(head, fault);
+    }
+    return status == FXL_OK ? check_face_map(head, fault) : status;
 }
 
 static const void *at(const header *head, uint32_t offset)
@@ -291,7 +344,7 @@ static void point_to_turns(const header *head, fxl_scene_image *opened)
 static void point_to_light(const header *head, fxl_scene_image *opened)
 {
     const light_header *more = light_header_of(head);
-    if (more == NULL) {
+    if (more == NULL || more->light.count == 0) {
         return;
     }
     opened->light.base = (const fxl_light_base *)at(head, more->light.offset);
@@ -301,6 +354,31 @@ static void point_to_light(const header *head, fxl_scene_image *opened)
     }
     opened->light.ramp = (const uint8_t *)at(head, more->ramp.offset);
     opened->light.levels = more->ramp.count; /* bug: light-ramp-of-image */
+}
+
+static void point_to_surfaces(const header *head, fxl_scene_image *opened)
+{
+    const surface_header *more = surface_header_of(head);
+    fxl_scene_surfaces *to = &opened->surfaces;
+    if (more == NULL) {
+        return;
+    }
+    to->textures = (const fxl_scene_texture *)at(head, more->textures.offset);
+    to->texels = (const uint8_t *)at(head, more->texels.offset);
+    to->surfaces = (const fxl_surface *)at(head, more->surfaces.offset);
+    to->faces = (const fxl_mapped_face *)at(head, more->mapped_faces.offset);
+    to->face_map = (const uint16_t *)at(head, more->face_map.offset);
+    to->normals = (const fxl_direction *)at(head, more->corner_normals.offset);
+    to->texture_count = more->textures.count;
+    to->texel_bytes = more->texels.count;
+    to->surface_count = more->surfaces.count;
+    to->face_count = more->mapped_faces.count;
+    to->normal_count = more->corner_normals.count;
+    if (more->blend.count > 0) {
+        to->blend = (const uint8_t *)at(head, more->blend.offset);
+        to->blend_count = more->blend.count;
+        to->blend_first = more->blend_first;
+    }
 }
 
 static void point_to_tables(const header *head, fxl_scene_image *opened)
@@ -331,6 +409,7 @@ static void point_to_tables(const header *head, fxl_scene_image *opened)
     }
     point_to_turns(head, opened);
     point_to_light(head, opened);
+    point_to_surfaces(head, opened);
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.index_count = head->indices.count;
     opened->scene.face_count = head->faces.count;

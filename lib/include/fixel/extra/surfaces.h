@@ -67,23 +67,23 @@ enum {
 };
 
 /* What faces look like. */
-typedef struct {
+struct fxl_surface {
     uint16_t texture; /* its number, counted from 1; 0: the face's own colour */
     uint8_t division; /* FXL_DIVIDE_16 and so on */
     uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND */
     uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
     uint8_t reserved[3];
-} fxl_surface;
+};
 
 /* A face that has a surface. Three of its corners, which are not on one line, say where the texture
  * lies; over the rest of the face it is linear. */
-typedef struct {
+struct fxl_mapped_face {
     uint16_t surface;    /* a number */
     uint16_t normals[3]; /* of the corners, numbers; FXL_SURFACE_LIT only, else 0 */
     uint8_t corners[3];  /* which of the face's corners, in rising order */
     uint8_t reserved;    /* 0 */
     fxl_texel texels[3]; /* at these corners; each coordinate within FXL_TEXEL_MAX */
-} fxl_mapped_face;
+};
 
 /* The surfaces of a scene: tables that the caller owns and that must outlive it. */
 typedef struct {
@@ -119,6 +119,16 @@ typedef struct {
  * one line), FXL_E_RESERVED: *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
                               fxl_scene_fault *fault);
+
+/* Makes a set of the surfaces of a scene image. textures: memory for its textures, which must
+ * outlive *set, as the image must; it may be null if there are none. Checks that each texture lies
+ * within the image's texels, and as fxl_surfaces_check.
+ * Requires an image that fxl_scene_open has opened; fault may be null.
+ * FXL_E_ARGUMENT (a null pointer; an image without surfaces), FXL_E_CAPACITY (more textures than
+ * capacity), FXL_E_OFFSET, and those of fxl_surfaces_check: *set untouched, *fault written;
+ * textures may be overwritten. On FXL_OK *fault is untouched. */
+fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
+                             fxl_surface_set *set, fxl_scene_fault *fault);
 
 /* Has a renderer draw faces with the surfaces of a set, or, where set is null, as they are. The
  * renderer keeps a pointer to *surfaces, and that one to *set. Sets the visibility method

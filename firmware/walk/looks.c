@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+#include "looks.h"
+
+#include "fixel/all.h"
+
+/* What surfaces want; a record of each texture follows. */
+typedef struct {
+    fxl_surfaces surfaces;
+    fxl_surface_set set;
+} surface_memory;
+
+static uint32_t aligned(size_t bytes)
+{
+    return ((uint32_t)bytes + 7u) & ~7u;
+}
+
+static uint32_t beam_bytes(const fxl_scene *scene)
+{
+    return aligned(fxl_beam_light_workspace_size(scene->beams, scene->beam_count));
+}
+
+static uint32_t light_bytes(const fxl_scene_image *image)
+{
+    return image->light.base != NULL ? aligned(sizeof(fxl_light)) : 0;
+}
+
+static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
+{
+    return surfaces->face_map != NULL
+               ? aligned(sizeof(surface_memory) + surfaces->texture_count * sizeof(fxl_texture))
+               : 0;
+}
+
+uint32_t walk_looks_bytes(const fxl_scene_image *image)
+{
+    return beam_bytes(&image->scene) + light_bytes(image) + surface_bytes(&image->surfaces);
+}
+
+static fxl_status open_surfaces(const fxl_scene_image *image, fxl_renderer *renderer,
+                                surface_memory *own, const fxl_light *light)
+{
+    const uint32_t count = image->surfaces.texture_count;
+    fxl_texture *textures = (fxl_texture *)(void *)(own + 1);
+    fxl_status status = fxl_surfaces_open(image, textures, count, &own->set, NULL);
+
+    if (status == FXL_OK) {
+        status = fxl_renderer_set_surfaces(renderer, &own->surfaces, &own->set);
+    }
+    return status == FXL_OK && light != NULL ? fxl_renderer_light_surfaces(renderer, light)
+                                             : status;
+}
+
+fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer, uint8_t *memory)
+{
+    const fxl_scene *scene = renderer->scene;
+    uint8_t *const lights = memory + beam_bytes(&image->scene);
+    fxl_light *const light = image->light.base != NULL ? (fxl_light *)(void *)lights : NULL;
+    fxl_status status = FXL_OK;
+
+    if (scene->beam_count > 0) {
+        status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,
+                                        memory, beam_bytes(&image->scene));
+    }
+    if (status == FXL_OK && light != NULL) {
+        fxl_light_settings settings;
+
+        fxl_light_settings_of(&image->light, &settings);
+        status = fxl_renderer_set_light(renderer, light, &settings);
+    }
+    if (status == FXL_OK && image->surfaces.face_map != NULL) {
+        status = open_surfaces(image, renderer,
+                               (surface_memory *)(void *)(lights + light_bytes(image)), light);
+    }
+    return status;
+}

@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/surface.h"
+
+#include <math.h>
+
+#include "reference/light.h"
+#include "reference/project.h"
+#include "reference/transform.h"
+#include "reference/turn.h"
+
+/* --- the corners of a face ---------------------------------------------------------------------
+ */
+
+static ref_view_point corner_in_view(const ref_scene *scene, const ref_camera *camera,
+                                     const ref_instance *instance, const ref_face *face, int number)
+{
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_lattice_point corner = ref_face_corner(scene, instance, face, number);
+    const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, number);
+    const ref_point at =
+        turn ? ref_turn_point(turn, &instance->centre, &corner) : ref_point_from_lattice(&vertex);
+    return ref_transform_point(camera, &at);
+}
+
+/* The light at a corner, in levels of the ramp, so that the nearest is what is below. */
+static double light_at(const ref_scene *scene, const ref_camera *camera,
+                       const ref_instance *instance, const ref_face *face, int corner,
+                       const int32_t normal[3])
+{
+    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, corner);
+    int32_t turned[3] = {normal[0], normal[1], normal[2]};
+    if (turn) {
+        ref_turn_normal(turn, normal, turned);
+    }
+    const ref_point way = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
+    return ref_light_brightness(scene->light, camera, ref_point_from_lattice(&vertex), way) *
+               (scene->light->levels - 1) +
+           0.5;
+}
+
+static ref_view_point difference(const ref_view_point *a, const ref_view_point *b)
+{
+    return (ref_view_point){a->x - b->x, a->y - b->y, a->z - b->z};
+}
+
+static long double product(const ref_view_point *a, const ref_view_point *b)
+{
+    return a->x * b->x + a->y * b->y + a->z * b->z;
+}
+
+static ref_view_point cross(const ref_view_point *a, const ref_view_point *b)
+{
+    return (ref_view_point){a->y * b->z - a->z * b->y, a->z * b->x - a->x * b->z,
+                            a->x * b->y - a->y * b->x};
+}
+
+/* --- the look of a face -------------------------------------------------------------------------
+ */
+
+static bool is_on_screen(const ref_lens *lens, const ref_view_point *corner,
+                         ref_screen_point *point)
+{
+    if (!(corner->z > 0)) {
+        return false;
+    }
+    *point = ref_project_point(lens, corner);
+    return point->x >= 0 && point->x <= lens->width && point->y >= 0 && point->y <= lens->height;
+}
+
+/* The area of a triangle of the screen, times two. */
+static double area_of(const ref_screen_point points[3])
+{
+    return (points[1].x - points[0].x) * (points[2].y - points[0].y) -
+           (points[2].x - points[0].x) * (points[1].y - points[0].y);
+}
+
+/* Texels a pixel, by area, where the face is as near as at its nearest corner. With n, the cross
+ * product of two sides: |n| units of area have so many texels, and one of them, seen at depth z
+ * along a ray of the length r and of depth 1, is focal^2 (n . ray) / |n| / z^2 / 1 pixels. */
+static double texels_a_pixel(const ref_surface_view *view, const ref_lens *lens,
+                             const ref_view_point corners[3])
+{
+    const double texels = fabs(view->steps[0][REF_U] * view->steps[1][REF_V] -
+                               view->steps[1][REF_U] * view->steps[0][REF_V]);
+    if (view->is_affine) {
+        return texels / fabs(area_of(view->points));
+    }
+    const ref_view_point normal = cross(&view->sides[0], &view->sides[1]);
+    const double near =
+        fmin((double)corners[0].z, fmin((double)corners[1].z, (double)corners[2].z));
+    const double volume = (double)fabsl(product(&normal, &corners[0]));
+    return near > 0 && volume > 0
+               ? texels * near * near * near / (lens->focal * lens->focal * volume)
+               : 0;
+}
+
+static void choose_level(ref_surface_view *view, const ref_lens *lens,
+                         const ref_view_point corners[3])
+{
+    const ref_texture *texture = view->texture;
+    const double twice = 2 * texels_a_pixel(view, lens, corners);
+    int level = 0;
+    while (level + 1 < texture->level_count && ldexp(1, 2 * (level + 1)) <= twice) {
+        level++;
+    }
+    view->level = &texture->levels[level];
+    view->scales[0] = (double)view->level->width / texture->levels[0].width;
+    view->scales[1] = (double)view->level->height / texture->levels[0].height;
+}
+
+static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])
+{
+    for (int k = 0; k < REF_VALUES; k++) {
+        view->values[k] = at[0][k];
+        view->steps[0][k] = at[1][k] - at[0][k];
+        view->steps[1][k] = at[2][k] - at[0][k];
+    }
+}
+
+static void find_values(const ref_scene *scene, const ref_camera *camera,
+                        const ref_instance *instance, const ref_face *face,
+                        const ref_mapped_face *mapped, ref_surface_view *view)
+{
+    double at[3][REF_VALUES] = {{0}};
+    for (int i = 0; i < 3; i++) {
+        at[i][REF_U] = mapped->texels[i][0];
+        at[i][REF_V] = mapped->texels[i][1];
+        if (view->light) {
+            at[i][REF_BRIGHTNESS] = light_at(scene, camera, instance, face, mapped->corners[i],
+                                             scene->surfaces->normals[mapped->normals[i]]);
+        }
+    }
+    spread_values(view, at);
+}
+
+void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const ref_lens *lens,
+                      const ref_instance *instance, uint32_t number, ref_surface_view *view)
+{
+    const ref_surfaces *surfaces = scene->surfaces;
+    number += scene->models[instance->model].first_face;
+    *view = (ref_surface_view){.surface = NULL};
+    if (!surfaces || surfaces->face_map[number] == 0) {
+        return;
+    }
+    const ref_face *face = &scene->faces[number];
+    const ref_mapped_face *mapped = &surfaces->faces[surfaces->face_map[number] - 1];
+    ref_view_point corners[3];
+    bool on_screen = true;
+    view->surfaces = surfaces;
+    view->surface = &surfaces->surfaces[mapped->surface];
+    view->own = face->material;
+    view->light = view->surface->is_lit ? scene->light : NULL;
+    for (int i = 0; i < 3; i++) {
+        corners[i] = corner_in_view(scene, camera, instance, face, mapped->corners[i]);
+        on_screen = is_on_screen(lens, &corners[i], &view->points[i]) && on_screen;
+    }
+    view->corner = corners[0];
+    view->sides[0] = difference(&corners[1], &corners[0]);
+    view->sides[1] = difference(&corners[2], &corners[0]);
+    view->is_affine =
+        view->surface->division == REF_AFFINE && on_screen && area_of(view->points) != 0;
+    find_values(scene, camera, instance, face, mapped, view);
+    if (view->surface->texture) {
+        view->texture = &surfaces->textures[view->surface->texture - 1];
+        choose_level(view, lens, corners);
+    }
+}
+
+/* --- values -------------------------------------------------------------------------------------
+ */
+
+/* How many times each side leads from the corner to a point of the plane: the two equations that
+ * the products with the sides give. */
+static void solve(const ref_surface_view *view, const ref_view_point *from_corner,
+                  long double times[2])
+{
+    const ref_view_point *a = &view->sides[0], *b = &view->sides[1];
+    const long double aa = product(a, a), ab = product(a, b), bb = product(b, b);
+    const long double pa = product(from_corner, a), pb = product(from_corner, b);
+    const long double whole = aa * bb - ab * ab;
+    times[0] = (pa * bb - pb * ab) / whole;
+    times[1] = (pb * aa - pa * ab) / whole;
+}
+
+/* The same on the screen, by areas. */
+static void solve_affine(const ref_surface_view *view, double x, double y, long double times[2])
+{
+    const ref_screen_point at = {x, y};
+    const ref_screen_point *points = view->points;
+    const ref_screen_point to_second[3] = {points[0], at, points[2]};
+    const ref_screen_point to_third[3] = {points[0], points[1], at};
+    const long double whole = area_of(points);
+    times[0] = area_of(to_second) / whole;
+    times[1] = area_of(to_third) / whole;
+}
+
+/* Where the ray through a point of the screen meets the plane. */
+static bool solve_ray(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                      long double times[2])
+{
+    const ref_screen_point at = {x, y};
+    const ref_view_point ray = ref_ray_through(lens, &at);
+    const ref_view_point normal = cross(&view->sides[0], &view->sides[1]);
+    const long double height = product(&normal, &view->corner), slope = product(&normal, &ray);
+    if (!(height * slope > 0)) {
+        return false;
+    }
+    const long double reach = height / slope;
+    const ref_view_point hit = {ray.x * reach, ray.y * reach, ray.z * reach};
+    const ref_view_point from_corner = difference(&hit, &view->corner);
+    solve(view, &from_corner, times);
+    return true;
+}
+
+bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                       ref_place *place)
+{
+    const bool is_linear = view->is_affine || view->surface->division == REF_DIVIDE_1;
+    long double times[2];
+    bool found = true;
+    if (view->is_affine) {
+        solve_affine(view, x, y, times);
+    } else if (!solve_ray(view, lens, x, y, times)) {
+        return false;
+    }
+    for (int k = 0; k < REF_VALUES; k++) {
+        const double scale = view->texture && k < REF_BRIGHTNESS ? view->scales[k] : 1;
+        place->values[k] = (double)(view->values[k] + times[0] * view->steps[0][k] +
+                                    times[1] * view->steps[1][k]) *
+                           scale;
+        place->slack[k] = (is_linear ? 0 : 0.5 * scale) + 1.0 / 256;
+        found = found && fabs(place->values[k]) < 0x1p40;
+    }
+    return found;
+}
+
+/* --- colours ------------------------------------------------------------------------------------
+ */
+
+static int64_t within(int64_t number, int64_t count, bool clamps)
+{
+    if (clamps) {
+        return number < 0 ? 0 : number >= count ? count - 1 : number;
+    }
+    return (number % count + count) % count;
+}
+
+int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row)
+{
+    const ref_texture *texture = view->texture;
+    if (!texture) {
+        return view->own;
+    }
+    const ref_texture_level *level = view->level;
+    const int64_t x = within(column, level->width, texture->clamps);
+    const int64_t y = within(row, level->height, texture->clamps);
+    const uint8_t colour = level->colours[y * level->width + x];
+    return texture->is_keyed && colour == texture->key ? REF_CLEAR : colour;
+}
+
+uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
+{
+    return view->light ? view->light->ramp[within(level, view->light->levels, true)][colour]
+                       : colour;
+}
+
+uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath)
+{
+    const ref_surfaces *surfaces = view->surfaces;
+    const uint32_t first = surfaces->blend_first;
+    if (!view->surface->blends || colour < first || colour >= first + surfaces->blend_count) {
+        return colour;
+    }
+    return surfaces->blend[256 * (colour - first) + beneath];
+}
+
+/* The ordered dither matrix of 4 x 4, as docs/formats.md, section 4, defines that of 8 x 8. */
+bool ref_stipple_draws(int opacity, int x, int y)
+{
+    int number = 0;
+    for (int k = 0; k < 2; k++) {
+        const int in_x = x >> k & 1, in_y = y >> k & 1;
+        number += (2 * (in_x ^ in_y) + in_y) << 2 * (1 - k);
+    }
+    return number < opacity;
+}
+
+int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x, int y,
+                       uint8_t beneath)
+{
+    ref_place place;
+    if (!ref_stipple_draws(view->surface->opacity, x, y) ||
+        !ref_surface_place(view, lens, x + 0.5, y + 0.5, &place)) {
+        return REF_CLEAR;
+    }
+    const int texel = ref_surface_texel(view, (int64_t)floor(place.values[REF_U]),
+                                        (int64_t)floor(place.values[REF_V]));
+    if (texel == REF_CLEAR) {
+        return REF_CLEAR;
+    }
+    const uint8_t lit =
+        ref_surface_lit(view, (int64_t)floor(place.values[REF_BRIGHTNESS]), (uint8_t)texel);
+    return ref_surface_over(view, lit, beneath);
+}

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+/* Surfaces (SPEC.md, section 9) from their definition: the ray through a pixel's centre meets the
+ * plane of the face, the place there has texture coordinates, and these lie in a texel. */
+#ifndef REF_SURFACE_H
+#define REF_SURFACE_H
+
+#include "reference/camera.h"
+#include "reference/scene.h"
+
+enum {
+    REF_DIVIDE_16 = 0,
+    REF_DIVIDE_8 = 1,
+    REF_DIVIDE_1 = 2,
+    REF_AFFINE = 3,
+    REF_OPAQUE = 16,
+    REF_TEXTURE_LEVELS = 9,
+    REF_CLEAR = -1 /* the colour of what is not drawn */
+};
+
+/* What varies over a face. */
+enum {
+    REF_U,
+    REF_V,
+    REF_BRIGHTNESS, /* in levels of the ramp */
+    REF_VALUES
+};
+
+typedef struct {
+    int width, height;
+    uint8_t *colours; /* of the texels, row by row: palette indices */
+} ref_texture_level;
+
+typedef struct {
+    bool clamps, is_keyed;
+    uint8_t key;
+    int level_count;
+    ref_texture_level levels[REF_TEXTURE_LEVELS];
+} ref_texture;
+
+typedef struct {
+    int texture; /* its number, counted from 1; 0: the face's own colour */
+    int division, opacity;
+    bool is_lit, blends;
+} ref_surface;
+
+typedef struct {
+    int surface, corners[3], normals[3];
+    double texels[3][2]; /* u, v */
+} ref_mapped_face;
+
+struct ref_surfaces {
+    ref_texture *textures;
+    ref_surface *surfaces;
+    ref_mapped_face *faces;
+    uint16_t *face_map; /* for each face of the scene 0, or 1 + the number of its record in faces */
+    int32_t (*normals)[3]; /* 2.30 */
+    uint8_t *blend;        /* blend[256 * (colour - blend_first) + beneath] */
+    uint32_t texture_count, surface_count, face_count, normal_count, blend_first, blend_count;
+};
+
+/* Reads the surfaces of an image into its scene. Returns true also where there are none. */
+bool ref_surfaces_read(const uint8_t *bytes, size_t size, ref_scene *scene);
+void ref_surfaces_close(ref_surfaces *surfaces);
+
+/* How a face looks in a frame. Null surface: it has none. */
+typedef struct {
+    const ref_surfaces *surfaces;
+    const ref_surface *surface;
+    const ref_texture *texture;     /* or null */
+    const ref_texture_level *level; /* of the texture */
+    const ref_light *light;         /* null: unlit */
+    ref_view_point corner, sides[2];
+    bool is_affine;
+    ref_screen_point points[3];                      /* where it is affine: its corners */
+    double values[REF_VALUES], steps[2][REF_VALUES]; /* at the corner, and what each side adds */
+    double scales[2]; /* texels of the level for one of the texture */
+    uint8_t own;      /* the face's own colour */
+} ref_surface_view;
+
+/* The values at a point of the screen, and how far from them the library's may be. */
+typedef struct {
+    double values[REF_VALUES], slack[REF_VALUES];
+} ref_place;
+
+/* Finds the look of a face of an instance; its number is counted in the model. */
+void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const ref_lens *lens,
+                      const ref_instance *instance, uint32_t face, ref_surface_view *view);
+
+/* Returns false where the face's plane is not in front of the eye, or where a value is above 2^40.
+ */
+bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                       ref_place *place);
+
+/* The colour of the texel in a column and a row, repeated or clamped; or REF_CLEAR. Without a
+ * texture: the face's own. */
+int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row);
+
+/* A colour at a level of light, counted from 0 and limited to those that there are. */
+uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour);
+
+/* What a colour shows over another one. */
+uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath);
+
+/* Whether the stipple of an opacity draws a pixel. */
+bool ref_stipple_draws(int opacity, int x, int y);
+
+/* The colour of a pixel of a face over another colour; or REF_CLEAR. */
+int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x, int y,
+                       uint8_t beneath);
+
+#endif

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/* The surfaces of a scene image (docs/formats.md, section 1.12). */
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference/surface.h"
+
+enum {
+    TEXTURES_AT = 232, /* in the header */
+    TEXELS_AT = 240,
+    SURFACES_AT = 248,
+    MAPPED_AT = 256,
+    MAP_AT = 264,
+    NORMALS_AT = 272,
+    BLEND_AT = 280,
+    BLEND_FIRST_AT = 288
+};
+
+/* Where the texels of a texture are. */
+typedef struct {
+    const uint8_t *texels;
+    uint32_t bytes, at, colours;
+    bool is_4;
+} texel_source;
+
+static bool read_level(const texel_source *from, uint32_t at, ref_texture_level *level)
+{
+    const uint32_t count = (uint32_t)level->width * (uint32_t)level->height;
+    if ((uint64_t)at + (from->is_4 ? count / 2 : count) > from->bytes) {
+        return false;
+    }
+    level->colours = malloc(count);
+    for (uint32_t i = 0; level->colours && i < count; i++) {
+        level->colours[i] =
+            from->is_4
+                ? from->texels[from->colours + (from->texels[at + i / 2] >> 4 * (i % 2) & 15)]
+                : from->texels[at + i];
+    }
+    return level->colours != NULL;
+}
+
+static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes,
+                         ref_texture *texture)
+{
+    const texel_source from = {texels, bytes, ref_u32(p), ref_u32(p + 4), p[10] == 1};
+    if (p[8] > 8 || p[9] > 8 || p[10] > 1 || (from.is_4 && p[8] == 0) || p[13] < 1 ||
+        p[13] > REF_TEXTURE_LEVELS || (from.is_4 && from.colours + 16ull > bytes)) {
+        return false;
+    }
+    *texture = (ref_texture){
+        .clamps = p[11] & 1, .is_keyed = p[11] >> 1 & 1, .key = p[12], .level_count = p[13]};
+    uint32_t at = from.at;
+    for (int i = 0; i < texture->level_count; i++) {
+        ref_texture_level *level = &texture->levels[i];
+        level->width = 1 << p[8] >> i;
+        level->width = level->width < (from.is_4 ? 2 : 1) ? (from.is_4 ? 2 : 1) : level->width;
+        level->height = 1 << p[9] >> i;
+        level->height = level->height < 1 ? 1 : level->height;
+        if (!read_level(&from, at, level)) {
+            return false;
+        }
+        at += (uint32_t)level->width * (uint32_t)level->height / (from.is_4 ? 2 : 1);
+    }
+    return true;
+}
+
+static bool read_textures(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+{
+    uint32_t texel_bytes;
+    const uint8_t *textures =
+        ref_image_table(bytes, size, TEXTURES_AT, 16, 65535, &surfaces->texture_count);
+    const uint8_t *texels = ref_image_table(bytes, size, TEXELS_AT, 1, 16u << 20, &texel_bytes);
+    surfaces->textures = calloc(surfaces->texture_count + 1u, sizeof *surfaces->textures);
+    if (!surfaces->textures || (textures && !texels)) {
+        return false;
+    }
+    for (uint32_t i = 0; textures && i < surfaces->texture_count; i++) {
+        if (!read_texture(textures + 16 * (size_t)i, texels, texel_bytes, &surfaces->textures[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool read_surfaces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+{
+    const uint8_t *p =
+        ref_image_table(bytes, size, SURFACES_AT, 8, 65535, &surfaces->surface_count);
+    surfaces->surfaces = calloc(surfaces->surface_count + 1u, sizeof *surfaces->surfaces);
+    if (!p || !surfaces->surfaces) {
+        return false;
+    }
+    for (uint32_t i = 0; i < surfaces->surface_count; i++, p += 8) {
+        surfaces->surfaces[i] = (ref_surface){ref_u16(p), p[2], p[4], p[3] & 1, p[3] >> 1 & 1};
+        if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool read_faces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+{
+    const uint8_t *p = ref_image_table(bytes, size, MAPPED_AT, 36, 65535, &surfaces->face_count);
+    surfaces->faces = calloc(surfaces->face_count + 1u, sizeof *surfaces->faces);
+    if (!p || !surfaces->faces) {
+        return false;
+    }
+    for (uint32_t i = 0; i < surfaces->face_count; i++, p += 36) {
+        ref_mapped_face *face = &surfaces->faces[i];
+        face->surface = ref_u16(p);
+        for (int k = 0; k < 3; k++) {
+            face->corners[k] = p[8 + k];
+            face->normals[k] = ref_u16(p + 2 + 2 * k);
+            face->texels[k][0] = ref_i32(p + 12 + 8 * k) / REF_ONE;
+            face->texels[k][1] = ref_i32(p + 16 + 8 * k) / REF_ONE;
+        }
+        if ((uint32_t)face->surface >= surfaces->surface_count) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The normals of corners, and that those exist which lit faces have. */
+static bool read_normals(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+{
+    const uint8_t *p = ref_image_table(bytes, size, NORMALS_AT, 12, 65535, &surfaces->normal_count);
+    surfaces->normals = calloc(surfaces->normal_count + 1u, sizeof *surfaces->normals);
+    for (uint32_t i = 0; p && surfaces->normals && i < surfaces->normal_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            surfaces->normals[i][k] = ref_i32(p + 12 * (size_t)i + 4 * k);
+        }
+    }
+    for (uint32_t i = 0; i < surfaces->face_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            if (surfaces->surfaces[surfaces->faces[i].surface].is_lit &&
+                (uint32_t)surfaces->faces[i].normals[k] >= surfaces->normal_count) {
+                return false;
+            }
+        }
+    }
+    return surfaces->normals != NULL;
+}
+
+static bool read_blend(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+{
+    const uint8_t *p = ref_image_table(bytes, size, BLEND_AT, 256, 256, &surfaces->blend_count);
+    surfaces->blend_first = ref_u32(bytes + BLEND_FIRST_AT);
+    surfaces->blend = calloc(surfaces->blend_count + 1u, 256);
+    if (p && surfaces->blend) {
+        memcpy(surfaces->blend, p, 256 * (size_t)surfaces->blend_count);
+    }
+    return surfaces->blend != NULL;
+}
+
+static bool read_map(const uint8_t *bytes, size_t size, const ref_scene *scene,
+                     ref_surfaces *surfaces)
+{
+    uint32_t count;
+    const uint8_t *p = ref_image_table(bytes, size, MAP_AT, 2, 1000000, &count);
+    surfaces->face_map = calloc(scene->face_count, sizeof *surfaces->face_map);
+    if (!p || count != scene->face_count || !surfaces->face_map) {
+        return false;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const uint16_t number = ref_u16(p + 2 * (size_t)i);
+        if (number > surfaces->face_count) {
+            return false;
+        }
+        for (int k = 0; number && k < 3; k++) {
+            if (surfaces->faces[number - 1].corners[k] >= scene->faces[i].count) {
+                return false;
+            }
+        }
+        surfaces->face_map[i] = number;
+    }
+    return true;
+}
+
+bool ref_surfaces_read(const uint8_t *bytes, size_t size, ref_scene *scene)
+{
+    if (ref_u16(bytes + 6) <= MAP_AT) {
+        return true;
+    }
+    ref_surfaces *surfaces = calloc(1, sizeof *surfaces);
+    scene->surfaces = surfaces;
+    return surfaces && read_textures(bytes, size, surfaces) &&
+           read_surfaces(bytes, size, surfaces) && read_faces(bytes, size, surfaces) &&
+           read_normals(bytes, size, surfaces) && read_blend(bytes, size, surfaces) &&
+           read_map(bytes, size, scene, surfaces);
+}
+
+void ref_surfaces_close(ref_surfaces *surfaces)
+{
+    for (uint32_t i = 0; surfaces && surfaces->textures && i < surfaces->texture_count; i++) {
+        for (int k = 0; k < REF_TEXTURE_LEVELS; k++) {
+            free(surfaces->textures[i].levels[k].colours);
+        }
+    }
+    if (surfaces) {
+        free(surfaces->normals);
+        free(surfaces->blend);
+        free(surfaces->textures);
+        free(surfaces->surfaces);
+        free(surfaces->faces);
+        free(surfaces->face_map);
+    }
+    free(surfaces);
+}

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: MIT
+"""How surfaces lie on faces, and the records of a scene image that say so.
+
+A face's texture coordinates must be affine over it (docs/formats.md, section 1.12): a face of a file whose
+coordinates are not is cut into triangles."""
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations
+from math import floor
+
+from fixel import image_surface
+from fixel.errors import ToolError
+from fixel.image import Face
+from fixel.image_surface import Mapped, Surface, Surfaces, Texture
+from fixel.mesh import UNIT, cross, dot, minus, transform
+
+BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
+DIVISIONS = {"16": image_surface.DIVIDE_16, "8": image_surface.DIVIDE_8, "1": image_surface.DIVIDE_1,
+             "affine": image_surface.AFFINE}
+
+
+@dataclass(frozen=True)
+class Paint:
+    """A texture as a scene asks for it, without its colours. Equal only if the same picture is."""
+    picture: object         # texture.Picture
+    bits: int
+    clamp: bool
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a face looks like, and where three of its corners are on the texture. colours: those that the picture's
+    become on this face, as red, green, blue; none without a texture."""
+    paint: Paint
+    colours: tuple
+    division: int
+    flags: int
+    opacity: int
+    corners: tuple
+    texels: tuple
+
+
+# --- coordinates ---------------------------------------------------------------------------------
+
+def box_axes(normal):
+    """(index, sign) of the axes along u and along v of a face, as one who looks at its front sees them: of the three
+    planes of a box the one that the face is nearest to."""
+    axis = max(range(3), key=lambda i: (abs(normal[i]), -i))
+    front = 1 if normal[axis] > 0 else -1
+    if axis == 0:
+        return (2, front), (1, -1)
+    if axis == 1:
+        return (0, 1), (2, -front)
+    return (0, -front), (1, -1)
+
+
+def _outline_normal(points):
+    total = (0, 0, 0)
+    for a, b in zip(points[1:], points[2:]):
+        part = cross(minus(a, points[0]), minus(b, points[0]))
+        total = tuple(p + q for p, q in zip(total, part))
+    return total
+
+
+def box_coordinates(mesh, scale, inside, per_unit, offset):
+    """For each face of a mesh (u, v) in texels of each corner, by planes of a box about the mesh before it turns.
+    per_unit: texels a world unit."""
+    points = [tuple(Fraction(c, UNIT) * s for c, s in zip(vertex, scale)) for vertex in mesh.vertices]
+    result = []
+    for face in mesh.faces:
+        outline = [points[c] for c in face]
+        (i, along), (j, down) = box_axes([n * (-1 if inside else 1) for n in _outline_normal(outline)])
+        result.append([(along * p[i] * per_unit + offset[0], down * p[j] * per_unit + offset[1]) for p in outline])
+    return result
+
+
+def tiled(coordinates, size):
+    """The same, moved and stretched so that a face's bounding rectangle is so many texels."""
+    result = []
+    for face in coordinates:
+        ends = [(min(axis), max(axis)) for axis in zip(*face)]
+        result.append([tuple((c - low) * side / (high - low) if high > low else Fraction(0)
+                             for c, (low, high), side in zip(corner, ends, size)) for corner in face])
+    return result
+
+
+# --- faces ---------------------------------------------------------------------------------------
+
+def _best_corners(points):
+    """Three corners of an outline, in rising order, whose triangle is the largest."""
+    return max(combinations(range(len(points)), 3),
+               key=lambda three: (dot(*(cross(minus(points[three[1]], points[three[0]]),
+                                              minus(points[three[2]], points[three[0]])),) * 2), [-i for i in three]))
+
+
+def _is_affine(points, coordinates, three):
+    """Whether every corner's coordinates are those that three of them give it."""
+    first, one, two = (points[i] for i in three)
+    e, f = minus(one, first), minus(two, first)
+    ee, ef, ff = dot(e, e), dot(e, f), dot(f, f)
+    whole = ee * ff - ef * ef
+    for point, found in zip(points, coordinates):
+        p = minus(point, first)
+        s, t = Fraction(dot(p, e) * ff - dot(p, f) * ef, whole), Fraction(dot(p, f) * ee - dot(p, e) * ef, whole)
+        for k in range(2):
+            a, b, c = (coordinates[i][k] for i in three)
+            if abs(a + s * (b - a) + t * (c - a) - found[k]) > BEND_MAX:
+                return False
+    return True
+
+
+def _source_coordinates(mesh, rows, made, coordinates):
+    """For each face of a shape the coordinates of its corners, from those of the mesh's face that it came from."""
+    points, result = transform(mesh, rows), []
+    for face, source in zip(made.faces, made.sources):
+        known = {points[c]: uv for c, uv in reversed(list(zip(mesh.faces[source], coordinates[source])))}
+        result.append([known[made.vertices[c]] for c in face.corners])
+    return result
+
+
+def spread(mesh, rows, made, coordinates):
+    """(shape, coordinates of each face's corners): a shape whose coordinates are affine over each face. made: the shape
+    of the mesh and of the matrix. coordinates: for each face of the mesh, of each corner; None where it has none."""
+    faces, sources, result = [], [], []
+    for face, source, found in zip(made.faces, made.sources, _source_coordinates(mesh, rows, made, coordinates)):
+        outline = [made.vertices[c] for c in face.corners]
+        if len(outline) == 3 or _is_affine(outline, found, _best_corners(outline)):
+            pieces = [range(len(outline))]
+        else:
+            pieces = [(0, i, i + 1) for i in range(1, len(outline) - 1)]
+            pieces = [p for p in pieces if any(cross(minus(outline[p[1]], outline[0]), minus(outline[p[2]], outline[0])))]
+        for piece in pieces:
+            faces.append(Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
+            sources.append(source)
+            result.append([found[i] for i in piece])
+    return replace(made, faces=faces, sources=sources), result
+
+
+def _q16(value):
+    return floor(value * 65536 + Fraction(1, 2))
+
+
+def place(points, coordinates, paint, where):
+    """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
+    least coordinates are small."""
+    three = _best_corners(points)
+    moved = (0, 0)
+    if not paint.clamp:
+        sides = paint.picture.width, paint.picture.height
+        moved = [floor(min(axis) / side) * side for axis, side in zip(zip(*coordinates), sides)]
+    texels = tuple(tuple(_q16(c - m) for c, m in zip(coordinates[i], moved)) for i in three)
+    if any(abs(c) > image_surface.TEXEL_MAX for texel in texels for c in texel):
+        raise ToolError(f"{where}: a face is more than 16383 texels long; give fewer texels_per_unit, or divide the face")
+    return three, texels
+
+
+# --- records -------------------------------------------------------------------------------------
+
+def _pack_4(numbers):
+    flat = [number for row in numbers for number in row]
+    return bytes(low | high << 4 for low, high in zip(flat[::2], flat[1::2]))
+
+
+def _texture(paint, entries):
+    """The record of a paint. entries: the palette index of each of its colours. What is clear has index 0, the
+    background's, which no colour has."""
+    picture = paint.picture
+    flags = (image_surface.CLAMP if paint.clamp else 0) | (image_surface.KEYED if picture.has_clear() else 0)
+    sides = picture.width.bit_length() - 1, picture.height.bit_length() - 1
+    if paint.bits == 4:
+        clear = len(entries)        # the first number that no colour has
+        numbers = [[clear if n is None else n for n in row] for row in picture.numbers]
+        return Texture(*sides, _pack_4(numbers), bytes((list(entries) + [0] * 16)[:16]), image_surface.BITS_4, flags)
+    texels = bytes(0 if n is None else entries[n] for row in picture.numbers for n in row)
+    return Texture(*sides, texels, b"", image_surface.BITS_8, flags)
+
+
+class Records:
+    """Collects the textures and surfaces of a scene. indices: the palette index of each colour."""
+
+    def __init__(self, indices):
+        self.indices, self.textures, self.surfaces = indices, {}, {}
+        self.made = Surfaces()
+
+    def _texture(self, look):
+        """The number of a look's texture, counted from 1; 0 without one."""
+        if look.paint is None:
+            return 0
+        entries = tuple(self.indices[colour] for colour in look.colours)
+        key = look.paint, entries
+        if key not in self.textures:
+            self.made.textures.append(_texture(look.paint, entries))
+            self.textures[key] = len(self.made.textures)
+        return self.textures[key]
+
+    def mapped(self, look):
+        """The record of a face; None without a look."""
+        if look is None:
+            return None
+        surface = Surface(self._texture(look), look.division, look.flags, look.opacity)
+        if surface not in self.surfaces:
+            self.surfaces[surface] = len(self.made.surfaces)
+            self.made.surfaces.append(surface)
+        return Mapped(self.surfaces[surface], look.corners, look.texels)
+
+    def result(self):
+        """The surfaces; None if no face has one."""
+        return self.made if self.made.surfaces else None

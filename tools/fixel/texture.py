@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""Textures: pictures of a few colours, from a file or from a pattern of the project's own."""
+
+from dataclasses import dataclass
+
+from PIL import Image, UnidentifiedImageError
+
+from fixel import palette, reading
+from fixel.errors import ToolError
+from fixel.reading import quoted
+
+SIDE_MAX = 256
+FILE_MAX = 4 << 20          # bytes of a picture's file
+COLOURS_MAX = 255           # of a texture
+CLEAR = None                # the colour of what is not drawn
+
+
+@dataclass(eq=False)        # equal only if the same
+class Picture:
+    """A texture before it has palette entries. numbers: rows of numbers of its colours; CLEAR where it is clear."""
+    width: int
+    height: int
+    numbers: list
+    colours: list
+
+    def has_clear(self):
+        """Whether something of it is not drawn."""
+        return any(number is CLEAR for row in self.numbers for number in row)
+
+    def mean(self):
+        """The mean colour of what is drawn."""
+        counts = [0] * len(self.colours)
+        for row in self.numbers:
+            for number in row:
+                if number is not CLEAR:
+                    counts[number] += 1
+        total = max(1, sum(counts))
+        return tuple(round(sum(n * c[k] for n, c in zip(counts, self.colours)) / total) for k in range(3))
+
+
+def is_side(number):
+    """Whether a texture may be so wide or high."""
+    return 1 <= number <= SIDE_MAX and number & (number - 1) == 0
+
+
+def from_pixels(rows, most):
+    """A Picture of rows of (red, green, blue) or CLEAR, with at most so many colours."""
+    weights = {}
+    for row in rows:
+        for pixel in row:
+            if pixel is not CLEAR:
+                weights[pixel] = weights.get(pixel, 0) + 1
+    merged = palette.median_cut(weights, most) if len(weights) > most else {c: c for c in weights}
+    colours = sorted(set(merged.values()))
+    numbers = {colour: colours.index(mean) for colour, mean in merged.items()}
+    return Picture(len(rows[0]), len(rows), [[CLEAR if p is CLEAR else numbers[p] for p in row] for row in rows], colours)
+
+
+def read(path, name, most):
+    """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR."""
+    reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
+    try:
+        with Image.open(path) as file:
+            if not is_side(file.width) or not is_side(file.height):
+                raise ToolError(f"{name}: a picture of {file.width} x {file.height}; the sides of a texture are powers of "
+                                f"two up to {SIDE_MAX}, so scale it")
+            data = file.convert("RGBA").tobytes()
+            width, height = file.size
+    except (UnidentifiedImageError, OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        raise ToolError(f"{name}: not a picture that can be read: {reading.shortened(str(error))}") from error
+    pixels = [tuple(data[i:i + 3]) if data[i + 3] >= 128 else CLEAR for i in range(0, len(data), 4)]
+    return from_pixels([pixels[i:i + width] for i in range(0, width * height, width)], most)
+
+
+# --- patterns ------------------------------------------------------------------------------------
+# Each answers the number of the colour at a texel, or CLEAR. They repeat without a seam.
+
+def _hash(x, y, seed):
+    """A number of 0..255 that looks random, the same on every machine."""
+    value = (x * 0x9E3779B1 ^ y * 0x85EBCA77 ^ seed * 0xC2B2AE3D) & 0xFFFFFFFF
+    value = (value ^ value >> 15) * 0x2C1B3C6D & 0xFFFFFFFF
+    value = (value ^ value >> 12) * 0x297A2D39 & 0xFFFFFFFF
+    return (value ^ value >> 15) & 255
+
+
+def _checker(x, y, width, height):
+    return (2 * x // width + 2 * y // height) % 2
+
+
+def _bricks(x, y, width, height):
+    """Four courses, each half a brick on from the one below: three shades of brick, and the joint."""
+    course = max(2, height // 4)
+    row, length = y // course, max(2, width // 2)
+    along = (x + (row % 2) * length // 2) % width
+    joint = max(1, course // 8)
+    if y % course < joint or along % length < joint:
+        return 3
+    shade = _hash(along // length, row, 1) % 3
+    return shade if _hash(x, y, 2) > 40 else (shade + 1) % 3
+
+
+def _planks(x, y, width, height):
+    """Four boards along the picture's height: three shades with some grain, and the gap."""
+    board = max(2, width // 4)
+    number, across = x // board, x % board
+    if across == 0 or (y + _hash(number, 0, 3) * height // 256) % height == 0:
+        return 3
+    grain = _hash(number * 64 + across, y // max(1, height // 8), 4)
+    return (_hash(number, 1, 5) + (grain < 60)) % 3
+
+
+def _crate(x, y, width, height):
+    """A frame and a diagonal over boards: two shades of board, the frame, its shadow."""
+    frame = max(1, width // 8)
+    column, row = min(x, width - 1 - x), min(y, height - 1 - y)
+    edge = min(column, row)
+    if edge < frame:
+        return 3 if edge in (0, frame - 1) else 2
+    if abs(x * height - y * width) < frame * height // 2 + height:
+        return 3 if abs(x * height - y * width) > frame * height // 2 - height else 2
+    return 3 if x % max(2, width // 4) == 0 else _hash(x // max(1, width // 4), y, 6) % 4 // 3
+
+
+def _grille(x, y, width, height):
+    """Two bars each way, one lighter than the other side, and holes."""
+    period_x, period_y = max(2, width // 2), max(2, height // 2)
+    bar_x, bar_y = max(1, period_x // 4), max(1, period_y // 4)
+    column, row = x % period_x, y % period_y
+    if column >= bar_x and row >= bar_y:
+        return CLEAR
+    return 0 if column == 0 or row == 0 else 1
+
+
+def _stones(x, y, width, height):
+    """Grains of three shades, four texels wide at most."""
+    return (_hash(x // 2, y // 2, 7) + _hash(x, y, 8)) // 2 * 3 // 256
+
+
+# The patterns by name, and their default colours.
+PATTERNS = {
+    "checker": (_checker, ("#e8e0d0", "#404858")),
+    "bricks": (_bricks, ("#a8523c", "#984834", "#b45e48", "#c8bca8")),
+    "planks": (_planks, ("#a87848", "#9c6c40", "#b48452", "#5c3c20")),
+    "crate": (_crate, ("#b88850", "#a87844", "#d0a468", "#6c4824")),
+    "grille": (_grille, ("#b0b8c4", "#586070")),
+    "stones": (_stones, ("#8c8c88", "#989890", "#80807c")),
+}
+
+
+def pattern(name, width, height, colours):
+    """A pattern's picture. colours: as many as the pattern has by default."""
+    made, _ = PATTERNS[name]
+    return Picture(width, height, [[made(x, y, width, height) for x in range(width)] for y in range(height)],
+                   list(colours))
+
+
+# --- files ---------------------------------------------------------------------------------------
+
+def check_colours(given, name, where):
+    """Refuses a list of colours of another length than the pattern's."""
+    wanted = len(PATTERNS[name][1])
+    if len(given) != wanted:
+        raise ToolError(f"{where}: {len(given)} colours; the pattern {quoted(name)} has {wanted}")

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: MIT
+"""The textures of a scene file, and what its objects make of them."""
+
+from fractions import Fraction
+import os
+
+from fixel import image_surface, palette, quantity, surfaces, texture
+from fixel.errors import ToolError
+from fixel.reading import quoted
+from fixel.surfaces import Look, Paint
+from fixel.toml_table import Table
+
+KEYS = {"texture", "textures", "texels_per_unit", "tiles", "texel_offset", "division", "opacity"}
+_ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap"}
+TEXTURES_MAX = 256      # of a scene file
+TEXELS_MAX = 16384      # a world unit
+
+
+def _side(value, where):
+    if isinstance(value, bool) or not isinstance(value, int) or not texture.is_side(value):
+        raise ToolError(f"{where}: {quoted(value)} is not a power of two from 1 to {texture.SIDE_MAX}")
+    return value
+
+
+def _pattern(row):
+    name = row.choice("pattern", None, list(texture.PATTERNS))
+    size = row.rows("size") if "size" in row else [32, 32]
+    if len(size) != 2:
+        raise ToolError(f"{row.at('size')}: expected [width, height]")
+    width, height = (_side(side, f"{row.at('size')}[{i}]") for i, side in enumerate(size))
+    given = row.rows("colours") if "colours" in row else list(texture.PATTERNS[name][1])
+    texture.check_colours(given, name, row.at("colours"))
+    colours = [palette.parse(colour, f"{row.at('colours')}[{i}]") for i, colour in enumerate(given)]
+    return texture.pattern(name, width, height, colours)
+
+
+def _file(row, folder, most):
+    name = row.text("file")
+    path = os.path.join(folder, name)
+    if "\0" in name or not os.path.exists(path):
+        raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
+    return texture.read(path, name, most)
+
+
+def _paint(data, where, folder):
+    """(name, Paint) of an entry of textures."""
+    row = Table(data, where, _ROW_KEYS)
+    name, bits = row.text("name"), row.whole("bits", 8, 4, 8)
+    if bits not in (4, 8):
+        raise ToolError(f"{row.at('bits')}: 4 or 8, found {bits}")
+    if row.only_one("file", "pattern") == "file":
+        for key in ("size", "colours"):
+            if key in row:
+                raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
+        picture = _file(row, folder, row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX))
+    else:
+        if "most_colours" in row:
+            raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
+        picture = _pattern(row)
+    if bits == 4 and (len(picture.colours) + picture.has_clear() > 16 or picture.width < 2):
+        raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
+                        "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
+    return name, Paint(picture, bits, row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp")
+
+
+def read(top, folder):
+    """The textures of a scene by name."""
+    rows = top.rows("textures") if "textures" in top else []
+    if len(rows) > TEXTURES_MAX:
+        raise ToolError(f"{top.at('textures')}: {len(rows)} textures are more than {TEXTURES_MAX}")
+    paints = {}
+    for i, data in enumerate(rows):
+        name, paint = _paint(data, f"{top.at('textures')}[{i}]", folder)
+        if name in paints:
+            raise ToolError(f"{top.at('textures')}[{i}]: there is a texture {quoted(name)} already")
+        paints[name] = paint
+    return paints
+
+
+class Wish:
+    """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone."""
+
+    def __init__(self, table, known):
+        if "texture" in table and "textures" in table:
+            raise ToolError(f"{table.where}: both texture and textures are given; keep one")
+        names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
+        self.paints = tuple(self._known(name, table, known) for name in names) or (None,)
+        self.division = surfaces.DIVISIONS[str(table.data["division"])] if self._has_division(table) else 0
+        self.opacity = table.whole("opacity", 16, 1, 16)
+        self.per_unit, self.tiles = self._scale(table)
+        offset = table.data.get("texel_offset", [0, 0])
+        if not isinstance(offset, list) or len(offset) != 2:
+            raise ToolError(f"{table.at('texel_offset')}: expected [u, v] in texels")
+        self.offset = tuple(quantity.fraction(c, table.at("texel_offset")) for c in offset)
+        for key in ("texels_per_unit", "tiles", "texel_offset", "division"):
+            if key in table and self.paints == (None,):
+                raise ToolError(f"{table.at(key)}: means nothing without a texture")
+
+    @staticmethod
+    def _known(name, table, known):
+        if name == "":
+            return None
+        if not isinstance(name, str) or name not in known:
+            there = ", ".join(sorted(known)) or "none"
+            raise ToolError(f"{table.where}: there is no texture {quoted(name)}; the scene's textures: {there}")
+        return known[name]
+
+    @staticmethod
+    def _has_division(table):
+        if "division" not in table:
+            return False
+        if str(table.data["division"]) not in surfaces.DIVISIONS:
+            raise ToolError(f"{table.at('division')}: 16, 8, 1 or \"affine\", found {quoted(table.data['division'])}")
+        return True
+
+    @staticmethod
+    def _scale(table):
+        if "texels_per_unit" in table and "tiles" in table:
+            raise ToolError(f"{table.where}: both texels_per_unit and tiles are given; keep one")
+        if "texels_per_unit" in table:
+            return table.number("texels_per_unit", None, Fraction(1, 1024), TEXELS_MAX, "texels"), None
+        tiles = table.data.get("tiles", [1, 1])
+        if not isinstance(tiles, list) or len(tiles) != 2:
+            raise ToolError(f"{table.at('tiles')}: expected [across, down]")
+        return None, tuple(quantity.in_range(quantity.fraction(c, table.at("tiles")), Fraction(1, 256), 1024,
+                                             table.at("tiles")) for c in tiles)
+
+    @property
+    def key(self):
+        """Equal for wishes that give a shape the same surfaces."""
+        return self.paints, self.division, self.opacity, self.per_unit, self.tiles, self.offset
+
+    def wanted(self):
+        """Whether any face has a surface."""
+        return self.opacity != 16 or self.paints != (None,)
+
+    def paint_of(self, source):
+        """Of a face of the mesh."""
+        return self.paints[source % len(self.paints)]
+
+    def coordinates(self, mesh, scale, inside):
+        """For each face of a mesh the coordinates of its corners in texels."""
+        found = surfaces.box_coordinates(mesh, scale, inside, self.per_unit or Fraction(1), self.offset)
+        if self.tiles is None:
+            return found
+        result = []
+        for number, face in enumerate(found):
+            paint = self.paint_of(number)
+            size = (paint.picture.width, paint.picture.height) if paint else (1, 1)
+            fitted, = surfaces.tiled([face], [side * tiles for side, tiles in zip(size, self.tiles)])
+            result.append([tuple(c + o for c, o in zip(corner, self.offset)) for corner in fitted])
+        return result
+
+    def looks(self, made, coordinates, bake, where):
+        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
+        return tuple(self._look(made, face, source, found, bake, where)
+                     for face, source, found in zip(made.faces, made.sources, coordinates))
+
+    def _look(self, made, face, source, coordinates, bake, where):
+        paint = self.paint_of(source)
+        points = [made.vertices[c] for c in face.corners]
+        if paint is None:
+            if self.opacity == image_surface.OPAQUE:
+                return None
+            corners, _ = surfaces.place(points, [(0, 0)] * len(points), _NO_PAINT, where)
+            return Look(None, (), 0, 0, self.opacity, corners, ((0, 0),) * 3)
+        shaded = paint.bits == 4
+        colours = tuple(bake(colour, face.normal) if shaded else colour for colour in paint.picture.colours)
+        corners, texels = surfaces.place(points, coordinates, paint, where)
+        return Look(paint, colours, self.division, 0, self.opacity, corners, texels)
+
+
+_NO_PAINT = Paint(None, 8, True)
+
+
+def shape_of(wish, mesh, rows, made, scale, inside):
+    """(shape, coordinates) with the wish's surfaces."""
+    return surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
+
+
