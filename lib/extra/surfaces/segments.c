@@ -3,18 +3,18 @@
 
 #include "../../src/math/arith.h"
 
-/* How far value * 2^62 / weight is shifted to the right to give the attribute with so many bits of
- * fraction: it is value / weight * 2^shift in units of 2^-16. */
+/* value * 2^62 / weight, shifted to the right by 62 - shift, is in units of 2^-16. The upper word
+ * of the product is shifted by 32 less, and by less for less fraction. */
 static int32_t drop_of(int shift, int fraction)
 {
-    return 78 - shift - fraction;
+    return 46 - shift - fraction;
 }
 
 /* A weight from which on no product is shifted to the left: the weight's leading zeros are at most
- * the drop. */
+ * the drop and 32. */
 static int32_t weight_for(int32_t drop)
 {
-    return drop >= 31 ? 1 : drop < 1 ? INT32_MAX : (int32_t)1 << (31 - drop);
+    return drop >= -1 ? 1 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
 }
 
 static int32_t larger(int32_t a, int32_t b)

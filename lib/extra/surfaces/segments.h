@@ -32,22 +32,22 @@ extern "C" {
 /* The least log_width that the kernel takes: (U1 - U0) fits 32 bits. */
 #define FXL_SEGMENT_LOG_MIN 4u
 
-/* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. The
- * drops say how far a product is shifted to give U, V and light, where the weight has no leading
- * zeros. */
+/* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
+ * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,
+ * shifted to the right by the drop less the leading zeros of the weight, is U, V or the light. */
 struct fxl_segment_face {
     int64_t weight_step, u_step, v_step;
-    int32_t light_step, light_drop;
     int32_t u_drop, v_drop;
     const uint8_t *texels;
-    uint32_t rows_mask;  /* (2^log_height - 1) 2^log_width */
+    uint32_t rows_mask; /* (2^log_height - 1) 2^log_width */
+    int32_t light_step, light_drop;
     const uint8_t *ramp; /* null: unlit */
     int32_t light_max;   /* of the ramp, in 1/256 level */
+    int32_t weight_min;  /* at both ends of a segment; at least 1 */
     uint8_t log_width;
     uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */
     uint8_t is_constant; /* the weight is the same in all columns of a row */
     uint8_t reserved;
-    int32_t weight_min; /* at both ends of a segment; at least 1 */
 };
 
 /* Where the kernel begins: at the first column of a segment. light: the upper word. Of the columns

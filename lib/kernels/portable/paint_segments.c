@@ -12,11 +12,11 @@ typedef struct {
     int32_t u, v, light;
 } segment_end;
 
-/* A product, shifted. The weight's least value is such that the drop is not less than 0. */
+/* A product, shifted. The weight is large enough that it is not shifted to the left. */
 static inline int32_t divided(int64_t value, const fxl_reciprocal *reciprocal, int32_t drop)
 {
     const int64_t product = fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value);
-    const int32_t left = drop - (int32_t)reciprocal->zeros;
+    const int32_t left = 32 + drop - (int32_t)reciprocal->zeros;
     return (int32_t)(uint32_t)(product >> (left < 0 ? 0 : left > 63 ? 63 : left));
 }
 
