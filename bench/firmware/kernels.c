@@ -6,6 +6,7 @@
  * is the same loop with an empty function. A name that begins with "limit-" is the bare work,
  * for comparison. */
 #include "contract/system.h"
+#include "kernel_surfaces.h"
 #include "kernels.h"
 #include "region.h"
 #include "start.h"
@@ -26,6 +27,12 @@ int main(int argc, char **argv)
     bench_start(argc, argv);
     kernel_inputs_make(&inputs);
     for (const bench_kernel *each = kernel_list; each->name != NULL; each++) {
+        run(each);
+    }
+    if (!kernel_surfaces_prepare()) {
+        system_exit(SYSTEM_EXIT_RENDER);
+    }
+    for (const bench_kernel *each = surface_list; each->name != NULL; each++) {
         run(each);
     }
     for (const bench_kernel *each = limit_list; each->name != NULL; each++) {

@@ -3,6 +3,7 @@
 #include "offsets.h"
 
 #include "family.h"
+#include "paint_texels.h"
 #include "fixel/render.h"
 
 #if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M
@@ -106,6 +107,34 @@ AT(fxl_projection, factor_2, PROJECTION_FACTOR_2);
 AT(fxl_projection, factor_17, PROJECTION_FACTOR_17);
 AT(fxl_projection, centre_x, PROJECTION_CENTRE_X);
 AT(fxl_projection, centre_y, PROJECTION_CENTRE_Y);
+
+AT(fxl_segment_face, weight_step, SEGMENT_FACE_WEIGHT_STEP);
+AT(fxl_segment_face, u_step, SEGMENT_FACE_U_STEP);
+AT(fxl_segment_face, v_step, SEGMENT_FACE_V_STEP);
+AT(fxl_segment_face, u_drop, SEGMENT_FACE_U_DROP);
+AT(fxl_segment_face, v_drop, SEGMENT_FACE_V_DROP);
+AT(fxl_segment_face, texels, SEGMENT_FACE_TEXELS);
+AT(fxl_segment_face, rows_mask, SEGMENT_FACE_ROWS_MASK);
+AT(fxl_segment_face, light_step, SEGMENT_FACE_LIGHT_STEP);
+AT(fxl_segment_face, light_drop, SEGMENT_FACE_LIGHT_DROP);
+AT(fxl_segment_face, ramp, SEGMENT_FACE_RAMP);
+AT(fxl_segment_face, light_max, SEGMENT_FACE_LIGHT_MAX);
+AT(fxl_segment_face, log_width, SEGMENT_FACE_LOG_WIDTH);
+AT(fxl_segment_face, row_drop, SEGMENT_FACE_ROW_DROP);
+AT(fxl_segment_face, is_constant, SEGMENT_FACE_IS_CONSTANT);
+
+AT(fxl_segment_start, weight, SEGMENT_START_WEIGHT);
+AT(fxl_segment_start, u, SEGMENT_START_U);
+AT(fxl_segment_start, v, SEGMENT_START_V);
+AT(fxl_segment_start, light, SEGMENT_START_LIGHT);
+AT(fxl_segment_start, skip, SEGMENT_START_SKIP);
+AT(fxl_segment_start, end, SEGMENT_START_END);
+AT(fxl_segment_start, pixels, SEGMENT_START_PIXELS);
+
+AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
+AT(fxl_texel_run, step, TEXEL_RUN_STEP);
+AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
+AT(fxl_texel_run, light_step, TEXEL_RUN_LIGHT_STEP);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_CLIP_INSIDE, CLIP_INSIDE);

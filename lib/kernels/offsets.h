@@ -116,6 +116,37 @@
 #define PROJECTION_CENTRE_X      20
 #define PROJECTION_CENTRE_Y      24
 
+/* fxl_segment_face */
+#define SEGMENT_FACE_WEIGHT_STEP 0
+#define SEGMENT_FACE_U_STEP      8
+#define SEGMENT_FACE_V_STEP      16
+#define SEGMENT_FACE_U_DROP      24
+#define SEGMENT_FACE_V_DROP      28
+#define SEGMENT_FACE_TEXELS      32
+#define SEGMENT_FACE_ROWS_MASK   36
+#define SEGMENT_FACE_LIGHT_STEP  40
+#define SEGMENT_FACE_LIGHT_DROP  44
+#define SEGMENT_FACE_RAMP        48
+#define SEGMENT_FACE_LIGHT_MAX   52
+#define SEGMENT_FACE_LOG_WIDTH   60
+#define SEGMENT_FACE_ROW_DROP    61
+#define SEGMENT_FACE_IS_CONSTANT 62
+
+/* fxl_segment_start */
+#define SEGMENT_START_WEIGHT 0
+#define SEGMENT_START_U      8
+#define SEGMENT_START_V      16
+#define SEGMENT_START_LIGHT  24
+#define SEGMENT_START_SKIP   28
+#define SEGMENT_START_END    32
+#define SEGMENT_START_PIXELS 36
+
+/* fxl_texel_run */
+#define TEXEL_RUN_POSITION   0
+#define TEXEL_RUN_STEP       4
+#define TEXEL_RUN_LIGHT      8
+#define TEXEL_RUN_LIGHT_STEP 12
+
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL and some of fxl_clip_result */
 #define PLANES_ALL         0x3F
 #define VERTEX_UNPROJECTED 0x80

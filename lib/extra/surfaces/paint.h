@@ -35,12 +35,16 @@ typedef struct {
     uint8_t opacity;       /* 1..16 */
 } fxl_paint;
 
+/* What the kernel of segments needs of a face: segments.h. */
+typedef struct fxl_segment_face fxl_segment_face;
+
 /* The row that is being painted: the gradients at the centre of its pixel 0. The upper words are
  * the values. */
 typedef struct {
     int64_t weight;
     int64_t attributes[FXL_ATTRIBUTES];
     uint8_t *pixels; /* of column 0 */
+    const fxl_segment_face *segments; /* null: the kernel cannot paint this face */
     int32_t y;
 } fxl_paint_row;
 

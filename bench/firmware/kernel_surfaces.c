@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/* Textured faces: a quad that covers the screen, by its pixels and what a row, a segment and the
+ * face cost; and workload W4, a whole frame without the clear. */
+#include "kernel_surfaces.h"
+
+#include "fixel/all.h"
+#include "extra/surfaces/paint.h"
+
+enum {
+    LOG_SIZE = 6,
+    LEVELS = 16,
+    TEXELS = 512 * 65536 /* of the quad, 16.16 */
+};
+
+static uint8_t texels[1u << (2 * LOG_SIZE)];
+static uint8_t ramp[256 * LEVELS];
+static FXL_ALIGN_8 uint8_t frame[SURFACE_WIDTH * SURFACE_HEIGHT];
+static const fxl_band screen = {frame, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
+static fxl_scan scan;
+
+/* --- a quad --------------------------------------------------------------------------------- */
+
+static const fxl_screen_point whole[] = {{0, 0},
+                                         {SURFACE_WIDTH * 65536, 0},
+                                         {SURFACE_WIDTH * 65536, SURFACE_HEIGHT * 65536},
+                                         {0, SURFACE_HEIGHT * 65536}};
+/* The depths of the upper left, the upper right and the lower right corner, in units. */
+static const uint8_t straight[] = {4, 4, 4}, tilted[] = {8, 6, 4};
+
+/* A quad over the whole screen of the view: 90 degrees wide. */
+static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
+{
+    static const int8_t sides[3][2] = {{-1, 1}, {1, 1}, {1, -1}};
+    static fxl_gradient_corners face = {.values = {{0, TEXELS, TEXELS},
+                                                   {0, 0, TEXELS * 3 / 4},
+                                                   {32768, LEVELS * 65536 / 2, LEVELS * 65536 - 1}}};
+    fxl_gradients gradients;
+    for (uint32_t i = 0; i < 3; i++) {
+        fxl_view_point *corner = &face.corners[i];
+        corner->z = (int64_t)depths[i] << 46;
+        corner->x = corner->z * sides[i][0];
+        corner->y = corner->z * sides[i][1] / 4 * 3;
+    }
+    face.count = lit ? 3 : 2;
+    fxl_gradients_find(&face, &in->view, &gradients);
+    const fxl_paint paint = {.gradients = &gradients,
+                             .level = {.texels = texels,
+                                       .columns_less_1 = (1u << LOG_SIZE) - 1u,
+                                       .rows_less_1 = (1u << LOG_SIZE) - 1u,
+                                       .log_width = LOG_SIZE},
+                             .ramp = lit ? ramp : NULL,
+                             .levels_less_1 = LEVELS - 1,
+                             .opacity = 16};
+    fxl_paint_polygon(&paint, whole, 4, &screen, &scan);
+}
+
+static void affine(const kernel_inputs *in)
+{
+    quad(in, straight, false);
+}
+
+static void perspective(const kernel_inputs *in)
+{
+    quad(in, tilted, false);
+}
+
+static void lit(const kernel_inputs *in)
+{
+    quad(in, tilted, true);
+}
+
+/* --- W4 ------------------------------------------------------------------------------------- */
+
+/* A floor of 16 x 20 units, half a unit below the eye, that runs behind it. */
+static const fxl_point floor_corners[] = {{-8 * 65536, -32768, 16 * 65536},
+                                          {8 * 65536, -32768, 16 * 65536},
+                                          {8 * 65536, -32768, -4 * 65536},
+                                          {-8 * 65536, -32768, -4 * 65536}};
+static const uint16_t indices[] = {0, 1, 2, 3};
+static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 200, 0}};
+static const fxl_model models[] = {
+    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 18 * 65536}};
+static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
+static fxl_scene scene = {.vertices = floor_corners,
+                          .indices = indices,
+                          .faces = faces,
+                          .models = models,
+                          .instances = instances,
+                          .vertex_count = 4,
+                          .index_count = 4,
+                          .face_count = 1,
+                          .model_count = 1,
+                          .instance_count = 1};
+
+static const fxl_texture texture = {
+    .texels = texels, .log_width = LOG_SIZE, .log_height = LOG_SIZE, .levels = 1};
+static const fxl_surface surface = {.texture = 1, .opacity = 16};
+static const fxl_mapped_face mapped[] = {
+    {.corners = {0, 1, 2},
+     .texels = {{0, 640 * 65536}, {512 * 65536, 640 * 65536}, {512 * 65536, 0}}}};
+static const uint16_t face_map[] = {1};
+static const fxl_surface_set set = {.textures = &texture,
+                                    .surfaces = &surface,
+                                    .faces = mapped,
+                                    .face_map = face_map,
+                                    .texture_count = 1,
+                                    .surface_count = 1,
+                                    .face_count = 1};
+static fxl_renderer renderer;
+static fxl_surfaces surfaces;
+static FXL_ALIGN_8 uint8_t memory[1024];
+
+static void w4(const kernel_inputs *in)
+{
+    static const fxl_pose eye = {{0, 0, 0}, 40u << 23, 0u - (12u << 23), 0};
+    (void)in;
+    fxl_frame_begin(&renderer, &eye);
+    fxl_frame_draw(&renderer, &screen);
+}
+
+bool kernel_surfaces_prepare(void)
+{
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(1 + (i >> 10 & 3) * 4 + (i >> 4 & 3));
+    }
+    fxl_config config = fxl_config_default(SURFACE_WIDTH, SURFACE_HEIGHT);
+    config.fov = FXL_ANGLE_QUARTER;
+    config.near_z = 4096;
+    config.far_z = 64 * 65536;
+    return fxl_scene_check(&scene, NULL) == FXL_OK &&
+           fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) == FXL_OK &&
+           fxl_renderer_set_surfaces(&renderer, &surfaces, &set) == FXL_OK;
+}
+
+#define PIXELS (SURFACE_WIDTH * SURFACE_HEIGHT)
+
+const bench_kernel surface_list[] = {
+    {"texture-affine", affine, PIXELS},
+    {"texture-perspective", perspective, PIXELS},
+    {"texture-lit", lit, PIXELS},
+    {"texture-w4", w4, 1},
+    {NULL, NULL, 0},
+};

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* The pixels of most textured faces, painted by the kernel fxl_paint_segments: 8 bits a texel,
+ * repeated, opaque, and divided every 16 columns. Internal.
+ *
+ * A segment is the 16 columns of the screen from a multiple of 16 on. Its coordinates are found at
+ * both ends, at its first column and 16 columns on:
+ *
+ *   U = u 2^(20 - log_width),  V = v 2^(20 - log),  log = the larger of log_width and log_height.
+ *
+ * Its position p is one word: U / 16 in the upper half, V / 16 in the lower one. The upper bits of
+ * each half are the texel's column and row, and the others its fraction. So a column repeats by
+ * itself. A pixel adds a step to p,
+ *
+ *   step = 2^16 round((U1 - U0) / 256) + round((V1 - V0) / 256) modulo 2^16, from -2^15 on.
+ *
+ * Error beyond that of the line between both ends, in units of 2^-(16 - log): less than 1 of p and
+ * 1/2 of each of at most 15 steps. Where v repeats, a carry of the lower half adds 1 to u, or takes
+ * it away. For 64 x 64 texels a unit is 1/1024 texel.
+ *
+ * Light is in 1/256 level. At both ends it is limited to the levels, and a step is a 16th of the
+ * difference, rounded towards 0. So no pixel is beyond both ends, and light is less than 1/16 level
+ * off. */
+#ifndef FXL_SEGMENTS_H
+#define FXL_SEGMENTS_H
+
+#include "paint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The least log_width that the kernel takes: (U1 - U0) fits 32 bits. */
+#define FXL_SEGMENT_LOG_MIN 4u
+
+/* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
+ * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,
+ * shifted to the right by the drop less the leading zeros of the weight, is U, V or the light. */
+struct fxl_segment_face {
+    int64_t weight_step, u_step, v_step;
+    int32_t u_drop, v_drop;
+    const uint8_t *texels;
+    uint32_t rows_mask; /* (2^log_height - 1) 2^log_width */
+    int32_t light_step, light_drop;
+    const uint8_t *ramp; /* null: unlit */
+    int32_t light_max;   /* of the ramp, in 1/256 level */
+    int32_t weight_min;  /* at both ends of a segment; at least 1 */
+    uint8_t log_width;
+    uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */
+    uint8_t is_constant; /* the weight is the same in all columns of a row */
+    uint8_t reserved;
+};
+
+/* Where the kernel begins: at the first column of a segment. light: the upper word. Of the columns
+ * from there on it paints skip <= column < end. */
+typedef struct {
+    int64_t weight, u, v;
+    int32_t light;
+    uint32_t skip, end;
+    uint8_t *pixels; /* of the segment's first column */
+} fxl_segment_start;
+
+/* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
+bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face);
+
+/* Paints a part of a row. Requires skip < 16, skip < end, and weights of at least weight_min at
+ * both ends of each segment. Safe for any other number: no texel or entry of the ramp is read that
+ * is not of the table. */
+void fxl_paint_segments(const fxl_segment_face *face, const fxl_segment_start *start);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_paint_segments of faces with light, for Armv7-M and Armv8-M Mainline: the other kernel jumps
+ * here. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no higher than
+ * wide; any other takes 12. A segment takes 57 more. */
+#include "../family.h"
+#include "../offsets.h"
+
+#if FXL_KERNELS_ARMV7M
+
+/* The frame: weight, u and v at the end of the segment; their steps; U, V and light at its
+ * beginning; the block to which lr points; a block for one load; then: */
+#define STEPS        24
+#define BLOCK        60 /* the light's upper word, its step and its drop, those of U and V, its most */
+#define LOADED       84 /* texels, mask, ramp, FRAME_GO */
+#define FRAME_TEXELS LOADED
+#define FRAME_GO     96
+#define FRAME_FULL   100
+#define FRAME_BEFORE 108
+#define FRAME_LAST   112
+#define FRAME_SKIP   120
+#define FRAME_COLUMN 124
+#define FRAME        132
+#include "segments.h"
+
+pixels  .req r0
+p       .req r1
+step    .req r2
+texels  .req r4
+mask    .req r5
+ramp    .req r6
+change  .req r9     /* of light, a pixel */
+light   .req r10    /* 1/256 level: of an even pixel */
+other   .req r11    /* of an odd one */
+
+    .section .text.fxl_paint_lit_segments, "ax", %progbits
+    .global fxl_paint_lit_segments
+    .type fxl_paint_lit_segments, %function
+    .thumb_func
+
+/* r0: face, r1: start */
+fxl_paint_lit_segments:
+    push    {r4-r11, lr}
+    sub     sp, #FRAME
+    ldm     r0, {r2-r7}
+    add     r8, sp, #STEPS
+    stm     r8, {r2-r7}
+    add     lr, sp, #BLOCK
+    ldrd    r3, r4, [r0, #SEGMENT_FACE_LIGHT_STEP]
+    ldrd    r5, r6, [r0, #SEGMENT_FACE_U_DROP]
+    ldr     r7, [r0, #SEGMENT_FACE_LIGHT_MAX]
+    ldr     r2, [r1, #SEGMENT_START_LIGHT]
+    subs    r2, r2, r3                  /* a step is added below */
+    stm     lr, {r2-r7}
+    ldrd    r2, r3, [r0, #SEGMENT_FACE_TEXELS]
+    ldr     r4, [r0, #SEGMENT_FACE_RAMP]
+    adr     r5, .Lstarted + 1
+    add     r6, sp, #LOADED
+    stm     r6, {r2-r5}
+    choose_code 26
+    begin_pixels
+    ldm     r1, {r1-r6}
+    b       .Lattributes
+
+    /* The end of the next segment. */
+    .align  2
+.Lsegment:
+    ldm     sp, {r1-r12}
+    adds    r1, r1, r7
+    adcs    r2, r2, r8
+    adds    r3, r3, r9
+    adcs    r4, r4, r10
+    adds    r5, r5, r11
+    adc     r6, r6, r12
+.Lattributes:                           /* r2: weight, r4: u / z, r6: v / z */
+    stm     sp, {r1-r6}
+    ldm     lr, {r7-r12}
+    add     r7, r7, r8
+    str     r7, [lr]
+    reciprocal r3, r1, r2, r5, r8, r2
+    sub     r9, r9, r1
+    sub     r10, r10, r1
+    sub     r11, r11, r1
+    orr     r1, r9, r10
+    orrs    r1, r1, r11
+    bmi     .Lfar
+    smull   r1, r2, r4, r3
+    asr     r2, r2, r10
+    smull   r1, r4, r6, r3
+    asr     r4, r4, r11
+    smull   r1, r7, r7, r3
+    asr     r7, r7, r9
+.Lends:                                 /* r2: U, r4: V, r7: light at the end */
+    cmp     r7, r12
+    bhi     .Lbeyond
+.Lwithin:
+    ldmdb   lr, {r8-r10}
+    stmdb   lr, {r2, r4, r7}
+    ubfx    p, r9, #4, #16
+    lsr     r3, r8, #4
+    add     p, p, r3, lsl #16
+    sub     r2, r2, r8
+    sub     r4, r4, r9
+    sub     change, r7, light
+    adds    r2, #128
+    adds    r4, #128
+    asrs    r2, r2, #8
+    sbfx    r4, r4, #8, #16
+    add     step, r4, r2, lsl #16
+    add     change, change, change, lsr #28 /* bug: v7m-segment-light */
+    asr     change, change, #4
+    add     r3, lr, #LOADED - BLOCK
+    ldm     r3, {texels, mask, ramp, pc}
+
+    /* Light that is not a level. */
+.Lbeyond:
+    cmp     r7, #0
+    ite     lt
+    movlt   r7, #0
+    movge   r7, r12
+    b       .Lwithin
+
+    /* Fewer leading zeros in a drop: some bits come from the lower word. */
+.Lfar:
+    smull   r1, r2, r4, r3
+    shift_down r2, r1, r10
+    smull   r1, r4, r6, r3
+    shift_down r4, r1, r11
+    smull   r1, r7, r7, r3
+    shift_down r7, r1, r9
+    b       .Lends
+
+    .align  2
+.Lstarted:
+    start_pixels
+    b       .Lsegment
+
+    .align  2
+.Lpartial:
+    find_partial r7, r8
+    mla     light, change, r7, light
+    mov     other, light                /* the code may begin at an odd pixel */
+    go_partial r8
+
+    .align  2
+.Lrest:
+    begin_rest
+    b       .Lsegment
+.Lend:
+    add     sp, #FRAME
+    pop     {r4-r11, pc}
+
+    width_table
+
+    .macro  go_on
+    ldr     r3, [sp, #FRAME_LAST]
+    cmp     pixels, r3
+    bls     .Lsegment
+    b       .Lrest
+    .endm
+
+    /* Any size. */
+    .align  2
+.Lloop:
+    ldrd    r7, r8, [sp, #FRAME_COLUMN]
+    add     r12, pixels, #16
+    ldr     r3, [sp, #FRAME_BEFORE]
+    add     pixels, r3
+    movs    r3, #0
+    str     r3, [sp, #FRAME_BEFORE]
+.Lpixel:
+    lsr     r3, p, r8
+    ands    r3, mask
+    lsr     r11, p, r7
+    add     r3, texels
+    ldrb    r3, [r3, r11]
+    add     other, light, change
+    bfi     light, r3, #0, #8
+    ldrb    r3, [ramp, light]
+    mov     light, other
+    strb    r3, [pixels, #1]!
+    add     p, step
+    cmp     pixels, r12
+    bne     .Lpixel
+    go_on
+
+    /* 26 bytes a pixel. The texel takes the place of the light's fraction: level and colour. */
+    .macro  lit_texel log, at, light, next
+    texel_offset r3, mask, p, \log
+    ldrb    r3, [texels, r3]
+    add.w   \next, \light, change
+    bfi     \light, r3, #0, #8
+    ldrb.w  r3, [ramp, \light]
+    .if     \at < 16
+    strb    r3, [pixels, #\at]
+    .else
+    strb    r3, [pixels, #\at]!
+    .endif
+    add     p, step
+    .endm
+    .macro  whole log
+    .align  2
+.Lpixels_\log:
+    .irp    at, 1, 3, 5, 7, 9, 11, 13, 15
+    lit_texel \log, \at, light, other
+    lit_texel \log, (\at + 1), other, light
+    .endr
+    go_on
+    .endm
+    whole   5
+    whole   6
+    whole   7
+    whole   8
+
+    .size fxl_paint_lit_segments, . - fxl_paint_lit_segments
+
+#endif
