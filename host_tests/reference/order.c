@@ -86,16 +86,29 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
     return count;
 }
 
+#define LARGEST (REF_COORDINATE_MAX * 65536)
+
 /* Tells whether the sphere test rejects a cluster of an instance. */
-static bool cluster_is_outside(const ref_cluster *cluster, const ref_instance *instance,
-                               const ref_camera *camera, const ref_view_frustum *frustum)
+static bool cluster_is_outside(const ref_scene *scene, const ref_cluster *cluster,
+                               const ref_instance *instance, const ref_camera *camera,
+                               const ref_view_frustum *frustum)
 {
+    const ref_turn *turn = ref_turn_of(scene, instance);
     ref_lattice_point placed = {instance->centre.x + cluster->centre.x,
                                 instance->centre.y + cluster->centre.y,
                                 instance->centre.z + cluster->centre.z};
+    double radius = cluster->radius;
+    if (turn) {
+        placed = ref_turn_rounded(turn, &instance->centre, &cluster->centre);
+        radius = (double)ref_turn_radius(turn, cluster->radius);
+        if (radius > LARGEST + REF_TURN_SLACK || labs(placed.x) > LARGEST ||
+            labs(placed.y) > LARGEST || labs(placed.z) > LARGEST) {
+            return false;
+        }
+    }
     ref_point centre = ref_point_from_lattice(&placed);
     ref_sphere_distances distances = ref_sphere_measure(camera, frustum, &centre);
-    return ref_sphere_planes(&distances, cluster->radius / REF_ONE) == REF_SPHERE_OUTSIDE;
+    return ref_sphere_planes(&distances, radius / REF_ONE) == REF_SPHERE_OUTSIDE;
 }
 
 uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
@@ -104,15 +117,14 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                          uint32_t *left_out)
 {
     const ref_model *model = &scene->models[instance->model];
-    /* The clusters of a turned instance are not tested. */
-    uint32_t count = 0, cluster = ref_turn_of(scene, instance) ? 0 : model->first_cluster, left = 0;
+    uint32_t count = 0, cluster = model->first_cluster, left = 0;
     bool outside = false;
     *left_out = 0;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
         if (cluster > 0 && left == 0) {
             const ref_cluster *next = &scene->clusters[cluster++ - 1];
-            outside = cluster_is_outside(next, instance, camera, frustum);
+            outside = cluster_is_outside(scene, next, instance, camera, frustum);
             left = next->face_count;
         }
         left -= left > 0;

@@ -13,11 +13,16 @@ const ref_turn *ref_turn_of(const ref_scene *scene, const ref_instance *instance
                : NULL;
 }
 
+int64_t ref_turn_radius(const ref_turn *turn, int32_t radius)
+{
+    return ((int64_t)radius * turn->scale + 65535) / 65536 + REF_TURN_SLACK;
+}
+
 int32_t ref_instance_radius(const ref_scene *scene, const ref_instance *instance)
 {
     const ref_turn *turn = ref_turn_of(scene, instance);
-    const int64_t radius = scene->models[instance->model].radius;
-    return turn ? (int32_t)((radius * turn->scale + 65535) / 65536 + 32) : (int32_t)radius;
+    const int32_t radius = scene->models[instance->model].radius;
+    return turn ? (int32_t)ref_turn_radius(turn, radius) : radius;
 }
 
 /* floor(value / divisor); divisor > 0. */

@@ -10,6 +10,12 @@
 /* The turn of an instance; null: it has none. */
 const ref_turn *ref_turn_of(const ref_scene *scene, const ref_instance *instance);
 
+/* What is added to the radius of a sphere that is turned, in units of 1/65536. */
+#define REF_TURN_SLACK 32
+
+/* The radius of a sphere about points of the model, in 16.16, once it is turned. */
+int64_t ref_turn_radius(const ref_turn *turn, int32_t radius);
+
 /* The radius of an instance in 16.16, turned or not. */
 int32_t ref_instance_radius(const ref_scene *scene, const ref_instance *instance);
 

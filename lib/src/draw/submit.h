@@ -5,6 +5,7 @@
 
 #include "fixel/render.h"
 #include "../scene/turn_code.h"
+#include "../view/clusters.h"
 
 /* What becomes of a face of which the clipper gives one polygon at most. */
 typedef enum {
@@ -93,6 +94,11 @@ struct fxl_cluster_code {
      * frustum, and clusters turned away from the eye, are left out with all their faces. */
     void (*find_faces)(const fxl_traversal *on, const fxl_model_view *model_view,
                        const fxl_model *model);
+    /* The same for a turned instance, by its tests. */
+    void (*find_faces_by)(const fxl_traversal *on, const fxl_model_view *model_view,
+                          const fxl_model *model, const fxl_cluster_tests *tests);
+    /* fxl_cluster_is_surely_turned_away, for such tests. */
+    fxl_cluster_cone *is_turned_away;
 };
 
 /* --- a face in several pieces ---------------------------------------------- */

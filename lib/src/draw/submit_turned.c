@@ -38,6 +38,7 @@ static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *
     for (uint32_t i = 0; i < face->count; i++) {
         fxl_turn_point(fxl_turn_of(scene, number), &scene->instances[number].centre,
                        &vertices[indices[i]], &points[i]);
+        FXL_ASSERT(fxl_point_in_range(&points[i]));
     }
 }
 
@@ -213,26 +214,65 @@ static bool face_is_front_to_any(const fxl_model_view *model_view, const fxl_fac
     return fxl_turned_view_face_is_front(turned, face, turned->eye_shift == 0);
 }
 
-/* fxl_order_model. The clusters of a turned instance are not tested. */
-static void order_faces(const fxl_traversal *on, const fxl_model_view *model_view,
-                        const fxl_model *model)
+static uint32_t cluster_planes(const fxl_cluster *cluster, const fxl_model_view *model_view)
+{
+    return fxl_turned_cluster_planes((const fxl_turned_view *)model_view, cluster);
+}
+
+static uint32_t find_front(const fxl_scene *scene, const fxl_model *model, uint32_t first,
+                           uint32_t count, const fxl_model_view *model_view, const fxl_point *eye,
+                           fxl_order_entry *entries)
+{
+    (void)eye;
+    return fxl_order_turned_faces((const fxl_turned_view *)model_view, scene, model, first, count,
+                                  entries);
+}
+
+/* An eye so far that it has another unit: cones are not tested. */
+static bool is_never_turned_away(const fxl_cluster *cluster, const fxl_point *eye)
+{
+    (void)cluster;
+    (void)eye;
+    return false;
+}
+
+/* The faces that are to be sorted, of a model without clusters. */
+static void find_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+                       const fxl_model *model)
 {
     fxl_workspace *workspace = on->workspace;
     const fxl_scene *scene = on->renderer->scene;
-    if (workspace->sorted_instance == on->resume->instances) {
-        return;
-    }
-    workspace->sorted_instance = on->resume->instances;
-    uint32_t count = fxl_order_turned_faces((const fxl_turned_view *)model_view, scene, model,
-                                            workspace->face_order);
+    uint32_t count =
+        find_front(scene, model, 0, model->face_count, model_view, NULL, workspace->face_order);
     workspace->front_count = (uint16_t)count;
     if (fxl_drops_outside(on, model_view, model)) {
         count = fxl_order_drop_outside(model_view, &scene->faces[model->first_face],
                                        workspace->face_order, count);
     }
     workspace->sorted_count = (uint16_t)count;
+}
+
+/* fxl_order_model. */
+static void order_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+                        const fxl_model *model)
+{
+    fxl_workspace *workspace = on->workspace;
+    if (workspace->sorted_instance == on->resume->instances) {
+        return;
+    }
+    workspace->sorted_instance = on->resume->instances;
+    if (model->first_cluster != 0) {
+        const fxl_turned_view *turned = (const fxl_turned_view *)model_view;
+        const fxl_cluster_code *code = on->renderer->scene->cluster_code;
+        const fxl_cluster_tests tests = {
+            cluster_planes, turned->eye_shift == 0 ? code->is_turned_away : is_never_turned_away,
+            find_front};
+        code->find_faces_by(on, model_view, model, &tests);
+    } else {
+        find_faces(on, model_view, model);
+    }
     workspace->face_rows_known = false;
-    fxl_order_sort_faces(workspace->face_order, count, &workspace->work.order);
+    fxl_order_sort_faces(workspace->face_order, workspace->sorted_count, &workspace->work.order);
 }
 
 /* What takes the faces of an instance before they are clipped. */

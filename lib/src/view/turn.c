@@ -63,7 +63,6 @@ void fxl_turn_point(const fxl_turn *turn, const fxl_point *centre, const fxl_poi
     point->x = centre->x + along(&turn->orientation.x, vertex, turn->scale);
     point->y = centre->y + along(&turn->orientation.y, vertex, turn->scale);
     point->z = centre->z + along(&turn->orientation.z, vertex, turn->scale);
-    FXL_ASSERT(fxl_point_in_range(point));
 }
 
 void fxl_turn_direction(const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned)

@@ -71,15 +71,16 @@ static uint64_t box_distance(const fxl_point *box, const fxl_point *eye, unsigne
 }
 
 uint32_t fxl_order_turned_faces(const fxl_turned_view *turned, const fxl_scene *scene,
-                                const fxl_model *model, fxl_order_entry *entries)
+                                const fxl_model *model, uint32_t first, uint32_t count,
+                                fxl_order_entry *entries)
 {
     const fxl_model_view *model_view = &turned->model_view;
     const fxl_point *offset = &model_view->offset;
     const fxl_point eye = {-offset->x, -offset->y, -offset->z};
     const fxl_face_bounds *known =
         scene->face_bounds != NULL ? &scene->face_bounds[model->first_face_bounds] : NULL;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < model->face_count; i++) {
+    const fxl_order_entry *const start = entries;
+    for (uint32_t i = first; i < first + count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         const uint16_t *indices = model_view->indices + face->first_index;
         const fxl_q18_46 height = known != NULL
@@ -96,9 +97,40 @@ uint32_t fxl_order_turned_faces(const fxl_turned_view *turned, const fxl_scene *
             } else {
                 box = fxl_face_box(model_view->vertices, indices, face->count);
             }
-            entries[count++] =
+            *entries++ =
                 fxl_order_entry_of(box_distance(&box, &eye, turned->eye_shift), (uint16_t)i, 0);
         }
     }
-    return count;
+    return (uint32_t)(entries - start);
+}
+
+/* A vertex v of the cluster is |scale orientation . (v - c)| away from the cluster's centre c, both
+ * placed. That is at most the scaled radius and 22 units of 1/65536, if the scaled radius is at
+ * most FXL_COORDINATE_MAX: rows stretch by less than 11 2^-28. The centre's rounding adds 0.87
+ * units, and the matrix's, or the point's where it is rounded in the world, 1.5. FXL_TURN_SLACK is
+ * more. The box that holds c may reach out of the model's sphere, and so of the world. */
+uint32_t fxl_turned_cluster_planes(const fxl_turned_view *turned, const fxl_cluster *cluster)
+{
+    const fxl_model_view *model_view = &turned->model_view;
+    const fxl_view *view = model_view->view;
+    const fxl_point *eye = &view->camera.position;
+    const fxl_turn *turn = turned->turn;
+    const uint64_t reach = fxl_multiply_u32((uint32_t)turn->scale, (uint32_t)cluster->radius);
+    fxl_point centre = {turned->from_eye.x + eye->x, turned->from_eye.y + eye->y,
+                        turned->from_eye.z + eye->z};
+    uint32_t planes = model_view->planes & FXL_PLANES_ALL;
+    if (planes == 0) {
+        return 0;
+    }
+    fxl_turn_point(turn, &centre, &cluster->centre, &centre);
+    if (reach <= (uint64_t)FXL_COORDINATE_MAX << 16 && fxl_point_in_range(&centre)) {
+        const uint32_t crossed = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
+                                                   /* bug: turn-cluster-planes */
+                                                   fxl_scaled_radius(turn->scale, cluster->radius));
+        if (crossed == FXL_SPHERE_OUTSIDE) {
+            return crossed;
+        }
+        planes &= crossed;
+    }
+    return planes == 0 ? 0 : planes | (model_view->planes & FXL_MODEL_VIEW_SCALED);
 }

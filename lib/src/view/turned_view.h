@@ -26,10 +26,15 @@ const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_
                                              uint32_t number, const fxl_view *view,
                                              fxl_vertex_cache *cache, uint32_t planes);
 
-/* Fills entries with the faces of the instance's model that face the eye, as fxl_order_front_faces
- * does. */
+/* Fills entries with those of count faces of the instance's model, from first on, that face the
+ * eye, as fxl_order_front_faces does. */
 uint32_t fxl_order_turned_faces(const fxl_turned_view *turned, const fxl_scene *scene,
-                                const fxl_model *model, fxl_order_entry *entries);
+                                const fxl_model *model, uint32_t first, uint32_t count,
+                                fxl_order_entry *entries);
+
+/* The planes that a cluster of the instance may cross, of the model view's, and
+ * FXL_MODEL_VIEW_SCALED as the model view has it; or 0; or FXL_SPHERE_OUTSIDE. */
+uint32_t fxl_turned_cluster_planes(const fxl_turned_view *turned, const fxl_cluster *cluster);
 
 /* fxl_turn_is_front, from all bits. */
 bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *face);

@@ -37,8 +37,10 @@ fxl_q16_16 fxl_turn_radius(const fxl_turn *turn, fxl_q16_16 radius);
  * FXL_TURN_NONE, *matrix is *view and the shift is 0. */
 unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *matrix);
 
-/* A point of the model in the world: centre + scale * orientation . vertex, rounded once. Requires
- * a checked turn and a vertex within the model's radius. Error: half a unit a coordinate. */
+/* A point of the model in the world: centre + scale * orientation . vertex, rounded once. point may
+ * be centre. Requires a checked turn and a vertex of which each coordinate is within the model's
+ * radius. A vertex within the radius comes within FXL_COORDINATE_MAX, any other within three times
+ * that. Error: half a unit a coordinate. */
 void fxl_turn_point(const fxl_turn *turn, const fxl_point *centre, const fxl_point *vertex,
                     fxl_point *point);
 

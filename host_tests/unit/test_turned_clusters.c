@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/* Clusters of turned instances: their spheres, and cones before an eye that was rounded. */
+#include "cluster_scene.h"
+#include "src/view/clusters.h"
+#include "turns.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    ENTRIES = TINY_INSTANCES + 6
+};
+
+static fxl_renderer renderer;
+static fxl_order_entry order[ENTRIES];
+static fxl_cached_vertex cache[16];
+static uint8_t pixels[2][HEIGHT * WIDTH];
+static fxl_turn turns[TINY_INSTANCES];
+
+/* Whether an eye less e units away from the apex is in a cone. By the definition, in double, of
+ * which the error is far below 2^-20 for such small numbers. */
+static bool in_cone(const fxl_cluster *cluster, const double u[3])
+{
+    const double along = (u[0] * cluster->axis.x + u[1] * cluster->axis.y + u[2] * cluster->axis.z);
+    const double square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    const double unit = 1073741824.0;
+    return along > -1e-6 * unit &&
+           along * along / unit / unit > square * (cluster->cutoff / 4294967296.0) - 1e-6;
+}
+
+/* An eye so near to the apex that half a unit decides often. */
+void test_a_rounded_eye_in_a_cone(void)
+{
+    uint32_t inside = 0, slack = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const fxl_cluster cluster = {.axis = unit_direction(),
+                                     .cutoff = (uint32_t)unit_wide(32),
+                                     .apex = unit_point(FXL_COORDINATE_MAX)};
+        const fxl_point u = unit_point(60);
+        const fxl_point eye = {cluster.apex.x - u.x, cluster.apex.y - u.y, cluster.apex.z - u.z};
+        const double exact[3] = {u.x + unit_between(-512, 512) / 1024.0,
+                                 u.y + unit_between(-512, 512) / 1024.0,
+                                 u.z + unit_between(-512, 512) / 1024.0};
+        if (fxl_cluster_is_surely_turned_away(&cluster, &eye)) {
+            TEST_ASSERT_TRUE(in_cone(&cluster, exact));
+            inside++;
+        } else {
+            slack += fxl_cluster_is_turned_away(&cluster, &eye);
+        }
+    }
+    TEST_ASSERT_TRUE(inside > UNIT_REPEAT / 20 && slack > UNIT_REPEAT / 100);
+}
+
+/* A frame into pixels[which]. */
+static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool with_memory,
+                         const fxl_clipper *clipper)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {
+        order, ENTRIES, NULL, 0, with_memory ? cache : NULL, with_memory ? 16 : 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    const fxl_band band = {pixels[which], WIDTH, WIDTH, 0, HEIGHT};
+    fxl_fill_band(&band, 0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    return renderer.workspace.counters;
+}
+
+/* Turns all; the sorted cube is as small or as large as leaves it in the world. */
+static void turn_all(tiny_scene *tiny)
+{
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        turns[i] = (fxl_turn){turns_orientation(), FXL_Q16_16_ONE};
+    }
+    turns[1].scale =
+        unit_between(0, 1) ? unit_between(FXL_Q16_16_ONE / 4, 6 * FXL_Q16_16_ONE) : FXL_Q16_16_ONE;
+    tiny->scene.turns = turns;
+    tiny->scene.first_turned = 0;
+    tiny->scene.turn_code = &fxl_turned_instances;
+}
+
+/* Of the sorted cube's faces: how many lie in clusters that the sphere test rejects, and how many
+ * of the others do not face the eye. */
+static void count_by_definition(const cluster_scene *made, const fxl_view *view, uint32_t *outside,
+                                uint32_t *backfacing)
+{
+    const tiny_scene *tiny = made->tiny;
+    const fxl_instance *cube = &tiny->instances[1];
+    uint32_t face = 6;
+    *outside = *backfacing = 0;
+    for (int c = 0; c < CLUSTERS; c++) {
+        const fxl_cluster *cluster = &made->clusters[c];
+        fxl_point centre, from_eye;
+        fxl_turn_point(&turns[1], &cube->centre, &cluster->centre, &centre);
+        const bool out =
+            fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
+                              fxl_turn_radius(&turns[1], cluster->radius)) == FXL_SPHERE_OUTSIDE;
+        for (uint32_t i = 0; i < cluster->face_count; i++, face++) {
+            const fxl_face *at = &tiny->faces[face];
+            const fxl_point *first = &tiny->vertices[tiny->models[1].first_vertex +
+                                                     tiny->scene.indices[at->first_index]];
+            const fxl_q18_46 height = (int64_t)at->normal.x * first->x +
+                                      (int64_t)at->normal.y * first->y +
+                                      (int64_t)at->normal.z * first->z;
+            from_eye.x = cube->centre.x - view->camera.position.x;
+            from_eye.y = cube->centre.y - view->camera.position.y;
+            from_eye.z = cube->centre.z - view->camera.position.z;
+            *outside += out;
+            *backfacing += !out && !fxl_turn_is_front(&turns[1], &from_eye, &at->normal, height);
+        }
+    }
+}
+
+static bool is_cube_in_sight(void)
+{
+    for (uint32_t i = 0; i < renderer.frame.visible_count; i++) {
+        if (renderer.frame.order[i].index == 1) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The same pixels as without clusters, and the counters that SPEC.md, section 8.4, defines. */
+void test_frames_with_turned_clusters(void)
+{
+    uint32_t left_out = 0, crossed = 0;
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        cluster_scene *made = cluster_make();
+        tiny_scene *tiny = made->tiny;
+        const fxl_clipper *clipper = i % 4 == 3 ? &fxl_clipper_world : &fxl_clipper_view;
+        fxl_pose pose = unit_pose();
+        pose.position = (fxl_point){unit_between(Q16(-6), Q16(6)), unit_between(Q16(-6), Q16(6)),
+                                    unit_between(Q16(4), Q16(16))};
+        turn_all(tiny);
+        tiny->scene.face_bounds = i % 3 ? tiny->keys : NULL;
+        tiny->scene.face_bounds_count = i % 3 ? 6 : 0;
+        const fxl_counters with = draw(tiny, &pose, 0, i % 2, clipper);
+        const bool in_sight = is_cube_in_sight();
+        uint32_t outside = 0, backfacing = 0;
+        if (in_sight) {
+            count_by_definition(made, &renderer.frame.view, &outside, &backfacing);
+        }
+        tiny->models[1].first_cluster = 0;
+        tiny->scene.clusters = NULL;
+        tiny->scene.cluster_count = 0;
+        const fxl_counters without = draw(tiny, &pose, 1, i % 2, clipper);
+        TEST_ASSERT_EQUAL_MEMORY(pixels[1], pixels[0], sizeof pixels[0]);
+        TEST_ASSERT_EQUAL_UINT32(without.in, with.in);
+        TEST_ASSERT_EQUAL_UINT32(without.drawn, with.drawn);
+        TEST_ASSERT_EQUAL_UINT32(without.clipped, with.clipped);
+        TEST_ASSERT_EQUAL_UINT32(with.in, with.backfacing + with.outside + with.degenerate +
+                                              with.refused + with.drawn);
+        /* Without clusters the cube's faces outside are backfacing where they face away. */
+        TEST_ASSERT_TRUE(with.outside >= without.outside && with.outside >= outside);
+        if (outside == 0) {
+            TEST_ASSERT_EQUAL_UINT32(without.backfacing, with.backfacing);
+        } else {
+            TEST_ASSERT_TRUE(with.backfacing >= backfacing &&
+                             without.backfacing - with.backfacing <= outside);
+        }
+        left_out += outside;
+        crossed += in_sight && outside == 0;
+    }
+    TEST_ASSERT_TRUE(left_out > UNIT_REPEAT / 500 && crossed > UNIT_REPEAT / 500);
+}
