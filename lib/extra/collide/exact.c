@@ -7,8 +7,8 @@ static int64_t minor(int32_t a, int32_t b, int32_t c, int32_t d)
     return fxl_multiply_s32(a, b) - fxl_multiply_s32(c, d);
 }
 
-/* *high and *low gain factor * value, |factor| <= 2^61, |value| <= 2^30, as 2^32 high + low. Each
- * call adds less than 2^59 + 2^30 to *high and less than 2^32 to *low. */
+/* *high and *low gain factor * value, |factor| <= 2^61, |value| <= 2^30 + 2^7, as 2^32 high + low.
+ * Each call adds less than 2^59 + 2^37 to *high and less than 2^32 to *low. */
 static void add_product(int64_t factor, int32_t value, int64_t *high, uint64_t *low)
 {
     const int64_t lower = fxl_multiply_su32(value, (uint32_t)factor);

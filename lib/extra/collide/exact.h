@@ -20,7 +20,8 @@ static inline uint64_t fxl_square_of(const fxl_point *a)
     return (uint64_t)fxl_dot_vectors(a, a);
 }
 
-/* -1, 0 or 1: the sign of a . (b x c). Requires components of at most 2^30. Exact. */
+/* -1, 0 or 1: the sign of a . (b x c). Requires components of at most 2^30, those of a of at most
+ * 2^30 + 2^7. Exact. */
 int fxl_determinant_sign(const fxl_point *a, const fxl_point *b, const fxl_point *c);
 
 /* The vertices of a face of an instance, in the world. */
@@ -77,7 +78,7 @@ static inline fxl_q18_46 fxl_height_over(const fxl_face_place *face, const fxl_p
 
 /* Whether the line through `from` along `direction`, which passes from the front of the face to its
  * back, passes within the face; its edges belong to it. Exact. Requires each component of the
- * direction to be at most 2^30. */
+ * direction to be at most 2^30 + 2^7: the normal of a turned face may be as long. */
 bool fxl_line_is_within(const fxl_face_place *face, const fxl_point *from,
                         const fxl_point *direction);
 

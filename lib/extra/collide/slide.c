@@ -7,15 +7,41 @@
 
 enum {
     PASSES = 6, /* pushes of a step, one after another */
-    GAP = 8,    /* units of 1/65536 that a push leaves; above the rounding of a push, 2 units */
+    GAP = 8,    /* units of 1/65536 that a push leaves; above the error of a push, 2 units, or 3.5
+                   from a turned face, whose normal may be 12 2^-28 longer than 1 */
     SKEW = 4    /* units that a vertex may lie off the plane of its face: FXL_PLANARITY_MAX */
 };
+
+/* What may be wrong with the plane of a face: how far in units of 1/65536 a vertex may lie off it,
+ * and by how many units of 2^-30 its normal may be longer than 1. */
+typedef struct {
+    int32_t skew, longer;
+} tolerance;
+
+/* A turned vertex is SKEW times the scale off, and more by what the rows are off a rotation and by
+ * three roundings. With O the rows and w a vector of the face, at most twice the scaled radius R
+ * long, O n . O w differs from n . w by 22 2^-28 of |w|, so by less than R / 2^22. The rounded
+ * normal adds 0.87 units and the two rounded points 0.87 each. The turned normal is at most 1 + 12
+ * 2^-28 long. */
+static tolerance tolerance_of(const fxl_scene *scene, const fxl_instance *instance)
+{
+    const uint32_t number = fxl_instance_number(scene, instance);
+    tolerance of = {SKEW, 4};
+    if (fxl_turn_code_of(scene, number) != NULL) {
+        const fxl_q16_16 scale = fxl_turn_of(scene, number)->scale;
+        of.skew += fxl_instance_radius(scene, instance) >> 22;
+        of.skew += (SKEW * scale + 0xFFFF) >> 16; /* bug: slide-turned-skew */
+        of.longer = 48;
+    }
+    return of;
+}
 
 /* The face that is nearest to the centre of a sphere, of those that the sphere reaches into. */
 typedef struct {
     fxl_q16_16 distance; /* rounded; INT32_MAX: there is none */
     fxl_point away;      /* from the face to the centre, as long as `length` */
     uint32_t length;     /* units of `away`; may be 2^30 for a unit vector */
+    int32_t skew;        /* of the face */
     uint16_t instance, face;
 } contact;
 
@@ -68,14 +94,14 @@ static void touch_edges(const fxl_face_place *face, const fxl_sphere *sphere, co
 }
 
 /* A face that the sphere may reach into. The height of the centre is at most
- * |normal| (radius + SKEW) where it does, and |normal| is below 1 + 2^-28: the bound is below
- * 2^55. */
-static void touch_face(const fxl_face_place *face, const fxl_sphere *sphere, contact *nearest)
+ * |normal| (radius + skew) where it does: the bound is below 2^55. */
+static void touch_face(const fxl_face_place *face, const fxl_sphere *sphere,
+                       const tolerance *of_face, contact *nearest)
 {
     const fxl_q18_46 height = fxl_height_over(face, &sphere->centre);
-    const int64_t reach = sphere->radius + SKEW;
+    const int64_t reach = sphere->radius + of_face->skew;
     const bool front = height >= 0;
-    if (!fxl_within(height, reach * FXL_Q2_30_ONE + reach * 4)) {
+    if (!fxl_within(height, reach * FXL_Q2_30_ONE + reach * of_face->longer)) {
         return;
     }
     const fxl_point normal = {face->normal.x, face->normal.y, face->normal.z};
@@ -90,20 +116,22 @@ static void touch_face(const fxl_face_place *face, const fxl_sphere *sphere, con
 
 static contact find_contact(const fxl_scene *scene, const fxl_sphere *sphere)
 {
-    contact nearest = {INT32_MAX, {0, 0, 0}, 0, FXL_HIT_NONE, 0};
+    contact nearest = {INT32_MAX, {0, 0, 0}, 0, 0, FXL_HIT_NONE, 0};
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         const uint32_t faces = scene->models[instance->model].face_count;
+        const tolerance of_faces = tolerance_of(scene, instance);
         if (!fxl_segment_nears_instance(scene, instance, &sphere->centre, &sphere->centre,
-                                        sphere->radius + SKEW)) {
+                                        sphere->radius + of_faces.skew)) {
             continue;
         }
         for (uint32_t k = 0; k < faces; k++) {
             fxl_face_place face;
             fxl_place_face(&face, scene, instance, k);
             const fxl_q16_16 before = nearest.distance;
-            touch_face(&face, sphere, &nearest);
+            touch_face(&face, sphere, &of_faces, &nearest);
             if (nearest.distance < before) {
+                nearest.skew = of_faces.skew;
                 nearest.instance = (uint16_t)i;
                 nearest.face = (uint16_t)k;
             }
@@ -132,7 +160,7 @@ static void push(fxl_sphere *sphere, const contact *from)
     const fxl_point up = {0, 1, 0};
     const fxl_point *away = from->length != 0 ? &from->away : &up;
     const uint32_t length = from->length != 0 ? from->length : 1;
-    const int32_t by = sphere->radius + SKEW + GAP - from->distance;
+    const int32_t by = sphere->radius + from->skew + GAP - from->distance;
     sphere->centre.x = clamped(sphere->centre.x + scaled(away->x, by, length));
     sphere->centre.y = clamped(sphere->centre.y + scaled(away->y, by, length));
     sphere->centre.z = clamped(sphere->centre.z + scaled(away->z, by, length));
@@ -195,7 +223,10 @@ fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fx
         return FXL_E_ORDER;
     }
     if (scene->turns != NULL) {
-        return FXL_E_TURN;
+        const fxl_status turned = fxl_check_turns(scene);
+        if (turned != FXL_OK) {
+            return turned;
+        }
     }
     if (!fxl_point_in_range(&sphere->centre) || !fxl_point_in_range(move) ||
         sphere->radius < FXL_SLIDE_RADIUS_MIN || sphere->radius > FXL_SLIDE_RADIUS_MAX) {
