@@ -8,7 +8,7 @@ BOARD_QEMU := -M stm32vldiscovery
 BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 
 # How 8192 bytes are shared out: 1280 for the program's stack and 320 for the
-# handlers' (memory.ld), 2528 for the renderer, 208 that are free, and these: eight rows of 128, or one
+# handlers' (memory.ld), 2536 for the renderer, 200 that are free, and these: eight rows of 128, or one
 # of the widest screen; the 174 objects of the plaza; a list of 15 polygons of four
 # vertices, in which every frame of scenes/tiny.toml fits; no vertices are kept.
 BOARD_BAND_BYTES := 1024

@@ -130,6 +130,8 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, room, 8) == FXL_E_CAPACITY);
     DEMAND(fxl_renderer_set_centre(NULL, 0, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_centre(renderer, INT32_MAX, 0) == FXL_E_RANGE);
+    DEMAND(fxl_renderer_set_centre(renderer, before.frame.view.lens.centre_x,
+                                   before.frame.view.lens.centre_y) == FXL_OK);
     DEMAND(fxl_renderer_set_beams(NULL, beams, 1, lit, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, NULL, 1, lit, room, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, 1, NULL, room, 64) == FXL_E_ARGUMENT);
@@ -190,5 +192,9 @@ void fuzz_misuse(fuzz_input *in)
     DEMAND(fxl_player_step(NULL, 0, &motion_limits, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_player_step(&viewer, 0, NULL, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_lens_from_fov(1, 1, FXL_FOV_MIN, 256, 257, 0, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_lens_set_centre(NULL, 0, 0) == FXL_E_ARGUMENT);
+    DEMAND(fxl_lens_of_part(NULL, 0, 0, 1, 1, &lens) == FXL_E_ARGUMENT);
+    DEMAND(fxl_lens_of_part(&lens, 0, 0, 1, 1, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_lens_from_window(1, -1, 1, -1, 1, 256, 512, NULL) == FXL_E_ARGUMENT);
     DEMAND(pixels[0] == 0x5A);
 }

@@ -195,6 +195,13 @@ def picture(page):
     return picture_of(page, EXAMPLE / "main.c")
 
 
+def test_a_lopsided_window_shows_the_same_perspective(page, picture):
+    """Straight ahead is half a screen further right, so each column is one of the usual picture."""
+    moved = picture_of(page, "window.c")
+    assert (moved[:, WIDTH // 2:] == picture[:, :WIDTH // 2]).all()
+    assert len(set(moved[:, WIDTH // 2:].ravel())) > 1
+
+
 def statements(program):
     """A program without its comments and its layout."""
     return re.sub(r"\s+", "", re.sub(r"/\*.*?\*/", "", program, flags=re.DOTALL))
@@ -208,10 +215,10 @@ def test_readme_page_and_example_have_the_same_program():
     assert len(example.splitlines()) <= 15
 
 
-def test_the_page_has_its_six_steps():
+def test_the_page_has_its_seven_steps():
     assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "cores.c", "loop.c", "steer.c",
-                           "turn.c", "display.c", "ahead.c", "screen.c"}
-    assert PAGE.count("\n## ") == 6 and PAGE.count("```") == 2 * len(BLOCKS)
+                           "turn.c", "display.c", "ahead.c", "screen.c", "window.c"}
+    assert PAGE.count("\n## ") == 7 and PAGE.count("```") == 2 * len(BLOCKS)
 
 
 def test_the_picture_is_a_cube(page, picture):

@@ -62,6 +62,23 @@ def test_header_is_laid_out_as_the_chapter_says():
     assert struct.unpack_from("<I", blob, 136) == (2,)
 
 
+def test_the_centre_of_a_lens_follows_the_header():
+    made = scene(inset=0, centre=(-65536, 480 << 15))
+    blob = image.pack(made)
+    assert image.unpack(blob) == made
+    assert blob[38:40] == b"\1\0" and struct.unpack_from("<ii", blob, 160) == made.centre
+    assert table(blob, 0)[0] == 168 and len(blob) == 8 + len(image.pack(scene()))
+
+
+@pytest.mark.parametrize("changes, status", [
+    ({"centre": ((640 << 16) + 1, 0)}, "range"), ({"centre": (0, (-240 << 16) - 1)}, "range"),
+    ({"centre": (0, 0), "inset": 1}, "range"), ({"centre": (160 << 16, 120 << 16)}, "reserved"),
+    ({"centre": (500 << 16, 0), "fov": image_lens.FOV_MAX}, "range")])
+def test_a_centre_out_of_range_is_refused(changes, status):
+    with pytest.raises(ToolError, match=f"^{status}:"):
+        image.pack(scene(**{"inset": 0, **changes}))
+
+
 def test_damaged_images_are_refused_with_the_status():
     blob = image.pack(scene())
     refused(blob[:100], "size")
@@ -71,7 +88,7 @@ def test_damaged_images_are_refused_with_the_status():
     refused(patched(blob, 4, b"\7\0"), "version")
     refused(patched(blob, 6, b"\0\1"), "size")
     refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
-    refused(patched(blob, 38, b"\1"), "reserved")
+    refused(patched(blob, 38, b"\2"), "reserved")
     refused(patched(blob, 159, b"\1"), "reserved")
     refused(patched(blob, 37, b"\2"), "reserved")
 

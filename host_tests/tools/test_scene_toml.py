@@ -107,6 +107,30 @@ def test_focal_and_range_ends_of_the_field_of_view(tmp_path):
     assert round(image_lens.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
 
 
+def test_the_centre_of_the_lens(tmp_path):
+    assert build(tmp_path, BOX + PATH)[0].centre is None
+    assert build(tmp_path, "[view]\ncentre = [160, 120.0]\n" + BOX + PATH)[0].centre is None
+    assert build(tmp_path, "[view]\ncentre = [-0.5, '481/2']\n" + BOX + PATH)[0].centre == (-32768, 481 << 15)
+
+
+def test_another_screen_keeps_the_perspective(tmp_path):
+    """Half as wide: half of the focal length, so the centre is half as far from the middle."""
+    file = tmp_path / "x.toml"
+    file.write_text("[view]\ncentre = [200, 60]\n" + BOX + PATH)
+    scene, _ = toml_scene.compile_file(str(file), screen=(160, 200))
+    assert scene.centre == ((80 + 20) << 16, (100 - 30) << 16)
+
+
+@pytest.mark.parametrize("view, words", [
+    ("centre = 5", "expected .x, y."), ("centre = [1]", "expected .x, y."), ("centre = [1, 'a']", "centre"),
+    ("centre = [9999, 0]", "outside"), ("centre = [641, 120]", "the centre's x = 641 is farther from the middle"),
+    ("centre = [160, -241]", "the centre's y = -241 is farther"), ("fov = 150\ncentre = [340, 0]", "four focal lengths"),
+    ("centre = [0, 0]\ninset = 0.1", "has no inset")])
+def test_a_centre_that_cannot_be_is_refused(tmp_path, view, words):
+    with pytest.raises(ToolError, match=words):
+        build(tmp_path, f"[view]\n{view}\n" + BOX + PATH)
+
+
 @pytest.mark.parametrize("near", ["0.2", "0.07", "1/256"])
 def test_a_small_near_plane_is_no_matter_for_the_default_clipper(tmp_path, near):
     assert not build(tmp_path, f'[view]\nfocal = 160\nnear = "{near}"\n' + BOX + PATH)[1]
@@ -261,7 +285,7 @@ def test_an_entry_asked_for_is_not_a_reserved_one(tmp_path):
     build(tmp_path, "[palette]\nreserve = 5\n" + FACES.replace('colour = "white"', "colour_index = 250") + ORBIT)
 
 
-@pytest.mark.parametrize("name", ["plaza", "w1", "w3", "tiny", "cube"])
+@pytest.mark.parametrize("name", ["plaza", "w1", "w3", "tiny", "cube", "window"])
 def test_own_scenes_compile_and_fit(name):
     scene, _ = toml_scene.compile_file(str(ROOT / "scenes" / f"{name}.toml"))
     assert image.unpack(image.pack(scene)) == scene
