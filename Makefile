@@ -21,11 +21,13 @@ export CROSS HOSTCC
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
-# Quiet unless V=1: a recipe for the host names the file that it makes.
+# Quiet unless V=1: a recipe for the host names the file that it makes. There are thousands of
+# recipes, so make itself names the file, and looks whether its folder is there: no process starts.
 ifndef V
 .SILENT:
 endif
-HOST_SAY = @printf '  HOST %s\n' $@
+HOST_SAY = $(info $(space) HOST $@)
+MAKE_FOLDER = $(if $(wildcard $(@D)/.),,@mkdir -p $(@D))
 MAKEFLAGS += --no-print-directory
 
 # --- boards ------------------------------------------------------------------

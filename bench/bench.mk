@@ -29,7 +29,7 @@ BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sec
 BENCH_COUNTER := $(BUILD)/host/bench_counter.so
 
 $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -fPIC -shared -fvisibility=hidden $(filter %.c,$^) -o $@
 

@@ -68,14 +68,14 @@ COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/
     -Ifirmware/walk -MMD -MP
 
 $(COMPARISON_OUT)/%.o: host_tests/comparison/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(COMPARISON_CC) -c $< -o $@
 
 # $(1): a clipper, $(2): what hides what.
 define COMPARISON_RULES
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o: bench/firmware/combination.c $(CLIPPERS_PLAN)
-	@mkdir -p $$(@D)
+	$$(MAKE_FOLDER)
 	$$(HOST_SAY)
 	$$(COMPARISON_CC) $(call CLIPPERS_DEFINES,$(1),$(2)) -c $$< -o $$@
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o \

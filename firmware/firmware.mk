@@ -30,7 +30,8 @@
 
 # V=1 shows the commands.
 FIRMWARE_QUIET := $(if $(V),,@)
-FIRMWARE_SAY = @printf '  %-4s %s\n'
+# $(1): what is done. Make says it itself, without a process.
+FIRMWARE_SAY = $(info $(space) $(1) $@)
 FIRMWARE_OUT := $(BUILD)/boards
 CORE_OUT := $(BUILD)/core
 
@@ -77,8 +78,8 @@ LIB_OBJECTS_OF = $(if $(filter host,$(call CORE_NAME,$(1))),$(LIB_HOST_OBJECTS),
 
 # $(1): how to call the compiler, without the files.
 define FIRMWARE_COMPILE
-@mkdir -p $(@D)
-$(FIRMWARE_SAY) CC $@
+$(MAKE_FOLDER)
+$(call FIRMWARE_SAY,CC  )
 $(FIRMWARE_QUIET)$(1) -c $< -o $@
 endef
 
@@ -147,8 +148,8 @@ BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1
 BOARD_LINK_SCRIPTS = boards/$(1)/memory.ld $(wildcard linker/*.ld)
 
 define FIRMWARE_LINK
-@mkdir -p $(@D)
-$(FIRMWARE_SAY) LD $@
+$(MAKE_FOLDER)
+$(call FIRMWARE_SAY,LD  )
 $(FIRMWARE_QUIET)$(1) -o $@
 endef
 

@@ -30,7 +30,7 @@ define LIB_RULES
 $(foreach suffix,c S,
 $(1)/%.o: lib/%.$(suffix) $(3) lib/lib.mk
 	$(4)
-	@mkdir -p $$(@D)
+	$$(MAKE_FOLDER)
 	$(2)
 )
 endef
@@ -71,7 +71,7 @@ endif
 
 # Flags are part of what was built: another choice builds anew.
 $(LIB_OUT)/flags: FORCE | set-up-lib
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	@echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
 	    echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
 
@@ -85,5 +85,5 @@ $(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
 	@$(LIB_AR) rcs $@ $^
 
 $(LIB_OUT)/include/%.h: lib/include/%.h
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	@cp $< $@

@@ -34,7 +34,7 @@ compare:
 else
 include $(VERDICT)
 $(VERDICT): FORCE | set-up-tools
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	@code=0; $(COMPARE) || code=$$?; \
 	case $$code in 0) equal=yes ;; 1) equal=no ;; *) exit $$code ;; esac; \
 	printf 'COMPARED_BY := %s\nCOMPARED_EQUAL := %s\n' "$$PPID" "$$equal" >$@

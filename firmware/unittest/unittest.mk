@@ -20,9 +20,10 @@ $(foreach board,$(BOARDS),$(foreach test,$(filter-out $(BOARD_TESTS),$(BOARD_UNI
 BOARD_UNITS_OF = $(patsubst %,$(FIRMWARE_OUT)/$(1)/unit/%.elf,$(filter-out $(BOARD_UNIT_OMIT.$(1)),$(BOARD_TESTS)))
 
 BOARD_TEST_SOURCES := $(wildcard host_tests/unit/*.c firmware/unittest/*.c)
-# What every test program links beside its own two objects: of a core.
-BOARD_TEST_SHARED = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,$(filter-out host_tests/unit/test_%,$(BOARD_TEST_SOURCES))) \
-    $(BOARD_CORE_OUT)/unit/unity.o $(LIB_NAMES:%=$(BOARD_CORE_OUT)/unit/lib/%.o)
+# What every test program links beside its own two objects: of a core. The helpers and the library
+# are archives: to read all of their objects for each program took most of the linker's time.
+BOARD_TEST_SHARED = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,$(filter firmware/%,$(BOARD_TEST_SOURCES))) \
+    $(BOARD_CORE_OUT)/unit/unity.o $(BOARD_CORE_OUT)/unit/libhelpers.a $(BOARD_CORE_OUT)/unit/libfixel.a
 
 # Unity asks for setjmp, and tests may print: these programs have a C library. The library in them
 # is optimised as a program's; of the tests themselves more is compiled than ever runs, and to
@@ -36,12 +37,23 @@ BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1
 BOARD_TEST_FOREIGN_CC = $(filter-out -W%,$(BOARD_TEST_CC)) -w
 
 $(CORE_OUT)/runners/%_runner.c: host_tests/unit/%.c
-	@mkdir -p $(@D)
-	$(FIRMWARE_SAY) RUBY $@
+	$(MAKE_FOLDER)
+	$(call FIRMWARE_SAY,RUBY)
 	$(FIRMWARE_QUIET)ruby -W0 $(UNITY_DIR)/auto/generate_test_runner.rb --main_name=unittest_run $< $@
+
+# A runner only calls the tests of its file, so that of the oldest core runs on all of them.
+BOARD_TEST_RUNNER_CORE := $(firstword $(filter cpu-cortex-m0%,$(CORES_SHARED)))
+# $(1): a board.
+BOARD_TEST_RUNNERS_OF = $(if $(BOARD_TEST_RUNNER_CORE),$(CORE_OUT)/$(BOARD_TEST_RUNNER_CORE),$(BOARD_CORE_OUT))/unit
 
 # $(1): a core's name.
 define CORE_TEST_RULES
+$(CORE_OUT)/$(1)/unit/libhelpers.a: $(patsubst %.c,$(CORE_OUT)/$(1)/unit/%.o,$(filter-out host_tests/unit/test_%,$(filter host_tests/%,$(BOARD_TEST_SOURCES))))
+$(CORE_OUT)/$(1)/unit/libfixel.a: $(LIB_NAMES:%=$(CORE_OUT)/$(1)/unit/lib/%.o)
+$(CORE_OUT)/$(1)/unit/libhelpers.a $(CORE_OUT)/$(1)/unit/libfixel.a:
+	$(FIRMWARE_QUIET)rm -f $$@
+	$(FIRMWARE_QUIET)$(CROSS)ar rcs $$@ $$^
+
 $(CORE_OUT)/$(1)/unit/%.o: %.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_CC,$(1)))
 
@@ -63,8 +75,8 @@ define BOARD_TEST_RULES
 BOARD_UNITS.$(1) := $(BOARD_UNITS_OF)
 
 $(BOARD_TESTS:%=$(FIRMWARE_OUT)/$(1)/unit/%.elf): $(FIRMWARE_OUT)/$(1)/unit/%.elf: $(BOARD_CORE_OUT)/unit/host_tests/unit/%.o \
-        $(BOARD_CORE_OUT)/unit/%_runner.o $(BOARD_TEST_SHARED) $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS) $(BOARD_LINK_SCRIPTS)
-	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_TEST_LINK) $$(filter %.o,$$^) -lm -lc -lgcc)
+        $(BOARD_TEST_RUNNERS_OF)/%_runner.o $(BOARD_TEST_SHARED) $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS) $(BOARD_LINK_SCRIPTS)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_TEST_LINK) $$(filter %.o %.a,$$^) -lm -lc -lgcc)
 endef
 $(foreach board,$(TARGET_BOARDS),$(eval $(call BOARD_TEST_RULES,$(board))))
 

@@ -5,7 +5,7 @@ CLIPPERS_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildca
 HOST_TOOLS += $(BUILD)/host/clipper_errors
 
 $(BUILD)/host/objects/clippers/%.o: host_tests/clippers/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
 	    -MMD -MP -c $< -o $@

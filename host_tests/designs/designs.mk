@@ -6,7 +6,7 @@ HOST_TOOLS += $(BUILD)/host/designs
 
 # Contraction and excess precision would make float32 what it is not.
 $(BUILD)/host/objects/designs/%.o: host_tests/designs/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 

@@ -11,17 +11,17 @@ DISPLAY_TEST_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sani
 UNITY_TESTS += $(addprefix $(DISPLAY_TEST)/,test_ssd0323 test_ssd0303 test_ports)
 
 $(DISPLAY_TEST)/%_runner.c: host_tests/displays/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	ruby -W0 $(DISPLAY_TEST_UNITY)/auto/generate_test_runner.rb $< $@
 
 $(DISPLAY_TEST)/%.o: host_tests/displays/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 $(DISPLAY_TEST)/%.o: boards/parts/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
@@ -31,7 +31,7 @@ $(DISPLAY_TEST)/%_runner.o: $(DISPLAY_TEST)/%_runner.c
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -w -c $< -o $@
 
 $(DISPLAY_TEST)/unity.o: $(DISPLAY_TEST_UNITY)/src/unity.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -w -c $< -o $@
 

@@ -8,12 +8,12 @@ HOST_TOOLS += $(BUILD)/host/frames
 FRAMES_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ilib/include -Ifirmware/walk -MMD -MP -c
 
 $(BUILD)/host/objects/frames/%.o: host_tests/frames/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(FRAMES_CC) $< -o $@
 
 $(BUILD)/host/objects/frames/path.o: firmware/walk/path.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(FRAMES_CC) $< -o $@
 

@@ -347,6 +347,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     draw_boxes(scene, lens, pose);
     draw_picks(renderer, &whole, in);
     draw_hits(scene, &renderer->frame.view, in);
+    draw_billboards(scene, lens, pose, in);
     free(whole.pixels);
     free_renderer(renderer);
 }

@@ -34,6 +34,12 @@ void draw_by_bsp(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *p
 void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                     fuzz_input *in);
 
+/* The first rows of a frame in which some models show billboards: whole, and in bands with any
+ * list.
+ */
+void draw_billboards(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                     fuzz_input *in);
+
 /* What the boxes about objects say, against every vertex. */
 void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 

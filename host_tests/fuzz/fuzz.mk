@@ -29,7 +29,7 @@ $(eval $(call LIB_RULES,$(FUZZ_OUT)/asan/lib,\
     host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) -c $< -o $@
 
@@ -39,7 +39,7 @@ $(eval $(call LIB_RULES,$(FUZZ_OUT)/cover/lib,\
     $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 -fsanitize=fuzzer-no-link -c $< -o $@
 
@@ -50,7 +50,7 @@ FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanit
     -Ilib/include -Ilib -MMD -MP
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -c $< -o $@
 
@@ -62,7 +62,7 @@ $(eval $(call LIB_RULES,$(FUZZ_OUT)/branches/lib,\
     $$(HOSTCC) $$(FUZZ_BRANCHES_CFLAGS) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
 
 $(FUZZ_OUT)/branches/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O1 -Ilib/include -Ilib -MMD -MP -c $< -o $@
 

@@ -6,7 +6,7 @@ HOST_TOOLS += $(BUILD)/host/judge
 
 # POSIX: threads, and whether stderr is a terminal.
 $(BUILD)/host/objects/judge/%.o: host_tests/judge/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -pthread \
 	    -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@

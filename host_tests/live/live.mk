@@ -5,7 +5,7 @@ LIVE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard h
 HOST_TOOLS += $(BUILD)/host/live
 
 $(BUILD)/host/objects/live/%.o: host_tests/live/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 

@@ -5,7 +5,7 @@ LOADER_OBJECTS := $(BUILD)/host/objects/loader/main.o $(BUILD)/host/objects/fram
 HOST_TOOLS += $(BUILD)/host/loader
 
 $(BUILD)/host/objects/loader/%.o: host_tests/loader/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 

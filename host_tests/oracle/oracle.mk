@@ -9,7 +9,7 @@ ORACLE_BRIDGE := $(BUILD)/host/objects/stages/bridge.o $(BUILD)/host/objects/fra
 HOST_TOOLS += $(BUILD)/host/oracle
 
 $(BUILD)/host/objects/oracle/%.o: host_tests/oracle/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
 	    -MMD -MP -c $< -o $@
@@ -30,12 +30,12 @@ ORACLE_UNIT_UNITY := $(or $(CMOCK_DIR),/usr/share/cmock)/vendor/unity
 UNITY_TESTS += $(ORACLE_UNIT)/test_tie $(ORACLE_UNIT)/test_exact
 
 $(ORACLE_UNIT)/unity.o: $(ORACLE_UNIT_UNITY)/src/unity.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) -std=c11 -O1 -w -c $< -o $@
 
 $(ORACLE_UNIT)/test_%.o: host_tests/oracle/unit/test_%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O1 -g -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests \
 	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@

@@ -5,7 +5,7 @@ RAYCAST_SOURCES := $(wildcard host_tests/raycast/*.c)
 
 # No fused multiply-add: an edge must give neighbours opposite answers, bit for bit.
 $(BUILD)/host/raycast: $(RAYCAST_SOURCES) $(wildcard host_tests/raycast/*.h)
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off $(RAYCAST_SOURCES) -o $@ -lm
 

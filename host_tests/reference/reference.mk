@@ -9,7 +9,7 @@ REFERENCE_LIBRARY := $(BUILD)/host/libreference.a
 REFERENCE_CFLAGS := -std=c11 -O2 -ffp-contract=off -Ihost_tests
 
 $(BUILD)/host/objects/reference/%.o: host_tests/reference/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) $(REFERENCE_CFLAGS) -MMD -MP -c $< -o $@
 

@@ -5,7 +5,7 @@ STAGES_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard
 HOST_TOOLS += $(BUILD)/host/stage_errors
 
 $(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -Ilib \
 	    -MMD -MP -c $< -o $@

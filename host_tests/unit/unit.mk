@@ -21,29 +21,29 @@ UNIT_PROGRAMS := $(patsubst host_tests/unit/%.c,$(UNIT_OUT)/%,$(wildcard host_te
 $(eval $(call LIB_RULES,$(UNIT_OUT)/lib,$$(HOSTCC) $$(UNIT_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@,host_tests/unit/unit.mk,$$(HOST_SAY)))
 
 $(UNIT_OUT)/parts/%.o: boards/parts/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 # What an assertion of the library calls.
 $(UNIT_OUT)/assert.o: host_tests/fuzz/assert.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 $(UNIT_OUT)/%.o: host_tests/unit/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 # The runner of the boards, where it is not called main (firmware/unittest/unittest.mk).
 $(UNIT_OUT)/%_main.o: $(CORE_OUT)/runners/%_runner.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -Dunittest_run=main -c $< -o $@
 
 $(UNIT_OUT)/unity.o: $(UNITY_DIR)/src/unity.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -c $< -o $@
 

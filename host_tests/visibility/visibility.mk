@@ -10,17 +10,17 @@ HIDDEN_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ilib/include -Ilib -Ihost_tests 
     -Ifirmware/walk -MMD -MP -c
 
 $(BUILD)/host/objects/visibility/%.o: host_tests/visibility/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/objects/visibility/%.o: host_tests/unit/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/objects/visibility/%.o: firmware/walk/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HIDDEN_CC) $< -o $@
 

@@ -18,29 +18,29 @@ WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump
 UNITY_TESTS += $(addprefix $(WALK_TEST)/,test_walk test_path test_dump test_display test_window)
 
 $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h: boards/contract/%.h host_tests/walk/cmock.yml
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	ruby -W0 $(CMOCK_DIR)/lib/cmock.rb -ohost_tests/walk/cmock.yml --mock_path=$(WALK_TEST) $<
 
 $(WALK_TEST)/%_runner.c: host_tests/walk/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	ruby -W0 $(WALK_TEST_UNITY)/auto/generate_test_runner.rb $< $@
 
 $(WALK_TEST_OBJECTS): $(WALK_TEST_MOCKS:.c=.h) host_tests/walk/walk.mk
 
 $(WALK_TEST)/%.o: host_tests/walk/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 $(WALK_TEST)/%.o: firmware/walk/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 $(WALK_TEST)/%.o: boards/parts/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
@@ -54,12 +54,12 @@ $(WALK_TEST)/%_runner.o: $(WALK_TEST)/%_runner.c $(WALK_TEST_MOCKS:.c=.h)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/unity.o: $(WALK_TEST_UNITY)/src/unity.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/cmock.o: $(CMOCK_DIR)/src/cmock.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 

@@ -6,7 +6,7 @@ WIRE_OBJECTS := $(BUILD)/host/objects/wire/main.o $(BUILD)/host/objects/frames/d
 HOST_TOOLS += $(BUILD)/host/wire
 
 $(BUILD)/host/objects/wire/%.o: host_tests/wire/%.c
-	@mkdir -p $(@D)
+	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
 

@@ -5,6 +5,7 @@
 
 #include "fixel.h"
 #include "fixel/extra/beams.h"
+#include "fixel/extra/billboards.h"
 #include "fixel/extra/bsp.h"
 #include "fixel/extra/clippers.h"
 #include "fixel/extra/collide.h"

@@ -294,14 +294,15 @@ typedef struct {
 typedef struct {
     uint8_t colour;
     uint8_t count;
-    uint8_t kind;     /* how it is filled: FXL_POLYGON_FLAT, FXL_POLYGON_SURFACE */
+    uint8_t kind;     /* how it is filled: FXL_POLYGON_FLAT and so on */
     uint8_t reserved; /* 0 */
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
 
 enum {
-    FXL_POLYGON_FLAT = 0,   /* one colour */
-    FXL_POLYGON_SURFACE = 1 /* a surface (extra/surfaces.h) */
+    FXL_POLYGON_FLAT = 0,    /* one colour */
+    FXL_POLYGON_SURFACE = 1, /* a surface (extra/surfaces.h) */
+    FXL_POLYGON_SPRITE = 2   /* a sprite (extra/billboards.h) */
 };
 
 /* The rows first <= row < end. No rows if the two are equal. */

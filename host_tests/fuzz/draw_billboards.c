@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* Any billboards for the models of a scene. */
+#include <string.h>
+
+#include "demand.h"
+#include "draw.h"
+
+enum {
+    BOARDS = 3,
+    TEXELS = 64, /* bytes of a sprite */
+    BACKGROUND = 0x11,
+    ROWS_MAX = 16
+};
+
+typedef struct {
+    uint8_t texels[TEXELS];
+    fxl_sprite sprites[BOARDS];
+    fxl_billboard boards[BOARDS];
+    fxl_billboard_set set;
+    uint16_t *model_map;
+    fxl_model *models;
+    fxl_scene scene;
+} boards;
+
+/* One in so many. Where the input has ended, none. */
+static bool rarely(fuzz_input *in, uint32_t count)
+{
+    return fuzz_below(in, count) == count - 1;
+}
+
+/* A part of a side, or, rarely, any number. */
+static fxl_q16_16 any_length(fuzz_input *in, fxl_q16_16 most)
+{
+    return rarely(in, 16) ? fuzz_any(in) : most / 2 - fuzz_between(in, 0, most / 2);
+}
+
+static void make_board(boards *made, uint32_t number, fxl_q16_16 radius, fuzz_input *in)
+{
+    static const uint8_t bits[] = {1, 4, 8, 2};
+    fxl_sprite *sprite = &made->sprites[number];
+    fxl_billboard *board = &made->boards[number];
+    sprite->pixels = rarely(in, 32) ? NULL : made->texels;
+    sprite->bits = bits[rarely(in, 32) ? 3 : fuzz_below(in, 3)];
+    sprite->width = (uint16_t)(8 - fuzz_below(in, 9));
+    sprite->height = (uint16_t)(8 - fuzz_below(in, 9));
+    sprite->key = (uint16_t)fuzz_below(in, 257);
+    board->sprite = rarely(in, 32) ? NULL : sprite;
+    board->width = any_length(in, radius);
+    board->height = any_length(in, radius);
+    board->anchor_x = any_length(in, board->width > 0 ? board->width : 1);
+    board->anchor_y = any_length(in, board->height > 0 ? board->height : 1);
+}
+
+/* A copy of the scene in which some models have one face, and show a billboard. */
+static void make_boards(boards *made, const fxl_scene *scene, fuzz_input *in)
+{
+    const uint32_t count = BOARDS - fuzz_below(in, BOARDS + 1);
+    memset(made, 0, sizeof *made);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        made->texels[i] = (uint8_t)(i * 37);
+    }
+    made->scene = *scene;
+    made->models = malloc(scene->model_count * sizeof *made->models);
+    made->model_map = calloc(scene->model_count, sizeof *made->model_map);
+    DEMAND(made->models != NULL && made->model_map != NULL);
+    memcpy(made->models, scene->models, scene->model_count * sizeof *made->models);
+    made->scene.models = made->models;
+    for (uint32_t i = 0; i < count; i++) {
+        make_board(made, i, scene->models[0].radius, in);
+    }
+    for (uint32_t i = 0; i < scene->model_count && i < 16; i++) {
+        made->model_map[i] = (uint16_t)(count + rarely(in, 64) - fuzz_below(in, count + 1));
+        if (made->model_map[i] != 0 && !rarely(in, 32)) {
+            made->models[i].face_count = 1;
+            made->models[i].kind = FXL_MODEL_CONVEX;
+            made->models[i].first_cluster = 0;
+        }
+    }
+    made->set = (fxl_billboard_set){made->boards, count, made->model_map};
+}
+
+static fxl_renderer *start(const boards *made, fxl_billboards *billboards, const fxl_lens *lens,
+                           const fxl_pose *pose, uint32_t words)
+{
+    fxl_renderer *renderer = malloc(sizeof *renderer);
+    const uint32_t entries = made->scene.order_needed;
+    fxl_memory memory = {
+        malloc(entries * sizeof(fxl_order_entry)), entries, malloc(words * 4 + 4), words, NULL, 0};
+    DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
+    DEMAND(fxl_renderer_init_with(renderer, &made->scene, lens, &memory) == FXL_OK);
+    DEMAND(fxl_renderer_set_billboards(renderer, billboards, &made->set) == FXL_OK);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    return renderer;
+}
+
+static void end(fxl_renderer *renderer)
+{
+    free(renderer->frame.order);
+    free(renderer->frame.display_list.words);
+    free(renderer);
+}
+
+static void draw(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_t step)
+{
+    const uint16_t width = renderer->frame.view.lens.width;
+    for (uint32_t row = 0, count; row < rows; row += count) {
+        count = step < rows - row ? step : rows - row;
+        const fxl_band band = {pixels + (size_t)row * width, width, width, (uint16_t)row,
+                               (uint16_t)count};
+        fxl_fill_band(&band, BACKGROUND);
+        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    }
+}
+
+static void draw_both(const boards *made, const fxl_lens *lens, const fxl_pose *pose,
+                      fuzz_input *in)
+{
+    const uint32_t rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
+    const size_t size = (size_t)rows * lens->width;
+    uint8_t *whole = malloc(2 * size);
+    fxl_billboards one, other;
+    DEMAND(whole != NULL);
+    fxl_renderer *first = start(made, &one, lens, pose, 0);
+    draw(first, whole, rows, rows);
+    fxl_counters counters = first->workspace.counters;
+    DEMAND(counters.in == (uint64_t)counters.backfacing + counters.outside + counters.degenerate +
+                              counters.refused + counters.drawn);
+    fxl_renderer *second = start(made, &other, lens, pose, fuzz_below(in, 200));
+    draw(second, whole + size, rows, 1 + fuzz_below(in, rows));
+    DEMAND(memcmp(whole, whole + size, size) == 0);
+    counters.spilled = second->workspace.counters.spilled;
+    DEMAND(memcmp(&counters, &second->workspace.counters, sizeof counters) == 0);
+    end(first);
+    end(second);
+    free(whole);
+}
+
+void draw_billboards(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                     fuzz_input *in)
+{
+    boards made;
+    fxl_scene_fault fault = {NULL, 0};
+    make_boards(&made, scene, in);
+    const fxl_status status = fxl_billboards_check(&made.set, &made.scene, &fault);
+    DEMAND((status == FXL_OK) == (fault.what == NULL));
+    DEMAND(fxl_billboards_check(NULL, scene, NULL) == FXL_E_ARGUMENT);
+    if (status == FXL_OK) {
+        draw_both(&made, lens, pose, in);
+    }
+    free(made.models);
+    free(made.model_map);
+}

@@ -1,0 +1,423 @@
+/* SPDX-License-Identifier: MIT */
+/* Billboards, against their definition in double (docs/extras/billboards.md). */
+#include <math.h>
+
+#include "tiny.h"
+
+enum {
+    WIDTH = 32,
+    HEIGHT = 24,
+    BACKGROUND = 250,
+    SPRITE_WIDTH = 11,
+    SPRITE_HEIGHT = 7,
+    LIST_WORDS = 120
+};
+
+static uint8_t whole[HEIGHT][WIDTH], other[HEIGHT][WIDTH];
+static uint8_t texels[SPRITE_HEIGHT * SPRITE_WIDTH];
+static uint32_t list[LIST_WORDS];
+static fxl_order_entry order[TINY_INSTANCES];
+static fxl_renderer renderer;
+static fxl_workspace second;
+static fxl_billboards billboards;
+static fxl_sprite sprite;
+static fxl_billboard board;
+static uint16_t model_map[2];
+static fxl_billboard_set set;
+static tiny_scene *tiny;
+static fxl_turn turns[1];
+
+/* Tiny's scene, in which the second model has one face, whose instance shows a sprite without a
+ * key, 4 x 3 units about its centre. The pixels of the sprite are 100 and more. */
+void setUp(void)
+{
+    tiny = tiny_make();
+    tiny->models[1].kind = FXL_MODEL_CONVEX;
+    tiny->models[1].face_count = 1;
+    tiny->models[1].radius = Q16(9);
+    tiny->scene.face_count = 7;
+    tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(100 + i);
+    }
+    sprite = (fxl_sprite){texels, NULL, SPRITE_WIDTH, SPRITE_HEIGHT, 8, FXL_SPRITE_OPAQUE};
+    board = (fxl_billboard){&sprite, Q16(4), Q16(3), Q16(2), Q16(1.5)};
+    model_map[0] = 0;
+    model_map[1] = 1;
+    set = (fxl_billboard_set){&board, 1, model_map};
+}
+
+void tearDown(void)
+{
+}
+
+static void start(uint32_t words)
+{
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_INSTANCES, list, words, NULL, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+}
+
+static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step, fxl_workspace *by)
+{
+    for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + step)) {
+        const fxl_band band = {frame[row], WIDTH, WIDTH, row, step};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, by, &band));
+    }
+}
+
+static void draw_frame(const fxl_pose *pose, uint32_t words)
+{
+    start(words);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    draw(whole, HEIGHT, &renderer.workspace);
+}
+
+static fxl_pose ahead(fxl_q16_16 z)
+{
+    const fxl_pose pose = {{0, 0, z}, 0, 0, 0};
+    return pose;
+}
+
+static fxl_pose any_pose(void)
+{
+    fxl_pose pose = unit_pose();
+    pose.position = unit_point(Q16(8));
+    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-60, 60);
+    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
+    return pose;
+}
+
+/* --- the definition ----------------------------------------------------------------------- */
+
+typedef struct {
+    double left, top, right, bottom, depth;
+} rectangle;
+
+static double along(const fxl_direction *axis, const fxl_point *a, const fxl_point *b)
+{
+    return ((double)axis->x * (a->x - b->x) + (double)axis->y * (a->y - b->y) +
+            (double)axis->z * (a->z - b->z)) /
+           (FXL_Q2_30_ONE * 65536.0);
+}
+
+/* Where the sprite of instance 1 is on the screen, in pixels. */
+static rectangle exact_rectangle(double scale)
+{
+    const fxl_view *view = &renderer.frame.view;
+    const fxl_point *centre = &tiny->instances[1].centre, *eye = &view->camera.position;
+    const double x = along(&view->camera.axes.right, centre, eye);
+    const double y = along(&view->camera.axes.up, centre, eye);
+    const double z = along(&view->camera.axes.forward, centre, eye);
+    const double focal = view->lens.focal / 65536.0, unit = scale / 65536;
+    rectangle at;
+    at.depth = z;
+    at.left = WIDTH / 2.0 + focal * (x - board.anchor_x * unit) / z;
+    at.right = WIDTH / 2.0 + focal * (x + (board.width - board.anchor_x) * unit) / z;
+    at.top = HEIGHT / 2.0 - focal * (y + (board.height - board.anchor_y) * unit) / z;
+    at.bottom = HEIGHT / 2.0 - focal * (y - board.anchor_y * unit) / z;
+    return at;
+}
+
+/* The texel at a pixel's centre, or -1; -2 where a corner's rounding may decide. */
+static int exact_texel(double at, double from, double end, int texels_of_side)
+{
+    const double place = (at - from) / (end - from) * texels_of_side;
+    const double unsure = 4 * (texels_of_side + fabs(place)) / ((end - from) * 65536);
+    if (fabs(place - floor(place + 0.5)) < unsure) {
+        return -2;
+    }
+    return place < 0 || place > texels_of_side ? -1 : (int)place;
+}
+
+/* Every pixel of a frame without cubes. Returns how many were sure and show the sprite. */
+static uint32_t expect_sprite(double scale)
+{
+    const rectangle at = exact_rectangle(scale);
+    const bool is_there = at.depth >= 0.0626 && at.depth <= 999 && fabs(at.left) < 4095 &&
+                          fabs(at.right) < 4095 && fabs(at.top) < 4095 && fabs(at.bottom) < 4095;
+    uint32_t shown = 0;
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            const int u = exact_texel(x + 0.5, at.left, at.right, SPRITE_WIDTH);
+            const int v = exact_texel(y + 0.5, at.top, at.bottom, SPRITE_HEIGHT);
+            int expected = BACKGROUND;
+            if (is_there && (u == -2 || v == -2)) {
+                continue;
+            }
+            if (is_there && u >= 0 && v >= 0) {
+                expected = texels[v * SPRITE_WIDTH + u];
+                shown++;
+            }
+            TEST_ASSERT_EQUAL(expected, whole[y][x]);
+        }
+    }
+    return shown;
+}
+
+void test_a_pixel_shows_the_texel_at_its_centre(void)
+{
+    uint32_t shown = 0;
+    tiny->scene.instances = &tiny->instances[1];
+    tiny->scene.instance_count = 1;
+    for (uint32_t i = 0; i < UNIT_REPEAT / 100; i++) {
+        fxl_pose pose = any_pose();
+        pose.position.z = unit_between(-Q16(40), Q16(9.8));
+        pose.roll = unit_random();
+        draw_frame(&pose, i % 2 * LIST_WORDS);
+        shown += expect_sprite(1);
+    }
+    TEST_ASSERT_TRUE(shown > UNIT_REPEAT / 30);
+}
+
+/* The scale of a turn is that of the sprite; where it turns to does not matter. */
+void test_a_turned_instance_scales_its_sprite(void)
+{
+    const fxl_pose pose = ahead(Q16(-9));
+    tiny->scene.instances = &tiny->instances[1];
+    tiny->scene.instance_count = 1;
+    tiny->scene.turns = turns;
+    tiny->scene.turn_code = &fxl_turned_instances;
+    turns[0] = (fxl_turn){FXL_ORIENTATION_NONE, Q16(2.5)};
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(10), 0, &turns[0].orientation));
+    draw_frame(&pose, 0);
+    TEST_ASSERT_TRUE(expect_sprite(2.5) > 40);
+}
+
+/* --- order, key, formats ---------------------------------------------------------------------- */
+
+static uint32_t count_sprite(uint8_t frame[HEIGHT][WIDTH])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        count += frame[i / WIDTH][i % WIDTH] >= 100 && frame[i / WIDTH][i % WIDTH] < BACKGROUND;
+    }
+    return count;
+}
+
+/* The cube at the origin is before the sprite at z = 10 for one eye and behind it for the other. */
+void test_what_is_nearer_covers_what_is_farther(void)
+{
+    fxl_pose pose = ahead(Q16(-4));
+    board = (fxl_billboard){&sprite, Q16(14), Q16(9), Q16(7), Q16(4.5)};
+    draw_frame(&pose, 0);
+    TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] <= 6); /* the cube */
+    TEST_ASSERT_TRUE(count_sprite(whole) > 0);
+    pose = ahead(Q16(14));
+    pose.yaw = DEGREES(180);
+    draw_frame(&pose, 0);
+    TEST_ASSERT_EQUAL(texels[SPRITE_HEIGHT / 2 * SPRITE_WIDTH + SPRITE_WIDTH / 2],
+                      whole[HEIGHT / 2][WIDTH / 2]);
+    /* A layer comes before the distance. */
+    tiny->instances[1].layer = 1;
+    pose = ahead(Q16(-4));
+    draw_frame(&pose, 0);
+    TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] >= 100);
+}
+
+void test_the_key_is_not_drawn(void)
+{
+    const fxl_pose pose = ahead(Q16(5));
+    tiny->instances[0].centre.z = Q16(30); /* behind */
+    sprite.key = texels[SPRITE_HEIGHT / 2 * SPRITE_WIDTH + SPRITE_WIDTH / 2];
+    draw_frame(&pose, 0);
+    TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] <= 6);
+    TEST_ASSERT_TRUE(count_sprite(whole) > 0);
+}
+
+/* The same picture in 1, 4 and 8 bits. */
+void test_sprites_of_every_format(void)
+{
+    static const uint8_t one[] = {0xA0, 0x40}, four[] = {0x10, 0x10, 0x01, 0x00},
+                         eight[] = {1, 0, 1, 0, 1, 0}, colours[16] = {120, 130};
+    const fxl_pose pose = ahead(Q16(7));
+    sprite.width = 3;
+    sprite.height = 2;
+    sprite.colours = colours;
+    sprite.pixels = one;
+    sprite.bits = 1;
+    draw_frame(&pose, 0);
+    memcpy(other, whole, sizeof whole);
+    TEST_ASSERT_EQUAL(130, whole[HEIGHT / 2][WIDTH / 2]);
+    TEST_ASSERT_EQUAL(120, whole[HEIGHT / 2 - 1][WIDTH / 2]);
+    sprite.pixels = four;
+    sprite.bits = 4;
+    draw_frame(&pose, LIST_WORDS);
+    TEST_ASSERT_EQUAL_MEMORY(other, whole, sizeof whole);
+    sprite.pixels = eight;
+    sprite.bits = 8;
+    draw_frame(&pose, 0);
+    TEST_ASSERT_EQUAL_MEMORY(other, whole, sizeof whole);
+}
+
+/* --- bands, lists, cores ------------------------------------------------------------------------
+ */
+
+void test_bands_lists_and_workspaces_change_no_pixel(void)
+{
+    const uint16_t steps[] = {1, 2, 3, 8, 12};
+    uint32_t spilled = 0, listed = 0, shown = 0;
+    sprite.key = 103;
+    for (uint32_t i = 0; i < UNIT_REPEAT / 100; i++) {
+        const fxl_pose pose = any_pose();
+        draw_frame(&pose, LIST_WORDS);
+        fxl_counters all = renderer.workspace.counters;
+        TEST_ASSERT_EQUAL_UINT32(13, all.in);
+        TEST_ASSERT_EQUAL_UINT32(13, all.backfacing + all.outside + all.degenerate + all.drawn +
+                                         all.refused);
+        shown += count_sprite(whole);
+        start(unit_random() % LIST_WORDS);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        draw(other, steps[unit_random() % 5], &renderer.workspace);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        spilled += renderer.workspace.counters.spilled;
+        listed += renderer.frame.display_list.used;
+        all.spilled = renderer.workspace.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&all, &renderer.workspace.counters, sizeof all);
+    }
+    TEST_ASSERT_TRUE(spilled > 0 && listed > 0 && shown > 0);
+}
+
+void test_another_core_draws_a_band(void)
+{
+    const fxl_pose pose = ahead(Q16(-4));
+    static FXL_ALIGN_8 uint8_t memory[512];
+    draw_frame(&pose, 0);
+    TEST_ASSERT_TRUE(fxl_workspace_size(&renderer) <= sizeof memory);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, memory, sizeof memory));
+    draw(other, 8, &second);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+}
+
+/* --- what is counted and refused
+ * ------------------------------------------------------------------ */
+
+void test_near_far_and_sides_leave_sprites_out(void)
+{
+    static const struct {
+        fxl_q16_16 x, y, z;
+        uint32_t drawn, outside, refused;
+    } cases[] = {{0, 0, Q16(9.937), 1, 0, 0},  /* just beyond the near plane of 1/16 */
+                 {0, 0, Q16(9.94), 0, 1, 0},   /* nearer */
+                 {0, 0, Q16(11), 0, 1, 0},     /* behind the eye */
+                 {0, 0, Q16(-989), 1, 0, 0},   /* before far, 1000 */
+                 {0, 0, Q16(-990.5), 0, 1, 0}, /* beyond */
+                 {Q16(12.1), 0, 0, 0, 1, 0},   /* its right side is beside the left border */
+                 {Q16(11.9), 0, 0, 1, 0, 0},   /* it is on the screen */
+                 {0, Q16(-9.1), 0, 0, 1, 0}};
+    tiny->scene.instances = &tiny->instances[1];
+    tiny->scene.instance_count = 1;
+    for (uint32_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const fxl_pose pose = {{cases[i].x, cases[i].y, cases[i].z}, 0, 0, 0};
+        draw_frame(&pose, 0);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].drawn, renderer.workspace.counters.drawn);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].outside, renderer.workspace.counters.outside);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].refused, renderer.workspace.counters.refused);
+        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.in);
+    }
+    /* Its corners are far beside the screen, within 4095 pixels; then beyond. */
+    board = (fxl_billboard){&sprite, Q16(17), Q16(3), Q16(8.5), Q16(1.5)};
+    const fxl_pose close = ahead(Q16(9.937));
+    draw_frame(&close, 0);
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.refused); /* 16 * 8.5 / 0.063 */
+    TEST_ASSERT_EQUAL_UINT32(WIDTH * HEIGHT, count_sprite(whole));
+    board.width = Q16(40);
+    board.anchor_x = Q16(20);
+    tiny->models[1].radius = Q16(21);
+    draw_frame(&close, 0);
+    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
+    TEST_ASSERT_EQUAL_UINT32(0, count_sprite(whole));
+}
+
+/* A sprite of less than a pixel shows where it covers a pixel's centre. */
+void test_a_sprite_far_away_covers_a_pixel_or_none(void)
+{
+    uint32_t shown = 0;
+    tiny->scene.instances = &tiny->instances[1];
+    tiny->scene.instance_count = 1;
+    for (uint32_t i = 0; i < UNIT_REPEAT / 300; i++) {
+        const fxl_pose pose = {
+            {unit_between(-Q16(9), Q16(9)), unit_between(-Q16(9), Q16(9)), Q16(-90)}, 0, 0, 0};
+        draw_frame(&pose, i % 2 * LIST_WORDS);
+        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.drawn);
+        const uint32_t pixels = count_sprite(whole);
+        TEST_ASSERT_TRUE(pixels <= 1);
+        shown += pixels;
+    }
+    TEST_ASSERT_TRUE(shown > 0 && shown < UNIT_REPEAT / 300);
+}
+
+static void expect_refusal(fxl_status status, const char *what, uint32_t index)
+{
+    fxl_scene_fault fault = {"nothing", 99};
+    TEST_ASSERT_EQUAL(status, fxl_billboards_check(&set, &tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    const uint32_t refused = renderer.workspace.counters.refused_calls;
+    const fxl_visibility *visibility = renderer.visibility;
+    TEST_ASSERT_EQUAL(status, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL_PTR(visibility, renderer.visibility);
+    setUp();
+}
+
+void test_a_wrong_billboard_is_refused(void)
+{
+    start(0);
+    sprite.bits = 2;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    sprite.width = 0;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    sprite.height = 0;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    sprite.pixels = NULL;
+    expect_refusal(FXL_E_ARGUMENT, "billboard", 0);
+    board.sprite = NULL;
+    expect_refusal(FXL_E_ARGUMENT, "billboard", 0);
+    board.width = 0;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    board.height = FXL_BILLBOARD_SIDE_MAX + 1;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    board.anchor_x = -1;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    board.anchor_y = board.height + 1;
+    expect_refusal(FXL_E_RANGE, "billboard", 0);
+    set.billboards = NULL;
+    expect_refusal(FXL_E_ARGUMENT, "billboard table", 0);
+    set.model_map = NULL;
+    expect_refusal(FXL_E_ARGUMENT, "billboard table", 0);
+    set.count = 65536;
+    expect_refusal(FXL_E_COUNT, "billboard table", 0);
+    model_map[1] = 2;
+    expect_refusal(FXL_E_INDEX, "model", 1);
+    model_map[0] = 1; /* a cube */
+    expect_refusal(FXL_E_COUNT, "model", 0);
+    tiny->models[1].kind = FXL_MODEL_SORTED;
+    expect_refusal(FXL_E_COUNT, "model", 1);
+    tiny->models[1].radius = Q16(2.5) - 1; /* of corners at (2, 1.5) */
+    expect_refusal(FXL_E_RADIUS, "model", 1);
+    tiny->models[1].radius = Q16(2.5);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
+    board.anchor_x -= 1;
+    tiny->models[1].radius = Q16(2.5);
+    expect_refusal(FXL_E_RADIUS, "model", 1);
+}
+
+void test_null_pointers_are_refused(void)
+{
+    start(0);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_billboards(NULL, &billboards, &set));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_billboards(&renderer, NULL, &set));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_billboards_check(NULL, &tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_billboards_check(&set, NULL, NULL));
+    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_billboards, renderer.visibility);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_sorted, renderer.visibility);
+    memset(&renderer, 0, sizeof renderer);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+}

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT */
+/* The visibility method that draws billboards: its traversal takes the instances in their order,
+ * and submits a rectangle of the screen for an instance whose model has a billboard. */
+#include "../../src/draw/draw_band.h"
+#include "../../src/draw/renderer.h"
+#include "../../src/draw/submit_instance.h"
+#include "../../src/math/pixel_centre.h"
+#include "billboard_paint.h"
+#include "fixel/extra/billboards.h"
+#include "fixel/stage/transform.h"
+
+/* The points of a record of the display list: left and top, right and bottom, and the number of
+ * the model. */
+#define RECORD_POINTS 3
+
+static const fxl_billboard_set *set_of(const fxl_renderer *renderer)
+{
+    return ((const fxl_billboards *)renderer->submit_workspace)->set;
+}
+
+static const fxl_sprite *sprite_of(const fxl_renderer *renderer, uint32_t model)
+{
+    const fxl_billboard_set *set = set_of(renderer);
+    return set->billboards[set->model_map[model] - 1].sprite;
+}
+
+/* --- submission ------------------------------------------------------------------------- */
+
+/* A length of a billboard, by the scale of its instance. Both are at least 0; the product is that
+ * of a length within the radius, which the scale leaves within FXL_COORDINATE_MAX, so it is below
+ * 2^29 2^16, or of a side, below twice as much. Exact. */
+static fxl_q18_46 scaled(fxl_q16_16 length, fxl_q16_16 scale)
+{
+    return (int64_t)fxl_multiply_u32((uint32_t)length, (uint32_t)scale) << 14;
+}
+
+/* Left and top, right and bottom. False where a corner is out of the range of screen coordinates.
+ * A coordinate of the view is below 2^61, a side below 2^60: sums are below 2^62. */
+static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
+                         const fxl_billboard *billboard, fxl_q16_16 scale,
+                         fxl_screen_point *corners)
+{
+    const int64_t limit = ((int64_t)1 << 61) - 1; /* of what is projected */
+    fxl_view_point left_top, right_bottom;
+    left_top.x = centre->x - scaled(billboard->anchor_x, scale);
+    right_bottom.x = left_top.x + scaled(billboard->width, scale);
+    right_bottom.y = centre->y - scaled(billboard->anchor_y, scale); /* bug: sprite-anchor */
+    left_top.y = right_bottom.y + scaled(billboard->height, scale);
+    left_top.z = right_bottom.z = centre->z;
+    return fxl_within(left_top.x, limit) && fxl_within(left_top.y, limit) &&
+           fxl_within(right_bottom.x, limit) && fxl_within(right_bottom.y, limit) &&
+           fxl_project_visible(&view->projection, &left_top, &corners[0]) == FXL_OK &&
+           fxl_project_visible(&view->projection, &right_bottom, &corners[1]) == FXL_OK;
+}
+
+static bool is_beside_screen(const fxl_lens *lens, const fxl_screen_point *corners)
+{
+    return corners[1].x <= 0 || corners[0].x >= lens->width * 65536 || corners[1].y <= 0 ||
+           corners[0].y >= lens->height * 65536;
+}
+
+static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
+{
+    const int32_t first = fxl_first_centre_from(corners[0].y);
+    const int32_t end = fxl_first_centre_from(corners[1].y);
+    fxl_rows rows = {(uint16_t)(first < 0 ? 0 : first),
+                     (uint16_t)(end < (int32_t)height ? end : (int32_t)height)};
+    if (first >= end || end <= 0 || first >= (int32_t)height) {
+        rows.end = rows.first = 0;
+    }
+    return rows;
+}
+
+/* Into the display list or into the band. One that reaches no row goes nowhere. */
+static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_screen_point *corners)
+{
+    const fxl_rows rows = rows_of(corners, on->renderer->frame.view.lens.height);
+    if (rows.first == rows.end) {
+        return 0;
+    }
+    if (on->display_list == NULL) {
+        fxl_billboard_paint(sprite_of(on->renderer, model), &corners[0], &corners[1], on->band);
+        return FXL_OUTCOME_SPILLED;
+    }
+    fxl_screen_polygon *screen = &on->workspace->screen;
+    screen->count = RECORD_POINTS;
+    screen->kind = FXL_POLYGON_SPRITE;
+    screen->points[0] = corners[0];
+    screen->points[1] = corners[1];
+    screen->points[2].x = (int32_t)model;
+    screen->points[2].y = 0;
+    const bool has_room = fxl_display_list_append(on->display_list, screen, rows);
+    screen->kind = FXL_POLYGON_FLAT;
+    return has_room ? 0 : FXL_OUTCOME_FULL;
+}
+
+/* What becomes of an instance that shows a billboard. */
+static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint32_t model,
+                                 const fxl_billboard *billboard)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    const fxl_view *view = &on->renderer->frame.view;
+    const fxl_q16_16 scale =
+        fxl_turn_code_of(scene, number) != NULL ? fxl_turn_of(scene, number)->scale : 65536;
+    fxl_view_point centre;
+    fxl_screen_point corners[2];
+    fxl_transform_point(&view->camera, &scene->instances[number].centre, &centre);
+    if (centre.z < view->view_frustum.near_z ||
+        centre.z > view->view_frustum.far_z) { /* bug: sprite-far */
+        return 1u << FXL_CLIP_OUTSIDE;
+    }
+    if (!find_corners(view, &centre, billboard, scale, corners)) {
+        return 1u << FXL_CLIP_RANGE;
+    }
+    if (is_beside_screen(&view->lens, corners)) {
+        return 1u << FXL_CLIP_OUTSIDE;
+    }
+    return 1u << FXL_CLIP_INSIDE | deliver(on, model, corners);
+}
+
+/* fxl_instance_submit. The one face of a model with a billboard is done or not. */
+static bool submit_any(const fxl_traversal *on, const fxl_order_entry *entry)
+{
+    const fxl_billboard_set *set = set_of(on->renderer);
+    const uint32_t model = on->renderer->scene->instances[entry->index].model;
+    const uint32_t number = set->model_map[model];
+    if (number == 0) {
+        return fxl_submit_any_instance(on, entry);
+    }
+    const uint32_t used = on->renderer->frame.display_list.used;
+    const fxl_outcome outcome =
+        submit_sprite(on, entry->index, model, &set->billboards[number - 1]);
+    if (!fxl_count_outcome(on, outcome, used)) {
+        return false;
+    }
+    on->counters->in += 1;
+    return true;
+}
+
+static bool submit(const fxl_traversal *on)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    if (on->display_list != NULL && scene->turns != NULL) {
+        on->counters->rounded = (uint16_t)scene->turn_code->count_rounded(on, 0, 0);
+    }
+    return fxl_submit_all(on, submit_any);
+}
+
+/* --- drawing ---------------------------------------------------------------------------- */
+
+static bool draw_list(const fxl_traversal *on)
+{
+    const fxl_rows wanted = fxl_rows_of_band(on->band);
+    fxl_display_list_record record;
+    uint32_t place = 0;
+    while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
+        if (record.kind == FXL_POLYGON_SPRITE) {
+            fxl_billboard_paint(sprite_of(on->renderer, (uint32_t)record.points[2].x),
+                                &record.points[0], &record.points[1], on->band);
+        } else {
+            fxl_draw_over(on->workspace, record.points, record.count, record.colour, on->band);
+        }
+    }
+    return true;
+}
+
+static void draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+{
+    (void)fxl_draw_band_by(renderer, workspace, band, draw_list);
+}
+
+/* --- setting ---------------------------------------------------------------------------- */
+
+static uint32_t set_size(const fxl_scene *scene)
+{
+    (void)scene;
+    return (uint32_t)sizeof(fxl_billboards);
+}
+
+static const fxl_raster_backend backend = {
+    .draw_band = draw_band, .draw_polygon = fxl_draw_over, .draws_over = true};
+
+const fxl_visibility fxl_visibility_billboards = {
+    .submit = submit, .submit_workspace_size = set_size, .backend = &backend};
+
+fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                       const fxl_billboard_set *set)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (set == NULL) {
+        return fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0);
+    }
+    fxl_status status = FXL_E_ORDER;
+    if (renderer->scene != NULL) {
+        status =
+            billboards == NULL ? FXL_E_ARGUMENT : fxl_billboards_check(set, renderer->scene, NULL);
+    }
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
+    }
+    status = fxl_renderer_set_visibility(renderer, &fxl_visibility_billboards, billboards,
+                                         (uint32_t)sizeof *billboards);
+    if (status == FXL_OK) {
+        billboards->set = set;
+    }
+    return status;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* The pixels of a sprite. Internal. */
+#ifndef FXL_SPRITE_TEXEL_H
+#define FXL_SPRITE_TEXEL_H
+
+#include "fixel/extra/overlay.h"
+
+/* log2 of the pixels of a byte. */
+static inline unsigned fxl_sprite_shift(const fxl_sprite *sprite)
+{
+    return sprite->bits == 1 ? 3 : sprite->bits == 4 ? 1 : 0;
+}
+
+static inline size_t fxl_sprite_row_bytes(const fxl_sprite *sprite)
+{
+    return ((size_t)sprite->width * sprite->bits + 7) / 8;
+}
+
+/* Draws a pixel of a row of the sprite, unless it has the colour key. shift: that of the sprite. */
+static inline void fxl_sprite_put(const fxl_sprite *sprite, const uint8_t *row, uint32_t column,
+                                  unsigned shift, uint8_t *to)
+{
+    const uint32_t bits = sprite->bits, last = (1u << shift) - 1u, mask = 0xFFu >> (8u - bits);
+    const uint32_t place = (last - (column & last)) * bits; /* bug: sprite-bit-order */
+    const uint32_t value = (uint32_t)row[column >> shift] >> place & mask;
+    if (value != sprite->key) { /* bug: sprite-key */
+        *to = sprite->colours != NULL ? sprite->colours[value] : (uint8_t)value;
+    }
+}
+
+#endif

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/* Billboards: sprites at points of the world, upright on the screen, smaller where they are farther
+ * away, and drawn in the order of the instances. docs/extras/billboards.md. */
+#ifndef FXL_BILLBOARDS_H
+#define FXL_BILLBOARDS_H
+
+#include "fixel/extra/overlay.h"
+#include "fixel/render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The largest side of a billboard: 8191 world units. */
+#define FXL_BILLBOARD_SIDE_MAX FXL_COORDINATE_MAX
+
+/* What the instances of a model show instead of their face. */
+typedef struct {
+    const fxl_sprite *sprite;
+    fxl_q16_16 width, height;      /* world units, 1/65536..FXL_BILLBOARD_SIDE_MAX */
+    fxl_q16_16 anchor_x, anchor_y; /* the centre of the instance, from the left and from the lower
+                                      side: 0..width, 0..height */
+} fxl_billboard;
+
+/* The billboards of a scene: tables that the caller owns and that must outlive it. */
+typedef struct {
+    const fxl_billboard *billboards;
+    uint32_t count;            /* 0..65535 */
+    const uint16_t *model_map; /* one for each model of the scene: 0, or the number of its
+                                  billboard, counted from 1 */
+} fxl_billboard_set;
+
+/* The billboards of a renderer, which the caller owns. Members are internal. */
+typedef union {
+    const fxl_billboard_set *set;
+    uint64_t aligned; /* a workspace is aligned to 8 bytes */
+} fxl_billboards;
+
+/* Checks the billboards of a scene: that each has a sprite of 1, 4 or 8 bits with pixels and sides
+ * of 1..65535; every number and range; and of a model with a billboard that it is convex, has one
+ * face, and has a radius that holds all corners of the billboard about the anchor. Requires a
+ * checked scene and tables as long as their counts; fault may be null.
+ * FXL_E_ARGUMENT (a null pointer, also in a record), FXL_E_COUNT (the set's count, or the faces of
+ * a model), FXL_E_RANGE, FXL_E_INDEX (model_map), FXL_E_RADIUS: *fault written. On FXL_OK *fault is
+ * untouched. */
+fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
+                                fxl_scene_fault *fault);
+
+/* Has a renderer draw billboards, or, where set is null, by fxl_visibility_sorted as before.
+ * The renderer keeps a pointer to *billboards, and that one to *set. Sets the visibility method
+ * fxl_visibility_billboards. By any other method an instance shows its face. A sprite may change
+ * between frames, and so may model_map. The frame must begin anew. Several cores may draw bands of
+ * one frame.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_ALIGNMENT (billboards),
+ * and those of fxl_billboards_check: nothing is changed but refused_calls. */
+fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                       const fxl_billboard_set *set);
+
+/* The order of fxl_visibility_sorted; a later polygon or sprite covers an earlier one. Of the
+ * display list's memory a billboard takes 32 bytes. fxl_renderer_set_billboards sets it. */
+extern const fxl_visibility fxl_visibility_billboards;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
