@@ -43,7 +43,7 @@ endif
 # same file at a time. What a command builds is built in parallel with -j, after its set-up. lib
 # calls no make of its own.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs mutants size format clean
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs mutants size predict costs format clean
 ifneq ($(filter-out lib,$(filter $(COMMANDS),$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
@@ -188,6 +188,23 @@ size: ## print flash, RAM and stack; check that the library has no float and no 
 	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
 	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
+
+# What make predict has costs of: bench/costs.json.
+COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500
+LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BOARD_SETTINGS.$(1)))),0)
+
+predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= SCREEN= FRAMES= JSON=]
+	@tools/setup.sh predict
+	@$(MAKE) $(BUILD)/host/predict
+	@$(PY) tools/predict.py --board '$(BOARD)' --core '$(BOARD_CORE.$(BOARD))' --scene '$(SCENE)' --build $(BUILD) \
+	    --band $(BOARD_BAND_BYTES.$(BOARD)) --order $(BOARD_ORDER_ENTRIES.$(BOARD)) --list $(BOARD_LIST_BYTES.$(BOARD)) \
+	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD)) --list-most $(call LIST_MOST_OF,$(BOARD)) \
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(JSON),--json '$(JSON)')
+
+costs: ## renew bench/costs.json, from which make predict predicts
+	@tools/setup.sh report
+	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTS_BOARDS),$(BOARD_WALK.$(board)))
+	@$(PY) tools/costs.py --cores $(COSTS_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTS_BOARDS) --build $(BUILD)
 
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))

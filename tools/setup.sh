@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|gdb|probe...
+# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|predict|gdb|probe...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -15,6 +15,7 @@
 #   format  clang-format
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
 #   tools   Python packages as for run
+#   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
 #
@@ -114,9 +115,10 @@ find_missing() {
         fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
         tools) need_python run ;;
+        predict) need_host_compiler; need_python run ;;
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, tools, gdb or probe" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, tools, predict, gdb or probe" ;;
         esac
     done
     has python3 || need python3
@@ -246,7 +248,7 @@ install_group() {
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|gdb|probe..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|predict|gdb|probe..."
 
 is_ready() {
     find_missing "$@"

@@ -1,24 +1,41 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws with Fixel in bands of three rows. The memory is that of boards/stm32vldiscovery, which has
- * 8 KB of RAM: 600 bytes of display list and no vertex cache. The order has as many entries as the
- * scene needs; a large sorted model needs more than that board has. */
+/* Draws with Fixel in bands. Unless the build says otherwise they have three rows, and the memory
+ * is that of boards/stm32vldiscovery, which has 8 KB of RAM: 600 bytes of display list and no
+ * vertex cache. The order has as many entries as the scene needs; a large sorted model needs more
+ * than that board has. With DRAW_CLEARS each band is cleared first, as the walk does. */
 #include "contract/system.h"
 #include "draw.h"
+#include "fixel/stage/fill.h"
 #include "text.h"
 
-#define ORDER_ENTRIES 2048u
-#define LIST_WORDS    150u
-#define BAND_ROWS     3u
+#define ORDER_ENTRIES 8192u
+#ifndef DRAW_BAND_ROWS
+#define DRAW_BAND_ROWS     3u
+#define DRAW_LIST_WORDS    150u
+#define DRAW_CACHE_ENTRIES 0u
+#define DRAW_CLEARS        0
+#endif
 
 static fxl_order_entry order[ORDER_ENTRIES];
-static uint32_t list[LIST_WORDS];
+static uint32_t list[DRAW_LIST_WORDS];
 static fxl_renderer renderer;
+#if DRAW_CACHE_ENTRIES > 0
+static fxl_cached_vertex cache[DRAW_CACHE_ENTRIES];
+#else
+static fxl_cached_vertex *const cache = NULL;
+#endif
+#if DRAW_CLEARS
+static uint8_t background;
+#endif
 static uint32_t order_used;
 
 int draw_open(const fxl_scene_image *image)
 {
     order_used = image->scene.order_needed;
-    const fxl_memory memory = {order, order_used, list, LIST_WORDS, NULL, 0};
+#if DRAW_CLEARS
+    background = image->background;
+#endif
+    const fxl_memory memory = {order, order_used, list, DRAW_LIST_WORDS, cache, DRAW_CACHE_ENTRIES};
 
     if (order_used > ORDER_ENTRIES) {
         text_with_number("bench: order entries needed", "", ": ", order_used);
@@ -36,11 +53,14 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
     if (fxl_frame_begin(&renderer, pose) != FXL_OK) {
         return false;
     }
-    for (uint32_t row = 0; row < whole->rows; row += BAND_ROWS) {
+    for (uint32_t row = 0; row < whole->rows; row += DRAW_BAND_ROWS) {
         const uint32_t left = whole->rows - row;
         band.pixels = whole->pixels + row * whole->stride;
         band.first_row = (uint16_t)row;
-        band.rows = (uint16_t)(left < BAND_ROWS ? left : BAND_ROWS);
+        band.rows = (uint16_t)(left < DRAW_BAND_ROWS ? left : DRAW_BAND_ROWS);
+#if DRAW_CLEARS
+        fxl_fill_band(&band, background);
+#endif
         if (fxl_frame_draw(&renderer, &band) != FXL_OK) {
             return false;
         }
@@ -50,7 +70,8 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
 
 uint32_t draw_memory(void)
 {
-    return (uint32_t)(sizeof renderer + sizeof list + order_used * sizeof order[0]);
+    return (uint32_t)(sizeof renderer + sizeof list + order_used * sizeof order[0] +
+                      DRAW_CACHE_ENTRIES * sizeof(fxl_cached_vertex));
 }
 
 const fxl_counters *draw_counters(void)

@@ -11,7 +11,8 @@ import pytest
 import scene as scene_tool
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
-from fixel import c_scene, framing, image, memory_needed
+from fixel import c_names, c_scene, framing, image, memory_needed
+from fixel.errors import ToolError
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]
@@ -22,7 +23,8 @@ SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
           "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
           "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None),
-          "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None)}
+          "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
+          "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None)}
 
 
 @functools.cache
@@ -107,6 +109,30 @@ int main(int argc, char **argv)
 #else
     if (image.light.base != NULL) { return 11; }
 #endif
+#ifdef SURFACES
+    static fxl_texture textures[64];
+    fxl_surface_set set_of_image;
+    const fxl_surface_set *ours = &OF(_surfaces), *theirs = &set_of_image;
+    if (fxl_surfaces_open(&image, textures, 64, &set_of_image, NULL) != FXL_OK) { return 12; }
+    if (fxl_surfaces_check(ours, scene, NULL) != FXL_OK) { return 13; }
+    if (ours->texture_count != theirs->texture_count || ours->surface_count != theirs->surface_count ||
+        ours->face_count != theirs->face_count || ours->normal_count != theirs->normal_count ||
+        ours->blend_first != theirs->blend_first || ours->blend_count != theirs->blend_count) { return 14; }
+    compare("surfaces", ours->surfaces, theirs->surfaces, ours->surface_count * sizeof *ours->surfaces);
+    compare("mapped faces", ours->faces, theirs->faces, ours->face_count * sizeof *ours->faces);
+    compare("face map", ours->face_map, theirs->face_map, scene->face_count * sizeof *ours->face_map);
+    if (ours->blend_count > 0) { compare("blend", ours->blend, theirs->blend, 256 * ours->blend_count); }
+    for (uint32_t i = 0; i < ours->texture_count; i++) {
+        fxl_texture one = ours->textures[i], other = theirs->textures[i];
+        compare("texels", one.texels, other.texels, (size_t)1 << (one.log_width + one.log_height) >> (one.format == FXL_TEXTURE_4));
+        if (one.colours != NULL) { compare("colours", one.colours, other.colours, 16); }
+        one.texels = other.texels;
+        one.colours = other.colours;
+        compare("texture", &one, &other, sizeof one);
+    }
+#else
+    if (image.surfaces.face_map != NULL) { return 15; }
+#endif
     compare("lit", scene->lit, image.scene.lit, 256);
     if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
     compare("palette", OF(_palette), image.palette, sizeof OF(_palette));
@@ -129,6 +155,7 @@ int main(int argc, char **argv)
 def test_a_header_holds_what_the_image_holds(exported):
     path = [f"-DPATH={exported.name.upper()}_FRAMES"] if exported.frames else []
     parts = (["-DMOTION"] if exported.scene.motions else []) + (["-DLIGHT"] if exported.scene.light else [])
+    parts += ["-DSURFACES"] if exported.scene.surfaces else []
     program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path, *parts)
     done = subprocess.run([program, exported.folder / "scene.fxls"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, "")
@@ -169,6 +196,10 @@ int main(void)
                (unsigned)renderer.frame.display_list.capacity);
         if (list + (renderer.frame.display_list.capacity + 1) / 2 > memory + units) { return 3; }
     }
+#ifdef SURFACES
+    static fxl_surfaces surfaces;
+    if (fxl_renderer_set_surfaces(&renderer, &surfaces, &OF(_surfaces)) != FXL_OK) { return 6; }
+#endif
 #ifdef PATH
     unsigned most = 0;
     for (int frame = 0; frame < PATH; frame++) {
@@ -200,7 +231,7 @@ def test_the_library_divides_the_block_as_the_tool_says(exported):
     name = exported.name.upper()
     path = [f"-DPATH={name}_FRAMES"] if exported.frames else []
     program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY",
-                       f"-DLEAST={name}_MEMORY_LEAST", *path)
+                       f"-DLEAST={name}_MEMORY_LEAST", *path, *(["-DSURFACES"] if exported.scene.surfaces else []))
     rows = printed(program).splitlines()
     if exported.frames:
         assert int(rows.pop().split()[1]) > 0
@@ -239,9 +270,10 @@ def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):
 def test_a_scene_image_gives_the_same_tables(tmp_path):
     scene_tool.build(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "knot.fxls"), layers="all")
     scene_tool.export(str(tmp_path / "knot.fxls"), str(tmp_path / "image.h"))
-    scene_tool.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
+    scene, _ = scene_tool.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
+    names = "\n".join([*c_names.text(scene, "knot"), ""])     # which an image does not have
     read = [(tmp_path / name).read_text(encoding="utf-8") for name in ("image.h", "toml.h")]
-    assert "knot.fxls" in read[0] and read[0].replace("knot.fxls", "knot.toml") == read[1]
+    assert "knot.fxls" in read[0] and read[0].replace("knot.fxls", "knot.toml") == read[1].replace(names, "")
 
 
 def test_an_obj_is_seen_whole_by_the_eye_of_the_first_program(tmp_path):
@@ -309,3 +341,41 @@ def test_a_build_that_cannot_draw_the_scene_is_refused_by_the_compiler(tmp_path)
     done = subprocess.run(["gcc", "-fsyntax-only", "main.c", "-I", ROOT / "lib" / "include", "-DFXL_POLYGON_CAPACITY=12"],
                           cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode != 0 and "FXL_POLYGON_CAPACITY must be at least 32" in done.stderr
+
+
+def test_names_of_objects_become_enumerations(tmp_path):
+    scene = '[[objects]]\nname = "Gem, red"\nsolid = "octahedron"\n' \
+            '[[objects]]\nname = "pillars"\nsolid = "prism"\nring = { count = 3, radius = 4 }\n' \
+            '[[objects]]\nsolid = "tile"\n[[objects]]\nname = "gem red"\nsolid = "box"\nturn = 3\n' \
+            "[[objects]]\nname = '\"*/'\nsolid = \"cone\"\n"
+    (tmp_path / "scene.toml").write_text(scene, encoding="utf-8")
+    made, _ = scene_tool.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
+    wanted = {"S_INSTANCE_GEM_RED": 0, "S_INSTANCE_PILLARS": 1, "S_INSTANCES_OF_PILLARS": 3, "S_INSTANCE_GEM_RED_2": 6,
+              "S_MODEL_GEM_RED": made.objects[0].model, "S_MODEL_PILLARS": made.objects[1].model,
+              "S_MODEL_GEM_RED_2": made.objects[6].model}
+    checks = "".join(f"    if ({name} != {value}) {{ return {i}; }}\n" for i, (name, value) in enumerate(wanted.items(), 1))
+    text = (tmp_path / "scene.h").read_text(encoding="utf-8")
+    assert subprocess.run([compiled(tmp_path, f'#include "scene.h"\nint main(void)\n{{\n{checks}    return 0;\n}}\n')],
+                          check=False).returncode == 0
+    assert text.count("_INSTANCE_") == 3 and "enum {" in text
+
+
+def test_a_tree_takes_the_names_of_what_it_swallows(tmp_path):
+    scene, _ = scene_tool.compile_scene(str(ROOT / "scenes" / "knot.toml"), None, None, "all")
+    assert len(scene.names) == len(scene.objects) and scene.names[scene.tree.object] is None
+
+
+def test_a_scene_without_a_path_is_seen_from_all_sides(tmp_path):
+    boxes = '[[objects]]\nsolid = "box"\nposition = [30, 2, 3]\n[[objects]]\nsolid = "sphere"\nscale = 9\nsize = 2\n'
+    (tmp_path / "scene.toml").write_text(boxes, encoding="utf-8")
+    made, notes = scene_tool.compile_scene(str(tmp_path / "scene.toml"), 12)
+    image.unpack(image.pack(made))
+    assert made.frames == 12 and made.start == made.path[0] and len({pose[3] for pose in made.path}) == 12
+    assert any("no path is given: a circle about the scene, in 12 frames" in note for note in notes)
+    assert scene_tool.compile_scene(str(tmp_path / "scene.toml"))[0].frames == 60
+    for text, words in ((boxes.replace("30, 2, 3", "8000, 2, 3"), "would leave -8191..8191"),):
+        (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
+        with pytest.raises(ToolError, match=words):
+            scene_tool.compile_scene(str(tmp_path / "scene.toml"))
+    (tmp_path / "scene.toml").write_text("[view]\nfar = 20\n" + boxes, encoding="utf-8")
+    assert any("view.far = " in note for note in scene_tool.compile_scene(str(tmp_path / "scene.toml"))[1])

@@ -71,7 +71,7 @@ def test_least_scene_uses_the_defaults(tmp_path):
     ("[view]\nfar = 40000\n" + BOX + PATH, ["far = 40000"]),
     ("[view]\ninset = -1\n" + BOX + PATH, ["inset = -1"]),
     ("[light]\ndirection = [0, 0, 0]\n" + BOX + PATH, ["no direction"]),
-    (BOX, ["path", "none is given"]),
+    (BOX + "[path]\n", ["path", "none is given"]),
     (PATH, ['"objects" is missing']),
     (BOX + "[path]\nkeys = [{ position = [0, 0, 8192] }]\n", ["keys[0]", "position[2] = 8192"]),
     (BOX + "[path]\nkeys = [{ position = [0, 0, 0], frames = 0 }]\n", ["frames = 0"]),

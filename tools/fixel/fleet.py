@@ -66,6 +66,12 @@ def sizes(elf_path):
             "ram_free": end - free}
 
 
+def stack_reserved(elf_path):
+    """Bytes that a board's program sets aside for its stack."""
+    with open(elf_path, "rb") as file:
+        return ELFFile(file).get_section_by_name(".symtab").get_symbol_by_name("fxl_stack_size")[0]["st_value"]
+
+
 def walk(board, build, scene, folder):
     """Walks a scene on a board and compares each frame with the host's."""
     result = Walk(scene.name)

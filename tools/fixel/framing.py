@@ -99,6 +99,7 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK):
     mesh = _centred(mesh)
     data = scene_data(mesh, name, frames, screen, framing)
     scene, notes = toml_scene.compile_data(data, name, os.path.dirname(path), frames, progress, meshes={name: mesh})
+    scene.names = []    # the file's name, which says nothing to a program
     return scene, read_notes + notes + [f"{name}: framed by default: scaled by "
                            f"{float(data['objects'][0]['scale']):.6g}, turned once in "
                            f"{len(scene.path)} frames"]

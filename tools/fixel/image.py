@@ -95,6 +95,7 @@ class SceneImage:
     light: image_light.Light = None                 # at run time
     surfaces: image_surface.Surfaces = None
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
+    names: list = field(default_factory=list, compare=False)    # of the objects, in turn; None: it has none
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
     size: int = field(default=0, compare=False)
     crc: int = field(default=0, compare=False)

@@ -6,7 +6,7 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import clusters, image, image_beam, image_lens, light_palette, palette, quantity, toml_light, toml_motion, \
+from fixel import clusters, default_path, image, image_beam, image_lens, light_palette, palette, quantity, toml_light, toml_motion, \
     toml_table, toml_texture
 from fixel import path as walk
 from fixel.errors import ToolError
@@ -148,7 +148,10 @@ def _shortened(strides, frames):
 
 
 def _path(top, frames):
-    """(kind, entries, start, gait); no more than frames of them where asked."""
+    """(kind, entries, start, gait); no more than frames of them where asked. Without a path there are no entries: see
+    default_path."""
+    if "path" not in top:
+        return image.POSES, [], (0,) * 6, _gait(Table({}, top.at("path"), set()))
     table = top.table("path", {"keys", "steps", "orbit", "start", "gait", "interpolation"})
     style = table.only_one("keys", "steps", "orbit")
     gait = _gait(table)
@@ -320,6 +323,11 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)
+    if not entries:
+        scene.path, more = default_path.about(scene, frames, name)
+        scene.start = scene.path[0]
+        notes += more
+    scene.names = [item.name for item in placements]
     scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
     return scene, list(dict.fromkeys(notes))
 

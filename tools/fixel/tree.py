@@ -338,6 +338,7 @@ def _put(scene, members, model, item):
     """Takes the members out of a scene, and the models that no object has any more; puts the new
     model at the end, and its object after those that are not turned."""
     taken = set(members)
+    scene.names = [name for i, name in enumerate(scene.names) if i not in taken]
     scene.objects = [o for i, o in enumerate(scene.objects) if i not in taken]
     kept = sorted({o.model for o in scene.objects})
     new = {old: number for number, old in enumerate(kept)}
@@ -345,3 +346,4 @@ def _put(scene, members, model, item):
     scene.objects = [Object(o.centre, new[o.model], o.layer) for o in scene.objects]
     item.model = len(kept)
     scene.objects.insert(len(scene.objects) - len(scene.turns), item)
+    scene.names.insert(len(scene.names) - len(scene.turns), None)

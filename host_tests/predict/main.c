@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/* predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES LIST_MOST FRAMES
+ *
+ * Walks a scene's path as firmware/walk does on a board with these settings, and prints what the
+ * library did in each frame, as JSON. ORDER_ENTRIES: 0: as many as the scene needs. LIST_MOST:
+ * bytes that limit the display list alone. FRAMES: at most so many; 0: all. Exit code 0: it ran; 2:
+ * it could not. */
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "frames/session.h"
+#include "path.h"
+#include "predict/counts.h"
+
+enum {
+    BAND,
+    ORDER,
+    LIST,
+    CACHE,
+    LIST_MOST,
+    FRAMES,
+    SETTINGS
+};
+
+static int fail(const char *what, const char *why)
+{
+    fprintf(stderr, "error: %s: %s\n", what, why);
+    return 2;
+}
+
+/* What a board with these settings has no room for; or null. */
+static const char *why_no_room(const fxl_scene_image *image, const uint32_t settings[SETTINGS],
+                               uint32_t taken)
+{
+    if (settings[BAND] < image->lens.width) {
+        return "a band holds no row of the screen";
+    }
+    if (settings[ORDER] > 0 && image->scene.order_needed > settings[ORDER]) {
+        return "the order has too few entries";
+    }
+    return taken > settings[LIST] ? "the display list's memory is too small for the motions" : NULL;
+}
+
+static bool parse(int count, char **words, uint32_t settings[SETTINGS])
+{
+    if (count != SETTINGS + 2) {
+        return false;
+    }
+    for (int i = 0; i < SETTINGS; i++) {
+        char *end;
+        const unsigned long value = strtoul(words[i + 2], &end, 10);
+        settings[i] = (uint32_t)value;
+        if (*words[i + 2] < '0' || *words[i + 2] > '9' || *end != '\0' || value > UINT32_MAX) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static uint32_t aligned(uint32_t bytes)
+{
+    return (bytes + 7u) & ~7u;
+}
+
+/* Bytes of the list's memory that motions take on a board: the instances and the turns. */
+static uint32_t motion_bytes(const fxl_scene_image *image)
+{
+    const fxl_scene *scene = &image->scene;
+    return image->motion.motion_count == 0
+               ? 0
+               : aligned(16 * scene->instance_count +
+                         40 * (scene->instance_count - scene->first_turned));
+}
+
+/* The renderer as the walk sets it up. Null, or what is wrong. */
+static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint32_t taken)
+{
+    const fxl_scene *scene = &run->image.scene;
+    const uint32_t order = settings[ORDER] > 0 ? settings[ORDER] : scene->order_needed;
+    if (scene->bsp_nodes != NULL || scene->beam_count > 0) {
+        return "a scene with a BSP tree or beams, of which no costs are known";
+    }
+    uint32_t list = settings[LIST] - taken;
+    list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;
+    const session_settings methods = {.clipper = &fxl_clipper_view,
+                                      .visibility = &fxl_visibility_sorted,
+                                      .display_list_words = list / 4,
+                                      .cache_entries = settings[CACHE]};
+    session_reserve(run, &methods);
+    run->memory.order = session_memory(order * sizeof(fxl_order_entry));
+    run->memory.order_capacity = order;
+    const fxl_status status = session_set_up(run, &methods);
+    return status == FXL_OK ? NULL : fxl_status_text(status);
+}
+
+static void print_counts(bool first)
+{
+    const double values[] = {
+#define X(name) counted.name,
+        PREDICT_COUNTS(X)
+#undef X
+    };
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        printf("%s%.0f", i > 0 ? ", " : first ? "\n[" : ",\n[", values[i]);
+    }
+    printf("]");
+}
+
+static fxl_status draw_all(session *run, uint32_t frames, uint32_t rows)
+{
+    uint8_t *pixels = session_memory((size_t)run->image.lens.width * run->image.lens.height);
+    walk_path path;
+    walk_path_begin(&path, &run->image, false);
+    for (uint32_t i = 0; i < frames; i++) {
+        fxl_status status = walk_path_next(&path, 0);
+        session_play(run, i);
+        memset(&counted, 0, sizeof counted);
+        if (status == FXL_OK) {
+            status = session_draw(run, &path.viewer.pose, rows, run->image.background, pixels);
+        }
+        if (status != FXL_OK) {
+            return status;
+        }
+        print_counts(i == 0);
+    }
+    return FXL_OK;
+}
+
+int main(int count, char **arguments)
+{
+    static session run;
+    uint32_t settings[SETTINGS];
+    if (!parse(count, arguments, settings)) {
+        return fail("usage", "predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES "
+                             "CACHE_ENTRIES LIST_MOST FRAMES");
+    }
+    const char *wrong = session_open(&run, arguments[1]);
+    const uint32_t taken = wrong == NULL ? motion_bytes(&run.image) : 0;
+    const char *no_room = wrong == NULL ? why_no_room(&run.image, settings, taken) : NULL;
+    if (no_room != NULL) {
+        fail(arguments[1], no_room);
+        return 1;
+    }
+    wrong = wrong != NULL ? wrong : set_up(&run, settings, taken);
+    if (wrong != NULL) {
+        return fail(arguments[1], wrong);
+    }
+    const uint32_t frames = settings[FRAMES] > 0 && settings[FRAMES] < run.image.frame_count
+                                ? settings[FRAMES]
+                                : run.image.frame_count;
+    printf("{\"names\": [");
+    const char *const names[] = {
+#define X(name) #name,
+        PREDICT_COUNTS(X)
+#undef X
+    };
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        printf("%s\"%s\"", i > 0 ? ", " : "", names[i]);
+    }
+    printf("],\n\"frames\": [");
+    const fxl_status status = draw_all(&run, frames, settings[BAND] / run.image.lens.width);
+    if (status != FXL_OK) {
+        return fail(arguments[1], fxl_status_text(status));
+    }
+    printf("]}\n");
+    return fflush(stdout) == 0 ? 0 : 2;
+}

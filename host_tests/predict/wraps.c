@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+/* Counts calls of the library's functions. The linker's --wrap puts these functions in their place
+ * for callers in other files, so nothing in the library knows of it. */
+#include <math.h>
+
+#include "predict/counts.h"
+#include "src/clip/clip_stats.h"
+#include "src/clip/intersect_edge.h"
+#include "src/draw/reach.h"
+#include "src/raster/draw_outline.h"
+#include "src/view/turned_view.h"
+
+#include "fixel/stage/fill.h"
+#include "fixel/stage/project.h"
+
+predict_counts counted;
+
+/* Under way is a band that looks at those faces alone of which it knows that they reach it. */
+static bool passes_over;
+
+/* The declarations of the functions that are wrapped, under both names. */
+#define WRAPPED(result, name, parameters) \
+    result __real_##name parameters; \
+    result __wrap_##name parameters; \
+    result __wrap_##name parameters
+
+/* --- instances and faces ------------------------------------------------------------------ */
+
+WRAPPED(uint32_t, fxl_order_instances,
+        (const fxl_scene *scene, const fxl_camera *camera, const fxl_view_frustum *frustum,
+         fxl_order_entry *entries, uint32_t *left_out))
+{
+    const uint32_t seen = __real_fxl_order_instances(scene, camera, frustum, entries, left_out);
+    counted.frames += 1;
+    counted.instances += scene->instance_count;
+    counted.instances_seen += seen;
+    return seen;
+}
+
+WRAPPED(void, fxl_model_view_of_instance,
+        (fxl_model_view * model_view, const fxl_scene *scene, const fxl_instance *instance,
+         const fxl_view *view, fxl_vertex_cache *cache))
+{
+    const fxl_model *model = &scene->models[instance->model];
+    counted.instances_viewed += 1;
+    counted.faces_tested += model->kind == FXL_MODEL_CONVEX && !passes_over ? model->face_count : 0;
+    __real_fxl_model_view_of_instance(model_view, scene, instance, view, cache);
+}
+
+WRAPPED(void, fxl_turned_view_of_instance,
+        (fxl_turned_view * turned, const fxl_scene *scene, uint32_t number, const fxl_view *view,
+         fxl_vertex_cache *cache))
+{
+    counted.turned_viewed += 1;
+    __real_fxl_turned_view_of_instance(turned, scene, number, view, cache);
+}
+
+WRAPPED(void, fxl_turn_direction,
+        (const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned))
+{
+    counted.turned_normals += 1;
+    __real_fxl_turn_direction(turn, direction, turned);
+}
+
+WRAPPED(bool, fxl_turned_view_is_front, (const fxl_turned_view *turned, const fxl_face *face))
+{
+    counted.turned_normals += 1;
+    return __real_fxl_turned_view_is_front(turned, face);
+}
+
+WRAPPED(uint32_t, fxl_order_front_faces,
+        (const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
+         fxl_order_entry *entries))
+{
+    counted.faces_facing += model->face_count;
+    return __real_fxl_order_front_faces(scene, model, eye, entries);
+}
+
+WRAPPED(void, fxl_order_sort_faces,
+        (fxl_order_entry * entries, uint32_t count, fxl_order_work *work))
+{
+    counted.faces_sorted += count;
+    __real_fxl_order_sort_faces(entries, count, work);
+}
+
+WRAPPED(bool, fxl_reach_submit, (const fxl_traversal *on))
+{
+    counted.spilled_faces += on->renderer->workspace.counters.spilled;
+    counted.instances_passed += on->renderer->frame.visible_count;
+    passes_over = true;
+    const bool done = __real_fxl_reach_submit(on);
+    passes_over = false;
+    return done;
+}
+
+/* --- clip ----------------------------------------------------------------------------------- */
+
+WRAPPED(fxl_clip_result, fxl_clip_by_view,
+        (const fxl_model_view *model_view, const fxl_face *face, fxl_clipper_work *work,
+         fxl_screen_polygon *screen))
+{
+    counted.faces_clipped += 1;
+    counted.corners += face->count;
+    const fxl_clip_result result = __real_fxl_clip_by_view(model_view, face, work, screen);
+    counted.faces_outside += result == FXL_CLIP_OUTSIDE;
+    counted.faces_between += result == FXL_CLIP_BETWEEN;
+    return result;
+}
+
+WRAPPED(void, fxl_transform_vertex,
+        (const fxl_model_view *model_view, uint32_t number, fxl_cached_vertex *entry))
+{
+    counted.vertices += 1;
+    __real_fxl_transform_vertex(model_view, number, entry);
+}
+
+WRAPPED(fxl_status, fxl_project_inside,
+        (const fxl_projection *projection, const fxl_view_point *view, fxl_screen_point *screen))
+{
+    counted.projections += 1;
+    return __real_fxl_project_inside(projection, view, screen);
+}
+
+WRAPPED(fxl_clip_result, fxl_clip_view_by_planes,
+        (const fxl_view_polygon *in, const fxl_view_frustum *frustum, fxl_planes planes,
+         fxl_clip_view_work *work, fxl_clip_stats *stats, const fxl_view_polygon **result))
+{
+    counted.assembled += 1;
+    return __real_fxl_clip_view_by_planes(in, frustum, planes, work, stats, result);
+}
+
+WRAPPED(void, fxl_intersect_edge,
+        (const fxl_view_point *from, const fxl_view_point *to, const fxl_q18_46 *from_distance,
+         const fxl_q18_46 *to_distance, fxl_view_point *result))
+{
+    counted.cut_edges += 1;
+    __real_fxl_intersect_edge(from, to, from_distance, to_distance, result);
+}
+
+/* --- display list --------------------------------------------------------------------------- */
+
+WRAPPED(bool, fxl_display_list_append,
+        (fxl_display_list * list, const fxl_screen_polygon *polygon, fxl_rows rows))
+{
+    counted.list_polygons += 1;
+    counted.list_words += 2 + 2 * polygon->count;
+    return __real_fxl_display_list_append(list, polygon, rows);
+}
+
+WRAPPED(bool, fxl_display_list_next,
+        (const fxl_display_list *list, fxl_rows rows, uint32_t *place,
+         fxl_display_list_record *record))
+{
+    const bool found = __real_fxl_display_list_next(list, rows, place, record);
+    counted.list_reads += found;
+    counted.list_scanned += found ? 0 : list->used; /* at the end of each band's pass */
+    return found;
+}
+
+/* --- raster --------------------------------------------------------------------------------- */
+
+/* The area of a polygon between two rows, in pixels: on the average, the pixels whose centres it
+ * covers. */
+static double area_between(const fxl_screen_point *points, uint32_t count, double top,
+                           double bottom)
+{
+    double twice = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const fxl_screen_point *a = &points[i], *b = &points[i + 1 < count ? i + 1 : 0];
+        const double ay = a->y / 65536.0, by = b->y / 65536.0;
+        const double ax = a->x / 65536.0, bx = b->x / 65536.0;
+        const double from = fmin(fmax(ay, top), bottom), to = fmin(fmax(by, top), bottom);
+        if (from != to) { /* the strip between the edge and x = 0 */
+            const double slope = (bx - ax) / (by - ay);
+            twice += (to - from) * (2 * ax + slope * (from + to - 2 * ay));
+        }
+    }
+    return fabs(twice) / 2;
+}
+
+static double rows_between(const fxl_screen_point *points, uint32_t count, double top,
+                           double bottom)
+{
+    double first = bottom, end = top;
+    for (uint32_t i = 0; i < count; i++) {
+        const double row = ceil(points[i].y / 65536.0 - 0.5);
+        first = fmin(first, row);
+        end = fmax(end, row);
+    }
+    return fmax(0, fmin(end, bottom) - fmax(first, top));
+}
+
+WRAPPED(bool, fxl_draw_outline,
+        (const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
+{
+    const double top = band->first_row, bottom = top + band->rows;
+    counted.polygons += 1;
+    counted.edges += count;
+    const double rows = rows_between(points, count, top, bottom);
+    counted.polygons_drawn += rows > 0;
+    counted.rows += rows;
+    counted.pixels += area_between(points, count, top, bottom);
+    return __real_fxl_draw_outline(points, count, band, scan);
+}
+
+WRAPPED(const fxl_trapezoid *, fxl_scan_next_trapezoid, (fxl_scan * scan))
+{
+    counted.trapezoids += 1;
+    return __real_fxl_scan_next_trapezoid(scan);
+}
+
+WRAPPED(fxl_rows, fxl_scan_rows, (const fxl_screen_polygon *polygon, uint16_t height))
+{
+    counted.row_searches += 1;
+    return __real_fxl_scan_rows(polygon, height);
+}
+
+WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
+{
+    counted.bands += 1;
+    counted.cleared += (double)band->rows * band->width;
+    __real_fxl_fill_band(band, colour);
+}

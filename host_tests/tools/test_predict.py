@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""make predict against boards: three scenes that are not in the fit of bench/costs.json."""
+
+import json
+import pathlib
+import re
+
+import numpy
+import pytest
+
+import costs as costs_tool
+import predict as predict_tool
+import scene as scene_tool
+from board_programs import ROOT, built, made
+from conftest import assert_one_sentence, dry_run, run_cli
+from fixel import bench_plan, costs, dump, emulator, fleet, flash
+
+SCENES = ("scenes/spin.toml", "scenes/knot.toml", "examples/game/game.toml")
+BOARDS = ("microbit", "mps2-an385")
+FRAMES = 12
+WITHIN = 0.15
+
+
+def options_of(board):
+    """The options that make gives tools/predict.py for a board."""
+    lines = dry_run("predict", f"BOARD={board}", "SCENE=x").stdout.replace("\\\n", " ")
+    command = next(line for line in lines.splitlines() if "tools/predict.py" in line)
+    words = re.findall(r"(--[a-z-]+) (?:'([^']*)'|(\S+))", command)
+    return {name: quoted or plain for name, quoted, plain in words if name not in ("--scene", "--build", "--board")}
+
+
+def predicted(board, scene, *more):
+    made("build/host/predict")
+    words = [word for pair in options_of(board).items() for word in pair]
+    done = run_cli("predict", "--board", board, "--scene", scene, *words, "--json", "-", *more)
+    assert done.returncode in (0, 1), done.stderr
+    return json.loads(done.stdout)
+
+
+@pytest.fixture(scope="module")
+def drawn(tmp_path_factory):
+    """{(board, scene): (instructions of a mean frame, deepest stack)} as the boards have them; None without room."""
+    found, folder = {}, tmp_path_factory.mktemp("drawn")
+    for board in BOARDS:
+        elf = built(f"{board}/walk.elf")
+        for source in SCENES:
+            image, flashed, file = (folder / f"{board}.{suffix}" for suffix in ("fxls", "bin", "fxld"))
+            scene_tool.build(str(ROOT / source), image)
+            if image.stat().st_size > fleet.sizes(elf)["scene_room"]:
+                found[board, source] = None
+                continue
+            flash.flash(board, elf, image, flashed)
+            done = emulator.run(board, flashed, elf, file, FRAMES)
+            frames = dump.read_dump(file).frames
+            found[board, source] = (numpy.mean([frame.instructions for frame in frames]),
+                                    int(fleet.STACK.search(done.output)[1]))
+    return found
+
+
+def test_the_scenes_are_not_in_the_fit():
+    fitted = costs_tool.scenes_of(bench_plan.Plan("build"))
+    assert not set(SCENES) & set(fitted) and all((ROOT / scene).exists() for scene in (*SCENES, *fitted))
+
+
+@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("board", BOARDS)
+def test_instructions_within_15_per_cent(drawn, board, scene):
+    result = predicted(board, ROOT / scene, "--frames", FRAMES)
+    assert drawn[board, scene] is not None and result["why_not"] is None
+    taken, stack = drawn[board, scene]
+    assert abs(result["instructions_per_frame"]["mean"] / taken - 1) <= WITHIN
+    assert stack <= 1.15 * result["stack"]["seen"] and stack <= result["stack"]["reserved"]
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_memory_of_the_program(board):
+    result, sizes = predicted(board, ROOT / "scenes/tiny.toml"), fleet.sizes(built(f"{board}/walk.elf"))
+    assert abs(result["flash"]["program"] / sizes["flash_bytes"] - 1) <= WITHIN
+    assert abs(result["ram"]["program"] / sizes["ram_bytes"] - 1) <= WITHIN
+    assert (result["flash"]["scene_room"], result["flash"]["of"]) == (sizes["scene_room"], sizes["flash_size"])
+
+
+def test_a_board_without_room():
+    result = predicted("microbit", ROOT / "scenes/w3.toml")
+    assert "order entries" in result["why_not"] and result["instructions_per_frame"] is None
+    assert "scene partition" in predicted("stm32vldiscovery", ROOT / "scenes/f32.toml")["why_not"]
+    assert "too small for the motions" in predicted("stm32vldiscovery", ROOT / "scenes/spin.toml")["why_not"]
+
+
+def test_for_people(tmp_path):
+    words = [word for pair in options_of("microbit").items() for word in pair]
+    out = tmp_path / "prediction.json"
+    done = run_cli("predict", "--board", "microbit", "--scene", ROOT / "scenes/tiny.toml", *words, "--frames", 2, "--json", out)
+    assert done.returncode == 0, done.stderr
+    for word in ("flash", "RAM", "stack", "instructions a frame", "most of them for"):
+        assert word in done.stdout
+    assert json.loads(out.read_text(encoding="utf-8"))["instructions_per_frame"]["mean"] > 0
+
+
+def test_boards_and_scenes_without_costs(tmp_path):
+    words = [word for pair in options_of("mps2-an505").items() for word in pair]
+    done = run_cli("predict", "--board", "mps2-an505", "--scene", ROOT / "scenes/tiny.toml", *words)
+    assert_one_sentence(done, "mps2-an505", "no costs of its core and flags", "FXL_SMALL", "microbit")
+    words = [word for pair in options_of("mps2-an385").items() for word in pair]
+    done = run_cli("predict", "--board", "mps2-an385", "--scene", ROOT / "scenes/beam.toml", *words)
+    assert_one_sentence(done, "beams, of which no costs are known")
+
+
+def test_every_count_has_a_cost_and_a_name():
+    known = costs.load()
+    names = set(re.findall(r"X\((\w+)\)", (ROOT / "host_tests/predict/counts.h").read_text(encoding="utf-8"))) - {"name"}
+    assert set(costs.NAMES) == names
+    for core in known["cores"].values():
+        assert set(core) == names and min(core.values()) >= 0 and sum(value > 0 for value in core.values()) >= 8
+
+
+def test_the_fit_finds_what_is_there():
+    """Known costs, of which one is 0, from counts and their sums."""
+    chance = numpy.random.default_rng(5)
+    rows, wanted = chance.integers(1, 500, (300, 4)).astype(float), numpy.array([3.0, 0.0, 12.5, 700.0])
+    found = costs.fit(rows, rows @ wanted, numpy.ones(300))
+    assert numpy.allclose(found, wanted, rtol=1e-3, atol=1e-2)
+    assert costs.fit(rows, rows @ [5, 5, 5, -1], numpy.ones(300)).min() == 0    # no cost is negative
+
+
+def test_the_parts_add_up():
+    names, table_of = ["frames", "pixels"], {"frames": 10.0, "pixels": 2.0}
+    parts = predict_tool.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
+    assert [part[2] for part in parts] == [120, 10]
+    assert costs.instructions(table_of, names, numpy.array([[1, 50]])).tolist() == [110]
+
+
+def test_the_core_of_flags():
+    assert costs.core_of("-mcpu=cortex-m7 -mthumb") == "m3" and costs.core_of("-mcpu=cortex-m0 -mthumb") == "m0"
+    assert costs.core_of("-mcpu=cortex-m3 -Os") is None and costs.core_of("-mcpu=cortex-m55") is None
+    assert pathlib.Path(costs.FILE).name == "costs.json"

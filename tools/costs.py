@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Renews bench/costs.json: what a frame costs on a core, and what the walk takes on a board.
+
+Counts what the library does in scenes of the bench and in two of its own, and the instructions that programs of the bench
+execute for them, with the memory of a large board down to that of a small one. Fits a cost for each count. Exit: 0 done,
+1 a program failed.
+"""
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
+import argparse
+import pathlib
+import sys
+
+import numpy as np
+
+import scene as scene_tool
+from fixel import bench_plan, bench_run, costs, fleet, image, methods, output, parallel, qemu, scratch
+from fixel.errors import ToolError, run_main
+from fixel.table import table
+
+FRAMES = 30         # of each scene, at most
+MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "scenes/plaza-turned.toml", "scenes/tiny.toml",
+        "scenes/cube.toml", "scenes/adversarial.toml")
+STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
+STACK_FRAMES = 4
+
+
+def scenes_of(plan):
+    """The scenes of the fit."""
+    return [each["scene"] for each in plan.workloads.values()] + list(MORE)
+
+
+def measure(plan, core, size, settings, file):
+    """(counts, instructions) of the frames of a scene image. settings: rows of a band, words of the list, entries of
+    the cache."""
+    scene = image.load(file)
+    rows, words, cache = settings
+    names, counts = costs.count(plan.build, file, rows * scene.width, 0, 4 * words, cache, frames=FRAMES)
+    drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
+    return names, counts, np.array(drawn.instructions, dtype=float)
+
+
+def fit(core, measured):
+    """Costs of a core, and the error of each scene's mean frame; each program and scene has the same weight."""
+    names = next(iter(measured.values()))[0]
+    rows = np.concatenate([counts for _, counts, _ in measured.values()])
+    wanted = np.concatenate([taken for *_, taken in measured.values()])
+    weights = np.concatenate([np.full(len(taken), 1 / len(taken)) for *_, taken in measured.values()])
+    found = costs.fit(rows, wanted, weights)
+    errors = {key: float((counts @ found).mean() / taken.mean() - 1) for key, (_, counts, taken) in measured.items()}
+    return dict(zip(names, (round(float(cost), 3) for cost in found))), errors
+
+
+def cores(plan, names, sizes, folder):
+    """{core: costs}, and a table of errors."""
+    files = {}
+    for source in scenes_of(plan):
+        files[source] = pathlib.Path(folder) / f"{pathlib.Path(source).stem}.fxls"
+        scene_tool.build(source, files[source])
+    jobs = {(core, size, source): (measure, plan, core, size, settings, file)
+            for core in names for size, settings in sizes.items() for source, file in files.items()}
+    measured, result, rows = parallel.run("measuring", jobs), {}, []
+    for core in names:
+        own = {key[1:]: found for key, found in measured.items() if key[0] == core}
+        result[core], errors = fit(core, own)
+        rows += [[core, source, *(f"{100 * errors[size, source]:+.1f} %" for size in sizes)] for source in files]
+    return result, table(rows, ["core", "scene", *sizes])
+
+
+def board_sizes(board, build, folder):
+    """What the walk takes on a board, and the deepest stack that it saw."""
+    elf, seen = methods.elf_of(board, build), []
+    sizes = fleet.sizes(elf)
+    for source in STACK_SCENES:
+        file = pathlib.Path(folder) / f"{board}-{pathlib.Path(source).stem}.fxls"
+        scene_tool.build(source, file, frames=STACK_FRAMES)
+        if file.stat().st_size > sizes["scene_room"]:
+            continue
+        try:
+            seen.append(fleet.stack_seen(board, elf, file, pathlib.Path(folder)))
+        except ToolError:
+            continue    # no room for the scene's order or motions
+    if not any(seen):
+        raise ToolError(f"{board}: no scene of {', '.join(STACK_SCENES)} fits", exit_code=1)
+    return {**sizes, "stack_seen": max(filter(None, seen)), "stack_reserved": fleet.stack_reserved(elf)}
+
+
+def setting(text):
+    """("SMALL", (8, 1024, 8)) of "SMALL=8:1024:8"."""
+    name, _, numbers = text.partition("=")
+    return name, tuple(map(int, numbers.split(":")))
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--cores", nargs="+", required=True)
+    parser.add_argument("--sizes", nargs="+", required=True, type=setting, metavar="NAME=ROWS:WORDS:ENTRIES")
+    parser.add_argument("--boards", nargs="+", required=True)
+    parser.add_argument("--build", default="build", help="folder that make builds in")
+    options = parser.parse_args(argv)
+    plan = bench_plan.Plan(options.build)
+    qemu.find_qemu()
+    with scratch.folder("costs") as folder:
+        found, errors = cores(plan, options.cores, dict(options.sizes), folder)
+        boards = {board: board_sizes(board, options.build, folder) for board in options.boards}
+    output.write_json(costs.FILE, {"cores": found, "boards": boards})
+    print(errors)
+    print(f"{costs.FILE}", file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    run_main(main)

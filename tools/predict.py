@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Predicts flash, RAM, stack and instructions a frame of a scene on a board, before anything is built for the board.
+
+Exit: 0 the board has room for the scene, 1 it has not, 2 there is no prediction.
+"""
+
+from fixel import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
+import argparse
+import json
+import pathlib
+import sys
+
+import run as run_tool
+import scene as scene_tool
+from fixel import costs, image, memory_needed, output, scratch
+from fixel.errors import ToolError, run_main
+from fixel.table import coloured, table
+
+
+def board_of(options, known):
+    """The board's entry of bench/costs.json, and the core whose costs it has."""
+    core = costs.core_of(options.core)
+    if core is None or options.board not in known["boards"]:
+        raise ToolError(f"{options.board}: {costs.FILE.name} has no costs of its core and flags "
+                        f"({' '.join(options.core.split()) or 'none'}); the boards are: {', '.join(known['boards'])}")
+    return known["boards"][options.board], core
+
+
+def count(options, scene, size, board, file):
+    """costs.count with the board's settings; NoRoom says what the board has no room for."""
+    needed = memory_needed.order_needed(scene)
+    if size > board["scene_room"]:
+        raise costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
+    if needed > options.order:
+        raise costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
+    return costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
+                       options.frames or 0)
+
+
+def parts(names, counts, table_of):
+    """[(what, how many a frame, instructions a frame)], the most first."""
+    means = counts.mean(axis=0)
+    found = [(costs.NAMES.get(name, name), mean, mean * table_of[name]) for name, mean in zip(names, means)]
+    return sorted((each for each in found if each[2] > 0), key=lambda each: -each[2])
+
+
+def predict(options, file):
+    """The prediction for a scene image, as plain data."""
+    known = costs.load()
+    board, core = board_of(options, known)
+    scene, size = image.load(file), pathlib.Path(file).stat().st_size
+    result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
+              "why_not": None, **costs.memory(board, size), "instructions_per_frame": None,
+              "parts": []}
+    try:
+        names, counts = count(options, scene, size, board, file)
+    except costs.NoRoom as error:
+        return {**result, "why_not": str(error)}
+    taken = costs.instructions(known["cores"][core], names, counts)
+    result["frames"] = len(taken)
+    result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
+    result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
+                       for what, times, spent in parts(names, counts, known["cores"][core])]
+    return result
+
+
+def print_prediction(result):
+    """For people."""
+    flash, ram, stack, taken = (result[key] for key in ("flash", "ram", "stack", "instructions_per_frame"))
+    rows = [["board", f"{result['board']}, costs of core {result['core']}"],
+            ["scene", f"{result['scene']}, {result['frames']} frames"],
+            ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
+                      f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
+            ["RAM", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
+            ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
+    if taken:
+        rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
+    print(table(rows))
+    if result["parts"]:
+        print(table([[part["what"], part["times"], part["instructions"]] for part in result["parts"][:8]],
+                    ["most of them for", "times a frame", "instructions"]))
+    if result["why_not"]:
+        print(f"{coloured('no room', 'red')}: {result['why_not']}")
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--board", required=True)
+    parser.add_argument("--core", default="", help="the compiler's flags for the board's core")
+    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
+    for name, what in (("band", "bytes of a band"), ("order", "entries of the order"), ("list", "bytes of the display list"),
+                       ("cache", "entries of the vertex cache")):
+        parser.add_argument(f"--{name}", type=int, required=True, help=what)
+    parser.add_argument("--list-most", type=int, default=0, help="bytes that limit the display list alone")
+    parser.add_argument("--frames", help="number of frames (default: the whole path)")
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    parser.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
+    options = parser.parse_args(argv)
+    options.frames = run_tool.frame_count(options.frames) if options.frames is not None else None
+    screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    with scratch.folder("predict", options.build) as folder:
+        result = predict(options, run_tool.make_scene_image(options.scene, folder, options.frames, screen))
+    if options.json == "-":
+        print(json.dumps(result, indent=1))
+    else:
+        print_prediction(result)
+        if options.json:
+            output.write_json(options.json, result)
+            print(f"JSON: {options.json}", file=sys.stderr)
+    return 1 if result["why_not"] else 0
+
+
+if __name__ == "__main__":
+    run_main(main)
