@@ -55,9 +55,9 @@ uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_
     }
     const real z = real_of((uint64_t)depth, 0), focal = real_of((uint32_t)lens->focal, 0);
     const real texels = product(real_of(area, 1), product(z, product(z, z))); /* bug: level-half */
-    const real pixels = product(real_of((uint64_t)gradients->volume.number, /* bug: level-volume */
-                                        gradients->volume.exponent),
-                                product(focal, focal));
+    const real pixels =
+        product(real_of((uint64_t)gradients->volume.number, gradients->volume.exponent),
+                product(focal, focal));
     const int32_t log = texels.exponent - pixels.exponent - (texels.mantissa < pixels.mantissa);
     if (log < 2) {
         return 0;
