@@ -103,6 +103,51 @@ void test_a_face_takes_the_level_of_its_nearest_corner(void)
     }
 }
 
+/* A part of the screen, which has an off-centre lens, shows what the whole screen shows there. */
+void test_an_off_centre_lens_shows_the_same_texels(void)
+{
+    enum {
+        LEFT = 16,
+        TOP = 5,
+        PART_WIDTH = 30,
+        PART_HEIGHT = 25
+    };
+    static uint8_t frame[PART_WIDTH * PART_HEIGHT];
+    uint32_t different = 0;
+    for (uint32_t i = 0; i < ROUNDS / 4; i++) {
+        quad_scene *quad = quad_make(false);
+        fxl_order_entry order[2];
+        fxl_lens lens;
+        quad->texture =
+            (fxl_texture){.texels = texels, .log_width = 3, .log_height = 1, .levels = 4};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->surface.division = i % 2 ? FXL_DIVIDE_16 : FXL_DIVIDE_1;
+        quad_begin(quad);
+        quad_draw(quad);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&quad->renderer.frame.view.lens, LEFT, TOP,
+                                                   PART_WIDTH, PART_HEIGHT, &lens));
+        const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_init_with(&quad->renderer, &quad->scene, &lens, &memory));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_surfaces(&quad->renderer, &quad->surfaces, &quad->set));
+        const fxl_band band = {frame, PART_WIDTH, PART_WIDTH, 0, PART_HEIGHT};
+        fxl_fill_band(&band, QUAD_BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
+        for (int y = 0; y < PART_HEIGHT; y++) {
+            for (int x = 0; x < PART_WIDTH; x++) {
+                const uint8_t shown = quad->frame[(y + TOP) * QUAD_WIDTH + x + LEFT];
+                different += frame[y * PART_WIDTH + x] != shown;
+                compared += shown != QUAD_BACKGROUND;
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(10 * ROUNDS, compared);
+    TEST_ASSERT_LESS_THAN(1 + compared / 500, different);
+}
+
 /* The display list keeps level, light and blending of a face. */
 void test_lists_and_bands_give_the_same_pixels(void)
 {
