@@ -257,14 +257,18 @@ void test_an_affine_face_beyond_the_screen_is_divided(void)
 /* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
 void test_colours_are_blended_with_those_beneath(void)
 {
-    static uint8_t table[FXL_BLEND_TABLE_BYTES(3)];
+    static uint8_t table[FXL_BLEND_TABLE_BYTES(3)], plain[16];
     uint32_t covered = 0;
+    memset(plain, QUAD_COLOUR, sizeof plain);
     for (uint32_t i = 0; i < sizeof table; i++) {
         table[i] = (uint8_t)(100 + 10 * (i / 256) + (i & 255) % 7);
     }
     for (uint32_t i = 0; i < 40; i++) {
         quad_scene *quad = quad_make(false);
         const int32_t first = unit_between(QUAD_COLOUR - 4, QUAD_COLOUR + 1);
+        quad->texture = (fxl_texture){.texels = plain, .log_width = 4, .levels = 1};
+        quad->set.texture_count = 1;
+        quad->surface.texture = i % 2;
         quad->surface.flags = FXL_SURFACE_BLEND;
         quad->set.blend = table;
         quad->set.blend_first = (uint32_t)first;
