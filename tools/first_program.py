@@ -19,8 +19,10 @@ def main(argv):
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
     parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/examples/hud.c)")
     parser.add_argument("--crowd", action="store_true", help="examples/crowd")
+    parser.add_argument("--crate", action="store_true", help="examples/crate")
     options = parser.parse_args(argv)
-    draw = first_program.draw_hud if options.hud else first_program.draw_crowd if options.crowd else first_program.draw
+    draw = (first_program.draw_hud if options.hud else first_program.draw_crowd if options.crowd else
+            first_program.draw_crate if options.crate else first_program.draw)
     pixels, palette = draw(options.library)
     output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
     return 0

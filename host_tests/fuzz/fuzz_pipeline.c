@@ -87,6 +87,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         fuzz_lenses,       fuzz_misuse,  fuzz_sort,       fuzz_beams,         fuzz_split,
         fuzz_placed_limit, fuzz_volumes, fuzz_normalised, fuzz_first_program, fuzz_overlay,
         fuzz_geometry,     fuzz_world,   fuzz_turned,     fuzz_orientations,  fuzz_planes,
+        fuzz_surfaces,
     };
     fuzz_input in = {data, size};
     uint32_t part = fuzz_below(&in, PARTS);

@@ -57,24 +57,23 @@ static void demand_ramp(const fxl_light_settings *settings, uint8_t *ramp, fuzz_
     DEMAND(fxl_light_make_ramp(palette, black, 4, NULL) == FXL_E_ARGUMENT);
 }
 
-void fuzz_set_light(fxl_renderer *renderer, fuzz_input *in)
+void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in)
 {
     static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
-    static fxl_light light;
     static fxl_renderer none;
     fxl_light_settings settings = any_settings(in);
-    const fxl_light before = light;
+    const fxl_light before = *light;
     const fxl_shader *const shader = renderer->shader;
-    DEMAND(fxl_renderer_set_light(renderer, &light, &settings) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_light(renderer, light, &settings) == FXL_E_ARGUMENT);
     settings.ramp = ramp;
     if (fuzz_below(in, 4) == 0) {
         demand_ramp(&settings, ramp, in);
     }
-    DEMAND(fxl_renderer_set_light(NULL, &light, &settings) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_light(NULL, light, &settings) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_light(renderer, NULL, &settings) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_light(&none, &light, &settings) == FXL_E_ORDER);
-    if (fxl_renderer_set_light(renderer, &light, &settings) != FXL_OK) {
-        DEMAND(memcmp(&before, &light, sizeof light) == 0 && renderer->shader == shader);
+    DEMAND(fxl_renderer_set_light(&none, light, &settings) == FXL_E_ORDER);
+    if (fxl_renderer_set_light(renderer, light, &settings) != FXL_OK) {
+        DEMAND(memcmp(&before, light, sizeof before) == 0 && renderer->shader == shader);
         DEMAND(fxl_renderer_set_light(renderer, NULL, NULL) == FXL_OK);
     }
 }

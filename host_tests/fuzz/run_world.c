@@ -154,6 +154,7 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
     static fxl_world_colours colours;
     static fxl_order_entry order[PLACES + MADE_FACES];
     static uint32_t list[LIST];
+    static fxl_light light;
     const fxl_memory memory = {order, PLACES + MADE_FACES, list, fuzz_below(in, LIST), NULL, 0};
     DEMAND(fxl_renderer_init_with(&renderer, &of->world.scene, lens, &memory) == FXL_OK);
     DEMAND(fxl_world_set_colours(&of->world, &renderer, &colours) == FXL_E_INDEX);
@@ -165,7 +166,7 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
         const uint32_t what = fuzz_below(in, 8);
         if (what == 0) {
             if (fuzz_below(in, 4) == 0) {
-                fuzz_set_light(&renderer, in);
+                fuzz_set_light(&renderer, &light, in);
             }
             demand_frame(&renderer, in);
         } else if (what == 1) {

@@ -24,8 +24,9 @@ void fuzz_orientations(fuzz_input *in);
 void fuzz_overlay(fuzz_input *in);
 void fuzz_geometry(fuzz_input *in);
 void fuzz_world(fuzz_input *in);
+void fuzz_surfaces(fuzz_input *in);
 
 /* Lights a renderer, or not: settings of any kind. */
-void fuzz_set_light(fxl_renderer *renderer, fuzz_input *in);
+void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in);
 
 #endif

@@ -92,15 +92,60 @@ void test_a_face_takes_the_level_of_its_nearest_corner(void)
         quad_begin(quad);
         quad_draw(quad);
         const double ratio = quad_texels(quad);
-        const double log = ratio <= 0 ? 0 : fmin(fmax((log2(ratio) + 1) / 2, 0), 3.9);
-        if (fabs(log - floor(log + 0.5)) > 1e-6) {
-            check_levels(quad, of_4_bits, (int)floor(log));
+        const double wanted = ratio <= 0 ? 0 : fmin(fmax((log2(ratio) + 1) / 2, 0), 3.9);
+        if (fabs(wanted - floor(wanted + 0.5)) > 1e-6) {
+            check_levels(quad, of_4_bits, (int)floor(wanted));
         }
     }
     TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
     for (int level = 0; level < 4; level++) {
         TEST_ASSERT_GREATER_THAN(compared / 200, of_level[level]);
     }
+}
+
+/* A part of the screen, which has an off-centre lens, shows what the whole screen shows there. */
+void test_an_off_centre_lens_shows_the_same_texels(void)
+{
+    enum {
+        LEFT = 16,
+        TOP = 5,
+        PART_WIDTH = 30,
+        PART_HEIGHT = 25
+    };
+    static uint8_t frame[PART_WIDTH * PART_HEIGHT];
+    uint32_t different = 0;
+    for (uint32_t i = 0; i < ROUNDS / 4; i++) {
+        quad_scene *quad = quad_make(false);
+        fxl_order_entry order[2];
+        fxl_lens lens;
+        quad->texture =
+            (fxl_texture){.texels = texels, .log_width = 3, .log_height = 1, .levels = 4};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->surface.division = i % 2 ? FXL_DIVIDE_16 : FXL_DIVIDE_1;
+        quad_begin(quad);
+        quad_draw(quad);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&quad->renderer.frame.view.lens, LEFT, TOP,
+                                                   PART_WIDTH, PART_HEIGHT, &lens));
+        const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_init_with(&quad->renderer, &quad->scene, &lens, &memory));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_surfaces(&quad->renderer, &quad->surfaces, &quad->set));
+        const fxl_band band = {frame, PART_WIDTH, PART_WIDTH, 0, PART_HEIGHT};
+        fxl_fill_band(&band, QUAD_BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
+        for (int y = 0; y < PART_HEIGHT; y++) {
+            for (int x = 0; x < PART_WIDTH; x++) {
+                const uint8_t shown = quad->frame[(y + TOP) * QUAD_WIDTH + x + LEFT];
+                different += frame[y * PART_WIDTH + x] != shown;
+                compared += shown != QUAD_BACKGROUND;
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(10 * ROUNDS, compared);
+    TEST_ASSERT_LESS_THAN(1 + compared / 500, different);
 }
 
 /* The display list keeps level, light and blending of a face. */
@@ -212,14 +257,18 @@ void test_an_affine_face_beyond_the_screen_is_divided(void)
 /* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
 void test_colours_are_blended_with_those_beneath(void)
 {
-    static uint8_t table[FXL_BLEND_TABLE_BYTES(3)];
+    static uint8_t table[FXL_BLEND_TABLE_BYTES(3)], plain[16];
     uint32_t covered = 0;
+    memset(plain, QUAD_COLOUR, sizeof plain);
     for (uint32_t i = 0; i < sizeof table; i++) {
         table[i] = (uint8_t)(100 + 10 * (i / 256) + (i & 255) % 7);
     }
     for (uint32_t i = 0; i < 40; i++) {
         quad_scene *quad = quad_make(false);
         const int32_t first = unit_between(QUAD_COLOUR - 4, QUAD_COLOUR + 1);
+        quad->texture = (fxl_texture){.texels = plain, .log_width = 4, .levels = 1};
+        quad->set.texture_count = 1;
+        quad->surface.texture = i % 2;
         quad->surface.flags = FXL_SURFACE_BLEND;
         quad->set.blend = table;
         quad->set.blend_first = (uint32_t)first;

@@ -13,6 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
 CROWD = ROOT / "examples" / "crowd" / "main.c"
+CRATE = ROOT / "examples" / "crate" / "main.c"
+CRATE_FRAMES = 28   # of which the last shows three sides
 FRAME = ROOT / "host_tests" / "examples" / "frame.c"
 HUD = ROOT / "host_tests" / "examples" / "hud.c"
 HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
@@ -35,8 +37,12 @@ def draw(library, program=PROGRAM):
 
 def draw_crowd(library):
     """The picture of examples/crowd, which has a palette of its own."""
-    pixels, colours, _ = _run(library, CROWD, 768, "-DEXAMPLE_PALETTE")
-    return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
+    return _with_palette(library, CROWD)
+
+
+def draw_crate(library):
+    """A picture of examples/crate, which has a palette of its own."""
+    return _with_palette(library, CRATE, f"-DEXAMPLE_FRAMES={CRATE_FRAMES}")
 
 
 def draw_hud(library):
@@ -44,6 +50,11 @@ def draw_hud(library):
     pixels, palette = draw(library, HUD)
     palette[250:250 + len(HUD_COLOURS)] = HUD_COLOURS
     return pixels, palette
+
+
+def _with_palette(library, program, *flags):
+    pixels, colours, _ = _run(library, program, 768, "-DEXAMPLE_PALETTE", *flags)
+    return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
 
 
 def _run(library, program, more, *flags):

@@ -62,7 +62,7 @@ typedef struct {
 
 /* Finds the gradients of a face on the screen of a view.
  * Requires corners whose coordinates are below 2^61, not on one line.
- * Error: docs/accuracy.md, section 8. */
+ * Error: docs/accuracy.md, section 5. */
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients);
 

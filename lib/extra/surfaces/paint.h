@@ -43,7 +43,7 @@ typedef struct fxl_segment_face fxl_segment_face;
 typedef struct {
     int64_t weight;
     int64_t attributes[FXL_ATTRIBUTES];
-    uint8_t *pixels; /* of column 0 */
+    uint8_t *pixels;                  /* of column 0 */
     const fxl_segment_face *segments; /* null: the kernel cannot paint this face */
     int32_t y;
 } fxl_paint_row;

@@ -28,6 +28,7 @@ static bool is_common(const fxl_paint *paint)
     const fxl_texture_level *level = &paint->level;
     return level->texels != NULL && level->colours == NULL && level->flags == 0 &&
            level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16 &&
+           paint->blend == NULL && /* bug: kernel-blends */
            paint->division == FXL_DIVIDE_16 && paint->gradients->weight_min[0] <= INT32_MAX;
 }
 

@@ -66,7 +66,7 @@ static void find_gradients(const fxl_surfaces *surfaces, const fxl_model_view *m
     if (surface->texture != 0) {
         polygon->level =
             fxl_texture_level_choose(&surfaces->set->textures[surface->texture - 1], &corners,
-                                     &model_view->view->lens, &polygon->gradients);
+                                     model_view->view, &polygon->gradients);
     }
     polygon->surface = mapped->surface;
     polygon->colour = face->material;

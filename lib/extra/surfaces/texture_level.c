@@ -5,7 +5,9 @@
  *
  * where du and dv are those of two edges, and V is the volume between eye and corners times six:
  * the face has |E1 x E2| units of area for |du1 dv2 - du2 dv1| texels, and a unit of it is seen as
- * focal^2 V / (|E1 x E2| z^3) pixels. The units of 2^-16 and 2^-46 of both sides are the same. */
+ * focal^2 V / (|E1 x E2| z^3) pixels. In the view of an off-centre lens, which is sheared, V and
+ * the focal length of the drawing give the same. The units of 2^-16 and 2^-46 of both sides are the
+ * same. */
 #include "texture_level.h"
 
 #include "../../src/math/arith.h"
@@ -46,18 +48,19 @@ static int64_t least_depth(const fxl_gradient_corners *face)
 }
 
 uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_corners *face,
-                                 const fxl_lens *lens, fxl_gradients *gradients)
+                                 const fxl_view *view, fxl_gradients *gradients)
 {
     const uint64_t area = twice_texel_area(face);
     const int64_t depth = least_depth(face);
     if (texture->levels == 1 || area == 0 || depth <= 0 || gradients->volume.number == 0) {
         return 0;
     }
-    const real z = real_of((uint64_t)depth, 0), focal = real_of((uint32_t)lens->focal, 0);
+    const real z = real_of((uint64_t)depth, 0);
+    const real focal = real_of((uint32_t)fxl_view_drawn_focal(view), 0);
     const real texels = product(real_of(area, 1), product(z, product(z, z))); /* bug: level-half */
-    const real pixels = product(real_of((uint64_t)gradients->volume.number, /* bug: level-volume */
-                                        gradients->volume.exponent),
-                                product(focal, focal));
+    const real pixels =
+        product(real_of((uint64_t)gradients->volume.number, gradients->volume.exponent),
+                product(focal, focal));
     const int32_t log = texels.exponent - pixels.exponent - (texels.mantissa < pixels.mantissa);
     if (log < 2) {
         return 0;

@@ -26,7 +26,7 @@ static inline uint32_t fxl_level_least(const fxl_texture *texture)
  * depth is least; level 0 where that is not in front of the eye. Requires corners from which the
  * gradients were found. Error: 2^-26 of the texels a pixel. */
 uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_corners *face,
-                                 const fxl_lens *lens, fxl_gradients *gradients);
+                                 const fxl_view *view, fxl_gradients *gradients);
 
 /* Finds a level of a texture. Requires one that it has. */
 void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level);

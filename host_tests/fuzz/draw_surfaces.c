@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: MIT */
+/* Any scene with any surfaces, which are checked, drawn whole and drawn in bands. */
+#include <string.h>
+
+#include "demand.h"
+#include "draw.h"
+#include "make_scene.h"
+#include "stages.h"
+
+enum {
+    BACKGROUND = 0x11,
+    PIXELS = 2048,
+    TEXTURES = 3,
+    SURFACES = 4,
+    NORMALS = 4
+};
+
+/* Surfaces whose texels, and what is beside them, end where they should. */
+typedef struct {
+    fxl_texture textures[TEXTURES];
+    fxl_surface surfaces[SURFACES];
+    fxl_mapped_face faces[MADE_FACES];
+    fxl_direction normals[NORMALS];
+    uint16_t face_map[MADE_FACES];
+    uint8_t colours[16];
+    uint8_t *texels[TEXTURES], *blend;
+    fxl_surface_set set;
+} made_surfaces;
+
+static uint8_t *block(size_t size)
+{
+    uint8_t *made = malloc(size > 0 ? size : 1);
+    DEMAND(made != NULL);
+    for (size_t i = 0; i < size; i++) {
+        made[i] = (uint8_t)(i * 37);
+    }
+    return made;
+}
+
+/* One number in thirty-two is spoilt: then the set is refused, or it is drawn all the same. */
+static uint8_t spoilt(fuzz_input *in, uint32_t number)
+{
+    return (uint8_t)(fuzz_below(in, 32) == 0 ? fuzz_bits(in, 1) : number);
+}
+
+static size_t texel_bytes(const fxl_texture *texture)
+{
+    const uint32_t least = texture->format == FXL_TEXTURE_4 ? 1 : 0;
+    size_t texels = 0;
+    for (uint32_t i = 0; i < texture->levels; i++) {
+        const uint32_t wide = texture->log_width > i + least ? texture->log_width - i : least;
+        const uint32_t high = texture->log_height > i ? texture->log_height - i : 0;
+        texels += (size_t)1 << (wide + high);
+    }
+    return texels >> least;
+}
+
+static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
+{
+    fxl_texture *texture = &made->textures[number];
+    const uint32_t format = fuzz_below(in, 2);
+    const uint32_t wide = format + fuzz_below(in, fuzz_below(in, 8) ? 4 : 8);
+    const uint32_t high = fuzz_below(in, fuzz_below(in, 8) ? 4 : 9);
+    *texture = (fxl_texture){.log_width = (uint8_t)wide,
+                             .log_height = (uint8_t)high,
+                             .format = (uint8_t)format,
+                             .flags = (uint8_t)fuzz_below(in, 4),
+                             .key = (uint8_t)fuzz_bits(in, 1)};
+    texture->levels = (uint8_t)(1 + fuzz_below(in, 1 + (wide > high ? wide : high)));
+    made->texels[number] = block(texel_bytes(texture));
+    texture->texels = made->texels[number];
+    texture->colours = format == FXL_TEXTURE_4 ? made->colours : NULL;
+    texture->levels = spoilt(in, texture->levels);
+    texture->format = spoilt(in, texture->format);
+    texture->log_width = spoilt(in, texture->log_width);
+    texture->log_height = spoilt(in, texture->log_height);
+    texture->reserved = spoilt(in, 0);
+    if (fuzz_below(in, 32) == 0) {
+        texture->texels = NULL;
+    }
+}
+
+static void make_surface(fxl_surface *surface, fuzz_input *in)
+{
+    *surface = (fxl_surface){.texture = spoilt(in, fuzz_below(in, TEXTURES + 1)),
+                             .division = spoilt(in, fuzz_below(in, 4)),
+                             .flags = spoilt(in, fuzz_below(in, 4)),
+                             .opacity = spoilt(in, fuzz_below(in, 2) ? 16 : fuzz_below(in, 17))};
+    surface->reserved[1] = spoilt(in, 0);
+}
+
+static fxl_q16_16 any_texel(fuzz_input *in)
+{
+    const int32_t limit = fuzz_below(in, 4) ? 64 * 65536 : FXL_TEXEL_MAX;
+    return fuzz_below(in, 64) ? fuzz_between(in, -limit, limit) : fuzz_any(in);
+}
+
+static void make_face(fxl_mapped_face *mapped, const fxl_face *face, fuzz_input *in)
+{
+    const uint32_t first = face->count < 3 ? 0 : fuzz_below(in, face->count - 2u);
+    *mapped =
+        (fxl_mapped_face){.surface = spoilt(in, fuzz_below(in, SURFACES)),
+                          .corners = {(uint8_t)first, spoilt(in, first + 1), spoilt(in, first + 2)},
+                          .reserved = spoilt(in, 0)};
+    for (int i = 0; i < 3; i++) {
+        mapped->texels[i] = (fxl_texel){any_texel(in), any_texel(in)};
+        mapped->normals[i] = spoilt(in, fuzz_below(in, NORMALS));
+    }
+}
+
+static void make_normals(made_surfaces *made, fuzz_input *in)
+{
+    for (uint32_t i = 0; i < NORMALS; i++) {
+        const fxl_pose pose = fuzz_pose(in);
+        fxl_camera camera;
+        DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
+        made->normals[i] = camera.axes.forward;
+        made->normals[i].x += fuzz_below(in, 64) ? 0 : 5;
+    }
+}
+
+static void make_surfaces(made_surfaces *made, const fxl_scene *scene, fuzz_input *in)
+{
+    memset(made, 0, sizeof *made);
+    for (uint32_t i = 0; i < TEXTURES; i++) {
+        make_texture(made, i, in);
+    }
+    for (uint32_t i = 0; i < SURFACES; i++) {
+        make_surface(&made->surfaces[i], in);
+    }
+    make_normals(made, in);
+    for (uint32_t i = 0; i < scene->face_count; i++) {
+        make_face(&made->faces[i], &scene->faces[i], in);
+        made->face_map[i] = (uint16_t)(fuzz_below(in, 4) ? i + 1 : spoilt(in, 0));
+    }
+    const uint32_t first = fuzz_below(in, 256), count = fuzz_below(in, 257 - first);
+    made->blend = block(256 * count);
+    made->set = (fxl_surface_set){.textures = made->textures,
+                                  .surfaces = made->surfaces,
+                                  .faces = made->faces,
+                                  .face_map = made->face_map,
+                                  .normals = made->normals,
+                                  .texture_count = TEXTURES,
+                                  .surface_count = SURFACES,
+                                  .face_count = scene->face_count,
+                                  .normal_count = NORMALS,
+                                  .blend = fuzz_below(in, 32) ? made->blend : NULL,
+                                  .blend_first = first,
+                                  .blend_count = count + (fuzz_below(in, 64) ? 0 : 256)};
+}
+
+static void free_surfaces(made_surfaces *made)
+{
+    for (uint32_t i = 0; i < TEXTURES; i++) {
+        free(made->texels[i]);
+    }
+    free(made->blend);
+}
+
+static void misuse(fxl_renderer *renderer, made_surfaces *made, const fxl_scene *scene)
+{
+    static fxl_renderer none;
+    static fxl_surfaces surfaces;
+    uint8_t table[256];
+    fxl_surface_set set = made->set;
+    DEMAND(fxl_renderer_set_surfaces(NULL, &surfaces, &set) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_surfaces(renderer, NULL, &set) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_surfaces(&none, &surfaces, &set) == FXL_E_ORDER);
+    DEMAND(fxl_renderer_light_surfaces(NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_light_surfaces(&none, NULL) == FXL_E_ORDER);
+    DEMAND(fxl_blend_make_table(NULL, 8, 0, 1, table) == FXL_E_ARGUMENT);
+    DEMAND(fxl_blend_make_table(table, 17, 0, 1, table) == FXL_E_RANGE);
+    DEMAND(fxl_blend_make_table(table, 16, 255, 2, table) == FXL_E_COUNT);
+    DEMAND(fxl_surfaces_check(NULL, scene, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_surfaces_check(&set, NULL, NULL) == FXL_E_ARGUMENT);
+    set.face_map = NULL;
+    DEMAND(fxl_surfaces_check(&set, scene, NULL) == FXL_E_ARGUMENT);
+    set = made->set;
+    set.face_count = FXL_MAPPED_FACES_MAX + 1;
+    DEMAND(fxl_surfaces_check(&set, scene, NULL) == FXL_E_COUNT);
+}
+
+/* The frame's rows, so many at a time. */
+static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *pixels, uint32_t step)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    for (uint32_t row = 0, rows; row < lens->height; row += rows) {
+        rows = step < lens->height - row ? step : lens->height - row;
+        const fxl_band band = {pixels + (size_t)row * lens->width, lens->width, lens->width,
+                               (uint16_t)row, (uint16_t)rows};
+        fxl_fill_band(&band, BACKGROUND);
+        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    }
+}
+
+/* The frame whole, without a list, and in bands, with one of any size. */
+static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const fxl_pose pose = fuzz_pose(in);
+    const size_t size = (size_t)lens->width * lens->height;
+    const uint32_t words = fuzz_below(in, 2) ? 4096 : fuzz_below(in, 200);
+    uint8_t *whole = block(size), *bands = block(size), *list = block(4 * (size_t)words);
+    renderer->frame.display_list.capacity = 0;
+    draw(renderer, &pose, whole, lens->height);
+    DEMAND(renderer->workspace.counters.in == draw_model_view(renderer->scene));
+    renderer->frame.display_list.words = (uint32_t *)(void *)list;
+    renderer->frame.display_list.capacity = words;
+    draw(renderer, &pose, bands, 1 + fuzz_below(in, lens->height));
+    DEMAND(memcmp(whole, bands, size) == 0);
+    free(whole);
+    free(bands);
+    free(list);
+}
+
+static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *in)
+{
+    static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_triangles,
+                                                  &fxl_clipper_near, &fxl_clipper_world};
+    static fxl_light light;
+    const fxl_clipper *clipper = clippers[fuzz_below(in, 4)];
+    const fxl_lens lens = fuzz_lens(in, PIXELS);
+    const uint32_t order_size = scene->order_needed * (uint32_t)sizeof(fxl_order_entry);
+    uint8_t *order = block(order_size), *room = block(clipper->workspace_size);
+    fxl_memory memory = {.order = (fxl_order_entry *)(void *)order,
+                         .order_capacity = scene->order_needed};
+    fxl_renderer renderer;
+    fxl_surfaces surfaces;
+    fxl_scene_fault fault = {NULL, 0};
+    memset(&light, 0, sizeof light);
+    DEMAND(fxl_renderer_init_with(&renderer, scene, &lens, &memory) == FXL_OK);
+    DEMAND(fxl_renderer_set_clipper(&renderer, clipper, clipper->workspace_size > 0 ? room : NULL,
+                                    clipper->workspace_size) == FXL_OK);
+    fuzz_set_light(&renderer, &light, in);
+    DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_E_ORDER);
+    const fxl_status status = fxl_surfaces_check(&made->set, scene, &fault);
+    DEMAND((status == FXL_OK) == (fault.what == NULL));
+    DEMAND(fxl_renderer_set_surfaces(&renderer, &surfaces, &made->set) == status);
+    if (status == FXL_OK) {
+        if (light.settings.ramp != NULL && fuzz_below(in, 4)) {
+            DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_OK);
+        }
+        draw_twice(&renderer, in);
+        misuse(&renderer, made, scene);
+        DEMAND(fxl_renderer_set_surfaces(&renderer, NULL, NULL) == FXL_OK);
+    }
+    free(order);
+    free(room);
+}
+
+void fuzz_surfaces(fuzz_input *in)
+{
+    static made_surfaces surfaces;
+    made_scene *made = make_scene(in);
+    if (fuzz_below(in, 2)) {
+        add_turns(made, in);
+    }
+    if (fxl_scene_check_all(&made->scene, NULL) == FXL_OK) {
+        make_surfaces(&surfaces, &made->scene, in);
+        draw_made(&made->scene, &surfaces, in);
+        free_surfaces(&surfaces);
+    }
+    free_scene(made);
+}
