@@ -14,7 +14,7 @@ static int32_t drop_of(int shift, int fraction)
  * the drop and 32. */
 static int32_t weight_for(int32_t drop)
 {
-    return drop >= -1 ? 1 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
+    return drop >= -2 ? 2 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
 }
 
 static int32_t larger(int32_t a, int32_t b)
@@ -34,9 +34,9 @@ static bool is_common(const fxl_paint *paint)
 static void find_light(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
-    const uint32_t light = gradients->count - 1u;
-    face->light_step = (int32_t)(gradients->attributes[light].along * 16 >> 32);
-    face->light_drop = drop_of(gradients->shifts[light], 8);
+    const fxl_gradient *light = &gradients->attributes[FXL_SEGMENT_LIGHT];
+    face->light_step = (int32_t)(light->along * 16 >> 32);
+    face->light_drop = drop_of(gradients->shifts[FXL_SEGMENT_LIGHT], 8);
     face->light_max = 256 * paint->levels_less_1 + 255;
     face->weight_min = larger(face->weight_min, weight_for(face->light_drop));
 }
@@ -62,7 +62,7 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     face->log_width = (uint8_t)log_width;
     face->row_drop = (uint8_t)(16 - log - log_width);
     face->is_constant = gradients->weight.along == 0;
-    face->reserved = 0;
+    face->form = (uint8_t)(log_width == log ? log_width - FXL_SEGMENT_LOG_MIN : 0);
     face->ramp = paint->ramp;
     face->light_step = face->light_drop = face->light_max = 0;
     if (paint->ramp != NULL) {
