@@ -75,6 +75,8 @@ static void choose_drops(fxl_segment_face *face, int32_t least, uint32_t range)
     face->u_drop = least + (int32_t)((any_32() >> 8) % range);
     face->v_drop = least + (int32_t)((any_32() >> 8) % range);
     face->light_drop = least + (int32_t)((any_32() >> 8) % range);
+    face->drop_min = face->u_drop < face->v_drop ? face->u_drop : face->v_drop;
+    face->drop_min = face->drop_min < face->light_drop ? face->drop_min : face->light_drop;
 }
 
 /* Every size, at every beginning and end of a row. */

@@ -119,6 +119,7 @@ AT(fxl_segment_face, light_step, SEGMENT_FACE_LIGHT_STEP);
 AT(fxl_segment_face, light_drop, SEGMENT_FACE_LIGHT_DROP);
 AT(fxl_segment_face, ramp, SEGMENT_FACE_RAMP);
 AT(fxl_segment_face, light_max, SEGMENT_FACE_LIGHT_MAX);
+AT(fxl_segment_face, drop_min, SEGMENT_FACE_DROP_MIN);
 AT(fxl_segment_face, log_width, SEGMENT_FACE_LOG_WIDTH);
 AT(fxl_segment_face, row_drop, SEGMENT_FACE_ROW_DROP);
 AT(fxl_segment_face, is_constant, SEGMENT_FACE_IS_CONSTANT);

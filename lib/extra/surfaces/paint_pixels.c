@@ -158,26 +158,20 @@ static inline int32_t kernel_weight(const fxl_paint *paint, const fxl_paint_row 
     return (int32_t)(((uint64_t)row->weight + along * (uint32_t)x) >> 32);
 }
 
-/* The column before which the kernel may paint from x0 on: x0 or the end of a segment, x1 at most.
- * The weight is linear, so it suffices at both ends of many segments. */
-static inline int32_t kernel_end(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
-                                 int32_t x1)
+/* The column before which the kernel may paint from x0 on: x0 or the end of a segment, x1 at
+ * most. */
+static int32_t kernel_end(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    const int32_t least = row->segments->weight_min;
     int32_t end = x0 & ~15;
-    if (kernel_weight(paint, row, end) < least) {
-        return x0;
-    }
-    if (kernel_weight(paint, row, (x1 + 15) & ~15) >= least) {
-        return x1;
-    }
-    while (kernel_weight(paint, row, end + 16) >= least) {
+    while (end < x1 && kernel_weight(paint, row, end) >= row->segments->weight_min &&
+           kernel_weight(paint, row, end + 16) >= row->segments->weight_min) {
         end += 16;
     }
-    return end > x0 ? end : x0;
+    return end < x0 ? x0 : smaller(end, x1);
 }
 
-void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+/* A row of which the kernel paints a part, or nothing. */
+static void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     while (x0 < x1) {
         int32_t end = row->segments == NULL ? x0 : kernel_end(paint, row, x0, x1);
@@ -188,5 +182,18 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
             paint_sixteen(paint, row, x0, end);
         }
         x0 = end;
+    }
+}
+
+/* The weight is linear, so it is large enough in all segments of a row if it is in the first column
+ * and after the last one. */
+void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const fxl_segment_face *face = row->segments;
+    if (face != NULL && kernel_weight(paint, row, x0 & ~15) >= face->weight_min &&
+        kernel_weight(paint, row, (x1 + 15) & ~15) >= face->weight_min) {
+        fxl_paint_segments(face, row, x0, x1);
+    } else {
+        paint_mixed(paint, row, x0, x1);
     }
 }

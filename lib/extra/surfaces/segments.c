@@ -17,6 +17,11 @@ static int32_t weight_for(int32_t drop)
     return drop >= -2 ? 2 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
 }
 
+static int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
 static int32_t larger(int32_t a, int32_t b)
 {
     return a > b ? a : b;
@@ -38,7 +43,7 @@ static void find_light(const fxl_paint *paint, fxl_segment_face *face)
     face->light_step = (int32_t)(light->along * 16 >> 32);
     face->light_drop = drop_of(gradients->shifts[FXL_SEGMENT_LIGHT], 8);
     face->light_max = 256 * paint->levels_less_1 + 255;
-    face->weight_min = larger(face->weight_min, weight_for(face->light_drop));
+    face->drop_min = smaller(face->drop_min, face->light_drop);
 }
 
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
@@ -55,8 +60,7 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     face->v_step = gradients->attributes[FXL_ATTRIBUTE_V].along * 16;
     face->u_drop = drop_of(gradients->shifts[FXL_ATTRIBUTE_U], 20 - (int)log_width);
     face->v_drop = drop_of(gradients->shifts[FXL_ATTRIBUTE_V], 20 - (int)log);
-    face->weight_min = larger((int32_t)gradients->weight_min[0],
-                              larger(weight_for(face->u_drop), weight_for(face->v_drop)));
+    face->drop_min = smaller(face->u_drop, face->v_drop);
     face->texels = paint->level.texels;
     face->rows_mask = paint->level.rows_less_1 << log_width;
     face->log_width = (uint8_t)log_width;
@@ -68,5 +72,6 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     if (paint->ramp != NULL) {
         find_light(paint, face);
     }
+    face->weight_min = larger((int32_t)gradients->weight_min[0], weight_for(face->drop_min));
     return true;
 }

@@ -17,9 +17,9 @@
  * 1/2 of each of at most 15 steps. Where v repeats, a carry of the lower half adds 1 to u, or takes
  * it away. For 64 x 64 texels a unit is 1/1024 texel.
  *
- * Light is in 1/256 level. At both ends it is limited to the levels, and a step is a 16th of the
- * difference, rounded towards 0. So no pixel is beyond both ends, and light is less than 1/16 level
- * off. What is divided at the end of segment k is light's upper word in column 0, and k times the
+ * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
+ * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
+ * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of segment k is light's upper word in column 0, and k times the
  * upper word of the step. */
 #ifndef FXL_SEGMENTS_H
 #define FXL_SEGMENTS_H
@@ -47,6 +47,7 @@ struct fxl_segment_face {
     int32_t light_step, light_drop;
     const uint8_t *ramp; /* null: unlit */
     int32_t light_max;   /* of the ramp, in 1/256 level */
+    int32_t drop_min;    /* of light, U and V */
     int32_t weight_min;  /* at both ends of a segment; at least 2 */
     uint8_t log_width;
     uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */

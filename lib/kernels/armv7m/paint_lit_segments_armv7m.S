@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_segments of faces with light, for Armv7-M and Armv8-M Mainline: the other kernel jumps
  * here. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no higher than
- * wide; any other takes 12. A segment takes 57 more. */
+ * wide; any other takes 12. A segment takes 52 more. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -10,18 +10,18 @@
 /* The frame: weight, u and v at the end of the segment; their steps; U, V and light at its
  * beginning; the block to which lr points; a block for one load; then: */
 #define STEPS        24
-#define BLOCK        60 /* the least drop, the light's upper word, its step and its drop, those of U
-                           and V, its most */
-#define LOADED       88 /* texels, mask, ramp, FRAME_GO */
+#define BLOCK        60 /* 2^31 - 1, the least drop, the light's upper word, its step and its drop,
+                           those of U and V, its most */
+#define LOADED       92 /* texels, mask, ramp, FRAME_GO */
 #define FRAME_TEXELS LOADED
-#define FRAME_GO     100
-#define FRAME_FULL   104
-#define FRAME_BEFORE 112
-#define FRAME_LAST   116
-#define FRAME_SKIP   124
-#define FRAME_COLUMN 128
-#define FIRST        136 /* what paints the first segment */
-#define FRAME        140
+#define FRAME_GO     104
+#define FRAME_FULL   108
+#define FRAME_BEFORE 116
+#define FRAME_LAST   120
+#define FRAME_SKIP   128
+#define FRAME_COLUMN 132
+#define FIRST        140 /* what paints the first segment */
+#define FRAME        148
 #define WHOLE        432 /* bytes of the code of a whole segment */
 #include "segments.h"
 
@@ -50,21 +50,16 @@ fxl_paint_lit_segments:
     add     r8, sp, #STEPS
     stm     r8, {r2-r7}
     add     lr, sp, #BLOCK
-    ldrd    r4, r5, [r0, #SEGMENT_FACE_LIGHT_STEP]
-    ldrd    r6, r7, [r0, #SEGMENT_FACE_U_DROP]
-    ldr     r8, [r0, #SEGMENT_FACE_LIGHT_MAX]
-    ldr     r3, [r1, #PAINT_ROW_LIGHT]
-    lsr     r9, r12, #4
-    subs    r2, r9, #1                  /* a step is added below */
-    mla     r3, r4, r2, r3
-    cmp     r6, r7
-    ite     lt
-    movlt   r2, r6
-    movge   r2, r7
-    cmp     r2, r5
-    it      gt
-    movgt   r2, r5
-    stm     lr, {r2-r8}
+    mvn     r2, #0x80000000
+    ldr     r3, [r0, #SEGMENT_FACE_DROP_MIN]
+    ldr     r4, [r1, #PAINT_ROW_LIGHT]
+    ldrd    r5, r6, [r0, #SEGMENT_FACE_LIGHT_STEP]
+    ldrd    r7, r8, [r0, #SEGMENT_FACE_U_DROP]
+    ldr     r9, [r0, #SEGMENT_FACE_LIGHT_MAX]
+    lsr     r10, r12, #4
+    sub     r10, r10, #1                /* a step is added below */
+    mla     r4, r5, r10, r4
+    stm     lr, {r2-r9}
     ldrd    r2, r3, [r0, #SEGMENT_FACE_TEXELS]
     ldr     r4, [r0, #SEGMENT_FACE_RAMP]
     add     r6, sp, #LOADED
@@ -107,10 +102,10 @@ fxl_paint_lit_segments:
     adc     r6, r6, r12
 .Lattributes:                           /* r2: weight, r4: u / z, r6: v / z */
     stm     sp, {r1-r6}
-    ldm     lr, {r5, r7-r12}
+    ldm     lr, {r3, r5, r7-r12}
     add     r7, r7, r8
-    str     r7, [lr, #4]
-    reciprocal r3, r1, r2, r2, r8
+    str     r7, [lr, #8]
+    reciprocal r3, r1, r2, r3, r2, r8
     cmp     r1, r5
     bgt     .Lfar
     sub     r9, r9, r1
@@ -133,14 +128,13 @@ fxl_paint_lit_segments:
     add     p, p, r3, lsl #16
     sub     r2, r2, r8
     sub     r4, r4, r9
-    sub     change, r7, light
+    asr     r7, r7, #4
+    sub     change, r7, light, asr #4   /* bug: v7m-segment-light */
     adds    r2, #128
     adds    r4, #128
     asrs    r2, r2, #8
     sbfx    r4, r4, #8, #16
     add     step, r4, r2, lsl #16
-    add     change, change, change, lsr #28 /* bug: v7m-segment-light */
-    asr     change, change, #4
     add     r3, lr, #LOADED - BLOCK
     ldm     r3, {texels, mask, ramp, pc}
 

@@ -97,7 +97,8 @@ fxl_paint_segments:
     choose_code 14, WHOLE
     ldrb    r4, [r0, #SEGMENT_FACE_IS_CONSTANT]
     begin_pixels r12, lr
-    reciprocal r3, r1, w, r2, r5
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
     cmp     r4, #0
     bne     .Lkeep_inverse
 .Lvary:
@@ -124,7 +125,8 @@ fxl_paint_segments:
     adds    v_low, v_low, r5
     ldr     r5, [sp, #SEGMENT_FACE_V_STEP + 4]
     adc     v, v, r5
-    reciprocal r3, r1, w, r2, r5
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
     ldrd    r4, r5, [sp, #SEGMENT_FACE_U_DROP]
     subs    r4, r4, r1
     subs    r5, r5, r1

@@ -17,15 +17,14 @@
     .syntax unified
     .thumb
 
-/* The reciprocal of a weight and its leading zeros, as fxl_reciprocal_of finds them. Overwrites
- * `scaled`, which may be the weight, and `spare`. */
-    .macro  reciprocal inverse, zeros, weight, scaled, spare
+/* The reciprocal of a weight and its leading zeros, as fxl_reciprocal_of finds them, where `most` is
+ * 2^31 - 1. Overwrites `scaled`, which may be the weight, and `spare`. */
+    .macro  reciprocal inverse, zeros, weight, most, scaled, spare
     clz     \zeros, \weight
     orr     \scaled, \weight, #1
     lsl     \scaled, \scaled, \zeros
-    lsr     \inverse, \scaled, #16
-    mvn     \spare, #0x80000000
-    udiv    \inverse, \spare, \inverse
+    lsr     \spare, \scaled, #16
+    udiv    \inverse, \most, \spare
     mul     \spare, \inverse, \inverse
     umull   \spare, \scaled, \spare, \scaled
     rsb     \inverse, \scaled, \inverse, lsl #16 /* bug: v7m-segment-newton */

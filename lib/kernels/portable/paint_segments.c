@@ -84,12 +84,11 @@ static inline int32_t step_of(int32_t from, int32_t to)
 
 static inline void find_texels(const segment_end *from, const segment_end *to, fxl_texel_run *run)
 {
-    const int32_t light = to->light - from->light;
     run->position = (uint32_t)(from->u >> 4) << 16 | ((uint32_t)from->v >> 4 & 0xFFFFu);
     run->step = ((uint32_t)step_of(from->u, to->u) << 16) +
                 (uint32_t)(int32_t)(int16_t)(uint16_t)step_of(from->v, to->v);
     run->light = (uint32_t)from->light;
-    run->light_step = (uint32_t)((light + (light >> 31 & 15)) >> 4);
+    run->light_step = (uint32_t)((to->light >> 4) - (from->light >> 4));
 }
 
 void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
