@@ -7,6 +7,7 @@
 
 #include "fixel/stage/clipper.h"
 #include "fixel/stage/scan.h"
+#include "extra/surfaces/segments.h"
 #include "src/raster/draw_outline.h"
 #include "src/view/front_faces.h"
 
@@ -46,6 +47,8 @@ fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_boun
                                       uint32_t end);
 void portable_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table,
                         uint16_t *out);
+void portable_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                             int32_t x1);
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                                    fxl_screen_point *screen);
 

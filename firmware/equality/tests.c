@@ -11,6 +11,7 @@
 #include "products.h"
 #include "project.h"
 #include "rows.h"
+#include "texture_rows.h"
 #include "turn_rows.h"
 
 #include <stddef.h>
@@ -37,5 +38,6 @@ const equality_test equality_tests[] = {
     {"fill", test_fill},
     {"draw-outline", test_draw_outline},
     {"row-to-16", test_row_to_16},
+    {"texture-rows", test_texture_rows},
     {NULL, NULL},
 };

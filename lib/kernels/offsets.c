@@ -119,17 +119,17 @@ AT(fxl_segment_face, light_step, SEGMENT_FACE_LIGHT_STEP);
 AT(fxl_segment_face, light_drop, SEGMENT_FACE_LIGHT_DROP);
 AT(fxl_segment_face, ramp, SEGMENT_FACE_RAMP);
 AT(fxl_segment_face, light_max, SEGMENT_FACE_LIGHT_MAX);
+AT(fxl_segment_face, drop_min, SEGMENT_FACE_DROP_MIN);
 AT(fxl_segment_face, log_width, SEGMENT_FACE_LOG_WIDTH);
 AT(fxl_segment_face, row_drop, SEGMENT_FACE_ROW_DROP);
 AT(fxl_segment_face, is_constant, SEGMENT_FACE_IS_CONSTANT);
+AT(fxl_segment_face, form, SEGMENT_FACE_FORM);
 
-AT(fxl_segment_start, weight, SEGMENT_START_WEIGHT);
-AT(fxl_segment_start, u, SEGMENT_START_U);
-AT(fxl_segment_start, v, SEGMENT_START_V);
-AT(fxl_segment_start, light, SEGMENT_START_LIGHT);
-AT(fxl_segment_start, skip, SEGMENT_START_SKIP);
-AT(fxl_segment_start, end, SEGMENT_START_END);
-AT(fxl_segment_start, pixels, SEGMENT_START_PIXELS);
+AT(fxl_paint_row, weight, PAINT_ROW_WEIGHT);
+AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_U], PAINT_ROW_U);
+AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_V], PAINT_ROW_V);
+VALUE(PAINT_ROW_LIGHT, PAINT_ROW_U + 8 * FXL_SEGMENT_LIGHT + 4);
+AT(fxl_paint_row, pixels, PAINT_ROW_PIXELS);
 
 AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
 AT(fxl_texel_run, step, TEXEL_RUN_STEP);

@@ -128,18 +128,18 @@
 #define SEGMENT_FACE_LIGHT_DROP  44
 #define SEGMENT_FACE_RAMP        48
 #define SEGMENT_FACE_LIGHT_MAX   52
-#define SEGMENT_FACE_LOG_WIDTH   60
-#define SEGMENT_FACE_ROW_DROP    61
-#define SEGMENT_FACE_IS_CONSTANT 62
+#define SEGMENT_FACE_DROP_MIN    56
+#define SEGMENT_FACE_LOG_WIDTH   64
+#define SEGMENT_FACE_ROW_DROP    65
+#define SEGMENT_FACE_IS_CONSTANT 66
+#define SEGMENT_FACE_FORM        67
 
-/* fxl_segment_start */
-#define SEGMENT_START_WEIGHT 0
-#define SEGMENT_START_U      8
-#define SEGMENT_START_V      16
-#define SEGMENT_START_LIGHT  24
-#define SEGMENT_START_SKIP   28
-#define SEGMENT_START_END    32
-#define SEGMENT_START_PIXELS 36
+/* fxl_paint_row */
+#define PAINT_ROW_WEIGHT 0
+#define PAINT_ROW_U      8
+#define PAINT_ROW_V      16
+#define PAINT_ROW_LIGHT  28 /* the upper word */
+#define PAINT_ROW_PIXELS 32
 
 /* fxl_texel_run */
 #define TEXEL_RUN_POSITION   0

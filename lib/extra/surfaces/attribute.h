@@ -11,19 +11,19 @@ typedef struct {
     unsigned zeros;
 } fxl_reciprocal;
 
-/* Requires 1 <= weight < 2^30.
- * The first estimate divides by the 16 upper bits: it is too large by less than 2^-15 and too small
- * by less than 2^-16, relatively. Newton's step squares that: below 2^-30. The bits that the step
- * cuts off cost less than 3 * 2^-30. So the error is below 2^-28. */
+/* Requires 1 <= weight < 2^31. The lowest bit of the weight counts as set, so no reciprocal of a
+ * weight from 2 on is 2^31. The first estimate divides by the 16 upper bits: it is within 2^-15,
+ * relatively. Newton's step squares that: at most 2^-30 too small. Its product is rounded down:
+ * less than a unit too large. So the error is below 2^-29. */
 static inline fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
 {
     fxl_reciprocal reciprocal;
     reciprocal.zeros = fxl_leading_zeros(weight);
-    const uint32_t scaled = weight << reciprocal.zeros;
-    const int32_t estimate = (int32_t)(fxl_divide_half(UINT32_MAX, scaled >> 16) << 14);
-    const int32_t product = (int32_t)(fxl_multiply_u32(scaled, (uint32_t)estimate) >> 32);
-    const int32_t missing = (int32_t)1073741824 - product; /* within 2^15 */
-    reciprocal.value = estimate + ((estimate >> 16) * missing >> 14);
+    const uint32_t scaled = (weight | 1u) << reciprocal.zeros;
+    const uint32_t estimate = fxl_divide_half((uint32_t)INT32_MAX, scaled >> 16); /* below 2^16 */
+    const uint32_t value =
+        (estimate << 16) - (uint32_t)(fxl_multiply_u32(estimate * estimate, scaled) >> 32);
+    reciprocal.value = (int32_t)(value - (value >> 31));
     return reciprocal;
 }
 

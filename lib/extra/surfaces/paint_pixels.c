@@ -151,61 +151,49 @@ static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int3
 
 /* --- the kernel ----------------------------------------------------------------------------- */
 
-/* The column before which the kernel may paint from x0 on: x0 or the end of a segment, x1 at most.
- * The weight is linear, so it suffices at both ends of many segments. */
+/* The weight in a column of the screen. */
+static inline int32_t kernel_weight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+{
+    const uint64_t along = (uint64_t)paint->gradients->weight.along;
+    return (int32_t)(((uint64_t)row->weight + along * (uint32_t)x) >> 32);
+}
+
+/* The column before which the kernel may paint from x0 on: x0 or the end of a segment, x1 at
+ * most. */
 static int32_t kernel_end(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    const fxl_gradient *weight = &paint->gradients->weight;
-    const int32_t least = row->segments->weight_min, first = x0 & ~15;
-    if (value_at(row->weight, weight, first) < least) {
-        return x0;
-    }
-    if (value_at(row->weight, weight, (x1 + 15) & ~15) >= least) {
-        return x1;
-    }
-    int32_t end = first;
-    while (value_at(row->weight, weight, end + 16) >= least) {
+    int32_t end = x0 & ~15;
+    while (end < x1 && kernel_weight(paint, row, end) >= row->segments->weight_min &&
+           kernel_weight(paint, row, end + 16) >= row->segments->weight_min) {
         end += 16;
     }
-    return end > x0 ? end : x0;
+    return end < x0 ? x0 : smaller(end, x1);
 }
 
-static inline int64_t wide_value_at(int64_t first, const fxl_gradient *gradient, int32_t x)
-{
-    return first + gradient->along * x;
-}
-
-static void paint_by_kernel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
-                            int32_t x1)
-{
-    const fxl_gradients *gradients = paint->gradients;
-    const fxl_gradient *attributes = gradients->attributes;
-    const int32_t first = x0 & ~15;
-    fxl_segment_start start;
-    start.weight = wide_value_at(row->weight, &gradients->weight, first);
-    start.u = wide_value_at(row->attributes[FXL_ATTRIBUTE_U], &attributes[FXL_ATTRIBUTE_U], first);
-    start.v = wide_value_at(row->attributes[FXL_ATTRIBUTE_V], &attributes[FXL_ATTRIBUTE_V], first);
-    start.light = 0;
-    if (paint->ramp != NULL) {
-        const uint32_t light = gradients->count - 1u;
-        start.light = value_at(row->attributes[light], &attributes[light], first);
-    }
-    start.skip = (uint32_t)(x0 - first);
-    start.end = (uint32_t)(x1 - first);
-    start.pixels = row->pixels + first;
-    fxl_paint_segments(row->segments, &start);
-}
-
-void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+/* A row of which the kernel paints a part, or nothing. */
+static void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     while (x0 < x1) {
         int32_t end = row->segments == NULL ? x0 : kernel_end(paint, row, x0, x1);
         if (end > x0) {
-            paint_by_kernel(paint, row, x0, end);
+            fxl_paint_segments(row->segments, row, x0, end);
         } else {
             end = smaller((x0 & ~15) + 16, x1);
             paint_sixteen(paint, row, x0, end);
         }
         x0 = end;
+    }
+}
+
+/* The weight is linear, so it is large enough in all segments of a row if it is in the first column
+ * and after the last one. */
+void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const fxl_segment_face *face = row->segments;
+    if (face != NULL && kernel_weight(paint, row, x0 & ~15) >= face->weight_min &&
+        kernel_weight(paint, row, (x1 + 15) & ~15) >= face->weight_min) {
+        fxl_paint_segments(face, row, x0, x1);
+    } else {
+        paint_mixed(paint, row, x0, x1);
     }
 }

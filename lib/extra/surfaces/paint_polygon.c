@@ -14,17 +14,17 @@ static void begin_row(const fxl_gradients *gradients, int32_t y, fxl_paint_row *
 }
 
 /* The row below the last one may be beyond what is bounded: then a sum wraps. */
-static inline int64_t next(int64_t value, const fxl_gradient *gradient)
+static inline void step(int64_t *value, const fxl_gradient *gradient)
 {
-    return (int64_t)((uint64_t)value + (uint64_t)gradient->down);
+    *value = (int64_t)((uint64_t)*value + (uint64_t)gradient->down);
 }
 
-static void next_row(const fxl_gradients *gradients, fxl_paint_row *row)
+static inline void next_row(const fxl_gradients *gradients, fxl_paint_row *row)
 {
     row->y++;
-    row->weight = next(row->weight, &gradients->weight);
-    for (uint32_t i = 0; i < gradients->count; i++) {
-        row->attributes[i] = next(row->attributes[i], &gradients->attributes[i]);
+    step(&row->weight, &gradients->weight);
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
+        step(&row->attributes[i], &gradients->attributes[i]);
     }
 }
 

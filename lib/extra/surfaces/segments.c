@@ -14,7 +14,12 @@ static int32_t drop_of(int shift, int fraction)
  * the drop and 32. */
 static int32_t weight_for(int32_t drop)
 {
-    return drop >= -1 ? 1 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
+    return drop >= -2 ? 2 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
+}
+
+static int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
 }
 
 static int32_t larger(int32_t a, int32_t b)
@@ -35,11 +40,11 @@ static bool is_common(const fxl_paint *paint)
 static void find_light(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
-    const uint32_t light = gradients->count - 1u;
-    face->light_step = (int32_t)(gradients->attributes[light].along * 16 >> 32);
-    face->light_drop = drop_of(gradients->shifts[light], 8);
+    const fxl_gradient *light = &gradients->attributes[FXL_SEGMENT_LIGHT];
+    face->light_step = (int32_t)(light->along * 16 >> 32);
+    face->light_drop = drop_of(gradients->shifts[FXL_SEGMENT_LIGHT], 8);
     face->light_max = 256 * paint->levels_less_1 + 255;
-    face->weight_min = larger(face->weight_min, weight_for(face->light_drop));
+    face->drop_min = smaller(face->drop_min, face->light_drop);
 }
 
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
@@ -56,18 +61,18 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     face->v_step = gradients->attributes[FXL_ATTRIBUTE_V].along * 16;
     face->u_drop = drop_of(gradients->shifts[FXL_ATTRIBUTE_U], 20 - (int)log_width);
     face->v_drop = drop_of(gradients->shifts[FXL_ATTRIBUTE_V], 20 - (int)log);
-    face->weight_min = larger((int32_t)gradients->weight_min[0],
-                              larger(weight_for(face->u_drop), weight_for(face->v_drop)));
+    face->drop_min = smaller(face->u_drop, face->v_drop);
     face->texels = paint->level.texels;
     face->rows_mask = paint->level.rows_less_1 << log_width;
     face->log_width = (uint8_t)log_width;
     face->row_drop = (uint8_t)(16 - log - log_width);
     face->is_constant = gradients->weight.along == 0;
-    face->reserved = 0;
+    face->form = (uint8_t)(log_width == log ? log_width - FXL_SEGMENT_LOG_MIN : 0);
     face->ramp = paint->ramp;
     face->light_step = face->light_drop = face->light_max = 0;
     if (paint->ramp != NULL) {
         find_light(paint, face);
     }
+    face->weight_min = larger((int32_t)gradients->weight_min[0], weight_for(face->drop_min));
     return true;
 }

@@ -17,9 +17,10 @@
  * 1/2 of each of at most 15 steps. Where v repeats, a carry of the lower half adds 1 to u, or takes
  * it away. For 64 x 64 texels a unit is 1/1024 texel.
  *
- * Light is in 1/256 level. At both ends it is limited to the levels, and a step is a 16th of the
- * difference, rounded towards 0. So no pixel is beyond both ends, and light is less than 1/16 level
- * off. */
+ * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
+ * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
+ * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of segment k is light's upper word in column 0, and k times the
+ * upper word of the step. */
 #ifndef FXL_SEGMENTS_H
 #define FXL_SEGMENTS_H
 
@@ -28,6 +29,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* With a texture, light follows u and v. */
+#define FXL_SEGMENT_LIGHT 2u
 
 /* The least log_width that the kernel takes: (U1 - U0) fits 32 bits. */
 #define FXL_SEGMENT_LOG_MIN 4u
@@ -43,29 +47,22 @@ struct fxl_segment_face {
     int32_t light_step, light_drop;
     const uint8_t *ramp; /* null: unlit */
     int32_t light_max;   /* of the ramp, in 1/256 level */
-    int32_t weight_min;  /* at both ends of a segment; at least 1 */
+    int32_t drop_min;    /* of light, U and V */
+    int32_t weight_min;  /* at both ends of a segment; at least 2 */
     uint8_t log_width;
     uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */
     uint8_t is_constant; /* the weight is the same in all columns of a row */
-    uint8_t reserved;
+    uint8_t form;        /* log_width - 4 if it is above 0 and log_width = log; else 0 */
 };
-
-/* Where the kernel begins: at the first column of a segment. light: the upper word. Of the columns
- * from there on it paints skip <= column < end. */
-typedef struct {
-    int64_t weight, u, v;
-    int32_t light;
-    uint32_t skip, end;
-    uint8_t *pixels; /* of the segment's first column */
-} fxl_segment_start;
 
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face);
 
-/* Paints a part of a row. Requires skip < 16, skip < end, and weights of at least weight_min at
- * both ends of each segment. Safe for any other number: no texel or entry of the ramp is read that
- * is not of the table. */
-void fxl_paint_segments(const fxl_segment_face *face, const fxl_segment_start *start);
+/* Paints the pixels x0 <= x < x1 of a row. Requires 0 <= x0 < x1, and weights of at least
+ * weight_min at both ends of each segment. Safe for any other number: no texel or entry of the ramp
+ * is read that is not of the table. */
+void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                        int32_t x1);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_segments of faces with light, for Armv7-M and Armv8-M Mainline: the other kernel jumps
  * here. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no higher than
- * wide; any other takes 12. A segment takes 57 more. */
+ * wide; any other takes 12. A segment takes 52 more. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -10,16 +10,19 @@
 /* The frame: weight, u and v at the end of the segment; their steps; U, V and light at its
  * beginning; the block to which lr points; a block for one load; then: */
 #define STEPS        24
-#define BLOCK        60 /* the light's upper word, its step and its drop, those of U and V, its most */
-#define LOADED       84 /* texels, mask, ramp, FRAME_GO */
+#define BLOCK        60 /* 2^31 - 1, the least drop, the light's upper word, its step and its drop,
+                           those of U and V, its most */
+#define LOADED       92 /* texels, mask, ramp, FRAME_GO */
 #define FRAME_TEXELS LOADED
-#define FRAME_GO     96
-#define FRAME_FULL   100
-#define FRAME_BEFORE 108
-#define FRAME_LAST   112
-#define FRAME_SKIP   120
-#define FRAME_COLUMN 124
-#define FRAME        132
+#define FRAME_GO     104
+#define FRAME_FULL   108
+#define FRAME_BEFORE 116
+#define FRAME_LAST   120
+#define FRAME_SKIP   128
+#define FRAME_COLUMN 132
+#define FIRST        140 /* what paints the first segment */
+#define FRAME        148
+#define WHOLE        432 /* bytes of the code of a whole segment */
 #include "segments.h"
 
 pixels  .req r0
@@ -37,28 +40,54 @@ other   .req r11    /* of an odd one */
     .type fxl_paint_lit_segments, %function
     .thumb_func
 
-/* r0: face, r1: start */
+/* r0: face, r1: row, r2: x0, r3: x1 */
 fxl_paint_lit_segments:
     push    {r4-r11, lr}
     sub     sp, #FRAME
+    mov     r12, r2
+    mov     r11, r3
     ldm     r0, {r2-r7}
     add     r8, sp, #STEPS
     stm     r8, {r2-r7}
     add     lr, sp, #BLOCK
-    ldrd    r3, r4, [r0, #SEGMENT_FACE_LIGHT_STEP]
-    ldrd    r5, r6, [r0, #SEGMENT_FACE_U_DROP]
-    ldr     r7, [r0, #SEGMENT_FACE_LIGHT_MAX]
-    ldr     r2, [r1, #SEGMENT_START_LIGHT]
-    subs    r2, r2, r3                  /* a step is added below */
-    stm     lr, {r2-r7}
+    mvn     r2, #0x80000000
+    ldr     r3, [r0, #SEGMENT_FACE_DROP_MIN]
+    ldr     r4, [r1, #PAINT_ROW_LIGHT]
+    ldrd    r5, r6, [r0, #SEGMENT_FACE_LIGHT_STEP]
+    ldrd    r7, r8, [r0, #SEGMENT_FACE_U_DROP]
+    ldr     r9, [r0, #SEGMENT_FACE_LIGHT_MAX]
+    lsr     r10, r12, #4
+    sub     r10, r10, #1                /* a step is added below */
+    mla     r4, r5, r10, r4
+    stm     lr, {r2-r9}
     ldrd    r2, r3, [r0, #SEGMENT_FACE_TEXELS]
     ldr     r4, [r0, #SEGMENT_FACE_RAMP]
-    adr     r5, .Lstarted + 1
     add     r6, sp, #LOADED
-    stm     r6, {r2-r5}
-    choose_code 26
-    begin_pixels
+    stm     r6, {r2-r4}
+    choose_code 26, WHOLE
+    begin_pixels r12, r11
+    str     r3, [sp, #FIRST]
+    adr     r3, .Lstarted + 1
+    str     r3, [sp, #FRAME_GO]
+
+    /* The row's values at the first segment: the steps times its number. */
+    lsr     r12, r12, #4
     ldm     r1, {r1-r6}
+    ldrd    r7, r8, [sp, #STEPS]
+    umull   r9, r10, r7, r12
+    mla     r10, r8, r12, r10
+    adds    r1, r1, r9
+    adcs    r2, r2, r10
+    ldrd    r7, r8, [sp, #STEPS + 8]
+    umull   r9, r10, r7, r12
+    mla     r10, r8, r12, r10
+    adds    r3, r3, r9
+    adcs    r4, r4, r10
+    ldrd    r7, r8, [sp, #STEPS + 16]
+    umull   r9, r10, r7, r12
+    mla     r10, r8, r12, r10
+    adds    r5, r5, r9
+    adc     r6, r6, r10
     b       .Lattributes
 
     /* The end of the next segment. */
@@ -73,16 +102,15 @@ fxl_paint_lit_segments:
     adc     r6, r6, r12
 .Lattributes:                           /* r2: weight, r4: u / z, r6: v / z */
     stm     sp, {r1-r6}
-    ldm     lr, {r7-r12}
+    ldm     lr, {r3, r5, r7-r12}
     add     r7, r7, r8
-    str     r7, [lr]
-    reciprocal r3, r1, r2, r5, r8, r2
+    str     r7, [lr, #8]
+    reciprocal r3, r1, r2, r3, r2, r8
+    cmp     r1, r5
+    bgt     .Lfar
     sub     r9, r9, r1
     sub     r10, r10, r1
     sub     r11, r11, r1
-    orr     r1, r9, r10
-    orrs    r1, r1, r11
-    bmi     .Lfar
     smull   r1, r2, r4, r3
     asr     r2, r2, r10
     smull   r1, r4, r6, r3
@@ -100,14 +128,13 @@ fxl_paint_lit_segments:
     add     p, p, r3, lsl #16
     sub     r2, r2, r8
     sub     r4, r4, r9
-    sub     change, r7, light
+    asr     r7, r7, #4
+    sub     change, r7, light, asr #4   /* bug: v7m-segment-light */
     adds    r2, #128
     adds    r4, #128
     asrs    r2, r2, #8
     sbfx    r4, r4, #8, #16
     add     step, r4, r2, lsl #16
-    add     change, change, change, lsr #28 /* bug: v7m-segment-light */
-    asr     change, change, #4
     add     r3, lr, #LOADED - BLOCK
     ldm     r3, {texels, mask, ramp, pc}
 
@@ -121,6 +148,9 @@ fxl_paint_lit_segments:
 
     /* Fewer leading zeros in a drop: some bits come from the lower word. */
 .Lfar:
+    sub     r9, r9, r1
+    sub     r10, r10, r1
+    sub     r11, r11, r1
     smull   r1, r2, r4, r3
     shift_down r2, r1, r10
     smull   r1, r4, r6, r3
@@ -129,9 +159,11 @@ fxl_paint_lit_segments:
     shift_down r7, r1, r9
     b       .Lends
 
+    /* Only the beginning of the first segment was to be found. */
     .align  2
 .Lstarted:
-    start_pixels
+    ldr     r3, [sp, #FIRST]
+    str     r3, [sp, #FRAME_GO]
     b       .Lsegment
 
     .align  2
@@ -149,7 +181,6 @@ fxl_paint_lit_segments:
     add     sp, #FRAME
     pop     {r4-r11, pc}
 
-    width_table
 
     .macro  go_on
     ldr     r3, [sp, #FRAME_LAST]
@@ -189,7 +220,7 @@ fxl_paint_lit_segments:
     ldrb    r3, [texels, r3]
     add.w   \next, \light, change
     bfi     \light, r3, #0, #8
-    ldrb.w  r3, [ramp, \light]
+    ldrb    r3, [ramp, \light]
     .if     \at < 16
     strb    r3, [pixels, #\at]
     .else
@@ -198,7 +229,6 @@ fxl_paint_lit_segments:
     add     p, step
     .endm
     .macro  whole log
-    .align  2
 .Lpixels_\log:
     .irp    at, 1, 3, 5, 7, 9, 11, 13, 15
     lit_texel \log, \at, light, other
@@ -206,9 +236,13 @@ fxl_paint_lit_segments:
     .endr
     go_on
     .endm
+    .align  2
     whole   5
+    .org    .Lpixels_5 + WHOLE
     whole   6
+    .org    .Lpixels_5 + 2 * WHOLE
     whole   7
+    .org    .Lpixels_5 + 3 * WHOLE
     whole   8
 
     .size fxl_paint_lit_segments, . - fxl_paint_lit_segments

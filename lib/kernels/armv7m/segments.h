@@ -17,19 +17,17 @@
     .syntax unified
     .thumb
 
-/* inverse = the reciprocal of a weight, as fxl_reciprocal_of finds it, and its leading zeros. */
-    .macro  reciprocal inverse, zeros, weight, a, b, c
+/* The reciprocal of a weight and its leading zeros, as fxl_reciprocal_of finds them, where `most` is
+ * 2^31 - 1. Overwrites `scaled`, which may be the weight, and `spare`. */
+    .macro  reciprocal inverse, zeros, weight, most, scaled, spare
     clz     \zeros, \weight
-    lsl     \a, \weight, \zeros
-    lsr     \inverse, \a, #16
-    mov     \b, #-1
-    udiv    \inverse, \b, \inverse
-    lsl     \inverse, \inverse, #14
-    umull   \b, \c, \a, \inverse
-    rsb     \c, \c, #1073741824
-    asr     \b, \inverse, #16
-    mul     \b, \b, \c
-    add     \inverse, \inverse, \b, asr #14 /* bug: v7m-segment-newton */
+    orr     \scaled, \weight, #1
+    lsl     \scaled, \scaled, \zeros
+    lsr     \spare, \scaled, #16
+    udiv    \inverse, \most, \spare
+    mul     \spare, \inverse, \inverse
+    umull   \spare, \scaled, \spare, \scaled
+    rsb     \inverse, \scaled, \inverse, lsl #16 /* bug: v7m-segment-newton */
     .endm
 
 /* high:low is shifted to the right by 32 + drop, from 0 on, into high. drop is overwritten. */
@@ -56,56 +54,42 @@
     add.w   \offset, \offset, \position, lsr #(32 - \log) /* bug: v7m-segment-column */
     .endm
 
-/* Chooses the code for a face in r0; it takes so many bytes a pixel. Overwrites r2 to r5. */
-    .macro  choose_code bytes
-    ldrb    r2, [r0, #SEGMENT_FACE_LOG_WIDTH]
-    ldrb    r3, [r0, #SEGMENT_FACE_ROW_DROP]
-    add     r4, r3, r2, lsl #1
-    cmp     r4, #16                     /* else the texture is higher than wide */
-    bne     1f
-    subs    r5, r2, #5
-    cmp     r5, #3
-    bhi     1f
-    adr     r3, .Lwidths
-    ldrh    r3, [r3, r5, lsl #1]
-    adr     r2, .Lpixels_5
-    add     r2, r2, r3, lsl #1
+/* Chooses the code for a face in r0: it takes so many bytes a pixel, and so many for a whole segment,
+ * from .Lpixels_5 on. Overwrites r2 and r3. */
+    .macro  choose_code bytes, whole_bytes
+    ldrb    r2, [r0, #SEGMENT_FACE_FORM]
+    cbz     r2, 1f
+    movw    r3, #\whole_bytes
+    mul     r2, r2, r3
+    adr     r3, .Lpixels_5 - \whole_bytes + 1 /* Thumb code */
+    add     r2, r2, r3
     movs    r3, #\bytes
     b       2f
-1:  rsb     r2, r2, #32
+1:  ldrb    r2, [r0, #SEGMENT_FACE_LOG_WIDTH]
+    ldrb    r3, [r0, #SEGMENT_FACE_ROW_DROP]
+    rsb     r2, r2, #32
     strd    r2, r3, [sp, #FRAME_COLUMN]
+    adr     r2, .Lloop + 1
     movs    r3, #0
     str     r3, [sp, #FRAME_BEFORE]
-    adr     r2, .Lloop
-2:  adds    r2, #1                      /* Thumb code */
-    strd    r2, r3, [sp, #FRAME_FULL]
+2:  strd    r2, r3, [sp, #FRAME_FULL]
     .endm
 
-    .macro  width_table
-    .align  2
-.Lwidths:
-    .hword  0, (.Lpixels_6 - .Lpixels_5) / 2
-    .hword  (.Lpixels_7 - .Lpixels_5) / 2, (.Lpixels_8 - .Lpixels_5) / 2
-    .endm
-
-/* Begins with the pixels of a start in r1: r0 becomes the address before them. Overwrites r2, r3. */
-    .macro  begin_pixels
-    ldrd    r2, r3, [r1, #SEGMENT_START_SKIP]
-    ldr     r0, [r1, #SEGMENT_START_PIXELS]
+/* The pixels of columns x0 to x1 of a row in r1: r0 becomes the address before the segment's.
+ * Overwrites r2, r3 and x1. GO is the code for the first segment. */
+    .macro  begin_pixels x0, x1
+    ldr     r0, [r1, #PAINT_ROW_PIXELS]
+    and     r2, \x0, #15
     subs    r0, #1
-    add     r3, r3, r0
+    add     \x1, \x1, r0
+    sub     r3, \x1, #16
+    strd    r3, \x1, [sp, #FRAME_LAST]
     str     r2, [sp, #FRAME_SKIP]
-    sub     r2, r3, #16
-    strd    r2, r3, [sp, #FRAME_LAST]
-    .endm
-
-/* Only the beginning of the first segment was to be found. Goes on to `next` by an instruction. */
-    .macro  start_pixels
-    ldr     r3, [sp, #FRAME_SKIP]
-    ldr     r4, [sp, #FRAME_LAST]
-    cmp     r0, r4
+    sub     \x0, \x0, r2
+    add     r0, r0, \x0
+    cmp     r0, r3
     it      ls
-    cmpls   r3, #0
+    cmpls   r2, #0
     ite     eq
     ldreq   r3, [sp, #FRAME_FULL]
     adrne   r3, .Lpartial + 1
@@ -113,13 +97,13 @@
     .endm
 
 /* Pixels from FRAME_SKIP on, up to the end of the row or of the segment: the last ones of the code
- * of a whole segment, whose first pixel is before them by as many as are left out. count: those
+ * of a whole segment, whose first pixel is before them by as many as are left out. skip: the pixels
  * that are skipped; left: those of the code that are left out. */
-    .macro  find_partial count, left
-    ldr     \count, [sp, #FRAME_SKIP]
-    mla     r1, r2, \count, r1
-    add     r0, r0, \count
-    rsb     \left, \count, #16
+    .macro  find_partial skip, left
+    ldr     \skip, [sp, #FRAME_SKIP]
+    mla     r1, r2, \skip, r1
+    add     r0, r0, \skip
+    rsb     \left, \skip, #16
     ldr     r3, [sp, #FRAME_LAST + 4]
     subs    r3, r3, r0
     cmp     r3, \left                   /* bug: v7m-segment-partial */
