@@ -19,7 +19,7 @@ import re
 import sys
 import time
 
-from fixel import c_scene, framing, image, image_lens, model_file, output, path, toml_scene, tree
+from fixel import c_scene, framing, image, image_lens, image_surface, model_file, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 from fixel.reading import quoted
 
@@ -109,11 +109,13 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None):
 
 def plant(compiled, layers, name):
     """Gives a scene a tree; answers what there is to say about it."""
+    had_surfaces = compiled.surfaces is not None
     try:
         counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, Progress())
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
-    return f"{name}: tree: {counts.text()}"
+    left_out = "; surfaces are left out, because a tree draws faces in their own colours" if had_surfaces else ""
+    return f"{name}: tree: {counts.text()}{left_out}"
 
 
 def summary(scene):
@@ -137,6 +139,9 @@ def summary(scene):
         "clusters": sum(len(model.clusters) for model in scene.models),
         "turned_objects": len(scene.turns), "moving_objects": len(scene.motions),
         "motion_keys": sum(len(motion.keys) for motion in scene.motions),
+        "textures": len(scene.surfaces.textures) if scene.surfaces else 0,
+        "texel_bytes": sum(image_surface.texel_bytes(one) for one in scene.surfaces.textures) if scene.surfaces else 0,
+        "faces_with_surfaces": sum(face.mapped is not None for model in scene.models for face in model.faces),
         "light_levels": len(scene.light.ramp) if scene.light else 0,
         "point_lights": len(scene.light.points) if scene.light else 0,
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
@@ -164,6 +169,9 @@ def info(file, as_json):
     if data["turned_objects"]:
         print(f"  turned   {data['turned_objects']} objects; {data['moving_objects']} of them move, by "
               f"{data['motion_keys']:,} keys")
+    if data["faces_with_surfaces"]:
+        print(f"  surfaces of {data['faces_with_surfaces']:,} faces; {data['textures']} textures, "
+              f"{data['texel_bytes']:,} bytes of texels")
     if data["light_levels"]:
         print(f"  light    at run time, in {data['light_levels']} levels; {data['point_lights']} point lights")
     if data["clusters"]:

@@ -23,6 +23,9 @@ typedef struct {
 void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const draw_choice *choice, fuzz_input *in);
 
+/* Opens the surfaces of an image; draws some rows with them, if nothing is wrong. */
+void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose);
+
 /* Faces that a frame looks at. */
 uint64_t draw_model_view(const fxl_scene *scene);
 

@@ -5,8 +5,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fixel/extra/surfaces.h"
 #include "fixel/scene.h"
 #include "frames/read_file.h"
+
+/* Opens the surfaces of an image, if it has some. */
+static fxl_status open_surfaces(const fxl_scene_image *opened, fxl_scene_fault *fault)
+{
+    const uint32_t count = opened->surfaces.texture_count;
+    fxl_surface_set set;
+    if (opened->surfaces.face_map == NULL) {
+        return FXL_OK;
+    }
+    fxl_texture *textures = malloc((count + 1u) * sizeof *textures);
+    fxl_status status =
+        textures ? fxl_surfaces_open(opened, textures, count, &set, fault) : FXL_E_CAPACITY;
+    free(textures);
+    return status;
+}
 
 /* Copies an image to memory of its own, aligned and no longer than it, and opens it there. */
 static int judge(const uint8_t *bytes, uint32_t size)
@@ -19,6 +35,9 @@ static int judge(const uint8_t *bytes, uint32_t size)
     }
     memcpy(image, bytes, size);
     fxl_status status = fxl_scene_open(image, size, &opened, &fault);
+    if (status == FXL_OK) {
+        status = open_surfaces(&opened, &fault);
+    }
     printf("%d %u %s\n", (int)status, (unsigned)fault.index, fault.what);
     free(image);
     return 0;

@@ -14,7 +14,7 @@ def between(dark, full, level, top):
     return tuple((2 * (a * (top - level) + b * level) + top) // (2 * top) for a, b in zip(dark, full))
 
 
-class _Nearest:
+class Nearest:
     """Which entry of a palette is nearest to a colour; of several the one of the lowest number."""
 
     def __init__(self, entries):
@@ -108,7 +108,7 @@ def allocate(background, wanted, reserved, light, glow):
         merged += len(shades) if len(shades) > len(free) else 0
         for colour in sorted(set(drawn.values())):
             made[free.pop(0)] = colour
-    nearest = _Nearest(made[:end])
+    nearest = Nearest(made[:end])
     top = light.levels - 1
     ramp = [[nearest(between(light.dark, entry, level, top)) if i in lit and level < top else i
              for i, entry in enumerate(made)] for level in range(light.levels)]

@@ -30,6 +30,7 @@ class Mesh:
     faces: list
     places: list = field(default_factory=list)  # where each face stands, for messages
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
+    uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
 
 
 @dataclass

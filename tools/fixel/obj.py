@@ -226,4 +226,4 @@ def read(path, name=None, progress=None):
         notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    return Mesh(vertices, faces, parser.lines, surfaces), notes + more
+    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs), notes + more

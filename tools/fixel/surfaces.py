@@ -9,11 +9,11 @@ from fractions import Fraction
 from itertools import combinations
 from math import floor
 
-from fixel import image_surface
+from fixel import image_surface, light_palette
 from fixel.errors import ToolError
 from fixel.image import Face
 from fixel.image_surface import Mapped, Surface, Surfaces, Texture
-from fixel.mesh import UNIT, cross, dot, minus, transform
+from fixel.mesh import UNIT, cross, dot, minus, newell, transform, unit_normal
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
 DIVISIONS = {"16": image_surface.DIVIDE_16, "8": image_surface.DIVIDE_8, "1": image_surface.DIVIDE_1,
@@ -31,7 +31,7 @@ class Paint:
 @dataclass(frozen=True)
 class Look:
     """What a face looks like, and where three of its corners are on the texture. colours: those that the picture's
-    become on this face, as red, green, blue; none without a texture."""
+    become on this face, as red, green, blue; none without a texture. normals: at these corners, in 2.30, of what is lit."""
     paint: Paint
     colours: tuple
     division: int
@@ -39,6 +39,7 @@ class Look:
     opacity: int
     corners: tuple
     texels: tuple
+    normals: tuple = ()
 
 
 # --- coordinates ---------------------------------------------------------------------------------
@@ -55,14 +56,6 @@ def box_axes(normal):
     return (0, -front), (1, -1)
 
 
-def _outline_normal(points):
-    total = (0, 0, 0)
-    for a, b in zip(points[1:], points[2:]):
-        part = cross(minus(a, points[0]), minus(b, points[0]))
-        total = tuple(p + q for p, q in zip(total, part))
-    return total
-
-
 def box_coordinates(mesh, scale, inside, per_unit, offset):
     """For each face of a mesh (u, v) in texels of each corner, by planes of a box about the mesh before it turns.
     per_unit: texels a world unit."""
@@ -70,7 +63,7 @@ def box_coordinates(mesh, scale, inside, per_unit, offset):
     result = []
     for face in mesh.faces:
         outline = [points[c] for c in face]
-        (i, along), (j, down) = box_axes([n * (-1 if inside else 1) for n in _outline_normal(outline)])
+        (i, along), (j, down) = box_axes([n * (-1 if inside else 1) for n in newell(outline)])
         result.append([(along * p[i] * per_unit + offset[0], down * p[j] * per_unit + offset[1]) for p in outline])
     return result
 
@@ -83,6 +76,18 @@ def tiled(coordinates, size):
         result.append([tuple((c - low) * side / (high - low) if high > low else Fraction(0)
                              for c, (low, high), side in zip(corner, ends, size)) for corner in face])
     return result
+
+
+def smooth_normals(made):
+    """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
+    area."""
+    totals = {}
+    for face in made.faces:
+        area = newell([made.vertices[c] for c in face.corners])
+        for c in face.corners:
+            totals[c] = tuple(p + q for p, q in zip(totals.get(c, (0, 0, 0)), area))
+    normals = {c: unit_normal(total) if any(total) else None for c, total in totals.items()}
+    return [[normals[c] or face.normal for c in face.corners] for face in made.faces]
 
 
 # --- faces ---------------------------------------------------------------------------------------
@@ -167,21 +172,28 @@ def _texture(paint, entries):
     background's, which no colour has."""
     picture = paint.picture
     flags = (image_surface.CLAMP if paint.clamp else 0) | (image_surface.KEYED if picture.has_clear() else 0)
-    sides = picture.width.bit_length() - 1, picture.height.bit_length() - 1
+    sides, count = (picture.width.bit_length() - 1, picture.height.bit_length() - 1), len(picture.levels)
     if paint.bits == 4:
         clear = len(entries)        # the first number that no colour has
-        numbers = [[clear if n is None else n for n in row] for row in picture.numbers]
-        return Texture(*sides, _pack_4(numbers), bytes((list(entries) + [0] * 16)[:16]), image_surface.BITS_4, flags)
-    texels = bytes(0 if n is None else entries[n] for row in picture.numbers for n in row)
-    return Texture(*sides, texels, b"", image_surface.BITS_8, flags)
+        texels = b"".join(_pack_4([[clear if n is None else n for n in row] for row in level]) for level in picture.levels)
+        return Texture(*sides, texels, bytes((list(entries) + [0] * 16)[:16]), image_surface.BITS_4, flags, 0, count)
+    texels = bytes(0 if n is None else entries[n] for level in picture.levels for row in level for n in row)
+    return Texture(*sides, texels, b"", image_surface.BITS_8, flags, 0, count)
+
+
+def blend_table(colours, sixteenths, blended):
+    """For each of these entries of the palette 256 others: what it shows over each, as fxl_blend_make_table has it."""
+    nearest = light_palette.Nearest(colours)
+    return [[number if beneath == number else nearest(light_palette.between(under, colours[number], sixteenths, 16))
+             for beneath, under in enumerate(colours)] for number in blended]
 
 
 class Records:
     """Collects the textures and surfaces of a scene. indices: the palette index of each colour."""
 
     def __init__(self, indices):
-        self.indices, self.textures, self.surfaces = indices, {}, {}
-        self.made = Surfaces()
+        self.indices, self.textures, self.surfaces, self.normals = indices, {}, {}, {}
+        self.made, self.blended = Surfaces(), set()     # colours
 
     def _texture(self, look):
         """The number of a look's texture, counted from 1; 0 without one."""
@@ -194,16 +206,32 @@ class Records:
             self.textures[key] = len(self.made.textures)
         return self.textures[key]
 
-    def mapped(self, look):
-        """The record of a face; None without a look."""
+    def mapped(self, look, own):
+        """The record of a face whose own colour is this; None without a look."""
         if look is None:
             return None
+        if look.flags & image_surface.BLENDED:
+            self.blended.update(look.colours or (own,))
         surface = Surface(self._texture(look), look.division, look.flags, look.opacity)
         if surface not in self.surfaces:
             self.surfaces[surface] = len(self.made.surfaces)
             self.made.surfaces.append(surface)
-        return Mapped(self.surfaces[surface], look.corners, look.texels)
+        return Mapped(self.surfaces[surface], look.corners, look.texels,
+                      tuple(map(self._normal, look.normals)) if look.normals else (0, 0, 0))
 
-    def result(self):
-        """The surfaces; None if no face has one."""
+    def _normal(self, normal):
+        """The number of a corner's normal."""
+        if normal not in self.normals:
+            self.normals[normal] = len(self.made.normals)
+            self.made.normals.append(normal)
+        return self.normals[normal]
+
+    def result(self, colours, sixteenths):
+        """The surfaces; None if no face has one. colours: of the palette; sixteenths: what a blended colour shows of
+        itself."""
+        blended = {self.indices[colour] for colour in self.blended}
+        if blended:
+            first, end = min(blended), max(blended) + 1
+            self.made.blend_first = first
+            self.made.blend = blend_table(colours, sixteenths, range(first, end))
         return self.made if self.made.surfaces else None

@@ -17,25 +17,38 @@ CLEAR = None                # the colour of what is not drawn
 
 @dataclass(eq=False)        # equal only if the same
 class Picture:
-    """A texture before it has palette entries. numbers: rows of numbers of its colours; CLEAR where it is clear."""
-    width: int
-    height: int
-    numbers: list
+    """A texture before it has palette entries. levels: of each, the largest first, rows of numbers of its colours; CLEAR
+    where it is clear."""
+    levels: list
     colours: list
+
+    @property
+    def width(self):
+        """Texels of the largest level."""
+        return len(self.levels[0][0])
+
+    @property
+    def height(self):
+        """Texels of the largest level."""
+        return len(self.levels[0])
 
     def has_clear(self):
         """Whether something of it is not drawn."""
-        return any(number is CLEAR for row in self.numbers for number in row)
+        return any(number is CLEAR for level in self.levels for row in level for number in row)
 
     def mean(self):
         """The mean colour of what is drawn."""
         counts = [0] * len(self.colours)
-        for row in self.numbers:
+        for row in self.levels[0]:
             for number in row:
                 if number is not CLEAR:
                     counts[number] += 1
         total = max(1, sum(counts))
         return tuple(round(sum(n * c[k] for n, c in zip(counts, self.colours)) / total) for k in range(3))
+
+    def rows(self):
+        """The largest level as rows of (red, green, blue) or CLEAR."""
+        return [[CLEAR if n is CLEAR else self.colours[n] for n in row] for row in self.levels[0]]
 
 
 def is_side(number):
@@ -43,17 +56,56 @@ def is_side(number):
     return 1 <= number <= SIDE_MAX and number & (number - 1) == 0
 
 
-def from_pixels(rows, most):
-    """A Picture of rows of (red, green, blue) or CLEAR, with at most so many colours."""
+def _weights(levels):
     weights = {}
-    for row in rows:
-        for pixel in row:
-            if pixel is not CLEAR:
-                weights[pixel] = weights.get(pixel, 0) + 1
-    merged = palette.median_cut(weights, most) if len(weights) > most else {c: c for c in weights}
-    colours = sorted(set(merged.values()))
-    numbers = {colour: colours.index(mean) for colour, mean in merged.items()}
-    return Picture(len(rows[0]), len(rows), [[CLEAR if p is CLEAR else numbers[p] for p in row] for row in rows], colours)
+    for level in levels:
+        for row in level:
+            for pixel in row:
+                if pixel is not CLEAR:
+                    weights[pixel] = weights.get(pixel, 0) + 1
+    return weights
+
+
+def from_pixels(levels, most, kept=()):
+    """A Picture of levels of rows of (red, green, blue) or CLEAR, with at most so many colours: those that are kept,
+    and others merged."""
+    kept = list(dict.fromkeys(kept))
+    others = {colour: n for colour, n in _weights(levels).items() if colour not in kept}
+    room = most - len(kept)
+    if len(others) <= room:
+        merged = {c: c for c in others}
+    elif room > 0:
+        merged = palette.median_cut(others, room)
+    else:
+        merged = {c: min(kept, key=lambda one, of=c: sum((a - b) ** 2 for a, b in zip(one, of))) for c in others}
+    colours = kept + sorted(set(merged.values()) - set(kept))
+    numbers = {colour: colours.index(mean) for colour, mean in merged.items()} | \
+        {colour: number for number, colour in enumerate(kept)}
+    return Picture([[[CLEAR if p is CLEAR else numbers[p] for p in row] for row in level] for level in levels], colours)
+
+
+def _halved(rows, least):
+    """A level half as wide and as high, at least so wide: the mean of the texels; CLEAR where half of them are."""
+    wide, high = (1, 2)[len(rows[0]) > least], (1, 2)[len(rows) > 1]
+    result = []
+    for y in range(0, len(rows), high):
+        row = []
+        for x in range(0, len(rows[0]), wide):
+            found = [rows[y + j][x + i] for j in range(high) for i in range(wide)]
+            seen = [p for p in found if p is not CLEAR]
+            row.append(tuple((2 * sum(axis) + len(seen)) // (2 * len(seen)) for axis in zip(*seen))
+                       if 2 * len(seen) > len(found) else CLEAR)
+        result.append(row)
+    return result
+
+
+def with_levels(picture, count, most, least):
+    """The picture with so many levels, and at most so many colours: its own ones, and others for the smaller levels.
+    least: the least width of a level."""
+    levels = [picture.rows()]
+    while len(levels) < count and max(len(levels[-1]), len(levels[-1][0])) > 1:
+        levels.append(_halved(levels[-1], least))
+    return from_pixels(levels, most, picture.colours)
 
 
 def read(path, name, most):
@@ -69,7 +121,7 @@ def read(path, name, most):
     except (UnidentifiedImageError, OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
         raise ToolError(f"{name}: not a picture that can be read: {reading.shortened(str(error))}") from error
     pixels = [tuple(data[i:i + 3]) if data[i + 3] >= 128 else CLEAR for i in range(0, len(data), 4)]
-    return from_pixels([pixels[i:i + width] for i in range(0, width * height, width)], most)
+    return from_pixels([[pixels[i:i + width] for i in range(0, width * height, width)]], most)
 
 
 # --- patterns ------------------------------------------------------------------------------------
@@ -150,8 +202,7 @@ PATTERNS = {
 def pattern(name, width, height, colours):
     """A pattern's picture. colours: as many as the pattern has by default."""
     made, _ = PATTERNS[name]
-    return Picture(width, height, [[made(x, y, width, height) for x in range(width)] for y in range(height)],
-                   list(colours))
+    return Picture([[[made(x, y, width, height) for x in range(width)] for y in range(height)]], list(colours))
 
 
 # --- files ---------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 
-from fixel import image, palette, quantity, solids, toml_model, toml_motion, toml_texture
+from fixel import image, palette, quantity, solids, toml_light, toml_model, toml_motion, toml_texture
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
@@ -303,7 +303,7 @@ class Objects:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
-        look = toml_texture.Wish(table, self.textures)
+        look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime))
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = _places(table, PLACEMENTS_MAX - self.count)

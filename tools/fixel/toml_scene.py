@@ -19,6 +19,7 @@ FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
             "textures"}
+_PALETTE_KEYS = {"reserve", "colours", "blend"}
 
 
 def _centre(view, width, height, fov, inset):
@@ -218,7 +219,7 @@ def _beams(top):
 
 def _reserved(top):
     """The colours of the palette entries that no face gets; those without a colour of their own are black."""
-    table = top.table("palette", {"reserve", "colours"})
+    table = top.table("palette", _PALETTE_KEYS)
     given = table.rows("colours") if "colours" in table else []
     if len(given) >= palette.ENTRIES:
         raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than {palette.ENTRIES - 1}")
@@ -227,6 +228,11 @@ def _reserved(top):
         raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than reserve = {count}")
     colours = [palette.parse(colour, f"{table.at('colours')}[{i}]") for i, colour in enumerate(given)]
     return colours + [(0, 0, 0)] * (count - len(colours))
+
+
+def _blend(top):
+    """Sixteenths that a blended colour shows of itself."""
+    return top.table("palette", _PALETTE_KEYS).whole("blend", 8, 1, 16)
 
 
 def _count_colours(placements, lit):
@@ -273,7 +279,7 @@ def _models(placements, indices, records):
         if key not in numbers:
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
-            mapped = map(records.mapped, item.looks or (None,) * len(colours))
+            mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours)
             faces = tuple((f.normal, f.corners, c, m) for f, c, m in zip(made.faces, colours, mapped))
             # Meshes from different sources may come out the same.
             content = (vertices, faces, item.kind, item.clusters)
@@ -319,7 +325,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     models, placed = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre = lens[-1]
-    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result()
+    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)

@@ -10,10 +10,12 @@ from fixel.reading import quoted
 from fixel.surfaces import Look, Paint
 from fixel.toml_table import Table
 
-KEYS = {"texture", "textures", "texels_per_unit", "tiles", "texel_offset", "division", "opacity"}
-_ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap"}
+KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
+        "smooth"}
+_ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
 TEXTURES_MAX = 256      # of a scene file
 TEXELS_MAX = 16384      # a world unit
+_LEVEL_COLOURS = 32     # of a texture of 8 bits with levels, where its own are not more
 
 
 def _side(value, where):
@@ -57,6 +59,10 @@ def _paint(data, where, folder):
         if "most_colours" in row:
             raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
         picture = _pattern(row)
+    levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
+    if levels > 1:
+        most = 16 - picture.has_clear() if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
+        picture = texture.with_levels(picture, levels, most, 2 if bits == 4 else 1)
     if bits == 4 and (len(picture.colours) + picture.has_clear() > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
                         "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
@@ -78,23 +84,38 @@ def read(top, folder):
 
 
 class Wish:
-    """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone."""
+    """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone.
+    light: the scene's; baked: whether the tool computes it."""
 
-    def __init__(self, table, known):
+    def __init__(self, table, known, baked):
         if "texture" in table and "textures" in table:
             raise ToolError(f"{table.where}: both texture and textures are given; keep one")
         names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
         self.paints = tuple(self._known(name, table, known) for name in names) or (None,)
         self.division = surfaces.DIVISIONS[str(table.data["division"])] if self._has_division(table) else 0
         self.opacity = table.whole("opacity", 16, 1, 16)
+        self.blends = table.switch("blend", False)
+        self.smooth = table.switch("smooth", False)
+        self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
+        self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
+        self.by_file = self._goes_by_file(table)
         offset = table.data.get("texel_offset", [0, 0])
         if not isinstance(offset, list) or len(offset) != 2:
             raise ToolError(f"{table.at('texel_offset')}: expected [u, v] in texels")
         self.offset = tuple(quantity.fraction(c, table.at("texel_offset")) for c in offset)
-        for key in ("texels_per_unit", "tiles", "texel_offset", "division"):
+        for key in ("mapping", "texels_per_unit", "tiles", "texel_offset", "division"):
             if key in table and self.paints == (None,):
                 raise ToolError(f"{table.at(key)}: means nothing without a texture")
+
+    def _check_light(self, table, baked):
+        if baked and (self.lit or self.smooth):
+            raise ToolError(f"{table.at('lit' if self.lit else 'smooth')}: the tool computes this scene's light; give "
+                            "[light] levels for light at run time")
+        if self.smooth and not self.lit:
+            raise ToolError(f"{table.at('smooth')}: means nothing for what is not lit")
+        if not table.switch("shade", True) and self.lit:
+            raise ToolError(f"{table.at('lit')}: shade = false says that light changes no colour")
 
     @staticmethod
     def _known(name, table, known):
@@ -114,6 +135,15 @@ class Wish:
         return True
 
     @staticmethod
+    def _goes_by_file(table):
+        """Whether the texture coordinates are those of the model's file."""
+        by_file = table.choice("mapping", "box", ["box", "file"]) == "file"
+        for key in ("texels_per_unit", "tiles"):
+            if by_file and key in table:
+                raise ToolError(f"{table.at(key)}: belongs to mapping = \"box\"; a file has its own coordinates")
+        return by_file
+
+    @staticmethod
     def _scale(table):
         if "texels_per_unit" in table and "tiles" in table:
             raise ToolError(f"{table.where}: both texels_per_unit and tiles are given; keep one")
@@ -128,11 +158,19 @@ class Wish:
     @property
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
-        return self.paints, self.division, self.opacity, self.per_unit, self.tiles, self.offset
+        return (self.paints, self.division, self.opacity, self.per_unit, self.tiles, self.offset, self.blends, self.lit,
+                self.smooth, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
-        return self.opacity != 16 or self.paints != (None,)
+        return self._has_plain_look() or self.paints != (None,)
+
+    def _has_plain_look(self):
+        """Whether a face without a texture has a surface."""
+        return self.opacity != image_surface.OPAQUE or self.blends or self.lit
+
+    def _flags(self):
+        return (image_surface.LIT if self.lit else 0) | (image_surface.BLENDED if self.blends else 0)
 
     def paint_of(self, source):
         """Of a face of the mesh."""
@@ -140,6 +178,8 @@ class Wish:
 
     def coordinates(self, mesh, scale, inside):
         """For each face of a mesh the coordinates of its corners in texels."""
+        if self.by_file:
+            return self._of_file(mesh)
         found = surfaces.box_coordinates(mesh, scale, inside, self.per_unit or Fraction(1), self.offset)
         if self.tiles is None:
             return found
@@ -151,23 +191,38 @@ class Wish:
             result.append([tuple(c + o for c, o in zip(corner, self.offset)) for corner in fitted])
         return result
 
+    def _of_file(self, mesh):
+        """Those of the model's file, which are 1 across a texture."""
+        result, found = [], mesh.uvs or (mesh.surfaces.uvs if mesh.surfaces else [])
+        for number, corners in enumerate(mesh.faces):
+            paint = self.paint_of(number)
+            size = (paint.picture.width, paint.picture.height) if paint else (0, 0)
+            known = found[number] if number < len(found) else None
+            if known is None and paint:
+                raise ToolError(f"{mesh.places[number] if mesh.places else 'the model'}: this face has no texture "
+                                "coordinates (vt); say mapping = \"box\", or give it some")
+            result.append([tuple(Fraction(c) * side + o for c, side, o in zip(uv, size, self.offset)) for uv in known]
+                          if known else [(Fraction(0),) * 2] * len(corners))
+        return result
+
     def looks(self, made, coordinates, bake, where):
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
-        return tuple(self._look(made, face, source, found, bake, where)
-                     for face, source, found in zip(made.faces, made.sources, coordinates))
+        normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        return tuple(self._look(made, number, coordinates[number], normals[number], bake, where)
+                     for number in range(len(made.faces)))
 
-    def _look(self, made, face, source, coordinates, bake, where):
-        paint = self.paint_of(source)
+    def _look(self, made, number, coordinates, normals, bake, where):
+        face, paint = made.faces[number], self.paint_of(made.sources[number])
         points = [made.vertices[c] for c in face.corners]
+        if paint is None and not self._has_plain_look():
+            return None
+        corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
+        own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
-            if self.opacity == image_surface.OPAQUE:
-                return None
-            corners, _ = surfaces.place(points, [(0, 0)] * len(points), _NO_PAINT, where)
-            return Look(None, (), 0, 0, self.opacity, corners, ((0, 0),) * 3)
-        shaded = paint.bits == 4
-        colours = tuple(bake(colour, face.normal) if shaded else colour for colour in paint.picture.colours)
-        corners, texels = surfaces.place(points, coordinates, paint, where)
-        return Look(paint, colours, self.division, 0, self.opacity, corners, texels)
+            return Look(None, (), 0, self._flags(), self.opacity, corners, ((0, 0),) * 3, own)
+        changes = self.lit or paint.bits == 4
+        colours = tuple(bake(colour, face.normal) if changes else colour for colour in paint.picture.colours)
+        return Look(paint, colours, self.division, self._flags(), self.opacity, corners, texels, own)
 
 
 _NO_PAINT = Paint(None, 8, True)

@@ -314,7 +314,7 @@ def _most(beams):
 def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
     last of them; answers the counts. The others stay as they are; the new object is the last that
-    is not turned."""
+    is not turned. No face keeps a surface: by a tree all are drawn in their own colours."""
     members = _members(scene, layers, moving)
     origin, lines = _middle(scene, members), Lines()
     nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress,
@@ -331,6 +331,9 @@ def plant(scene, layers, moving=(), progress=None):
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
     _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
     scene.tree = Tree(nodes, len(scene.objects) - len(scene.turns) - 1)
+    scene.surfaces = None
+    for face in (face for model in scene.models for face in model.faces):
+        face.mapped = None
     return counts
 
 

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* The surfaces of a scene image, if it has some: opened in memory of their own size, every texel
+ * read, and some rows drawn with them. */
+#include <string.h>
+
+#include "demand.h"
+#include "draw.h"
+#include "fixel/extra/surfaces.h"
+
+enum {
+    FACES = 512, /* of a scene that is drawn */
+    ROWS = 4
+};
+
+/* The bytes of all levels; one after another they lie in the image. */
+static uint32_t sum_texels(const fxl_texture *texture)
+{
+    const uint32_t least = texture->format == FXL_TEXTURE_4 ? 1 : 0;
+    const uint8_t *texel = texture->texels;
+    uint32_t sum = 0;
+    for (uint32_t i = 0; i < texture->levels; i++) {
+        const uint32_t wide = texture->log_width > i + least ? texture->log_width - i : least;
+        const uint32_t high = texture->log_height > i ? texture->log_height - i : 0;
+        for (uint32_t k = 0; k < 1u << (wide + high) >> least; k++) {
+            sum += *texel++;
+        }
+    }
+    for (uint32_t i = 0; texture->colours != NULL && i < 16; i++) {
+        sum += texture->colours[i];
+    }
+    return sum;
+}
+
+static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
+                      const fxl_pose *pose)
+{
+    const fxl_scene *scene = &opened->scene;
+    fxl_order_entry *order = malloc(scene->order_needed * sizeof *order);
+    fxl_renderer *renderer = malloc(sizeof *renderer);
+    uint8_t *pixels = malloc((size_t)opened->lens.width * ROWS);
+    const fxl_memory memory = {.order = order, .order_capacity = scene->order_needed};
+    const uint16_t rows = opened->lens.height < ROWS ? opened->lens.height : ROWS;
+    const fxl_band band = {pixels, opened->lens.width, opened->lens.width,
+                           (uint16_t)((opened->lens.height - rows) / 2), rows};
+    fxl_surfaces surfaces;
+    DEMAND(order != NULL && renderer != NULL && pixels != NULL);
+    DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);
+    DEMAND(fxl_renderer_set_surfaces(renderer, &surfaces, set) == FXL_OK);
+    fxl_fill_band(&band, 0);
+    if (fxl_frame_begin(renderer, pose) == FXL_OK) {
+        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    }
+    free(pixels);
+    free(renderer);
+    free(order);
+}
+
+void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose)
+{
+    const uint32_t count = opened->surfaces.texture_count;
+    fxl_texture *textures = malloc(count * sizeof *textures + 1);
+    fxl_surface_set set, untouched;
+    fxl_scene_fault fault = {NULL, 0};
+    volatile uint32_t sum = 0;
+    DEMAND(textures != NULL);
+    memset(&set, 0x5A, sizeof set);
+    memcpy(&untouched, &set, sizeof set);
+    const fxl_status status = fxl_surfaces_open(opened, textures, count, &set, &fault);
+    DEMAND((status == FXL_OK) == (fault.what == NULL));
+    if (status == FXL_OK) {
+        for (uint32_t i = 0; i < count; i++) {
+            sum += sum_texels(&textures[i]);
+        }
+        if (draw_model_view(&opened->scene) <= FACES) {
+            draw_rows(opened, &set, pose);
+        }
+    } else {
+        DEMAND(memcmp(&set, &untouched, sizeof set) == 0);
+    }
+    if (count > 0) {
+        DEMAND(fxl_surfaces_open(opened, textures, count - 1, &set, NULL) != FXL_OK);
+    }
+    free(textures);
+    (void)sum;
+}

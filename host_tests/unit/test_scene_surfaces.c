@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: MIT */
+/* Surfaces in a scene image: version 6, a header of 296 bytes. */
+#include "expect_scene.h"
+#include "fixel/extra/surfaces.h"
+
+enum {
+    SURFACE_HEADER = 296,
+    AT_LIGHT = 208,
+    AT_RAMP = 224,
+    AT_TEXTURES = 232,
+    AT_TEXELS = 240,
+    AT_SURFACES = 248,
+    AT_MAPPED = 256,
+    AT_MAP = 264,
+    AT_NORMALS = 272,
+    AT_BLEND = 280,
+    AT_BLEND_FIRST = 288,
+    TEXTURES = 2,
+    TEXELS = 40, /* 4 x 2 and 2 x 1 of 8 bits; 2 x 4, 2 x 2 and 2 x 1 of 4 bits; 16 colours */
+    FACES = 12
+};
+
+static fxl_texture textures[TEXTURES];
+static fxl_surface_set set;
+
+static const fxl_scene_texture records[TEXTURES] = {
+    {.log_width = 2, .log_height = 1, .levels = 2, .flags = FXL_TEXTURE_KEYED, .key = 9},
+    {.texels = 16,
+     .colours = 24,
+     .log_width = 1,
+     .log_height = 2,
+     .format = FXL_TEXTURE_4,
+     .levels = 3,
+     .flags = FXL_TEXTURE_CLAMP}};
+
+/* Tiny's image; the first two faces have a surface each. */
+static tiny_image *make(void)
+{
+    static const fxl_surface surfaces[2] = {
+        {.texture = 1, .opacity = 16, .flags = FXL_SURFACE_BLEND},
+        {.texture = 2, .division = FXL_DIVIDE_1, .opacity = 7, .flags = FXL_SURFACE_LIT}};
+    static const fxl_mapped_face faces[2] = {
+        {.corners = {0, 1, 3}, .texels = {{0, 0}, {Q16(4), 0}, {0, Q16(-2)}}},
+        {.surface = 1, .corners = {1, 2, 3}, .texels = {{1, 2}, {3, 4}, {5, 6}}}};
+    static const uint16_t map[FACES] = {1, 2};
+    static const fxl_direction normal = {0, FXL_Q2_30_ONE, 0};
+    uint8_t texels[TEXELS];
+    tiny_image *image = tiny_image_widen(6, SURFACE_HEADER);
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(3 * i);
+    }
+    tiny_add_table(image, AT_TEXTURES, records, TEXTURES, sizeof records[0]);
+    tiny_add_table(image, AT_TEXELS, texels, TEXELS, 1);
+    tiny_add_table(image, AT_SURFACES, surfaces, 2, sizeof surfaces[0]);
+    tiny_add_table(image, AT_MAPPED, faces, 2, sizeof faces[0]);
+    tiny_add_table(image, AT_MAP, map, FACES, sizeof map[0]);
+    tiny_add_table(image, AT_NORMALS, &normal, 1, sizeof normal);
+    /* Any bytes are a blend table: those of the palette. */
+    tiny_put32(tiny_at(image, AT_BLEND), tiny_get(image, AT_PALETTE));
+    tiny_put32(tiny_at(image, AT_BLEND + 4), 2);
+    tiny_put32(tiny_at(image, AT_BLEND_FIRST), 3);
+    tiny_seal(image);
+    return image;
+}
+
+/* What fxl_scene_open answers. */
+static void header_word(fxl_status status, uint32_t offset, uint32_t value)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_at(image, offset), value);
+    expect_opening(status, image);
+}
+
+/* What fxl_surfaces_open answers, and what is at fault. */
+static void expect_surfaces(fxl_status status, const char *what, tiny_image *image)
+{
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    fxl_surface_set before;
+    memset(&set, 0x5A, sizeof set);
+    memset(&before, 0x5A, sizeof before);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL(status, fxl_surfaces_open(&opened, textures, TEXTURES, &set, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    if (status != FXL_OK) {
+        TEST_ASSERT_EQUAL_MEMORY(&before, &set, sizeof set);
+    }
+}
+
+static void texture_word(fxl_status status, uint32_t number, uint32_t at, uint32_t value)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_entry(image, AT_TEXTURES, number, sizeof records[0]) + at, value);
+    expect_surfaces(status, status == FXL_OK ? "nothing" : "texture", image);
+}
+
+static void texture_byte(fxl_status status, uint32_t number, uint32_t at, uint8_t value)
+{
+    tiny_image *image = make();
+    tiny_entry(image, AT_TEXTURES, number, sizeof records[0])[at] = value;
+    expect_surfaces(status, status == FXL_OK ? "nothing" : "texture", image);
+}
+
+/* Every member of the set is that of the image. */
+void test_surfaces_are_used_in_place(void)
+{
+    tiny_image *image = make();
+    const uint8_t *texels = tiny_at(image, tiny_get(image, AT_TEXELS));
+    expect_surfaces(FXL_OK, "nothing", image);
+    TEST_ASSERT_EQUAL_PTR(textures, set.textures);
+    TEST_ASSERT_EQUAL_UINT32(TEXTURES, set.texture_count);
+    TEST_ASSERT_EQUAL_PTR(texels, textures[0].texels);
+    TEST_ASSERT_NULL(textures[0].colours);
+    TEST_ASSERT_EQUAL_UINT8(2, textures[0].log_width);
+    TEST_ASSERT_EQUAL_UINT8(1, textures[0].log_height);
+    TEST_ASSERT_EQUAL_UINT8(FXL_TEXTURE_8, textures[0].format);
+    TEST_ASSERT_EQUAL_UINT8(FXL_TEXTURE_KEYED, textures[0].flags);
+    TEST_ASSERT_EQUAL_UINT8(9, textures[0].key);
+    TEST_ASSERT_EQUAL_UINT8(2, textures[0].levels);
+    TEST_ASSERT_EQUAL_PTR(texels + 16, textures[1].texels);
+    TEST_ASSERT_EQUAL_PTR(texels + 24, textures[1].colours);
+    TEST_ASSERT_EQUAL_UINT8(FXL_TEXTURE_4, textures[1].format);
+    TEST_ASSERT_EQUAL_UINT32(2, set.surface_count);
+    TEST_ASSERT_EQUAL_UINT8(7, set.surfaces[1].opacity);
+    TEST_ASSERT_EQUAL_UINT32(2, set.face_count);
+    TEST_ASSERT_EQUAL_INT32(Q16(-2), set.faces[0].texels[2].v);
+    TEST_ASSERT_EQUAL_UINT16(2, set.face_map[1]);
+    TEST_ASSERT_EQUAL_UINT32(1, set.normal_count);
+    TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, set.normals[0].y);
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_PALETTE)), set.blend);
+    TEST_ASSERT_EQUAL_UINT32(3, set.blend_first);
+    TEST_ASSERT_EQUAL_UINT32(2, set.blend_count);
+}
+
+void test_an_image_may_have_no_surfaces(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.surfaces.face_map);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, textures, TEXTURES, &set, NULL));
+}
+
+void test_an_image_with_surfaces_may_have_no_light_turns_or_beams(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_NULL(opened.light.base);
+    TEST_ASSERT_NULL(opened.scene.turns);
+    TEST_ASSERT_NULL(opened.scene.beams);
+    header_word(FXL_E_COUNT, AT_LIGHT, SURFACE_HEADER);
+    image = make();
+    tiny_put32(tiny_at(image, AT_RAMP), tiny_get(image, AT_PALETTE));
+    tiny_put32(tiny_at(image, AT_RAMP + 4), 2);
+    expect_opening(FXL_E_COUNT, image);
+}
+
+void test_memory_for_textures_is_checked(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_surfaces_open(&opened, textures, TEXTURES - 1, &set, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, NULL, TEXTURES, &set, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, textures, TEXTURES, NULL, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(NULL, textures, TEXTURES, &set, NULL));
+}
+
+void test_tables_of_surfaces_are_checked(void)
+{
+    header_word(FXL_E_COUNT, AT_SURFACES + 4, 0);
+    header_word(FXL_E_COUNT, AT_SURFACES + 4, 65536);
+    header_word(FXL_E_COUNT, AT_MAPPED + 4, 0);
+    header_word(FXL_E_COUNT, AT_MAP + 4, FACES - 1);
+    header_word(FXL_E_OFFSET, AT_TEXTURES, 4);
+    header_word(FXL_E_ALIGNMENT, AT_TEXELS, SURFACE_HEADER + 2);
+    header_word(FXL_E_OFFSET, AT_NORMALS, 0x7FFFFFF0u);
+    header_word(FXL_E_COUNT, AT_BLEND + 4, 257);
+    header_word(FXL_E_RESERVED, AT_BLEND_FIRST + 4, 1);
+    header_word(FXL_E_RESERVED, AT_BLEND + 4, 0);
+}
+
+void test_textures_lie_within_their_texels(void)
+{
+    texture_word(FXL_OK, 0, 0, TEXELS - 10);
+    texture_word(FXL_E_OFFSET, 0, 0, TEXELS - 9);
+    texture_word(FXL_E_OFFSET, 0, 0, 0xFFFFFFFFu);
+    texture_word(FXL_OK, 1, 0, TEXELS - 7);
+    texture_word(FXL_E_OFFSET, 1, 0, TEXELS - 6);
+    texture_word(FXL_OK, 1, 4, TEXELS - 16);
+    texture_word(FXL_E_OFFSET, 1, 4, TEXELS - 15);
+    texture_word(FXL_E_RESERVED, 0, 4, 1);
+    texture_byte(FXL_E_OFFSET, 0, 8, 5);
+    texture_byte(FXL_E_RANGE, 0, 8, 9);
+    texture_byte(FXL_E_RANGE, 0, 9, 9);
+    texture_byte(FXL_E_RANGE, 0, 13, 0);
+    texture_byte(FXL_E_RANGE, 0, 13, 10);
+}
+
+/* Of the rest one case each: fxl_surfaces_check has tests of its own. */
+void test_what_a_texture_says_is_checked(void)
+{
+    texture_byte(FXL_E_RANGE, 1, 8, 0);
+    texture_byte(FXL_E_RESERVED, 0, 10, 2);
+    texture_byte(FXL_E_RESERVED, 0, 11, 4);
+    texture_byte(FXL_E_RESERVED, 0, 14, 1);
+    texture_byte(FXL_E_RANGE, 0, 13, 4);
+}
+
+void test_the_rest_is_checked(void)
+{
+    tiny_image *image = make();
+    tiny_entry(image, AT_SURFACES, 0, 8)[4] = 17;
+    expect_surfaces(FXL_E_RANGE, "surface", image);
+    image = make();
+    tiny_put16(tiny_entry(image, AT_MAPPED, 1, 36) + 4, 1);
+    expect_surfaces(FXL_E_INDEX, "mapped face", image);
+    image = make();
+    tiny_put16(tiny_entry(image, AT_MAP, 2, 2), 3);
+    expect_surfaces(FXL_E_INDEX, "face", image);
+    image = make();
+    tiny_put32(tiny_at(image, AT_BLEND_FIRST), 255);
+    expect_surfaces(FXL_E_COUNT, "surfaces", image);
+    image = make();
+    tiny_put32(tiny_at(image, AT_BLEND), 0);
+    tiny_put32(tiny_at(image, AT_BLEND + 4), 0);
+    tiny_put32(tiny_at(image, AT_BLEND_FIRST), 0);
+    expect_surfaces(FXL_E_ARGUMENT, "surface", image);
+}
