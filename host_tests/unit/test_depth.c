@@ -364,6 +364,37 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
     check_bands(&fxl_visibility_depth);
 }
 
+/* The lens of a part of the screen is off-centre: its picture is a part of the whole one. */
+void test_an_off_centre_lens_shows_the_same_depths(void)
+{
+    enum {
+        LEFT = 6,
+        TOP = 4,
+        PART_WIDTH = 36,
+        PART_HEIGHT = 20
+    };
+    fxl_lens lens;
+    start_with(&fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&renderer.frame.view.lens, LEFT, TOP, PART_WIDTH,
+                                               PART_HEIGHT, &lens));
+    fxl_memory tables = {(fxl_order_entry *)(void *)memory, scene.order_needed, NULL, 0, NULL, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &tables));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth,
+                                                     cells, sizeof cells));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    const fxl_band band = {again, PART_WIDTH, WIDTH, 0, PART_HEIGHT};
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    uint32_t different = 0;
+    for (uint32_t y = 0; y < PART_HEIGHT; y++) {
+        for (uint32_t x = 0; x < PART_WIDTH; x++) {
+            different += again[y * WIDTH + x] != frame[(y + TOP) * WIDTH + x + LEFT];
+        }
+    }
+    TEST_ASSERT_LESS_THAN(3, different);
+}
+
 /* The same faces as instances of one that turns, by the default clipper and by one that takes
  * points of the world: then the shader gets pieces. */
 void test_turned_instances_have_depth(void)

@@ -105,7 +105,7 @@ int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gra
     const fxl_projection *projection = &view->projection;
     gradient->along = (int64_t)vector.x * 65536;
     gradient->down = (int64_t)vector.y * -65536;
-    gradient->at = fxl_multiply_s32(vector.z, view->lens.focal) +
+    gradient->at = fxl_multiply_s32(vector.z, fxl_view_drawn_focal(view)) +
                    fxl_multiply_s32(vector.x, 32768 - projection->centre_x) +
                    fxl_multiply_s32(vector.y, projection->centre_y - 32768);
     const unsigned bits = fxl_bit_length(largest_value(gradient, &view->lens));
