@@ -107,7 +107,6 @@ static inline void fxl_depth_paint_line(const fxl_depth_painting *of, const fxl_
                                         fxl_depth_rule rule)
 {
     while (x0 < x1) {
-        x0 = fxl_depth_hidden_end(at->cells, x0, x1, &line, rule);
         const fxl_depth_line from = line;
         const int32_t end = of->keeps == FXL_DEPTH_KEEPS_ALL
                                 ? fxl_depth_visible_end(at->cells, x0, x1, &line, true, rule)
@@ -115,7 +114,7 @@ static inline void fxl_depth_paint_line(const fxl_depth_painting *of, const fxl_
         if (x0 < end) {
             fxl_depth_paint_visible(of, at, x0, end, from, rule.wide);
         }
-        x0 = end;
+        x0 = end < x1 ? fxl_depth_hidden_end(at->cells, end, x1, &line, rule) : x1;
     }
 }
 

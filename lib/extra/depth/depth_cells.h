@@ -3,6 +3,7 @@
 #ifndef FXL_DEPTH_CELLS_H
 #define FXL_DEPTH_CELLS_H
 
+#include "../../kernels/depth_run.h"
 #include "fixel/types.h"
 
 /* How cells are compared; constant where the functions below are called. */
@@ -35,40 +36,23 @@ static inline void fxl_depth_keep(void *cells, int32_t x, uint32_t code, bool wi
     }
 }
 
-/* Whether a pixel is visible; then its code is kept, where `keeps`. */
-static inline bool fxl_depth_pixel(void *cells, int32_t x, uint32_t code, bool keeps,
-                                   fxl_depth_rule rule)
-{
-    if (!fxl_depth_passes(cells, x, code, rule)) {
-        return false;
-    }
-    if (keeps) {
-        fxl_depth_keep(cells, x, code, rule.wide);
-    }
-    return true;
-}
-
 /* The first column, from x on and below end, whose pixel is hidden; end if there is none. The
- * pixels before it are visible, and kept where `keeps`. *line goes along. Four pixels a turn of the
- * loop save a test of the end at each. */
+ * pixels before it are visible, and kept where `keeps`. *line goes along. */
 static inline int32_t fxl_depth_visible_end(void *cells, int32_t x, int32_t end,
                                             fxl_depth_line *line, bool keeps, fxl_depth_rule rule)
 {
-    uint32_t code = line->code;
-    const uint32_t step = line->step;
-    for (; !FXL_IS_COMPACT && end - x >= 4; x += 4) {
-        for (int32_t i = 0; i < 4; i++) {
-            if (!fxl_depth_pixel(cells, x + i, code, keeps, rule)) {
-                line->code = code;
-                return x + i;
-            }
-            code += step;
+    if (keeps && !rule.wide && !rule.or_equal) {
+        const uint32_t count = fxl_depth_keep_visible((uint16_t *)cells + x, (uint32_t)(end - x),
+                                                      line->code, line->step);
+        line->code += count * line->step;
+        return x + (int32_t)count;
+    }
+    for (; x < end && fxl_depth_passes(cells, x, line->code, rule); x++) {
+        if (keeps) {
+            fxl_depth_keep(cells, x, line->code, rule.wide);
         }
+        line->code += line->step;
     }
-    for (; x < end && fxl_depth_pixel(cells, x, code, keeps, rule); x++) {
-        code += step;
-    }
-    line->code = code;
     return x;
 }
 
@@ -76,21 +60,15 @@ static inline int32_t fxl_depth_visible_end(void *cells, int32_t x, int32_t end,
 static inline int32_t fxl_depth_hidden_end(const void *cells, int32_t x, int32_t end,
                                            fxl_depth_line *line, fxl_depth_rule rule)
 {
-    uint32_t code = line->code;
-    const uint32_t step = line->step;
-    for (; !FXL_IS_COMPACT && end - x >= 4; x += 4) {
-        for (int32_t i = 0; i < 4; i++) {
-            if (fxl_depth_passes(cells, x + i, code, rule)) {
-                line->code = code;
-                return x + i;
-            }
-            code += step;
-        }
+    if (!rule.wide && !rule.or_equal) {
+        const uint32_t count = fxl_depth_skip_hidden((const uint16_t *)cells + x,
+                                                     (uint32_t)(end - x), line->code, line->step);
+        line->code += count * line->step;
+        return x + (int32_t)count;
     }
-    for (; x < end && !fxl_depth_passes(cells, x, code, rule); x++) {
-        code += step;
+    for (; x < end && !fxl_depth_passes(cells, x, line->code, rule); x++) {
+        line->code += line->step;
     }
-    line->code = code;
     return x;
 }
 
