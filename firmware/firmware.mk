@@ -127,7 +127,7 @@ PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 # What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
 # walk-<visibility>-<clipper>, that differs in one object.
 CLIPPERS := view world normalised once half-spaces triangles near left
-VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces
+VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces depth depth-32
 ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
 $(error there is no CLIPPER "$(CLIPPER)"; the clippers are: $(CLIPPERS))
 endif
@@ -136,7 +136,8 @@ $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VI
 endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
 WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$(CLIPPER))) \
-    $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%)))
+    $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%))) \
+    $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH)
 
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS))

@@ -97,8 +97,14 @@ fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer,
         fxl_renderer_set_clipper(renderer, methods->clipper, memory, methods->clipper_bytes);
 
     if (status == FXL_OK) {
+#if defined WALK_DEPTH
+        static fxl_depth depth;
+        status = fxl_renderer_set_depth(renderer, &depth, methods->visibility, visibility,
+                                        methods->visibility_bytes);
+#else
         status = fxl_renderer_set_visibility(renderer, methods->visibility, visibility,
                                              methods->visibility_bytes);
+#endif
     }
     if (status == FXL_OK && draws_by_bsp(methods, renderer->scene)) {
         fxl_bsp_workspace *const bsp = renderer->submit_workspace;

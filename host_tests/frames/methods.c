@@ -18,7 +18,8 @@ static const named_clipper clippers[] = {
 static const named_visibility methods[] = {
     {"sorted", &fxl_visibility_sorted},     {"spans", &fxl_visibility_spans},
     {"tree", &fxl_visibility_bsp},          {"tree-spans", &fxl_visibility_bsp_spans},
-    {"surfaces", &fxl_visibility_surfaces},
+    {"surfaces", &fxl_visibility_surfaces}, {"depth", &fxl_visibility_depth},
+    {"depth-32", &fxl_visibility_depth_32},
 };
 
 const named_clipper *find_clipper(const char *name)

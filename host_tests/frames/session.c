@@ -96,6 +96,12 @@ static fxl_status light_all(session *run, const fxl_light_settings *settings)
                : status;
 }
 
+static bool has_depth(const fxl_visibility *visibility)
+{
+    return visibility->backend == fxl_visibility_depth.backend ||
+           visibility->backend == fxl_visibility_depth_32.backend;
+}
+
 fxl_status session_set_up(session *run, const session_settings *settings)
 {
     const fxl_scene *scene = &run->image.scene;
@@ -111,7 +117,10 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     if (status == FXL_OK && run->image.surfaces.face_map) {
         status = fxl_renderer_set_surfaces(renderer, &run->surfaces, &run->surface_set);
     }
-    if (status == FXL_OK) {
+    if (status == FXL_OK && has_depth(settings->visibility)) {
+        status = fxl_renderer_set_depth(renderer, &run->depth, settings->visibility, run->workspace,
+                                        settings->raster_bytes);
+    } else if (status == FXL_OK) {
         status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,
                                              session_submit_bytes(run, settings->visibility) +
                                                  settings->raster_bytes);

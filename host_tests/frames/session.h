@@ -25,6 +25,7 @@ typedef struct {
     fxl_surface_set surface_set; /* if the image has surfaces */
     fxl_surfaces surfaces;
     fxl_light light;
+    fxl_depth depth;
     uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
     void *workspace, *pieces, *beam_light; /* the visibility method's, the tree's, the beams' */
 } session;

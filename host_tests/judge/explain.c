@@ -187,3 +187,88 @@ double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_b
     }
     return fmin(best, costs[question->background]);
 }
+
+/* --- by depth ------------------------------------------------------------------------------- */
+
+enum {
+    NEAR_MAX = 1024 /* polygons about one pixel */
+};
+
+/* A polygon about the pixel. */
+typedef struct {
+    const ref_drawn *drawn;
+    double nearness;
+    choice made;
+    showing found;
+} candidate;
+
+static candidate candidate_of(const ref_lens *lens, const ref_drawn *drawn, const judge_box *box,
+                              const judge_question *question)
+{
+    const double cx = question->x + 0.5, cy = question->y + 0.5;
+    const ref_screen_polygon *least = judge_least(drawn, question->doubt);
+    const ref_screen_polygon *most = judge_most(drawn, question->doubt);
+    const bool near = box_holds(box, cx, cy);
+    candidate one = {.drawn = drawn, .nearness = ref_nearness(&drawn->depth, lens, cx, cy)};
+    find_showing(lens, drawn, question, &one.found);
+    const bool is_in = near && ref_scan_covers(most, cx, cy);
+    const bool is_out = one.found.clear || !near || !ref_scan_covers(least, cx, cy);
+    one.made.in = is_in ? 0 : judge_edge_distance(most, cx, cy);
+    one.made.out = is_out ? 0 : judge_edge_distance(least, cx, cy);
+    return one;
+}
+
+/* Whether one is nearer than another, which may be null: the background, for sure. */
+static bool is_nearer(const candidate *one, const candidate *other, double resolution)
+{
+    return !other || one->nearness > other->nearness * (1 + resolution + one->drawn->depth.slack +
+                                                        other->drawn->depth.slack);
+}
+
+/* What it costs that an opaque polygon, or the background, explains the pixel. */
+static double explain_by(const candidate *near, size_t count, const candidate *shown,
+                         const judge_question *question, double resolution)
+{
+    double costs[256], cost = shown ? shown->made.in : 0, best = INFINITY;
+    for (int c = 0; c < 256; c++) {
+        costs[c] = c == question->colour ? 0 : INFINITY;
+    }
+    for (size_t i = count; i-- > 0;) {
+        const candidate *one = &near[i];
+        if (!ref_is_blended(one->drawn)) {
+            if (one != shown && is_nearer(one, shown, resolution)) {
+                cost = fmax(cost, one->made.out);
+            }
+        } else if (!shown || !is_nearer(shown, one, resolution)) {
+            choice made = one->made;
+            made.out = is_nearer(one, shown, resolution) ? made.out : 0;
+            add_polygon(&one->drawn->look, &one->found, made, costs);
+        }
+    }
+    for (int c = 0; c < 256; c++) {
+        if (shown ? shown->found.colours[c] : c == question->background) {
+            best = fmin(best, costs[c]);
+        }
+    }
+    return fmax(best, cost);
+}
+
+double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+                              size_t count, const judge_question *question, double resolution)
+{
+    candidate near[NEAR_MAX];
+    size_t found = 0;
+    for (size_t i = 0; i < count && found < NEAR_MAX; i++) {
+        if (!box_is_beyond(&boxes[i], question->x + 0.5, question->y + 0.5, 1)) {
+            near[found++] = candidate_of(lens, &drawn[i], &boxes[i], question);
+        }
+    }
+    double best = found == 0 ? (question->colour == question->background ? 0 : INFINITY)
+                             : explain_by(near, found, NULL, question, resolution);
+    for (size_t i = 0; i < found; i++) {
+        if (!ref_is_blended(near[i].drawn)) {
+            best = fmin(best, explain_by(near, found, &near[i], question, resolution));
+        }
+    }
+    return best;
+}

@@ -50,4 +50,11 @@ typedef struct {
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question);
 
+/* The same of a frame that was drawn by a depth buffer. A choice that shows opaque polygon i puts
+ * out every opaque one that is nearer by more than the resolution and the slack of both. Blended
+ * polygons are drawn over it in their order, those that are farther by more are not, and the others
+ * may be in or out. Looks at polygons within a pixel of the centre alone. */
+double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+                              size_t count, const judge_question *question, double resolution);
+
 #endif

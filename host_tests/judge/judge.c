@@ -23,8 +23,9 @@ typedef struct {
     const char *scene, *dump, *json, *twin;
     unsigned cuts; /* the planes that the board's clipper cuts by */
     bool by_points;
-    bool by_bsp; /* the board drew in the order of the scene's BSP */
-    bool flat;   /* the board drew faces in their own colours */
+    bool by_bsp;    /* the board drew in the order of the scene's BSP */
+    bool flat;      /* the board drew faces in their own colours */
+    int depth_bits; /* the board drew by a depth buffer of so many; else 0 */
     double distance;
     const named_light *light; /* in which the board drew; or null */
 } options;
@@ -175,7 +176,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
                 return false;
             }
         } else if (strcmp(name, "--hidden") == 0) {
-            if (!ref_visibility_draws(value, &wanted->by_bsp, &wanted->flat)) {
+            if (!ref_visibility_draws(value, &wanted->by_bsp, &wanted->flat, &wanted->depth_bits)) {
                 return false;
             }
         } else if (strcmp(name, "--light") == 0) {
@@ -238,7 +239,7 @@ static int judge(const options *wanted, session *run)
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
-                      wanted->flat, wanted->distance, run->frames,
+                      wanted->flat, wanted->depth_bits, wanted->distance, run->frames,
                       wanted->twin ? &run->twin : NULL)) {
         return fail("there is not enough memory to judge %s, or the library refuses its scene",
                     wanted->dump);

@@ -28,6 +28,7 @@ typedef struct {
     bool by_points;
     bool by_bsp;
     bool flat;
+    int depth_bits;
     double distance;
     judge_frame *frames;
     judge_dump *twin;
@@ -73,11 +74,15 @@ static void explain(const job *work, const ref_renderer *renderer, const judge_b
                                .colour = pixel->board,
                                .background = work->image->background};
     const int ways = work->image->scene.surfaces ? 4 : 2;
+    const double resolution = ref_depth_resolution(&renderer->lens, renderer->depth_bits);
     for (int way = 0; way < ways; way++) {
         question.doubt = way & 1;
         question.texels = way & 2;
         double distance =
-            judge_explain(&renderer->lens, list->drawn, boxes, list->count, &question);
+            renderer->depth_bits != 0
+                ? judge_explain_by_depth(&renderer->lens, list->drawn, boxes, list->count,
+                                         &question, resolution)
+                : judge_explain(&renderer->lens, list->drawn, boxes, list->count, &question);
         if (way == 0 || distance <= work->distance) {
             pixel->distance = distance;
         }
@@ -213,6 +218,7 @@ static void *run_worker(void *argument)
     renderer.by_points = work->by_points;
     renderer.by_bsp = work->by_bsp;
     renderer.draws_flat = work->flat;
+    renderer.depth_bits = work->depth_bits;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
@@ -235,7 +241,8 @@ static void *run_worker(void *argument)
 }
 
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, bool flat, double distance, judge_frame *frames, judge_dump *twin)
+                  bool by_bsp, bool flat, int depth_bits, double distance, judge_frame *frames,
+                  judge_dump *twin)
 {
     job work = {.scene = scene,
                 .image = scene->image,
@@ -244,6 +251,7 @@ bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cut
                 .by_points = by_points,
                 .by_bsp = by_bsp,
                 .flat = flat,
+                .depth_bits = depth_bits,
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,

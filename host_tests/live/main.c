@@ -186,9 +186,10 @@ static int open_scene(const char *path, session *run)
 
 static bool choose(const char *option, const char *name, ref_renderer *as)
 {
-    return strcmp(option, "--clipper") == 0  ? ref_clipper_cuts(name, &as->cuts, &as->by_points)
-           : strcmp(option, "--hidden") == 0 ? ref_visibility_draws(name, &as->by_bsp, &as->draws_flat)
-                                             : false;
+    return strcmp(option, "--clipper") == 0 ? ref_clipper_cuts(name, &as->cuts, &as->by_points)
+           : strcmp(option, "--hidden") == 0
+               ? ref_visibility_draws(name, &as->by_bsp, &as->draws_flat, &as->depth_bits)
+               : false;
 }
 
 int main(int count, char **arguments)
@@ -206,6 +207,7 @@ int main(int count, char **arguments)
     int code = open_scene(arguments[1], &run);
     run.renderer.by_bsp = as.by_bsp;
     run.renderer.draws_flat = as.draws_flat;
+    run.renderer.depth_bits = as.depth_bits;
     run.renderer.cuts = as.cuts;
     run.renderer.by_points = as.by_points;
     if (code == 0) {

@@ -38,16 +38,19 @@ bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points)
 static const struct {
     const char *name;
     bool by_bsp, flat;
-} methods[] = {{"sorted", false, true},    {"box", false, true}, {"spans", false, true},
-               {"spans-box", false, true}, {"tree", true, true}, {"tree-spans", true, true},
-               {"surfaces", false, false}};
+    int depth_bits;
+} methods[] = {
+    {"sorted", false, true, 0},    {"box", false, true, 0},     {"spans", false, true, 0},
+    {"spans-box", false, true, 0}, {"tree", true, true, 0},     {"tree-spans", true, true, 0},
+    {"surfaces", false, false, 0}, {"depth", false, false, 16}, {"depth-32", false, false, 32}};
 
-bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat)
+bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat, int *depth_bits)
 {
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         if (strcmp(methods[i].name, name) == 0) {
             *by_bsp = methods[i].by_bsp;
             *flat = methods[i].flat;
+            *depth_bits = methods[i].depth_bits;
             return true;
         }
     }

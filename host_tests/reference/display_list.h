@@ -3,6 +3,7 @@
 #ifndef REF_DISPLAY_LIST_H
 #define REF_DISPLAY_LIST_H
 
+#include "reference/depth_buffer.h"
 #include "reference/surface.h"
 
 /* A polygon that was drawn: its outline in the reference renderer, the rows that it reaches, and
@@ -13,6 +14,7 @@ typedef struct {
     ref_rows rows;
     uint32_t instance, face; /* numbers in the scene and in the model */
     ref_surface_view look;   /* of the face */
+    ref_depth_plane depth;   /* of the face, where the renderer's depth_bits is not 0 */
 
     /* Whether the rounding of depths may decide what near and far leave of the polygon
      * (docs/accuracy.md, section 4). If so, least and most are the least and the most that they

@@ -29,7 +29,9 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
     renderer->cuts = REF_CUT_ALL;
     renderer->order = calloc(scene->instance_count, sizeof *renderer->order);
     renderer->faces = calloc((size_t)faces + 1, sizeof *renderer->faces);
-    if (!renderer->order || !renderer->faces) {
+    renderer->nearness =
+        calloc((size_t)lens->width * (size_t)lens->height, sizeof *renderer->nearness);
+    if (!renderer->order || !renderer->faces || !renderer->nearness) {
         ref_renderer_close(renderer);
         return false;
     }
@@ -40,6 +42,7 @@ void ref_renderer_close(ref_renderer *renderer)
 {
     free(renderer->order);
     free(renderer->faces);
+    free(renderer->nearness);
     ref_display_list_close(&renderer->display_list);
     memset(renderer, 0, sizeof *renderer);
 }
@@ -147,6 +150,13 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
     if (draws_surfaces(renderer)) {
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
                          &renderer->scene->instances[instance], face, &drawn.look);
+    }
+    if (renderer->depth_bits != 0) {
+        const ref_scene *scene = renderer->scene;
+        const ref_instance *of = &scene->instances[instance];
+        ref_depth_plane_find(scene, &renderer->camera, of,
+                             &scene->faces[scene->models[of->model].first_face + face],
+                             &drawn.depth);
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_display_list_append(&renderer->display_list, &drawn);
@@ -333,8 +343,60 @@ static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, cons
     }
 }
 
+/* Pixels of a span that are as near as what was drawn there, or nearer. */
+static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
+                           const ref_band *band, const ref_span *span, bool keeps)
+{
+    uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
+    double *near_row = renderer->nearness + (ptrdiff_t)span->y * renderer->lens.width;
+    for (int x = span->x0; x < span->x1; x++) {
+        const double nearness =
+            ref_nearness(&drawn->depth, &renderer->lens, x + 0.5, span->y + 0.5);
+        const int colour = nearness < near_row[x] ? REF_CLEAR
+                           : drawn->look.surface ? ref_surface_colour(&drawn->look, &renderer->lens,
+                                                                      x, span->y, row[x])
+                                                 : drawn->polygon.colour;
+        if (colour != REF_CLEAR) {
+            row[x] = (uint8_t)colour;
+            near_row[x] = keeps ? nearness : near_row[x];
+        }
+    }
+}
+
+bool ref_is_blended(const ref_drawn *drawn)
+{
+    return drawn->look.surface && drawn->look.surface->blends;
+}
+
+/* What is opaque; then what is blended, over what is behind it. */
+static void draw_by_depth(const ref_renderer *renderer, const ref_band *band)
+{
+    const ref_rows rows = {band->first_row, band->first_row + band->rows};
+    for (int y = rows.first; y < rows.end; y++) {
+        for (int x = 0; x < renderer->lens.width; x++) {
+            renderer->nearness[y * renderer->lens.width + x] = 0;
+        }
+    }
+    for (int blended = 0; blended < 2; blended++) {
+        const ref_drawn *drawn;
+        for (size_t place = 0;
+             (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
+            ref_scan scan;
+            ref_span span;
+            ref_scan_begin(&drawn->polygon, band, &scan);
+            while (ref_is_blended(drawn) == blended && ref_scan_next(&scan, &span)) {
+                draw_near_span(renderer, drawn, band, &span, !blended);
+            }
+        }
+    }
+}
+
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
 {
+    if (renderer->depth_bits != 0) {
+        draw_by_depth(renderer, band);
+        return;
+    }
     ref_rows rows = {band->first_row, band->first_row + band->rows};
     const ref_drawn *drawn;
     for (size_t place = 0;

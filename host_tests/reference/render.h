@@ -21,6 +21,8 @@ typedef struct {
     ref_display_list display_list; /* the frame's polygons */
     bool keeps_doubt;              /* set before a frame: the list says what depends on rounding */
     bool by_bsp;                   /* set before a frame: draw by the BSP, if the scene has one */
+    int depth_bits;                /* set before a frame: 16 or 32: by a depth buffer; else 0 */
+    double *nearness;              /* of each pixel, while it draws by one */
     bool draws_flat;               /* set before a frame: faces have their own colours */
     bool by_points;                /* set before a frame: the clipper works from rounded points */
     uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
@@ -38,6 +40,9 @@ void ref_renderer_close(ref_renderer *renderer);
 /* Computes all that the frame draws: fills display_list and counters. Returns false where memory
  * is short. */
 bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose);
+
+/* Whether a polygon is blended with those beneath it. */
+bool ref_is_blended(const ref_drawn *drawn);
 
 /* Draws the frame's polygons that reach a band over it. The caller clears the band first. */
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band);

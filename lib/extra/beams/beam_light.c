@@ -56,7 +56,7 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     fxl_lit_pieces *made = of->pieces;
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= REFUSED;
-        return fxl_submit_piece(pieces, points, count, face->material);
+        return fxl_submit_split_piece(shader, pieces, face, points, count, face->material);
     }
     const bool reverse = pieces->on->renderer->visibility->front_to_back;
     for (uint32_t i = 0; i < made->piece_count; i++) {
@@ -66,14 +66,14 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
             continue;
         }
         uint8_t colour = piece->is_lit ? of->lit[face->material] : face->material;
-        if (!fxl_submit_piece(pieces, of->outline, piece->count, colour)) {
+        if (!fxl_submit_split_piece(shader, pieces, face, of->outline, piece->count, colour)) {
             return false;
         }
     }
     return true;
 }
 
-static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL};
+static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL, true};
 
 /* Builds the record and its tables in the workspace. */
 static fxl_shader *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,

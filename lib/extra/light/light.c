@@ -66,7 +66,7 @@ static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
 fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
                                   const fxl_light_settings *settings)
 {
-    static const fxl_shader_code code = {reaches, fxl_submit_coloured_face, NULL, colour};
+    static const fxl_shader_code code = {reaches, fxl_submit_coloured_face, NULL, colour, false};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }

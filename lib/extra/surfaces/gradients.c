@@ -14,13 +14,6 @@
 
 /* --- vectors -------------------------------------------------------------------------------- */
 
-/* A vector (x, y, z) * 2^exponent. The components are at most 2^30; one is at least 2^29, or all
- * are 0. */
-typedef struct {
-    int32_t x, y, z;
-    int exponent;
-} block_vector;
-
 /* The bits of a value without its sign: one less than those of its magnitude where that is a power
  * of two below 0. */
 static uint64_t bits_of(int64_t value)
@@ -34,31 +27,29 @@ static int32_t upper_word(int64_t value, unsigned shift)
     return (int32_t)((int64_t)(((uint64_t)value << shift) + 0x80000000u) >> 32);
 }
 
-/* Requires components of at most 2^62. Error: half a unit of each component, at most 2^-30 of the
- * largest. */
-static block_vector block(int64_t x, int64_t y, int64_t z, int exponent)
+fxl_block_vector fxl_block(int64_t x, int64_t y, int64_t z, int exponent)
 {
     const unsigned bits = fxl_bit_length(bits_of(x) | bits_of(y) | bits_of(z));
     const unsigned shift = bits == 0 ? 32 : 62u - bits;
-    const block_vector result = {upper_word(x, shift), upper_word(y, shift), upper_word(z, shift),
-                                 exponent + 32 - (int)shift};
+    const fxl_block_vector result = {upper_word(x, shift), upper_word(y, shift),
+                                     upper_word(z, shift), exponent + 32 - (int)shift};
     return result;
 }
 
-static block_vector difference(const fxl_view_point *a, const fxl_view_point *b)
+static fxl_block_vector difference(const fxl_view_point *a, const fxl_view_point *b)
 {
-    return block(a->x - b->x, a->y - b->y, a->z - b->z, 0);
+    return fxl_block(a->x - b->x, a->y - b->y, a->z - b->z, 0);
 }
 
 /* Products are at most 2^60, so differences of two are at most 2^61. */
-static block_vector cross(const block_vector *a, const block_vector *b)
+static fxl_block_vector cross(const fxl_block_vector *a, const fxl_block_vector *b)
 {
-    return block((int64_t)a->y * b->z - (int64_t)a->z * b->y,
-                 (int64_t)a->z * b->x - (int64_t)a->x * b->z,
-                 (int64_t)a->x * b->y - (int64_t)a->y * b->x, a->exponent + b->exponent);
+    return fxl_block((int64_t)a->y * b->z - (int64_t)a->z * b->y,
+                     (int64_t)a->z * b->x - (int64_t)a->x * b->z,
+                     (int64_t)a->x * b->y - (int64_t)a->y * b->x, a->exponent + b->exponent);
 }
 
-static void negate(block_vector *vector)
+static void negate(fxl_block_vector *vector)
 {
     vector->x = -vector->x;
     vector->y = -vector->y;
@@ -68,7 +59,7 @@ static void negate(block_vector *vector)
 /* factors[0] vectors[0] + factors[1] vectors[1] + factors[2] vectors[2]. The first factor is below
  * 2^30 and the others are below 2^31, so halves of the terms have a sum below 2^59 + 2 * 2^60.
  * Error: that of block, and one of 2^-58 of the largest term for each term. */
-static block_vector combine(const block_vector vectors[3], const int32_t factors[3])
+static fxl_block_vector combine(const fxl_block_vector vectors[3], const int32_t factors[3])
 {
     int64_t x = 0, y = 0, z = 0;
     int exponent = INT32_MIN;
@@ -78,7 +69,7 @@ static block_vector combine(const block_vector vectors[3], const int32_t factors
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        const block_vector *vector = &vectors[i];
+        const fxl_block_vector *vector = &vectors[i];
         if (factors[i] == 0 || exponent - vector->exponent > 61) {
             continue;
         }
@@ -87,7 +78,7 @@ static block_vector combine(const block_vector vectors[3], const int32_t factors
         y += (int64_t)factors[i] * vector->y >> drop;
         z += (int64_t)factors[i] * vector->z >> drop;
     }
-    return block(x, y, z, exponent == INT32_MIN ? 0 : exponent + 1);
+    return fxl_block(x, y, z, exponent == INT32_MIN ? 0 : exponent + 1);
 }
 
 /* --- gradients ------------------------------------------------------------------------------ */
@@ -106,11 +97,10 @@ static uint64_t largest_value(const fxl_gradient *gradient, const fxl_lens *lens
            bits_of(gradient->at + along + down);
 }
 
-/* vector . D, scaled so that its largest value on the screen is from 2^61 to 2^62. Returns the
- * exponent. The focal length is below 2^29 and half of the screen below 2^25 + 2^15, in 16.16, and
+/* The focal length is below 2^29 and half of the screen below 2^25 + 2^15, in 16.16, and
  * an off-centre lens's centre is below 2^28: products are below 2^59, so all sums are below 2^61.
  * Exact: shifted to the left alone. */
-static int find_gradient(block_vector vector, const fxl_view *view, fxl_gradient *gradient)
+int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gradient *gradient)
 {
     const fxl_projection *projection = &view->projection;
     gradient->along = (int64_t)vector.x * 65536;
@@ -234,11 +224,11 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients)
 {
     const fxl_view_point *corners = face->corners;
-    const block_vector first = block(corners[0].x, corners[0].y, corners[0].z, 0);
-    const block_vector edge_1 = difference(&corners[1], &corners[0]);
-    const block_vector edge_2 = difference(&corners[2], &corners[0]);
-    block_vector vectors[3] = {cross(&edge_1, &edge_2), cross(&edge_2, &first),
-                               cross(&first, &edge_1)};
+    const fxl_block_vector first = fxl_block(corners[0].x, corners[0].y, corners[0].z, 0);
+    const fxl_block_vector edge_1 = difference(&corners[1], &corners[0]);
+    const fxl_block_vector edge_2 = difference(&corners[2], &corners[0]);
+    fxl_block_vector vectors[3] = {cross(&edge_1, &edge_2), cross(&edge_2, &first),
+                                   cross(&first, &edge_1)};
     /* Three products of at most 2^60: below 2^62. */
     const int64_t volume = fxl_multiply_s32(vectors[0].x, first.x) +
                            fxl_multiply_s32(vectors[0].y, first.y) +
@@ -250,14 +240,14 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
             negate(&vectors[i]);
         }
     }
-    const int weight_exponent = find_gradient(vectors[0], view, &gradients->weight);
+    const int weight_exponent = fxl_gradient_of_plane(vectors[0], view, &gradients->weight);
     block_bound twist = {0, INT16_MIN};
     gradients->count = (uint8_t)face->count;
     for (uint32_t i = 0; i < face->count; i++) {
         const int32_t *values = face->values[i];
         const int32_t factors[3] = {values[0], values[1] - values[0], values[2] - values[0]};
         fxl_gradient *attribute = &gradients->attributes[i];
-        const int exponent = find_gradient(combine(vectors, factors), view, attribute);
+        const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
         gradients->shifts[i] = 0;
         if (!is_zero(attribute)) {
             gradients->shifts[i] = (int8_t)(exponent - weight_exponent);

@@ -24,6 +24,22 @@ typedef struct {
     int64_t at, along, down;
 } fxl_gradient;
 
+/* A vector (x, y, z) * 2^exponent. The components are at most 2^30; one is at least 2^29, or all
+ * are 0. */
+typedef struct {
+    int32_t x, y, z;
+    int exponent;
+} fxl_block_vector;
+
+/* Requires components of at most 2^62. Error: half a unit of each component, at most 2^-30 of the
+ * largest. */
+fxl_block_vector fxl_block(int64_t x, int64_t y, int64_t z, int exponent);
+
+/* The gradient of vector . D, where D = (x - centre, centre - y, focal) is the direction of a
+ * pixel's centre in 16.16. It is scaled so that its largest value on the screen is from 2^61 to
+ * 2^62; returns the exponent: vector . D is the 64 bits * 2^exponent. Exact. */
+int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gradient *gradient);
+
 /* The attributes of a face: u and v, where it has a texture, and then light, where it is lit. So
  * light is the last. */
 enum {

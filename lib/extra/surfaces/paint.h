@@ -48,6 +48,10 @@ typedef struct {
     int32_t y;
 } fxl_paint_row;
 
+/* Paints some of the pixels x0 <= x < x1 of a row by fxl_paint_pixels. */
+typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
+                             int32_t x0, int32_t x1);
+
 /* The attributes of a stretch of pixels within which they are linear: 16.16 at the first pixel, and
  * their steps a pixel. */
 typedef struct {
@@ -58,9 +62,10 @@ typedef struct {
  * the level, and no other pixel is written. Requires x0 < x1 within the band. */
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
 
-/* A polygon of the screen in a band. */
+/* A polygon of the screen in a band. paint_row (null: fxl_paint_pixels) is called with `with`. */
 void fxl_paint_polygon(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
-                       const fxl_band *band, fxl_scan *scan);
+                       const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row,
+                       void *with);
 
 #ifdef __cplusplus
 }

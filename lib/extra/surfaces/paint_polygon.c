@@ -29,7 +29,8 @@ static inline void next_row(const fxl_gradients *gradients, fxl_paint_row *row)
 }
 
 static void paint_trapezoid(const fxl_paint *paint, const fxl_trapezoid *trapezoid,
-                            const fxl_segment_face *segments, const fxl_band *band)
+                            const fxl_segment_face *segments, const fxl_band *band,
+                            fxl_row_painter *paint_row, void *with)
 {
     const fxl_gradients *gradients = paint->gradients;
     fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
@@ -40,7 +41,11 @@ static void paint_trapezoid(const fxl_paint *paint, const fxl_trapezoid *trapezo
     while (row.y < trapezoid->end_row) {
         const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
         if (x0 < x1) {
-            fxl_paint_pixels(paint, &row, x0, x1);
+            if (paint_row == NULL) {
+                fxl_paint_pixels(paint, &row, x0, x1);
+            } else {
+                paint_row(with, paint, &row, x0, x1);
+            }
         }
         fxl_edge_step(&a);
         fxl_edge_step(&b);
@@ -50,13 +55,14 @@ static void paint_trapezoid(const fxl_paint *paint, const fxl_trapezoid *trapezo
 }
 
 void fxl_paint_polygon(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
-                       const fxl_band *band, fxl_scan *scan)
+                       const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row,
+                       void *with)
 {
     const fxl_trapezoid *trapezoid;
     fxl_segment_face face;
     const fxl_segment_face *segments = fxl_segments_find(paint, &face) ? &face : NULL;
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        paint_trapezoid(paint, trapezoid, segments, band);
+        paint_trapezoid(paint, trapezoid, segments, band, paint_row, with);
     }
 }

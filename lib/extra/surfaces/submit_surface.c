@@ -16,20 +16,6 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
     return true;
 }
 
-/* A corner of a face in the view, by the matrix of its instance. A clipper by clip flags keeps the
- * same positions in the cache. */
-static void find_corner(const fxl_model_view *model_view, uint32_t number, bool from_cache,
-                        fxl_view_point *corner)
-{
-    if (from_cache) {
-        *corner = fxl_fetch_vertex(model_view, number)->position;
-    } else {
-        fxl_cached_vertex vertex;
-        fxl_transform_vertex(model_view, number, &vertex);
-        *corner = vertex.position;
-    }
-}
-
 /* The corners of a face in the view, and the values of its attributes there. */
 static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
                          const fxl_face *face, const fxl_mapped_face *mapped,
@@ -38,8 +24,7 @@ static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *mod
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     const uint16_t *indices = model_view->indices + face->first_index;
     for (uint32_t i = 0; i < 3; i++) {
-        find_corner(model_view, indices[mapped->corners[i]], on->clipper->by_clip_flags,
-                    &corners->corners[i]);
+        fxl_find_corner(model_view, indices[mapped->corners[i]], on, &corners->corners[i]);
         corners->values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
         corners->values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
     }
@@ -51,10 +36,13 @@ static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *mod
     }
 }
 
-static void find_gradients(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
-                           const fxl_face *face, const fxl_mapped_face *mapped,
-                           const fxl_traversal *on, fxl_surface_polygon *polygon)
+/* fxl_surface_finder; what: the mapped face. */
+static void find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
+                 const fxl_traversal *on, fxl_surface_polygon *polygon)
 {
+    const fxl_mapped_face *mapped = (const fxl_mapped_face *)what;
+    const fxl_surfaces *surfaces = fxl_surfaces_of(on->renderer);
+    const fxl_surface_backend *backend = fxl_surface_backend_of(on->renderer);
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     fxl_gradient_corners corners;
     find_corners(surfaces, model_view, face, mapped, on, &corners);
@@ -70,67 +58,23 @@ static void find_gradients(const fxl_surfaces *surfaces, const fxl_model_view *m
     }
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
-}
-
-/* Where the polygon on the screen goes. */
-static fxl_outcome deliver(const fxl_surfaces *surfaces, const fxl_traversal *on,
-                           const fxl_surface_polygon *polygon)
-{
-    fxl_workspace *workspace = on->workspace;
-    const fxl_screen_polygon *screen = &workspace->screen;
-    const fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
-    if (rows.first == rows.end) {
-        return 0;
+    polygon->has_depth = backend->find_depth != NULL;
+    if (polygon->has_depth) {
+        backend->find_depth(model_view, face, on, &polygon->depth);
     }
-    if (on->display_list != NULL) {
-        return fxl_surface_polygon_append(on->display_list, screen, rows, polygon)
-                   ? 0
-                   : FXL_OUTCOME_FULL;
-    }
-    if (on->way == FXL_SUBMIT_MEASURE) {
-        on->reached->first = rows.first < on->reached->first ? rows.first : on->reached->first;
-        on->reached->end = rows.end > on->reached->end ? rows.end : on->reached->end;
-        return FXL_OUTCOME_SPILLED;
-    }
-    fxl_surface_polygon_paint(surfaces, polygon, screen->points, screen->count, on->band,
-                              &workspace->work.scan);
-    return FXL_OUTCOME_SPILLED;
-}
-
-/* All polygons of a face that has a surface. The gradients are found once one of them is left. */
-static bool submit_mapped_face(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
-                               const fxl_face *face, const fxl_mapped_face *mapped,
-                               const fxl_traversal *on)
-{
-    const uint32_t used = on->renderer->frame.display_list.used;
-    fxl_surface_polygon polygon;
-    bool found = false;
-    fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
-    fxl_outcome outcome = (fxl_outcome)1 << cut;
-    while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
-        if (!found) {
-            find_gradients(surfaces, model_view, face, mapped, on, &polygon);
-            found = true;
-        }
-        outcome |= deliver(surfaces, on, &polygon);
-        if (on->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
-            break;
-        }
-        cut = fxl_next_polygon(model_view, on);
-        outcome |= (fxl_outcome)1 << cut;
-    }
-    return fxl_count_outcome(on, outcome, used);
 }
 
 static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
                    const fxl_shader *shader)
 {
-    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_surface_set *set = surfaces->set;
+    const fxl_surface_set *set = ((const fxl_surfaces *)(const void *)shader)->set;
     const fxl_scene *scene = on->renderer->scene;
     const uint32_t mapped = set->face_map[face - scene->faces];
-    if (mapped != 0 && fxl_draws_surfaces(on->renderer)) {
-        return submit_mapped_face(surfaces, model_view, face, &set->faces[mapped - 1], on);
+    if (mapped != 0 && on->renderer->visibility->backend->draws_surfaces) {
+        const uint32_t used = on->renderer->frame.display_list.used;
+        return fxl_count_outcome(
+            on, fxl_submit_surface_polygons(model_view, face, on, find, &set->faces[mapped - 1]),
+            used);
     }
     const fxl_shader *next = fxl_shader_reaching(shader->next, scene, model_view->instance);
     return next != NULL ? next->code->face(model_view, face, on, next)
@@ -151,7 +95,9 @@ static uint8_t own_colour(const fxl_shader *shader, const fxl_renderer *renderer
 fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                      const fxl_surface_set *set)
 {
-    static const fxl_shader_code code = {reaches, submit, NULL, own_colour};
+    static const fxl_shader_code code = {reaches, submit, NULL, own_colour, false};
+    static const fxl_surface_painter painter = {fxl_surface_paint_of, fxl_paint_polygon,
+                                                fxl_paint_pixels};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
@@ -169,16 +115,10 @@ fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfa
         return FXL_OK;
     }
     surfaces->set = set;
+    surfaces->painter = &painter;
     surfaces->light = NULL;
     surfaces->light_code = NULL;
     surfaces->shader.code = &code;
     fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
-}
-
-const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer)
-{
-    const fxl_shader *first = renderer->shader;
-    FXL_ASSERT(first != NULL && first->rank == FXL_SHADER_SURFACES);
-    return (const fxl_surfaces *)(const void *)first;
 }

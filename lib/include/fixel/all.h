@@ -9,6 +9,7 @@
 #include "fixel/extra/bsp.h"
 #include "fixel/extra/clippers.h"
 #include "fixel/extra/collide.h"
+#include "fixel/extra/depth.h"
 #include "fixel/extra/display.h"
 #include "fixel/extra/light.h"
 #include "fixel/extra/motion.h"

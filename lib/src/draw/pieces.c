@@ -42,6 +42,15 @@ void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
     }
 }
 
+bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_face *face,
+                            const fxl_point *points, uint32_t count, uint8_t colour)
+{
+    const fxl_shader *next = by->next;
+    fxl_face piece = {.normal = face->normal, .count = (uint8_t)count, .material = colour};
+    return next != NULL ? next->code->split(next, pieces, &piece, points, count)
+                        : fxl_submit_piece(pieces, points, count, colour);
+}
+
 bool fxl_pieces_end(fxl_pieces *pieces)
 {
     return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);

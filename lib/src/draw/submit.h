@@ -162,7 +162,8 @@ enum {
     FXL_SHADER_SURFACES, /* faces with surfaces, which go no further */
     FXL_SHADER_RECOLOUR, /* an instance's own colours */
     FXL_SHADER_LIGHT,    /* light and fog */
-    FXL_SHADER_BEAMS
+    FXL_SHADER_BEAMS,
+    FXL_SHADER_DEPTH /* the last: faces and pieces get a depth, and go no further */
 };
 
 /* What a shader does. It either splits faces or colours them. */
@@ -180,6 +181,9 @@ typedef struct fxl_shader_code {
     /* The colour of a face of the model that would have `colour`. Null: it splits. */
     uint8_t (*colour)(const fxl_shader *shader, const fxl_renderer *renderer,
                       const fxl_instance *instance, const fxl_face *face, uint8_t colour);
+    /* Whether it takes a face of a turned instance only as a polygon of the world, whose points are
+     * rounded. */
+    bool splits_in_world;
 } fxl_shader_code;
 
 /* The first of a list of shaders that reaches an instance; or null. */
@@ -201,6 +205,11 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
 void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
                              const fxl_face *whole, const fxl_direction *normal,
                              const fxl_point *points, uint32_t count);
+
+/* A piece that a shader made of a face, to the shader after it, or as fxl_submit_piece. The normal
+ * of the face is the whole's in the world. */
+bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_face *face,
+                            const fxl_point *points, uint32_t count, uint8_t colour);
 
 /* fxl_shader_code.face: the face's polygon of the world, split, counted once. */
 bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,

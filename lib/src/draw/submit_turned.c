@@ -153,7 +153,7 @@ static bool is_split(const fxl_traversal *on, uint32_t number)
     const fxl_scene *scene = on->renderer->scene;
     const fxl_instance *instance = &scene->instances[number];
     const fxl_shader *shader = fxl_shader_reaching(on->renderer->shader, scene, instance);
-    while (shader != NULL && shader->code->split == NULL) {
+    while (shader != NULL && !shader->code->splits_in_world) {
         shader = fxl_shader_reaching(shader->next, scene, instance);
     }
     return shader != NULL;

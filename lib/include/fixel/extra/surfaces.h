@@ -109,6 +109,7 @@ typedef struct {
     const fxl_surface_set *set;
     const fxl_light *light; /* null: faces are not lit */
     const struct fxl_surface_light_code *light_code;
+    const struct fxl_surface_painter *painter;
 } fxl_surfaces;
 
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
@@ -162,7 +163,6 @@ fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uin
 
 /* The order of fxl_visibility_sorted; a later polygon covers an earlier one; faces with surfaces
  * show them. */
-extern const fxl_raster_backend fxl_raster_surfaces;
 extern const fxl_visibility fxl_visibility_surfaces;
 
 #ifdef __cplusplus

@@ -35,6 +35,9 @@ typedef struct {
     /* Whether draw_polygon only scans and fills, over what is there: then a face may go from the
      * clipper straight to scan. */
     bool draws_over;
+    /* Whether polygons keep their surfaces. Then the record is the first member of a longer one,
+     * which is internal. */
+    bool draws_surfaces;
 } fxl_raster_backend;
 
 /* A visibility method. */
