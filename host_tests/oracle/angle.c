@@ -7,6 +7,7 @@
 
 #include "fixel/all.h"
 #include "oracle/claim.h"
+#include "oracle/turns.h"
 
 #define UNIT      1073741824.0L
 #define TWO_PI    6.28318530717958647692528676655900577L
@@ -33,8 +34,7 @@ static long double cosine(uint32_t angle)
     return sine(angle + QUARTER);
 }
 
-/* Any angle, or one within a few units of a multiple of a sixteenth of a turn. */
-static uint32_t any_angle(oracle_random *random)
+uint32_t oracle_any_angle(oracle_random *random)
 {
     uint32_t any = (uint32_t)oracle_random_next(random);
     switch (oracle_below(random, 4)) {
@@ -47,12 +47,12 @@ static uint32_t any_angle(oracle_random *random)
     }
 }
 
-static int is_angle(int64_t number)
+bool oracle_is_angle(int64_t number)
 {
     return number >= 0 && number <= UINT32_MAX;
 }
 
-static void report(FILE *words, const char *name, int32_t got, long double exact)
+void oracle_report(FILE *words, const char *name, int32_t got, long double exact)
 {
     if (words) {
         fprintf(words, "%-10s library %11d, exact %19.6Lf, off by %9.6Lf\n", name, got, exact,
@@ -66,7 +66,7 @@ static void generate_matrix(oracle_random *random, uint64_t index, oracle_input 
 {
     (void)index;
     for (int i = 0; i < 3; i++) {
-        oracle_put(input, any_angle(random));
+        oracle_put(input, oracle_any_angle(random));
     }
 }
 
@@ -106,7 +106,7 @@ static void judge_entries(const fxl_axes *axes, const long double exact[9], FILE
     const int32_t *got = &axes->right.x;
     for (int i = 0; i < 9; i++) {
         const long double in_units = exact[i] * UNIT;
-        report(words, entry_names[i], got[i], in_units);
+        oracle_report(words, entry_names[i], got[i], in_units);
         verdict->value = fmax(verdict->value, (double)fabsl(got[i] - in_units));
     }
 }
@@ -114,7 +114,8 @@ static void judge_entries(const fxl_axes *axes, const long double exact[9], FILE
 static oracle_outcome judge_matrix(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
-    if (input->count != 3 || !is_angle(n[0]) || !is_angle(n[1]) || !is_angle(n[2])) {
+    if (input->count != 3 || !oracle_is_angle(n[0]) || !oracle_is_angle(n[1]) ||
+        !oracle_is_angle(n[2])) {
         return ORACLE_UNUSABLE;
     }
     fxl_camera camera;
@@ -143,7 +144,7 @@ static void generate_instance(oracle_random *random, uint64_t index, oracle_inpu
 {
     (void)index;
     for (int i = 0; i < 6; i++) {
-        oracle_put(input, any_angle(random));
+        oracle_put(input, oracle_any_angle(random));
     }
     oracle_put(input, oracle_below(random, 4) == 0
                           ? FXL_Q16_16_ONE
@@ -158,7 +159,7 @@ static oracle_outcome judge_instance(const oracle_input *input, FILE *words,
 {
     const int64_t *n = input->numbers;
     for (int i = 0; i < 6; i++) {
-        if (input->count != 7 || !is_angle(n[i])) {
+        if (input->count != 7 || !oracle_is_angle(n[i])) {
             return ORACLE_UNUSABLE;
         }
     }
@@ -215,14 +216,14 @@ static void generate_sine(oracle_random *random, uint64_t index, oracle_input *i
 
 static oracle_outcome judge_sine(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
-    if (input->count != 1 || !is_angle(input->numbers[0])) {
+    if (input->count != 1 || !oracle_is_angle(input->numbers[0])) {
         return ORACLE_UNUSABLE;
     }
     uint32_t angle = (uint32_t)input->numbers[0];
     long double s = sine(angle) * UNIT, c = cosine(angle) * UNIT;
     int32_t got_s = fxl_sin(angle), got_c = fxl_cos(angle);
-    report(words, "sine", got_s, s);
-    report(words, "cosine", got_c, c);
+    oracle_report(words, "sine", got_s, s);
+    oracle_report(words, "cosine", got_c, c);
     verdict->value = (double)fmaxl(fabsl(got_s - s), fabsl(got_c - c));
     return ORACLE_COUNTED;
 }

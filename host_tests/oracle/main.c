@@ -18,10 +18,11 @@
 #include "oracle/tally.h"
 
 static const oracle_claim *const claims[] = {
-    &oracle_matrix_entry,    &oracle_matrix_entry_instance,
-    &oracle_sine_cosine,     &oracle_vertex_unclipped,
-    &oracle_outline_clipped, &oracle_outline_near_parallel,
-    &oracle_coverage,        &oracle_watertight,
+    &oracle_matrix_entry,        &oracle_matrix_entry_instance, &oracle_orientation_angles,
+    &oracle_orientation_axis,    &oracle_orientation_look_at,   &oracle_orientation_product,
+    &oracle_orientation_parents, &oracle_sine_cosine,           &oracle_vertex_unclipped,
+    &oracle_outline_clipped,     &oracle_outline_near_parallel, &oracle_coverage,
+    &oracle_watertight,
 };
 
 enum {

@@ -18,6 +18,15 @@ $(ORACLE_LIBRARY): $(BUILD)/host/objects/oracle/tie.o
 	@rm -f $@
 	ar rcs $@ $^
 
+# Rotations in long double, as the unit tests have them.
+ORACLE_TURNS := $(BUILD)/host/objects/unit/exact_turn.o
+ORACLE_OBJECTS += $(ORACLE_TURNS)
+
+$(ORACLE_TURNS): $(BUILD)/host/objects/%.o: host_tests/%.c
+	@mkdir -p $(@D)
+	$(HOST_SAY)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ilib/include -MMD -MP -c $< -o $@
+
 $(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(ORACLE_BRIDGE) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOST_SAY)

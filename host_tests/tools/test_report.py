@@ -93,7 +93,8 @@ def result(built, tmp_path_factory):
 def test_every_claim_is_measured(result):
     _, report, done = result
     assert [claim["id"] for claim in report["claims"]] == [
-        "matrix_entry", "matrix_entry_instance", "sine_cosine", "vertex_unclipped", "outline_clipped", "coverage", "watertight",
+        "matrix_entry", "matrix_entry_instance", "orientation_angles", "orientation_axis", "orientation_look_at",
+        "orientation_product", "orientation_parents", "sine_cosine", "vertex_unclipped", "outline_clipped", "coverage", "watertight",
         "frame", "scale"]
     for claim in report["claims"]:
         assert claim["holds"] is True and claim["samples"] > 0 and claim["unit"]

@@ -2,6 +2,7 @@
 #include "exact_turn.h"
 
 #include <math.h>
+#include <string.h>
 
 void exact_entries(const fxl_orientation *o, fxl_q2_30 out[3][3])
 {
@@ -59,4 +60,104 @@ exact_turn exact_product(const exact_turn *a, const exact_turn *b)
         }
     }
     return product;
+}
+
+static void cross(const long double a[3], const long double b[3], long double out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    }
+}
+
+static long double length_of(const long double v[3])
+{
+    return sqrtl(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static void unit_vector(long double v[3])
+{
+    const long double length = length_of(v);
+    for (int i = 0; i < 3; i++) {
+        v[i] /= length;
+    }
+}
+
+exact_turn exact_look(fxl_point direction, fxl_point up)
+{
+    long double forward[3] = {direction.x, direction.y, direction.z};
+    long double above[3] = {up.x, up.y, up.z}, right[3], top[3];
+    exact_turn result;
+    cross(above, forward, right);
+    unit_vector(forward);
+    unit_vector(right);
+    cross(forward, right, top);
+    for (int i = 0; i < 3; i++) {
+        result.at[i][0] = right[i];
+        result.at[i][1] = top[i];
+        result.at[i][2] = forward[i];
+    }
+    return result;
+}
+
+static exact_turn exact_rows(const fxl_orientation *of)
+{
+    fxl_q2_30 entries[3][3];
+    exact_turn rows;
+    exact_entries(of, entries);
+    for (int i = 0; i < 9; i++) {
+        rows.at[i / 3][i % 3] = entries[i / 3][i % 3] / EXACT_ONE;
+    }
+    return rows;
+}
+
+/* Newton's method, X + (I - X X^T) X / 2, converges by squares: from an error below 2^-26 two steps
+ * leave no more than the last bits. */
+exact_turn exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b)
+{
+    const exact_turn first = exact_rows(a), second = exact_rows(b);
+    exact_turn nearest = exact_product(&first, &second);
+    for (int step = 0; step < 3; step++) {
+        const exact_turn before = nearest;
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                long double off = i == j;
+                for (int k = 0; k < 3; k++) {
+                    off -= before.at[i][k] * before.at[j][k];
+                }
+                for (int k = 0; k < 3; k++) {
+                    nearest.at[i][k] += off * before.at[j][k] / 2;
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+exact_place exact_place_of(const fxl_point *centre, const fxl_turn *turn)
+{
+    return (exact_place){
+        {centre->x, centre->y, centre->z}, turn->scale / 65536.0L, exact_rows(&turn->orientation)};
+}
+
+exact_place exact_attached(const exact_place *parent, const exact_place *child)
+{
+    exact_place at = *parent;
+    at.scale *= child->scale;
+    at.turn = exact_product(&parent->turn, &child->turn);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            at.centre[i] += parent->scale * parent->turn.at[i][j] * child->centre[j];
+        }
+    }
+    return at;
+}
+
+exact_bounds exact_bounds_of_child(const exact_bounds *of_parent, const exact_place *parent,
+                                   const exact_place *child)
+{
+    const long double reach = length_of(child->centre);
+    return (exact_bounds){
+        of_parent->centre + 0.5L +
+            reach * (parent->scale * of_parent->turn / EXACT_ONE + of_parent->scale / 65536),
+        of_parent->scale * child->scale + 0.5L, of_parent->turn + 4.5L};
 }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Rotations in long double, against which orientations are measured. */
+/* Rotations in long double, against which orientations are measured: by unit tests, and by the
+ * oracle. */
 #ifndef EXACT_TURN_H
 #define EXACT_TURN_H
 
-#include "unit.h"
+#include "fixel/extra/orientation.h"
 
 #define EXACT_PI  3.14159265358979323846264338327950288L
 #define EXACT_ONE ((long double)FXL_Q2_30_ONE)
@@ -21,6 +22,32 @@ long double exact_distance(const exact_turn *wanted, const fxl_orientation *actu
 /* What fxl_orientation_from_angles and fxl_orientation_from_axis write, without an error. */
 exact_turn exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll);
 exact_turn exact_axis(fxl_point axis, fxl_angle angle);
+
+/* What fxl_orientation_look_at writes, without an error. */
+exact_turn exact_look(fxl_point direction, fxl_point up);
+
+/* The rotation that is nearest to a product of two stated orientations: b and then a. */
+exact_turn exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b);
+
+/* A place in a chain of parents, without rounding. */
+typedef struct {
+    long double centre[3], scale; /* in units of 2^-16, and of 1 */
+    exact_turn turn;
+} exact_place;
+
+exact_place exact_place_of(const fxl_point *centre, const fxl_turn *turn);
+
+/* The place of a child whose place in its parent's model is stated. */
+exact_place exact_attached(const exact_place *parent, const exact_place *child);
+
+/* The bounds of docs/extras/orientation.md, section 3.2: g, f and e. All are 0 at depth 0. */
+typedef struct {
+    long double centre, scale, turn;
+} exact_bounds;
+
+/* The bounds of a child, from those of its parent. */
+exact_bounds exact_bounds_of_child(const exact_bounds *of_parent, const exact_place *parent,
+                                   const exact_place *child);
 
 /* b and then a. */
 exact_turn exact_product(const exact_turn *a, const exact_turn *b);

@@ -2,9 +2,9 @@
 /* Instances that are attached to others, against long double. */
 #include <math.h>
 
+#include "exact_turn.h"
 #include "unit.h"
 
-#define ONE   ((long double)FXL_Q2_30_ONE)
 #define DEPTH 8
 
 static const fxl_turn still = FXL_TURN_NONE;
@@ -18,39 +18,7 @@ static fxl_turn any_turn(fxl_q16_16 low, fxl_q16_16 high)
     return turn;
 }
 
-/* A place in a chain of parents, without rounding. */
-typedef struct {
-    long double centre[3], rows[3][3], scale; /* in units of 2^-16, of 1 and of 1 */
-} place;
-
-static place exact_place(const fxl_point *centre, const fxl_turn *turn)
-{
-    fxl_q2_30 rows[3][3];
-    place at = {{centre->x, centre->y, centre->z}, {{0}}, turn->scale / 65536.0L};
-    memcpy(rows, &turn->orientation, sizeof rows);
-    for (int i = 0; i < 9; i++) {
-        at.rows[i / 3][i % 3] = rows[i / 3][i % 3] / ONE;
-    }
-    return at;
-}
-
-static place exact_attach(const place *parent, const place *child)
-{
-    place at = *parent;
-    at.scale *= child->scale;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            at.centre[i] += parent->scale * parent->rows[i][j] * child->centre[j];
-            at.rows[i][j] = 0;
-            for (int k = 0; k < 3; k++) {
-                at.rows[i][j] += parent->rows[i][k] * child->rows[k][j];
-            }
-        }
-    }
-    return at;
-}
-
-static void expect_centre(const place *wanted, const fxl_point *actual, long double bound)
+static void expect_centre(const exact_place *wanted, const fxl_point *actual, long double bound)
 {
     TEST_ASSERT_NEAR(wanted->centre[0], actual->x, bound);
     TEST_ASSERT_NEAR(wanted->centre[1], actual->y, bound);
@@ -83,41 +51,33 @@ void test_a_centre_is_within_half_a_unit(void)
         fxl_point centre;
         fxl_turn turn;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_attach(&at, &parent, &child, &still, &centre, &turn));
-        const place p = exact_place(&at, &parent), c = exact_place(&child, &still);
-        const place wanted = exact_attach(&p, &c);
+        const exact_place p = exact_place_of(&at, &parent), c = exact_place_of(&child, &still);
+        const exact_place wanted = exact_attached(&p, &c);
         expect_centre(&wanted, &centre, 0.5L + (sizeof p.scale == 8 ? 1e-6L : 1e-9L));
         TEST_ASSERT_EQUAL_INT32(parent.scale, turn.scale);
     }
 }
 
-/* docs/extras/turn.md, section 3: the bound by depth. */
+/* docs/extras/orientation.md, section 3: the bound by depth. */
 void test_a_chain_of_eight_is_within_its_bound(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
         fxl_point centre = unit_point(FXL_UNITS(1000)), local;
         fxl_turn turn = any_turn(Q16(0.5), Q16(2)), child;
-        place wanted = exact_place(&centre, &turn);
-        long double at_bound = 0, turn_bound = 0, scale_bound = 0;
+        exact_place wanted = exact_place_of(&centre, &turn);
+        exact_bounds bounds = {0, 0, 0};
         for (int depth = 1; depth <= DEPTH; depth++) {
             local = unit_point(FXL_UNITS(20));
             child = any_turn(Q16(0.7), Q16(1.4));
-            const place step = exact_place(&local, &child);
-            const long double reach =
-                sqrtl((long double)local.x * local.x + (long double)local.y * local.y +
-                      (long double)local.z * local.z);
-            at_bound += 0.5L + reach * (wanted.scale * turn_bound / ONE + scale_bound / 65536);
-            turn_bound += 4.5L;
-            scale_bound = scale_bound * child.scale / 65536 + 0.5L;
-            wanted = exact_attach(&wanted, &step);
+            const exact_place step = exact_place_of(&local, &child);
+            bounds = exact_bounds_of_child(&bounds, &wanted, &step);
+            wanted = exact_attached(&wanted, &step);
             TEST_ASSERT_EQUAL(FXL_OK,
                               fxl_turn_attach(&centre, &turn, &local, &child, &centre, &turn));
-            const place found = exact_place(&centre, &turn);
-            expect_centre(&wanted, &centre, at_bound + 1e-6L);
-            TEST_ASSERT_NEAR(wanted.scale * 65536, turn.scale, scale_bound + 1e-6L);
-            for (int k = 0; k < 9; k++) {
-                TEST_ASSERT_NEAR(wanted.rows[k / 3][k % 3] * ONE, found.rows[k / 3][k % 3] * ONE,
-                                 turn_bound + 1e-6L);
-            }
+            expect_centre(&wanted, &centre, bounds.centre + 1e-6L);
+            TEST_ASSERT_NEAR(wanted.scale * 65536, turn.scale, bounds.scale + 1e-6L);
+            TEST_ASSERT_NEAR(exact_distance(&wanted.turn, &turn.orientation), 0,
+                             bounds.turn + 1e-6L);
         }
     }
 }

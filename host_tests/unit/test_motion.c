@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "exact_turn.h"
+#include "unit.h"
 #include "tiny.h"
 
 enum {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "exact_turn.h"
+#include "unit.h"
 
 static const fxl_point origin = {0, 0, 0};
 static const fxl_orientation identity = FXL_ORIENTATION_NONE;
@@ -55,38 +56,6 @@ static fxl_orientation times(const fxl_orientation *a, const fxl_orientation *b)
 static fxl_orientation any_orientation(void)
 {
     return by_angles(unit_random(), unit_random(), unit_random());
-}
-
-static void cross(const long double a[3], const long double b[3], long double out[3])
-{
-    for (int i = 0; i < 3; i++) {
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-    }
-}
-
-static void unit_vector(long double v[3])
-{
-    const long double length = sqrtl(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int i = 0; i < 3; i++) {
-        v[i] /= length;
-    }
-}
-
-static exact_turn exact_look(fxl_point direction, fxl_point up)
-{
-    long double forward[3] = {direction.x, direction.y, direction.z};
-    long double above[3] = {up.x, up.y, up.z}, right[3], top[3];
-    exact_turn result;
-    cross(above, forward, right);
-    unit_vector(forward);
-    unit_vector(right);
-    cross(forward, right, top);
-    for (int i = 0; i < 3; i++) {
-        result.at[i][0] = right[i];
-        result.at[i][1] = top[i];
-        result.at[i][2] = forward[i];
-    }
-    return result;
 }
 
 void test_turned_by_nothing_it_is_the_identity(void)
@@ -219,44 +188,13 @@ void test_directions_without_a_turn_are_refused(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &o, sizeof o);
 }
 
-/* The rotation nearest to the exact product, by Newton's method in long double. */
-static exact_turn nearest(const fxl_orientation *a, const fxl_orientation *b)
-{
-    fxl_q2_30 p[3][3], q[3][3];
-    exact_turn m, next;
-    exact_entries(a, p);
-    exact_entries(b, q);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            m.at[i][j] = 0;
-            for (int k = 0; k < 3; k++) {
-                m.at[i][j] += p[i][k] / EXACT_ONE * (q[k][j] / EXACT_ONE);
-            }
-        }
-    }
-    for (int step = 0; step < 2; step++) {
-        for (int i = 0; i < 3; i++) {
-            for (int j = 0; j < 3; j++) {
-                next.at[i][j] = 1.5L * m.at[i][j];
-                for (int k = 0; k < 3; k++) {
-                    for (int l = 0; l < 3; l++) {
-                        next.at[i][j] -= 0.5L * m.at[i][k] * m.at[l][k] * m.at[l][j];
-                    }
-                }
-            }
-        }
-        m = next;
-    }
-    return m;
-}
-
 void test_a_product_is_the_nearest_rotation(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
         fxl_orientation a = any_orientation(), b = any_orientation();
         a.x.y += unit_between(-1, 1); /* also where the rows are not the best ones */
         b.z.x += unit_between(-1, 1);
-        const exact_turn wanted = nearest(&a, &b);
+        const exact_turn wanted = exact_nearest_to_product(&a, &b);
         const fxl_orientation o = times(&a, &b);
         expect_near(&wanted, &o, 0.501L);
         expect_rows(&o);

@@ -21,6 +21,15 @@ CLAIMS = (
     Claim("matrix_entry_instance", 5, "2^-30", "An entry of the matrix of a turned and scaled instance "
           "in the view, divided by the power of two not below the scale, against the exact value for the "
           "camera's and the instance's angles."),
+    Claim("orientation_angles", 4, "2^-30", "An entry of an orientation made of three angles, against the exact value."),
+    Claim("orientation_axis", 4, "2^-30", "An entry of an orientation made of an axis and an angle, against the exact "
+          "value."),
+    Claim("orientation_look_at", 4, "2^-30", "An entry of an orientation that looks along a direction, against the "
+          "exact value."),
+    Claim("orientation_product", 0.501, "2^-30", "An entry of a product of two orientations, against the rotation "
+          "that is nearest to the exact product."),
+    Claim("orientation_parents", 1, "of its bound", "The centre, the scale and the orientation of an instance with up "
+          "to eight parents, against the exact ones, by the bounds for its depth."),
     Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
     Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
           "against the exact place, given its coordinates, the camera's position and matrix."),

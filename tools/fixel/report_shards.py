@@ -37,6 +37,11 @@ class Kind:
 CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("matrix_entry", 2_000_000, 100_000),
     ("matrix_entry_instance", 10_000_000, 250_000),
+    ("orientation_angles", 10_000_000, 250_000),
+    ("orientation_axis", 10_000_000, 250_000),
+    ("orientation_look_at", 10_000_000, 250_000),
+    ("orientation_product", 10_000_000, 250_000),
+    ("orientation_parents", 10_000_000, 100_000),
     ("sine_cosine", 2_000_000, 100_000),
     ("vertex_unclipped", 10_000_000, 250_000),
     ("outline_clipped", 1_000_000, 10_000),
