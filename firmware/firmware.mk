@@ -46,7 +46,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH PROGRAM_OMIT
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -117,6 +117,10 @@ PROGRAMS := walk game
 PROGRAM ?= walk
 ifeq ($(filter $(PROGRAM),$(PROGRAMS)),)
 $(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
+endif
+# A board without the memory for a program: make says so before anything is built.
+ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD))),)
+$(error PROGRAM=$(PROGRAM) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(board))),,$(board))))
 endif
 PROGRAM_SOURCES.walk := $(wildcard firmware/walk/*.c)
 PROGRAM_SOURCES.game := $(filter-out %/act_path.c,$(PROGRAM_SOURCES.walk)) $(wildcard firmware/game/*.c) examples/game/game.c

@@ -55,6 +55,14 @@ def test_boards_play_the_same_game(tmp_path, board):
     assert digest(play(tmp_path / "out", board, screen)) == SHA256[screen]
 
 
+def test_a_board_without_the_memory_says_so_before_anything_is_built(tmp_path):
+    done = run_make("run", "PROGRAM=game", "BOARD=stm32vldiscovery", f"BUILD={tmp_path / 'build'}")
+    assert done.returncode == 2 and not (tmp_path / "build").exists()
+    said = [line for line in done.stderr.splitlines() if line]
+    assert len(said) == 1 and "PROGRAM=game needs more memory than BOARD=stm32vldiscovery has; the boards" in said[0]
+    assert " microbit " in said[0] and said[0].count("stm32vldiscovery") == 1
+
+
 def test_it_is_a_game(played):
     """Shots, rocks and lives come and go, and the score is drawn."""
     _, drawn = played
