@@ -143,8 +143,16 @@ WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$
     $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%))) \
     $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH)
 
+# With ROWS=, its bands have so many rows at most: another program too, that differs in another object.
+ifneq ($(ROWS),)
+ifeq ($(filter $(ROWS),$(shell seq 1024)),)
+$(error ROWS=$(ROWS) is no number of rows from 1 to 1024)
+endif
+endif
+WALK_ROWS := $(ROWS:%=-rows-%)
+
 # The program of a board with what was chosen.
-WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS))
+WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS)$(WALK_ROWS))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
@@ -170,11 +178,20 @@ define PROGRAM_RULES
 $(call PROGRAM_FILE_OF,$(1),$(2)): $(call PROGRAM_OBJECTS_OF,$(1),$(2))
 endef
 
-define METHODS_RULES
-$(call WALK_OF,$(1)): $(filter-out %/methods.o,$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) $(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o
+# The objects that differ stand in place of the program's own.
+define CHOICE_RULES
+$(call WALK_OF,$(1)): $(filter-out $(if $(WALK_METHODS),%/methods.o) $(if $(WALK_ROWS),%/walk/walk.o),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
+    $(WALK_METHODS:%=$(FIRMWARE_OUT)/$(1)/methods%.o) $(WALK_ROWS:%=$(FIRMWARE_OUT)/$(1)/walk%.o)
+endef
 
+define METHODS_RULES
 $(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o: firmware/walk/methods.c firmware/firmware.mk boards/$(1)/board.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include $(BOARD_SETTINGS.$(1):%=-D%))
+endef
+
+define ROWS_RULES
+$(FIRMWARE_OUT)/$(1)/walk$(WALK_ROWS).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -DWALK_ROWS_MAX=$(ROWS) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 endef
 
 define HOSTED_RULES
@@ -200,7 +217,9 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
 
 $(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program)))))
+$(if $(WALK_METHODS)$(WALK_ROWS),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
+$(if $(WALK_ROWS),$(foreach board,$(BOARDS),$(eval $(call ROWS_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 
