@@ -71,7 +71,7 @@ IMAGE     := $(BUILD)/flash/$(BOARD).bin
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
 FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
-METHODS_OPTIONS := --program '$(PROGRAM)' $(if $(VISIBILITY),--visibility '$(VISIBILITY)') $(if $(CLIPPER),--clipper '$(CLIPPER)')
+METHODS_OPTIONS := --program '$(PROGRAM)' $(if $(VISIBILITY),--visibility '$(VISIBILITY)') $(if $(CLIPPER),--clipper '$(CLIPPER)') $(if $(ROWS),--rows '$(ROWS)')
 
 # --- commands ----------------------------------------------------------------
 
@@ -86,19 +86,19 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= OUT=]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= OUT=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS)
 
-view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= PORT= OPEN=1]
+view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
 	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
 	    $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
 	@tools/setup.sh $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 	@$(MAKE) $(WALK)
 ifeq ($(filter %.fxls,$(SCENE)),)

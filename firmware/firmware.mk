@@ -46,7 +46,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS UNIT_OMIT OPENOCD HOSTED BENCH PROGRAM_OMIT
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -118,6 +118,10 @@ PROGRAM ?= walk
 ifeq ($(filter $(PROGRAM),$(PROGRAMS)),)
 $(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
 endif
+# A board without the memory for a program: make says so before anything is built.
+ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD))),)
+$(error PROGRAM=$(PROGRAM) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(board))),,$(board))))
+endif
 PROGRAM_SOURCES.walk := $(wildcard firmware/walk/*.c)
 PROGRAM_SOURCES.game := $(filter-out %/act_path.c,$(PROGRAM_SOURCES.walk)) $(wildcard firmware/game/*.c) examples/game/game.c
 # $(1): a board, $(2): a program
@@ -139,8 +143,16 @@ WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$
     $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%))) \
     $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH)
 
+# With ROWS=, its bands have so many rows at most: another program too, that differs in another object.
+ifneq ($(ROWS),)
+ifeq ($(filter $(ROWS),$(shell seq 1024)),)
+$(error ROWS=$(ROWS) is no number of rows from 1 to 1024)
+endif
+endif
+WALK_ROWS := $(ROWS:%=-rows-%)
+
 # The program of a board with what was chosen.
-WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS))
+WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS)$(WALK_ROWS))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
@@ -166,11 +178,20 @@ define PROGRAM_RULES
 $(call PROGRAM_FILE_OF,$(1),$(2)): $(call PROGRAM_OBJECTS_OF,$(1),$(2))
 endef
 
-define METHODS_RULES
-$(call WALK_OF,$(1)): $(filter-out %/methods.o,$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) $(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o
+# The objects that differ stand in place of the program's own.
+define CHOICE_RULES
+$(call WALK_OF,$(1)): $(filter-out $(if $(WALK_METHODS),%/methods.o) $(if $(WALK_ROWS),%/walk/walk.o),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
+    $(WALK_METHODS:%=$(FIRMWARE_OUT)/$(1)/methods%.o) $(WALK_ROWS:%=$(FIRMWARE_OUT)/$(1)/walk%.o)
+endef
 
+define METHODS_RULES
 $(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o: firmware/walk/methods.c firmware/firmware.mk boards/$(1)/board.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include $(BOARD_SETTINGS.$(1):%=-D%))
+endef
+
+define ROWS_RULES
+$(FIRMWARE_OUT)/$(1)/walk$(WALK_ROWS).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -DWALK_ROWS_MAX=$(ROWS) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 endef
 
 define HOSTED_RULES
@@ -196,7 +217,9 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
 
 $(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program)))))
+$(if $(WALK_METHODS)$(WALK_ROWS),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
+$(if $(WALK_ROWS),$(foreach board,$(BOARDS),$(eval $(call ROWS_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 

@@ -205,11 +205,23 @@ static int open_renderer(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
+/* How many rows of a band fit into its memory, or fewer if the build says so. */
+static uint32_t band_rows(uint16_t width)
+{
+    const uint32_t most = WALK_BAND_BYTES / width;
+
+#ifdef WALK_ROWS_MAX
+    return most < WALK_ROWS_MAX ? most : WALK_ROWS_MAX;
+#else
+    return most;
+#endif
+}
+
 /* Draws the frame in bands as high as memory allows. */
 static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *watch)
 {
     const uint16_t width = image->lens.width, height = image->lens.height;
-    const uint32_t rows_max = WALK_BAND_BYTES / width;
+    const uint32_t rows_max = band_rows(width);
     uint32_t row, rows;
 
     for (row = 0; row < height; row += rows) {

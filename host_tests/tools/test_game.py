@@ -21,13 +21,14 @@ SHA256 = {
 }
 
 
-def play(out, board, screen, frames=FRAMES):
-    """The frames of the recorded play on a board."""
-    name = f"build/boards/{board}/game{'' if board == 'host' else '.elf'}"
-    built = run_make(name, "build/boards/host/game")
+def play(out, board, screen, frames=FRAMES, rows=None):
+    """The frames of the recorded play on a board, in bands of at most so many rows."""
+    choice, options = (f"-rows-{rows}", ["--rows", rows]) if rows else ("", [])
+    name = f"build/boards/{board}/game{choice}{'' if board == 'host' else '.elf'}"
+    built = run_make(name, f"build/boards/host/game{choice}", "PROGRAM=game", *([f"ROWS={rows}"] if rows else []))
     assert built.returncode == 0, built.stdout + built.stderr
     done = run_cli("run", "--program", "game", "--board", board, "--scene", SCENE, "--screen", screen, "--out", out,
-                   "--frames", frames)
+                   "--frames", frames, *options)
     assert done.returncode == 0, done.stdout + done.stderr
     summary = json.loads((out / "summary.json").read_text())
     assert summary["host_frames_equal"] and summary["pixels_differing"] is None
@@ -53,6 +54,24 @@ def test_the_recorded_play_is_the_recorded_one(played):
 def test_boards_play_the_same_game(tmp_path, board):
     screen = SMALL if board == "lm3s6965evb" else "320x240"
     assert digest(play(tmp_path / "out", board, screen)) == SHA256[screen]
+
+
+def test_bands_of_three_rows_play_the_same_game(tmp_path):
+    assert digest(play(tmp_path / "out", "microbit", "320x240", rows=3)) == SHA256["320x240"]
+
+
+def test_no_number_of_rows_is_refused():
+    for rows in ("0", "1025", "x"):
+        done = run_make("run", f"ROWS={rows}")
+        assert done.returncode == 2 and f"ROWS={rows} is no number of rows from 1 to 1024" in done.stderr
+
+
+def test_a_board_without_the_memory_says_so_before_anything_is_built(tmp_path):
+    done = run_make("run", "PROGRAM=game", "BOARD=stm32vldiscovery", f"BUILD={tmp_path / 'build'}")
+    assert done.returncode == 2 and not (tmp_path / "build").exists()
+    said = [line for line in done.stderr.splitlines() if line]
+    assert len(said) == 1 and "PROGRAM=game needs more memory than BOARD=stm32vldiscovery has; the boards" in said[0]
+    assert " microbit " in said[0] and said[0].count("stm32vldiscovery") == 1
 
 
 def test_it_is_a_game(played):

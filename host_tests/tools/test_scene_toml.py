@@ -113,6 +113,14 @@ def test_the_centre_of_the_lens(tmp_path):
     assert build(tmp_path, "[view]\ncentre = [-0.5, '481/2']\n" + BOX + PATH)[0].centre == (-32768, 481 << 15)
 
 
+def test_an_export_names_the_centre(tmp_path):
+    scene, _ = build(tmp_path, "[view]\ncentre = [-0.5, 60]\n" + BOX + PATH)
+    text = c_scene.header(scene, "x", "x.toml")
+    assert "#define X_CENTRE_X (-32768)\n#define X_CENTRE_Y 3932160\n" in text
+    assert "fxl_renderer_set_centre(&renderer," in text
+    assert "CENTRE" not in c_scene.header(build(tmp_path, BOX + PATH)[0], "x", "x.toml")
+
+
 def test_another_screen_keeps_the_perspective(tmp_path):
     """Half as wide: half of the focal length, so the centre is half as far from the middle."""
     file = tmp_path / "x.toml"

@@ -16,6 +16,8 @@ import record
 from PIL import Image
 from conftest import assert_one_sentence, run_cli
 
+import scene as scene_tool
+from board_programs import ROOT, built
 from fixel import browser
 from fixel.errors import ToolError
 from viewers import BOARDS, HEIGHT, WIDTH, left, own_build, plaza, port_of, ready
@@ -243,6 +245,39 @@ def test_a_port_in_use_is_refused(window, board, scene, build, tmp_path):
 
 
 # --- the recording ------------------------------------------------------------------
+
+def test_the_game_is_played_in_it(chromium, build, tmp_path):
+    """Keys aim and shoot; nothing is offered to compare it with. build/view/game.png is how it looked."""
+    ready("mps2-an385", build)
+    built("mps2-an385/game.elf")
+    image = tmp_path / "game.fxls"
+    scene_tool.build(str(ROOT / "examples" / "game" / "game.toml"), str(image))
+    with browser.viewing("mps2-an385", image, build, ("--program", "game")) as (_, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(0)
+        page.wait_for_function("() => document.getElementById('board-rate').textContent !== '–'")
+        wait_for_frames(page, 3)
+        for key, sign in (("ArrowRight", 1), ("ArrowLeft", -1)):
+            before, (picture,) = figure(page, "yaw"), canvases(page, "fixed")
+            page.keyboard.down(key)
+            page.wait_for_function("""([sign, before]) => sign * (((parseFloat(document.getElementById("yaw").textContent)
+                                      - before + 540) % 360) - 180) >= 3""", arg=[sign, before])
+            page.keyboard.up(key)
+            wait_for_frames(page, 2)
+            (moved,) = canvases(page, "fixed")
+            assert numpy.mean((moved != picture).any(axis=2)) > 0.001
+        drawn = "() => Number(document.querySelector('#polygons tr[data-name=in]').cells[1].textContent.replace(/,/g, ''))"
+        seen = {page.evaluate(drawn)}
+        page.keyboard.down("ArrowUp")
+        for _ in range(40):     # shots come and go
+            wait_for_frames(page, 2)
+            seen.add(page.evaluate(drawn))
+        page.keyboard.up("ArrowUp")
+        assert len(seen) > 1
+        assert page.is_hidden("#beside-choice")
+        page.screenshot(path=str(build / "view" / "game.png"))
+        assert page.complaints == []
+
 
 def test_the_recording(scene, build, tmp_path):
     ready("mps2-an385", build)

@@ -8,7 +8,7 @@ from PIL import Image
 import pytest
 
 
-@pytest.mark.parametrize("scene, least", [("tiny", 500), ("w1", 10_000), ("adversarial", 4_000)])
+@pytest.mark.parametrize("scene, least", [("tiny", 500), ("w1", 10_000), ("adversarial", 4_000), ("window", 2_000)])
 def test_wireframes_are_the_twins(scene, least, tmp_path):
     out = tmp_path / "wire"
     done = run_make("wire", f"SCENE=scenes/{scene}.toml", f"OUT={out}")
@@ -22,3 +22,16 @@ def test_wireframes_are_the_twins(scene, least, tmp_path):
     assert summary["intersections_by_codes"] < summary["intersections_by_planes"]
     assert Image.open(out / "frame_0000.png").getcolors()
     assert "pass" in done.stdout
+
+
+def test_what_moves_moves(tmp_path):
+    """The eye stands still; the reference renderer has each frame's own turns."""
+    scene = tmp_path / "turning.toml"
+    scene.write_text('[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\nspin = { axis = [1, 2, 0], degrees = 7 }\n'
+                     '[path]\nkeys = [{ position = [0, 0, 0], frames = 6 }, { position = [0, 0, 0] }]\n', encoding="utf-8")
+    out = tmp_path / "wire"
+    done = run_make("wire", f"SCENE={scene}", f"OUT={out}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert json.loads((out / "summary.json").read_text())["pixels_unexplained"] == 0
+    pictures = [Image.open(file).tobytes() for file in sorted(out.glob("frame_*.png"))]
+    assert len(set(pictures)) == len(pictures) > 5

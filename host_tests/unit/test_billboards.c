@@ -421,3 +421,34 @@ void test_null_pointers_are_refused(void)
     memset(&renderer, 0, sizeof renderer);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
 }
+
+/* The picture of a moved centre is that of the middle, moved by as much, in whole pixels here. */
+void test_an_off_centre_lens_shows_the_same_sprite(void)
+{
+    uint32_t shown = 0, differing = 0;
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        const fxl_pose pose = any_pose();
+        const int dx = unit_between(-WIDTH, WIDTH), dy = unit_between(-HEIGHT, HEIGHT);
+        fxl_lens lens;
+        const fxl_memory memory = {order, TINY_INSTANCES, NULL, 0, NULL, 0};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(WIDTH, HEIGHT, FXL_ANGLE_QUARTER, Q16(0.0625),
+                                                    Q16(1000), 0, &lens));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        draw(whole, HEIGHT, &renderer.workspace);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, Q16(WIDTH / 2) + dx * 65536,
+                                                          Q16(HEIGHT / 2) + dy * 65536));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        draw(other, HEIGHT, &renderer.workspace);
+        for (int y = dy > 0 ? dy : 0; y < HEIGHT && y - dy < HEIGHT; y++) {
+            for (int x = dx > 0 ? dx : 0; x < WIDTH && x - dx < WIDTH; x++) {
+                shown += other[y][x] >= 100 && other[y][x] < BACKGROUND;
+                differing += other[y][x] != whole[y - dy][x - dx];
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(shown > UNIT_REPEAT / 100);
+    TEST_ASSERT_TRUE(differing <= shown / 1000);
+}

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* wire SCENE.fxls OUT.fxld [--frames N]
  *
- * Draws a scene's path as wireframes into a frame dump, with both line clippers and in bands
- * of several heights, which must agree, and compares it with the reference renderer. Prints
- * what it found as JSON. Exit code 0: it ran; 2: it could not. */
+ * Draws a scene's path as wireframes into a frame dump, what moves included, with both line
+ * clippers and in bands of several heights, which must agree, and compares it with the reference
+ * renderer. Prints what it found as JSON. Exit code 0: it ran; 2: it could not. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +11,7 @@
 
 #include "fixel/all.h"
 #include "frames/dump.h"
+#include "frames/moving_reference.h"
 #include "frames/read_file.h"
 #include "frames/session.h"
 #include "path.h"
@@ -67,9 +68,10 @@ static void compare(const ref_wire *lines, const fxl_scene_image *image, finding
     }
 }
 
-static bool draw_all(const fxl_scene_image *image, const ref_scene_image *reference, dump *to,
-                    uint32_t frames, findings *found)
+static bool draw_all(const session *run, const ref_lens *lens, moving_reference *moving, dump *to,
+                     uint32_t frames, findings *found)
 {
+    const fxl_scene_image *image = &run->image;
     static fxl_wire by_planes, by_codes;
     walk_path path;
     ref_wire lines = {0};
@@ -79,13 +81,15 @@ static bool draw_all(const fxl_scene_image *image, const ref_scene_image *refere
         fxl_wire_init(&by_planes, &image->scene, &image->lens, fxl_line_by_planes) == FXL_OK &&
         fxl_wire_init(&by_codes, &image->scene, &image->lens, fxl_line_by_codes) == FXL_OK;
     for (uint32_t i = 0; done && i < frames; i++) {
+        session_play(run, i);
+        moving_reference_play(moving, i);
         done = walk_path_next(&path, 0) == FXL_OK &&
                draw(&by_planes, image, &path.viewer.pose, image->lens.height, pixels[0]) &&
                draw(&by_codes, image, &path.viewer.pose, 1 + i % 16, pixels[1]);
         const fxl_pose *p = &path.viewer.pose;
         const ref_pose pose = {
             {p->position.x, p->position.y, p->position.z}, p->yaw, p->pitch, p->roll};
-        done = done && ref_wire_frame(&lines, &reference->scene, &reference->lens, &pose);
+        done = done && ref_wire_frame(&lines, &moving->scene, lens, &pose);
         if (done) {
             const fxl_counters counters = {.in = by_planes.counters.in,
                                            .outside = by_planes.counters.outside,
@@ -104,7 +108,7 @@ static bool draw_all(const fxl_scene_image *image, const ref_scene_image *refere
     return done;
 }
 
-static int save(const char *out, const fxl_scene_image *image, const ref_scene_image *reference,
+static int save(const char *out, const session *run, const ref_lens *lens, moving_reference *moving,
                 uint32_t frames, findings *found)
 {
     FILE *file = fopen(out, "wb");
@@ -112,8 +116,8 @@ static int save(const char *out, const fxl_scene_image *image, const ref_scene_i
     if (!file) {
         return fail(out, strerror(errno));
     }
-    dump_begin(&to, file, image, frames);
-    const bool done = draw_all(image, reference, &to, frames, found);
+    dump_begin(&to, file, &run->image, frames);
+    const bool done = draw_all(run, lens, moving, &to, frames, found);
     const bool saved = dump_end(&to);
     if (fclose(file) != 0 || !saved) {
         return fail(out, "it cannot be written");
@@ -132,20 +136,22 @@ int main(int count, char **arguments)
     if (!bytes) {
         return fail(arguments[1], "it cannot be read");
     }
-    fxl_scene_image image;
+    static session run;
     ref_scene_image reference;
-    const fxl_status status = fxl_scene_open(bytes, size, &image, NULL);
-    if (status != FXL_OK) {
-        return fail(arguments[1], fxl_status_text(status));
-    }
-    const char *wrong = ref_scene_open(bytes, size, &reference);
+    moving_reference moving;
+    const char *wrong = session_open(&run, arguments[1]);
+    wrong = wrong ? wrong : ref_scene_open(bytes, size, &reference);
     if (wrong) {
         return fail(arguments[1], wrong);
     }
+    if (!moving_reference_open(&moving, &reference, bytes, size)) {
+        return fail(arguments[1], "no memory for what moves");
+    }
     uint32_t frames = asked ? (uint32_t)strtoul(arguments[4], NULL, 10) : 0;
-    frames = frames > 0 && frames < image.frame_count ? frames : image.frame_count;
+    frames = frames > 0 && frames < run.image.frame_count ? frames : run.image.frame_count;
     findings found = {0};
-    const int code = save(arguments[2], &image, &reference, frames, &found);
+    const int code = save(arguments[2], &run, &reference.lens, &moving, frames, &found);
+    moving_reference_close(&moving);
     ref_scene_close(&reference);
     free(bytes);
     if (code != 0) {

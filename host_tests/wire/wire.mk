@@ -2,7 +2,8 @@
 # build/host/wire: a scene's frames as wireframes, against the reference renderer's.
 
 WIRE_OBJECTS := $(BUILD)/host/objects/wire/main.o $(BUILD)/host/objects/frames/dump.o \
-    $(BUILD)/host/objects/frames/path.o $(BUILD)/host/objects/frames/session.o $(BUILD)/host/objects/frames/read_file.o
+    $(BUILD)/host/objects/frames/path.o $(BUILD)/host/objects/frames/session.o $(BUILD)/host/objects/frames/read_file.o \
+    $(BUILD)/host/objects/frames/moving_reference.o
 HOST_TOOLS += $(BUILD)/host/wire
 
 $(BUILD)/host/objects/wire/%.o: host_tests/wire/%.c

@@ -10,18 +10,20 @@ WALK = "walk"   # the program whose frames the judge can draw too: only the eye 
 
 
 def add_options(parser):
-    """--program, --visibility and --clipper. make knows the names, and refuses others."""
+    """--program, --visibility, --clipper and --rows. make knows the names, and refuses others."""
     parser.add_argument("--program", default=WALK, help="the program (default: walk)")
     parser.add_argument("--visibility", help="the visibility method (default: the scene's BSP tree if it has one, "
                                              "else sorted)")
     parser.add_argument("--clipper", help="the clipper (default: view)")
+    parser.add_argument("--rows", help="the most rows of a band (default: what fits into the board's memory)")
 
 
 def program(options):
     """The name of the program of a choice; firmware/firmware.mk says the same."""
+    rows = f"-rows-{options.rows}" if options.rows else ""
     if not options.visibility and not options.clipper:
-        return options.program
-    return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}"
+        return options.program + rows
+    return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}{rows}"
 
 
 def judge_options(options):

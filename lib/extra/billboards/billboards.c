@@ -4,6 +4,7 @@
 #include "../../src/draw/draw_band.h"
 #include "../../src/draw/renderer.h"
 #include "../../src/draw/submit_instance.h"
+#include "../../src/math/arith.h"
 #include "../../src/math/pixel_centre.h"
 #include "billboard_paint.h"
 #include "fixel/extra/billboards.h"
@@ -34,6 +35,21 @@ static fxl_q18_46 scaled(fxl_q16_16 length, fxl_q16_16 scale)
     return (int64_t)fxl_multiply_u32((uint32_t)length, (uint32_t)scale) << 14;
 }
 
+/* A length along right or up, in the view. The rows of a sheared view are shorter, by the ratio of
+ * the focal lengths (SPEC.md, section 4.2), which is rounded to 2^-30; the rest of the product is
+ * cut off: a unit of 2^-46. The focal lengths are below 2^29 and the length below 2^60, so the
+ * products are below 2^59 and 2^62. */
+static fxl_q18_46 in_view(const fxl_view *view, fxl_q18_46 length)
+{
+    const fxl_q16_16 focal = view->lens.focal, drawn = fxl_view_drawn_focal(view);
+    if (focal == drawn) { /* bug: sprite-sheared */
+        return length;
+    }
+    const int32_t ratio = fxl_divide_round((int64_t)focal * FXL_Q2_30_ONE, (uint32_t)drawn);
+    return fxl_multiply_s32(ratio, (int32_t)(length >> 32)) * 4 +
+           (int64_t)(fxl_multiply_u32((uint32_t)ratio, (uint32_t)length) >> 30);
+}
+
 /* Left and top, right and bottom. False where a corner is out of the range of screen coordinates.
  * A coordinate of the view is below 2^61, a side below 2^60: sums are below 2^62. */
 static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
@@ -42,10 +58,11 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
 {
     const int64_t limit = ((int64_t)1 << 61) - 1; /* of what is projected */
     fxl_view_point left_top, right_bottom;
-    left_top.x = centre->x - scaled(billboard->anchor_x, scale);
-    right_bottom.x = left_top.x + scaled(billboard->width, scale);
-    right_bottom.y = centre->y - scaled(billboard->anchor_y, scale); /* bug: sprite-anchor */
-    left_top.y = right_bottom.y + scaled(billboard->height, scale);
+    left_top.x = centre->x - in_view(view, scaled(billboard->anchor_x, scale));
+    right_bottom.x = left_top.x + in_view(view, scaled(billboard->width, scale));
+    /* bug: sprite-anchor */
+    right_bottom.y = centre->y - in_view(view, scaled(billboard->anchor_y, scale));
+    left_top.y = right_bottom.y + in_view(view, scaled(billboard->height, scale));
     left_top.z = right_bottom.z = centre->z;
     return fxl_within(left_top.x, limit) && fxl_within(left_top.y, limit) &&
            fxl_within(right_bottom.x, limit) && fxl_within(right_bottom.y, limit) &&
