@@ -33,7 +33,7 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens);
  */
 static inline fxl_q16_16 fxl_view_drawn_focal(const fxl_view *view)
 {
-    return (fxl_q16_16)(view->projection.factor >> 2);
+    return FXL_CAST(fxl_q16_16, view->projection.factor >> 2);
 }
 
 /* The centred lens that the view is drawn with: view->lens itself if that is centred. A stage takes
