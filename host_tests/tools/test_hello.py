@@ -271,13 +271,25 @@ def test_two_cores_draw_the_same_picture(page, picture):
     assert drawn(page, "-pthread", "threads.c").tobytes() == picture.tobytes()
 
 
-def watched(page, *files):
-    """What a program of two threads writes. ThreadSanitizer, with the library's sources, ends it with 66 where the
-    threads meet."""
+WATCHED = (*C11, "-O1", "-pthread", "-fsanitize=thread", "-ffunction-sections", "-fdata-sections",
+           f"-I{ROOT / 'lib'}", f"-I{ROOT / 'lib' / 'include'}")
+
+
+@pytest.fixture(scope="module")
+def watched_library(tmp_path_factory):
+    """The library's objects with ThreadSanitizer, for all programs of two threads."""
+    folder = tmp_path_factory.mktemp("watched")
     sources = [*(ROOT / "lib" / "src").glob("*/*.c"), *(ROOT / "lib" / "kernels").glob("*/*.c")]
-    built_so = subprocess.run([*C11, "-O1", "-pthread", "-fsanitize=thread", "-ffunction-sections", "-fdata-sections",
-                               "-Wl,--gc-sections", f"-I{ROOT / 'lib'}", f"-I{ROOT / 'lib' / 'include'}", *files,
-                               *sources, "-o", "threads"],
+    done = subprocess.run([*WATCHED, "-c", *sources], cwd=folder, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    objects = list(folder.glob("*.o"))
+    assert len(objects) == len(sources)
+    return objects
+
+
+def watched(page, library_objects, *files):
+    """What a program of two threads writes. ThreadSanitizer ends it with 66 where the threads meet."""
+    built_so = subprocess.run([*WATCHED, "-Wl,--gc-sections", *files, *library_objects, "-o", "threads"],
                               cwd=page, capture_output=True, text=True, check=False)
     assert (built_so.returncode, built_so.stderr) == (0, "")
     # Without random addresses: some kernels choose such as ThreadSanitizer cannot start with.
@@ -287,13 +299,13 @@ def watched(page, *files):
 
 
 @pytest.mark.parametrize("least", [[], ["-DLEAST"]])
-def test_two_cores_touch_nothing_of_each_other(page, picture, least):
-    assert watched(page, *least, "threads.c") == picture.tobytes()
+def test_two_cores_touch_nothing_of_each_other(page, picture, watched_library, least):
+    assert watched(page, watched_library, *least, "threads.c") == picture.tobytes()
 
 
 @pytest.mark.parametrize("least", [[], ["-DLEAST"]])
-def test_a_frame_begins_while_another_is_drawn(page, least):
-    assert watched(page, *least, "threads_ahead.c", "rows.c") == drawn(page, "whole.c").tobytes()
+def test_a_frame_begins_while_another_is_drawn(page, watched_library, least):
+    assert watched(page, watched_library, *least, "threads_ahead.c", "rows.c") == drawn(page, "whole.c").tobytes()
 
 
 def test_the_loop_draws_the_path(page):

@@ -130,6 +130,6 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     paint->blend_first = (uint8_t)set->blend_first;
     paint->blend_count = set->blend_count;
     paint->colour = polygon->colour;
-    paint->division = surface->division == FXL_AFFINE ? FXL_DIVIDE_16 : surface->division;
+    paint->division = surface->division == FXL_AFFINE ? (uint8_t)FXL_DIVIDE_16 : surface->division;
     paint->opacity = surface->opacity;
 }
