@@ -202,7 +202,7 @@ predict: ## predict flash, RAM, stack and instructions a frame before anything i
 	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD)) --list-most $(call LIST_MOST_OF,$(BOARD)) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(JSON),--json '$(JSON)')
 
-costs: ## renew bench/costs.json, from which make predict predicts
+costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=]
 	@tools/setup.sh report
 	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTS_BOARDS),$(BOARD_WALK.$(board)))
 	@$(PY) tools/costs.py --cores $(COSTS_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTS_BOARDS) --build $(BUILD)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Renews bench/costs.json: what a frame costs on a core, and what the walk takes on a board.
+"""Renews bench/costs.json: what a frame costs on the cores given, and what the walk takes on the boards given.
 
 Counts what the library does in scenes of the bench and in two of its own, and the instructions that programs of the bench
 execute for them, with the memory of a large board down to that of a small one. Fits a cost for each count. Exit: 0 done,
@@ -23,8 +23,7 @@ from fixel.errors import ToolError, run_main
 from fixel.table import table
 
 FRAMES = 30         # of each scene, at most
-MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "scenes/plaza-turned.toml", "scenes/tiny.toml",
-        "scenes/cube.toml", "scenes/adversarial.toml")
+MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
 STACK_FRAMES = 4
 
@@ -97,17 +96,20 @@ def setting(text):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cores", nargs="+", required=True)
-    parser.add_argument("--sizes", nargs="+", required=True, type=setting, metavar="NAME=ROWS:WORDS:ENTRIES")
-    parser.add_argument("--boards", nargs="+", required=True)
+    parser.add_argument("--cores", nargs="*", default=[], help="others stay as they are in the file")
+    parser.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES", help="of the cores' programs")
+    parser.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     plan = bench_plan.Plan(options.build)
     qemu.find_qemu()
+    if options.cores and not options.sizes:
+        raise ToolError("--cores needs --sizes")
+    known = costs.load() if costs.FILE.exists() else {"cores": {}, "boards": {}}
     with scratch.folder("costs") as folder:
-        found, errors = cores(plan, options.cores, dict(options.sizes), folder)
+        found, errors = cores(plan, options.cores, dict(options.sizes or []), folder) if options.cores else ({}, "")
         boards = {board: board_sizes(board, options.build, folder) for board in options.boards}
-    output.write_json(costs.FILE, {"cores": found, "boards": boards})
+    output.write_json(costs.FILE, {"cores": {**known["cores"], **found}, "boards": {**known["boards"], **boards}})
     print(errors)
     print(f"{costs.FILE}", file=sys.stderr)
     return 0

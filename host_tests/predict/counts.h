@@ -7,13 +7,33 @@
     X(instances_seen) \
     X(instances_viewed) \
     X(instances_passed) \
+    X(turned_checked) \
     X(turned_viewed) \
-    X(turned_normals) \
     X(faces_tested) \
-    X(faces_facing) X(faces_sorted) X(faces_clipped) X(faces_outside) X(faces_between) X(corners) \
-        X(vertices) X(projections) X(assembled) X(cut_edges) X(list_polygons) X(list_words) \
-            X(list_reads) X(list_scanned) X(spilled_faces) X(row_searches) X(polygons) \
-                X(polygons_drawn) X(trapezoids) X(edges) X(rows) X(pixels) X(bands) X(cleared)
+    X(faces_facing) \
+    X(faces_sorted) \
+    X(faces_clipped) \
+    X(faces_outside) \
+    X(faces_between) \
+    X(corners) \
+    X(vertices) \
+    X(projections) \
+    X(assembled) \
+    X(cut_edges) \
+    X(list_polygons) \
+    X(list_words) \
+    X(list_reads) \
+    X(list_scanned) \
+    X(spilled_faces) \
+    X(row_searches) \
+    X(polygons) \
+    X(polygons_drawn) \
+    X(trapezoids) \
+    X(edges) \
+    X(rows) \
+    X(pixels) \
+    X(bands) \
+    X(cleared)
 
 typedef struct {
 #define X(name) double name;

@@ -124,6 +124,9 @@ static fxl_status draw_all(session *run, uint32_t frames, uint32_t rows)
         if (status != FXL_OK) {
             return status;
         }
+        counted.frames = 1;
+        counted.instances = run->image.scene.instance_count;
+        counted.instances_seen = run->renderer.frame.visible_count;
         print_counts(i == 0);
     }
     return FXL_OK;

@@ -8,6 +8,7 @@
 #include "src/clip/intersect_edge.h"
 #include "src/draw/reach.h"
 #include "src/raster/draw_outline.h"
+#include "src/scene/turn_code.h"
 #include "src/view/turned_view.h"
 
 #include "fixel/stage/fill.h"
@@ -18,54 +19,46 @@ predict_counts counted;
 /* Under way is a band that looks at those faces alone of which it knows that they reach it. */
 static bool passes_over;
 
-/* The declarations of the functions that are wrapped, under both names. */
+/* The declarations of a function that is wrapped, under both names. */
 #define WRAPPED(result, name, parameters) \
     result __real_##name parameters; \
     result __wrap_##name parameters; \
+    _Static_assert(__builtin_types_compatible_p(__typeof__(name), __typeof__(__real_##name)), \
+                   #name " is declared otherwise"); \
     result __wrap_##name parameters
 
 /* --- instances and faces ------------------------------------------------------------------ */
 
-WRAPPED(uint32_t, fxl_order_instances,
-        (const fxl_scene *scene, const fxl_camera *camera, const fxl_view_frustum *frustum,
-         fxl_order_entry *entries, uint32_t *left_out))
+/* Faces of an instance of which is asked whether they face the eye. */
+static uint32_t faces_to_test(const fxl_model *model)
 {
-    const uint32_t seen = __real_fxl_order_instances(scene, camera, frustum, entries, left_out);
-    counted.frames += 1;
-    counted.instances += scene->instance_count;
-    counted.instances_seen += seen;
-    return seen;
+    return model->kind == FXL_MODEL_CONVEX && !passes_over ? model->face_count : 0;
 }
 
 WRAPPED(void, fxl_model_view_of_instance,
         (fxl_model_view * model_view, const fxl_scene *scene, const fxl_instance *instance,
          const fxl_view *view, fxl_vertex_cache *cache))
 {
-    const fxl_model *model = &scene->models[instance->model];
     counted.instances_viewed += 1;
-    counted.faces_tested += model->kind == FXL_MODEL_CONVEX && !passes_over ? model->face_count : 0;
+    counted.faces_tested += faces_to_test(&scene->models[instance->model]);
     __real_fxl_model_view_of_instance(model_view, scene, instance, view, cache);
 }
 
-WRAPPED(void, fxl_turned_view_of_instance,
+WRAPPED(const fxl_model *, fxl_turned_view_of_instance,
         (fxl_turned_view * turned, const fxl_scene *scene, uint32_t number, const fxl_view *view,
-         fxl_vertex_cache *cache))
+         fxl_vertex_cache *cache, uint32_t planes))
 {
+    const fxl_model *model =
+        __real_fxl_turned_view_of_instance(turned, scene, number, view, cache, planes);
     counted.turned_viewed += 1;
-    __real_fxl_turned_view_of_instance(turned, scene, number, view, cache);
+    counted.faces_tested += faces_to_test(model);
+    return model;
 }
 
-WRAPPED(void, fxl_turn_direction,
-        (const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned))
+WRAPPED(bool, fxl_is_rotation, (const fxl_orientation *rows))
 {
-    counted.turned_normals += 1;
-    __real_fxl_turn_direction(turn, direction, turned);
-}
-
-WRAPPED(bool, fxl_turned_view_is_front, (const fxl_turned_view *turned, const fxl_face *face))
-{
-    counted.turned_normals += 1;
-    return __real_fxl_turned_view_is_front(turned, face);
+    counted.turned_checked += 1;
+    return __real_fxl_is_rotation(rows);
 }
 
 WRAPPED(uint32_t, fxl_order_front_faces,

@@ -205,6 +205,16 @@ def test_as_many_triangles_of_gltf_as_there_may_be(tmp_path):
     assert_built(tmp_path, file)
 
 
+def test_as_many_faces_with_images_as_there_may_be(tmp_path):
+    points, triangles = waves(63)
+    noise = png([[((x * 79 + y * 104) % 256, (x * 31 + y * 17) % 256, (x * x + y) % 256) for x in range(256)] for y in range(256)])
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(points, triangles, uvs=[(x / 63, y / 63) for x, y, _ in points], image=noise)))
+    (tmp_path / "scene.toml").write_text('[[objects]]\nmodel = "m.glb"\nfit = 9\nimages = { size = 256, colours = 255, levels = 9 }\n')
+    code, said = run_bounded(tmp_path, "build", tmp_path / "scene.toml", "-o", tmp_path / "out.fxls",
+                             size=(tmp_path / "m.glb").stat().st_size)
+    assert code == 0, said[-2000:]
+
+
 def test_as_many_nodes_of_gltf_as_there_may_be(tmp_path):
     data, blob = gltf(*TETRAHEDRON, nodes=[{"mesh": 0, "translation": [i, i % 7, 0]} for i in range(4096)])
     data["scenes"][0]["nodes"] = list(range(4096))

@@ -30,11 +30,12 @@ def fuzzed(test):
                                suppress_health_check=quiet)(test))
 
 
-def check(name, data):
-    """Compiles a file of these bytes, or reads it as an image."""
+def check(name, data, *beside):
+    """Compiles a file of these bytes, or reads it as an image. beside: (name, bytes) of other files of its folder."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / name
-        file.write_bytes(data)
+        for other, content in ((name, data), *beside):
+            (pathlib.Path(folder) / other).write_bytes(content)
         try:
             if file.suffix == ".fxls":
                 image.unpack(image.pack(image.load(file)))
@@ -110,6 +111,12 @@ def gltf_files(draw):
 @given(gltf_files())
 def test_any_gltf_file(data):
     check("model.glb", data)
+
+
+@fuzzed
+@given(gltf_files(), st.sampled_from(["images = true", "images = { size = 2, levels = 3 }", "merge = true\nmend = true\nfit = 3"]))
+def test_any_gltf_file_in_a_scene(data, keys):
+    check("scene.toml", f'[[objects]]\nmodel = "model.glb"\n{keys}\n'.encode(), ("model.glb", data))
 
 
 @fuzzed

@@ -203,3 +203,78 @@ def test_keys_that_are_wrong(tmp_path, text, words):
         compiled(tmp_path, f"[[objects]]\n{text}\n", m_glb=glb(*gltf(*SQUARE)))
     for word in words:
         assert word in str(caught.value)
+
+
+# --- images as textures --------------------------------------------------------------------
+
+CLOTH = png([[(250, 0, 0)] * 8 + [(0, 0, 250)] * 8] * 4)
+
+
+def textured(tmp_path, objects, **material):
+    data, blob = gltf(*SQUARE, uvs=[(0, 0), (2, 0), (2, 1), (0, 1)], image=CLOTH, material=material)
+    return compiled(tmp_path, f'[[objects]]\nmodel = "m.glb"\n{objects}', m_glb=glb(data, blob))[0]
+
+
+def test_an_image_becomes_a_texture_at_the_files_coordinates(tmp_path):
+    made = textured(tmp_path, "images = true\nfit = 4\n")
+    texture, = made.surfaces.textures
+    assert (texture.log_width, texture.log_height, texture.levels) == (4, 2, 1)
+    assert [made.palette[entry] for entry in texture.texels[:16]] == [(250, 0, 0)] * 8 + [(0, 0, 250)] * 8
+    found = {}      # vertex -> texel, in texels from the upper left corner
+    for face in made.models[0].faces:
+        for corner, texel in zip(face.mapped.corners, face.mapped.texels):
+            found[made.models[0].vertices[face.corners[corner]]] = texel
+    left, right = (end(x for x, _, _ in found) for end in (min, max))
+    top, bottom = (end(y for _, y, _ in found) for end in (max, min))
+    # The file's (0, 0, 0) is at u = 0, v = 0, its (1, 1, 0) at u = 2, v = 1; its y is up.
+    assert {point: texel for point, texel in found.items()} == {
+        (left, bottom, 0): (0, 0), (right, bottom, 0): (32 << 16, 0), (right, top, 0): (32 << 16, 4 << 16),
+        (left, top, 0): (0, 4 << 16)}
+
+
+def test_images_are_scaled_by_a_box_filter_and_have_levels(tmp_path):
+    made = textured(tmp_path, "images = { size = 2, levels = 2 }\n", baseColorFactor=[1, 1, 1, 1])
+    texture, = made.surfaces.textures
+    assert (texture.log_width, texture.log_height, texture.levels) == (1, 1, 2)
+    assert [made.palette[entry] for entry in texture.texels] == [(250, 0, 0), (0, 0, 250)] * 2 + [(125, 0, 125)]
+
+
+def test_what_is_clear_in_an_image_is_not_drawn_and_opacity_is_a_pattern(tmp_path):
+    from PIL import Image
+    import io
+    out = io.BytesIO()
+    Image.new("RGBA", (4, 4), (9, 99, 199, 0)).save(out, "PNG")
+    data, blob = gltf(*SQUARE, uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=out.getvalue(), material={"baseColorFactor": [1, 1, 1, 0.5]})
+    data["materials"][0]["alphaMode"] = "BLEND"
+    made, notes = compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\nimages = true\n', m_glb=glb(data, blob))
+    assert made.surfaces.textures[0].flags & 2 and made.surfaces.surfaces[0].opacity == 8
+    assert not any("drawn opaque" in note for note in notes)
+
+
+def test_faces_without_an_image_keep_their_colour(tmp_path):
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nimages = true\nshade = false\n',
+                       m_obj=QUADS, paint_mtl=PAINT, a__skin_png=SKIN)
+    red, cloth = made.models[0].faces
+    assert made.palette[red.colour] == (255, 0, 51) and red.mapped is not None      # d = 0.5 is a surface too
+    assert made.surfaces.surfaces[red.mapped.surface].texture == 0 and made.surfaces.surfaces[red.mapped.surface].opacity == 8
+    assert made.surfaces.surfaces[cloth.mapped.surface].texture == 1
+
+
+@pytest.mark.parametrize("text, words", [
+    ("images = true\ntexture = 'x'", ["texture", "keep one or the other"]), ("images = { size = 48 }", ["48", "power of two"]),
+    ("images = { sides = 4 }", ["sides"]), ("images = 3", ["images"])])
+def test_images_that_are_wrong(tmp_path, text, words):
+    with pytest.raises(ToolError) as caught:
+        textured(tmp_path, text + "\n")
+    for word in words:
+        assert word in str(caught.value)
+
+
+def test_images_where_there_are_none(tmp_path):
+    for objects, files in (('solid = "box"', {}), ('model = "m.stl"', {"m_stl": stl()})):
+        with pytest.raises(ToolError, match="no material with an image"):
+            compiled(tmp_path, f"[[objects]]\n{objects}\nimages = true\n", **files)
+    points, triangles = grid(65)
+    data = glb(*gltf(points, triangles, uvs=[(x / 65, y / 65) for x, y, _ in points], image=CLOTH))
+    with pytest.raises(ToolError, match="8,450 faces are more than the limit of 8,192"):
+        compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\nimages = true\n', m_glb=data)

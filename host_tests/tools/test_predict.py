@@ -114,6 +114,17 @@ def test_every_count_has_a_cost_and_a_name():
         assert set(core) == names and min(core.values()) >= 0 and sum(value > 0 for value in core.values()) >= 8
 
 
+def test_every_count_counts(tmp_path):
+    """A function that nobody calls any more would count nothing, in silence."""
+    total = 0
+    for number, source in enumerate(("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml")):
+        image = tmp_path / f"{number}.fxls"
+        scene_tool.build(str(ROOT / source), image, 12 if number < 2 else None)
+        names, counts = costs.count(made("build/host/predict").parents[1], image, 2560, 0, 4096 + 4096 * (number == 1), 8)
+        total = total + counts.sum(axis=0)
+    assert [name for name, times in zip(names, total) if times == 0] == []
+
+
 def test_the_fit_finds_what_is_there():
     """Known costs, of which one is 0, from counts and their sums."""
     chance = numpy.random.default_rng(5)

@@ -23,7 +23,8 @@ RIDGE = 1e-9            # keeps counts that always go together from taking turns
 NAMES = {
     "frames": "a frame", "instances": "an instance of the scene", "instances_seen": "an instance in sight",
     "instances_viewed": "an instance's model view", "instances_passed": "an instance that a band looks at, beside the list",
-    "turned_viewed": "the model view of a turned instance", "turned_normals": "a normal that is turned",
+    "turned_checked": "a turned instance whose rotation is checked",
+    "turned_viewed": "the model view of a turned instance",
     "faces_tested": "a face of a convex instance", "faces_facing": "a face of a sorted instance",
     "faces_sorted": "a face that is sorted", "faces_clipped": "a face that the clipper gets",
     "faces_outside": "of these, one outside", "faces_between": "of these, one that covers no pixel",

@@ -193,18 +193,22 @@ class Records:
 
     def __init__(self, indices):
         self.indices, self.textures, self.surfaces, self.normals = indices, {}, {}, {}
+        self.known = {}     # (paint, id of its colours): number of a texture, the colours
         self.made, self.blended = Surfaces(), set()     # colours
 
     def _texture(self, look):
         """The number of a look's texture, counted from 1; 0 without one."""
         if look.paint is None:
             return 0
-        entries = tuple(self.indices[colour] for colour in look.colours)
-        key = look.paint, entries
-        if key not in self.textures:
-            self.made.textures.append(_texture(look.paint, entries))
-            self.textures[key] = len(self.made.textures)
-        return self.textures[key]
+        same = look.paint, id(look.colours)     # most faces of a paint share one object
+        if same not in self.known:
+            entries = tuple(self.indices[colour] for colour in look.colours)
+            key = look.paint, entries
+            if key not in self.textures:
+                self.made.textures.append(_texture(look.paint, entries))
+                self.textures[key] = len(self.made.textures)
+            self.known[same] = self.textures[key], look.colours     # which keeps the id its own
+        return self.known[same][0]
 
     def mapped(self, look, own):
         """The record of a face whose own colour is this; None without a look."""

@@ -24,6 +24,7 @@ class Texture:
 
     def __init__(self, name, pixels):
         self.name, self.pixels = name, pixels
+        self.pictures = {}      # made of it for textures (toml_images.py)
         self.height, self.width = pixels.shape[:2]
 
     def _mean_of_triangles(self, corners):

@@ -234,12 +234,19 @@ class Objects:
         if "colours" in table:
             bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
                           for i, c in enumerate(table.rows("colours")))
+        elif look.by_images and "colour" not in table:
+            materials = self.mesh(table)[0].surfaces
+            means = {paint: paint.picture.mean() for paint in dict.fromkeys(look.paints) if paint}
+            bases = tuple(means[paint] if paint else materials.materials[number].colour
+                          for paint, number in zip(look.paints, materials.of_face))
         elif "colour" not in table and "solid" not in table and self.mesh(table)[0].surfaces:
             bases = self._of_file(self.mesh(table)[1])
         else:
             own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
             bases = (own,) if "colour" in table else tuple(p.picture.mean() if p else own for p in look.paints)
-        return "shaded" if table.switch("shade", True) else "plain", bases
+        # Under an image a face's own colour is hardly ever seen: it takes no shade, so that few entries are its.
+        covered = tuple(paint is not None for paint in look.paints) if look.by_images else (False,)
+        return "shaded" if table.switch("shade", True) else "plain", bases, covered
 
     def _of_file(self, name):
         """The colours of a file's faces; the same object for the same file."""
@@ -265,7 +272,9 @@ class Objects:
         elif wish[0] == "plain":
             colours = tuple(wish[1][s % len(wish[1])] for s in made.sources)
         else:
-            colours = tuple(self.light.bake(wish[1][s % len(wish[1])], face.normal)
+            _, bases, covered = wish
+            colours = tuple(bases[s % len(bases)] if covered[s % len(covered)] else
+                            self.light.bake(bases[s % len(bases)], face.normal)
                             for s, face in zip(made.sources, made.faces))
         self.coloured[key] = colours
         return colours
@@ -303,7 +312,8 @@ class Objects:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
-        look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime))
+        look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
+                                 lambda: self.mesh(table)[0])
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = _places(table, PLACEMENTS_MAX - self.count)

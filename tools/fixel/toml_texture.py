@@ -4,14 +4,14 @@
 from fractions import Fraction
 import os
 
-from fixel import image_surface, palette, quantity, surfaces, texture
+from fixel import image_surface, palette, quantity, surfaces, texture, toml_images
 from fixel.errors import ToolError
 from fixel.reading import quoted
 from fixel.surfaces import Look, Paint
 from fixel.toml_table import Table
 
 KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
-        "smooth"}
+        "smooth", *toml_images.KEYS}
 _ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
 TEXTURES_MAX = 256      # of a scene file
 TEXELS_MAX = 16384      # a world unit
@@ -85,21 +85,23 @@ def read(top, folder):
 
 class Wish:
     """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone.
-    light: the scene's; baked: whether the tool computes it."""
+    light: the scene's; baked: whether the tool computes it. opacities: as paints. mesh_of: answers the object's mesh."""
 
-    def __init__(self, table, known, baked):
+    def __init__(self, table, known, baked, mesh_of):
         if "texture" in table and "textures" in table:
             raise ToolError(f"{table.where}: both texture and textures are given; keep one")
         names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
-        self.paints = tuple(self._known(name, table, known) for name in names) or (None,)
+        images = toml_images.read(table, mesh_of)
+        self.paints = images[0] if images else tuple(self._known(name, table, known) for name in names) or (None,)
         self.division = surfaces.DIVISIONS[str(table.data["division"])] if self._has_division(table) else 0
-        self.opacity = table.whole("opacity", 16, 1, 16)
+        self.opacities = images[1] if images else (table.whole("opacity", 16, 1, 16),)
         self.blends = table.switch("blend", False)
         self.smooth = table.switch("smooth", False)
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
-        self.by_file = self._goes_by_file(table)
+        self.by_images, self.own = images is not None, {}
+        self.by_file = self.by_images or self._goes_by_file(table)
         offset = table.data.get("texel_offset", [0, 0])
         if not isinstance(offset, list) or len(offset) != 2:
             raise ToolError(f"{table.at('texel_offset')}: expected [u, v] in texels")
@@ -158,7 +160,7 @@ class Wish:
     @property
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
-        return (self.paints, self.division, self.opacity, self.per_unit, self.tiles, self.offset, self.blends, self.lit,
+        return (self.paints, self.division, self.opacities, self.per_unit, self.tiles, self.offset, self.blends, self.lit,
                 self.smooth, self.by_file)
 
     def wanted(self):
@@ -167,7 +169,7 @@ class Wish:
 
     def _has_plain_look(self):
         """Whether a face without a texture has a surface."""
-        return self.opacity != image_surface.OPAQUE or self.blends or self.lit
+        return any(opacity != image_surface.OPAQUE for opacity in self.opacities) or self.blends or self.lit
 
     def _flags(self):
         return (image_surface.LIT if self.lit else 0) | (image_surface.BLENDED if self.blends else 0)
@@ -213,16 +215,21 @@ class Wish:
 
     def _look(self, made, number, coordinates, normals, bake, where):
         face, paint = made.faces[number], self.paint_of(made.sources[number])
+        opacity = self.opacities[made.sources[number] % len(self.opacities)]
         points = [made.vertices[c] for c in face.corners]
         if paint is None and not self._has_plain_look():
             return None
         corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
         own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
-            return Look(None, (), 0, self._flags(), self.opacity, corners, ((0, 0),) * 3, own)
+            return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
         changes = self.lit or paint.bits == 4
-        colours = tuple(bake(colour, face.normal) if changes else colour for colour in paint.picture.colours)
-        return Look(paint, colours, self.division, self._flags(), self.opacity, corners, texels, own)
+        colours = tuple(bake(colour, face.normal) for colour in paint.picture.colours) if changes else self._own_of(paint)
+        return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
+
+    def _own_of(self, paint):
+        """The colours of a paint; the same object for the same paint."""
+        return self.own.setdefault(paint, tuple(paint.picture.colours))
 
 
 _NO_PAINT = Paint(None, 8, True)

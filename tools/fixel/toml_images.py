@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""Images of a model's materials as textures of its faces."""
+
+import numpy as np
+from PIL import Image
+
+from fixel import image_surface, texture
+from fixel.errors import ToolError
+from fixel.surfaces import Paint
+from fixel.toml_table import Table
+
+KEYS = {"images"}
+_ROW_KEYS = {"size", "colours", "levels"}
+DISTINCT_MAX = 2048     # colours of an image, before they are merged
+FACES_MAX = 8192        # of a model whose images are textures
+
+
+def _power(side, most):
+    """The largest power of two that is not more than an image's side and than this."""
+    return min(most, 1 << side.bit_length() - 1)
+
+
+def _coarser(rows):
+    """An image's pixels with so few bits of red, green and blue that there are at most DISTINCT_MAX colours."""
+    for dropped in range(5):
+        found = rows[:, :3] >> dropped << dropped
+        if len(np.unique(found.astype(np.int64) @ (65536, 256, 1))) <= DISTINCT_MAX:
+            break
+    # The middle of what was dropped.
+    return np.column_stack([found + ((1 << dropped) >> 1), rows[:, 3]])
+
+
+def picture(image, colour, size, most, levels):
+    """The texture.Picture of an image that is multiplied by a colour, scaled by a box filter to powers of two."""
+    key = colour, size, most, levels
+    if key not in image.pictures:
+        width, height = (_power(side, size) for side in (image.width, image.height))
+        scaled = np.asarray(Image.fromarray(image.pixels).resize((width, height), Image.Resampling.BOX)).reshape(-1, 4)
+        scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
+        pixels = [tuple(rgb) if alpha >= 128 else texture.CLEAR for *rgb, alpha in _coarser(scaled).tolist()]
+        own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels
+        made = texture.from_pixels([[pixels[i:i + width] for i in range(0, len(pixels), width)]], own)
+        image.pictures[key] = texture.with_levels(made, levels, most, 1) if levels > 1 else made
+    return image.pictures[key]
+
+
+def _row(table):
+    """(largest side, colours of a texture, levels) of an object's images; None where it has none."""
+    value = table.data.get("images", False)
+    if isinstance(value, bool):
+        value = {} if value else None
+    if value is None:
+        return None
+    row = Table(value, table.at("images"), _ROW_KEYS)
+    size = row.whole("size", 64, 1, texture.SIDE_MAX)
+    if not texture.is_side(size):
+        raise ToolError(f"{row.at('size')}: {size} is not a power of two from 1 to {texture.SIDE_MAX}")
+    return size, row.whole("colours", 32, 1, texture.COLOURS_MAX), row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
+
+
+def read(table, mesh_of):
+    """(paints, opacities in 16ths) of the faces of an object's file, by its materials; None unless it asks for images.
+    mesh_of: answers the object's mesh."""
+    row = _row(table)
+    if row is None:
+        return None
+    for key in ("texture", "textures", "mapping", "texels_per_unit", "tiles", "opacity"):
+        if key in table:
+            raise ToolError(f"{table.at(key)}: the materials' images and their opacity are the file's; keep one or the other")
+    surfaces = mesh_of().surfaces if "solid" not in table else None
+    if surfaces is None or not any(material.image for material in surfaces.materials):
+        raise ToolError(f"{table.at('images')}: the model has no material with an image")
+    if len(surfaces.of_face) > FACES_MAX:
+        raise ToolError(f"{table.at('images')}: {len(surfaces.of_face):,} faces are more than the limit of {FACES_MAX:,} for "
+                        "textures; simplify the model, or leave images away")
+    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), 8, False)
+              for material in surfaces.materials]
+    opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
+    return (tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),
+            tuple(opacities[number] for number in surfaces.of_face))
