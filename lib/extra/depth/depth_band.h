@@ -238,7 +238,7 @@ static inline void fxl_depth_paint(const fxl_renderer *renderer, fxl_workspace *
     of.painter = surfaces->painter;
     of.painter->paint_of(surfaces, polygon, &paint);
     if (is_blended) {
-        of.keeps = FXL_DEPTH_KEEPS_NONE; /* bug: depth-glass */
+        of.keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
         of.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
