@@ -52,7 +52,7 @@ BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
-BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list kernel_surfaces limit_list $(BENCH_LIB)
+BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list kernel_depth kernel_surfaces limit_list $(BENCH_LIB)
 BENCH_C_LIBRARY := listing-double listing-float memset
 
 # Where the library of a core is: that of the boards with the same flags, if there are any, is the

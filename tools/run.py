@@ -20,7 +20,7 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, flash, methods, output, picture, scratch
+from fixel import close_faces, dump, emulator, firmware, flash, methods, output, picture, scratch
 from fixel import image as scene_image
 from fixel.errors import ToolError, run_main
 from fixel.programs import HostPrograms
@@ -34,8 +34,8 @@ BOARD_TIMEOUT = 60.0    # seconds of CPU time without a new frame
 RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer path every second, third ...
 ORDER_ADVICE = """\
 Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
-and the picture is not what one would see. Split large models into convex objects, set "layer", or give the scene
-a tree:  tools/scene.py build SCENE -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
+and the picture is not what one would see. Split large models into convex objects, set "layer", draw with a depth
+buffer (VISIBILITY=depth), or give the scene a tree:  tools/scene.py build SCENE -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
 
 
 def check_frames(scene, wanted, there):
@@ -215,6 +215,14 @@ UNJUDGED = dict.fromkeys(["pixels_differing", "texel_pixels", "pixels_unexplaine
                           "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
 
 
+def say_what_depth_confuses(image, visibility):
+    """A note about faces that a depth buffer cannot tell apart, if one draws."""
+    if visibility in methods.DEPTH_BITS:
+        note = close_faces.note(scene_image.load(image), methods.DEPTH_BITS[visibility])
+        if note:
+            print(f"  {note}", file=sys.stderr)
+
+
 def run(options, folder):
     """The whole run; its files go into folder. The summary."""
     pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
@@ -223,6 +231,7 @@ def run(options, folder):
         if options.board != firmware.HOST:
             emulator.find_qemu()
         image = make_scene_image(options.scene, work, options.frames, options.screen)
+        say_what_depth_confuses(image, options.visibility)
         name = methods.program(options)
         file, cpu = walk(options.board, options.build, image, work, options.frames, name)
         drawn = dump.read_dump(file)

@@ -6,6 +6,7 @@
  * is the same loop with an empty function. A name that begins with "limit-" is the bare work,
  * for comparison. */
 #include "contract/system.h"
+#include "kernel_depth.h"
 #include "kernel_surfaces.h"
 #include "kernels.h"
 #include "region.h"
@@ -29,10 +30,13 @@ int main(int argc, char **argv)
     for (const bench_kernel *each = kernel_list; each->name != NULL; each++) {
         run(each);
     }
-    if (!kernel_surfaces_prepare()) {
+    if (!kernel_surfaces_prepare() || !kernel_depth_prepare()) {
         system_exit(SYSTEM_EXIT_RENDER);
     }
     for (const bench_kernel *each = surface_list; each->name != NULL; each++) {
+        run(each);
+    }
+    for (const bench_kernel *each = depth_list; each->name != NULL; each++) {
         run(each);
     }
     for (const bench_kernel *each = limit_list; each->name != NULL; each++) {

@@ -49,6 +49,9 @@ void portable_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *t
                         uint16_t *out);
 void portable_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                              int32_t x1);
+uint32_t portable_depth_keep_visible(uint16_t *cells, uint32_t count, uint32_t code, uint32_t step);
+uint32_t portable_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t code,
+                                    uint32_t step);
 fxl_status portable_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                                    fxl_screen_point *screen);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "chain_walks.h"
+#include "depth_rows.h"
 #include "edges.h"
 #include "equality.h"
 #include "estimates.h"
@@ -39,5 +40,6 @@ const equality_test equality_tests[] = {
     {"draw-outline", test_draw_outline},
     {"row-to-16", test_row_to_16},
     {"texture-rows", test_texture_rows},
+    {"depth-rows", test_depth_rows},
     {NULL, NULL},
 };

@@ -214,6 +214,29 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     free(list);
 }
 
+/* The same by a depth buffer of any size. */
+static void draw_twice_by_depth(fxl_renderer *renderer, fuzz_input *in)
+{
+    static fxl_depth depth;
+    static fxl_renderer none;
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const bool wide = fuzz_below(in, 4) == 0;
+    const fxl_visibility *method = wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth;
+    const uint32_t least = FXL_DEPTH_BYTES(lens->width, 1, wide ? 32u : 16u);
+    const uint32_t size = least + fuzz_below(in, 4u * lens->width * lens->height);
+    uint8_t *cells = block(size);
+    DEMAND(fxl_renderer_set_depth(NULL, &depth, method, cells, size) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_depth(&none, &depth, method, cells, size) == FXL_E_ORDER);
+    DEMAND(fxl_renderer_set_depth(renderer, &depth, NULL, cells, size) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_depth(renderer, NULL, method, cells, size) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_depth(renderer, &depth, &fxl_visibility_box, cells, size) ==
+           FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_depth(renderer, &depth, method, cells, least - 1) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_set_depth(renderer, &depth, method, cells, size) == FXL_OK);
+    draw_twice(renderer, in);
+    free(cells);
+}
+
 static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *in)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_triangles,
@@ -242,6 +265,7 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
             DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_OK);
         }
         draw_twice(&renderer, in);
+        draw_twice_by_depth(&renderer, in);
         misuse(&renderer, made, scene);
         DEMAND(fxl_renderer_set_surfaces(&renderer, NULL, NULL) == FXL_OK);
     }

@@ -80,6 +80,33 @@ def test_other_methods_draw_the_same_frames(build, tmp_path, planted, plain, wor
     assert differing == 0 or "--clipper" in words, "another clipper may round another way"
 
 
+@pytest.mark.parametrize("board", ["mps2-an385", "mps3-an547"])
+@pytest.mark.parametrize("method", ["depth", "depth-32"])
+def test_a_depth_buffer_draws_the_nearest_faces(build, tmp_path, board, method):
+    knot = tmp_path / "knot.fxls"
+    scene_tool.build(KNOT, str(knot), FRAMES)
+    summary = chosen(tmp_path / "out", knot, "--visibility", method, board=board)
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+    assert summary["order_wrong_pixels"] == 0 and summary["order_judged_pixels"] == summary["pixels"]
+
+
+@pytest.mark.parametrize("name", ["spot", "teapot"])
+def test_a_depth_buffer_draws_models_whole(build, tmp_path, name):
+    """These models are no part of the project: where they are not, the test is left out."""
+    source = CHECKOUT.parent / "shared/models" / f"{name}.obj"
+    if not source.exists():
+        pytest.skip(f"{source} is not there")
+    text = (CHECKOUT / "host_tests/frames" / f"{name}.toml").read_text(encoding="utf-8")
+    (tmp_path / f"{name}.obj").write_bytes(source.read_bytes())
+    scene = tmp_path / f"{name}.toml"
+    scene.write_text(text.replace('anchor = "middle"', 'anchor = "middle"\ntwo_sided = true'), encoding="utf-8")
+    file = tmp_path / f"{name}.fxls"
+    scene_tool.build(str(scene), str(file), 8)
+    summary = chosen(tmp_path / "out", file, "--visibility", "depth", board="host")
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+    assert summary["order_wrong_pixels"] == 0 and summary["pixels_differing"] < 100
+
+
 def test_no_rays_where_there_are_light_beams(build, tmp_path):
     done = walk(tmp_path / "out", board="host", scene=str(CHECKOUT / "scenes/beam.toml"), frames=2)
     summary = json.loads((tmp_path / "out/summary.json").read_text())

@@ -64,6 +64,7 @@ static fxl_surfaces surfaces;
 static fxl_depth depth;
 static FXL_ALIGN_8 uint8_t memory[1024];
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16)];
+static FXL_ALIGN_8 uint8_t room[8192]; /* of clippers, beams, another workspace */
 static uint8_t frame[WIDTH * HEIGHT], again[WIDTH * HEIGHT];
 
 static const fxl_pose eye = {{0, 0, 0}, 6u << 23, 0u - (2u << 23), 1u << 23};
@@ -256,7 +257,6 @@ void test_bands_lists_and_memory_give_the_same_pixels(void)
 
 void test_every_clipper_gives_the_same_depths(void)
 {
-    static FXL_ALIGN_8 uint8_t room[8192];
     static const fxl_clipper *const clippers[] = {&fxl_clipper_world, &fxl_clipper_triangles,
                                                   &fxl_clipper_near};
     start_with(&fxl_visibility_depth);
@@ -418,7 +418,6 @@ void test_turned_instances_have_depth(void)
  * the face's. */
 void test_pieces_of_light_beams_have_depth(void)
 {
-    static FXL_ALIGN_8 uint8_t room[8192];
     static uint8_t lit[256];
     fxl_beam beam;
     for (uint32_t i = 0; i < sizeof lit; i++) {
@@ -442,15 +441,54 @@ void test_pieces_of_light_beams_have_depth(void)
     TEST_ASSERT_GREATER_THAN(20, bright);
 }
 
+/* Two walls in one plane, front to back, and far to near as with glass: the order decides. */
+void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
+{
+    static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 10, 0},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 4, 20, 0}};
+    static const fxl_point corners[] = {{-393216, -131072, 262144}, {-393216, 131072, 262144},
+                                        {393216, 131072, 262144},   {393216, -131072, 262144},
+                                        {-393216, -131072, 262144}, {-393216, 131072, 262144},
+                                        {393216, 131072, 262144},   {393216, -131072, 262144}};
+    static const fxl_model two[] = {
+        {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 8 * 65536},
+        {.first_vertex = 4,
+         .vertex_count = 4,
+         .first_face = 1,
+         .face_count = 1,
+         .kind = FXL_MODEL_CONVEX,
+         .radius = 8 * 65536}};
+    static const fxl_instance both[] = {{{0, 0, 0}, 0, 0, 0}, {{65536, 0, 0}, 1, 0, 0}};
+    static const uint8_t table[FXL_BLEND_TABLE_BYTES(1)];
+    scene.vertices = corners;
+    scene.vertex_count = 8;
+    scene.faces = walls;
+    scene.face_count = scene.model_count = scene.instance_count = 2;
+    scene.models = two;
+    scene.instances = both;
+    scene.index_count = 8;
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    start_with(&fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+    surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
+    set.blend = table;
+    set.blend_count = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth,
+                                                     cells, sizeof cells));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+}
+
 /* Another core's workspace, with a depth buffer of its own. */
 void test_two_workspaces_draw_halves_of_a_frame(void)
 {
-    static FXL_ALIGN_8 uint8_t other_memory[4096];
     fxl_workspace other;
     start_with(&fxl_visibility_depth);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_workspace_init(&other, &renderer, other_memory, sizeof other_memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&other, &renderer, room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     for (uint16_t half = 0; half < 2; half++) {
         const uint16_t row = (uint16_t)(half * HEIGHT / 2);

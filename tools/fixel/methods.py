@@ -6,6 +6,7 @@ import pathlib
 from fixel import firmware
 
 
+DEPTH_BITS = {"depth": 16, "depth-32": 32}  # of the visibility methods with a depth buffer
 WALK = "walk"   # the program whose frames the judge can draw too: only the eye moves
 
 

@@ -126,7 +126,7 @@ static inline int32_t fxl_depth_octave_end(fxl_depth_painting *of, const fxl_dep
     const int64_t along = of->plane->gradient.along;
     const int64_t value = at->depth + along * x0;
     if (!fxl_depth_octave_holds(&of->octave, value)) {
-        fxl_depth_octave_of(of->head->scale, of->plane->one, value, &of->octave);
+        fxl_depth_octave_of(of->head->scale, of->plane, value, &of->octave);
     }
     int32_t inside = x0, outside = x1;
     if (fxl_depth_octave_holds(&of->octave, at->depth + along * (x1 - 1))) {
@@ -155,9 +155,8 @@ static inline void fxl_depth_paint_row(fxl_depth_painting *of, fxl_depth_row *at
     while (x0 < x1) {
         const int32_t end = fxl_depth_octave_end(of, at, x0, x1);
         const fxl_depth_octave *octave = &of->octave;
-        fxl_depth_line line = {octave->bias, 0};
+        fxl_depth_line line = {octave->bias, octave->step};
         if (!octave->is_constant) {
-            line.step = fxl_depth_shifted(gradient->along, octave->drop);
             line.code += fxl_depth_shifted(at->depth, octave->drop) + line.step * (uint32_t)x0;
         }
         if (of->head->or_equal) {
@@ -190,7 +189,7 @@ static inline void fxl_depth_begin(fxl_depth_painting *of, const fxl_workspace *
     of->head = (const fxl_depth_head *)workspace->raster_workspace;
     of->band = band;
     of->keeps = FXL_DEPTH_KEEPS_ALL;
-    fxl_depth_octave_of(of->head->scale, plane->one, 0, &of->octave);
+    fxl_depth_octave_of(of->head->scale, plane, 0, &of->octave);
 }
 
 /* A polygon of one colour. */
@@ -239,7 +238,7 @@ static inline void fxl_depth_paint(const fxl_renderer *renderer, fxl_workspace *
     of.painter = surfaces->painter;
     of.painter->paint_of(surfaces, polygon, &paint);
     if (is_blended) {
-        of.keeps = FXL_DEPTH_KEEPS_NONE; /* bug: depth-glass */
+        of.keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
         of.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }

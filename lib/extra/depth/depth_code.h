@@ -39,6 +39,7 @@ typedef struct {
     int64_t low, high; /* the gradient's 64 bits: low <= value < high */
     int32_t drop;      /* bits, of the gradient's 64, below the code's; may be negative */
     uint32_t bias;     /* added to the code */
+    uint32_t step;     /* of the code a pixel */
     bool is_constant;  /* the code is bias: beyond near_z, or at infinity */
 } fxl_depth_octave;
 
@@ -47,14 +48,21 @@ static inline int64_t fxl_power_of_2(int32_t exponent)
     return exponent < 0 ? 1 : exponent > 62 ? INT64_MAX : (int64_t)1 << exponent;
 }
 
-/* The octave of a value. one: fxl_depth_plane. */
-static inline void fxl_depth_octave_of(fxl_depth_scale scale, int32_t one, int64_t value,
-                                       fxl_depth_octave *octave)
+/* The 32 lowest bits of floor(value / 2^drop). */
+static inline uint32_t fxl_depth_shifted(int64_t value, int32_t drop)
+{
+    return drop >= 0 ? (uint32_t)(uint64_t)(value >> drop) : (uint32_t)((uint64_t)value << -drop);
+}
+
+/* The octave of a value of a face. */
+static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_plane *plane,
+                                       int64_t value, fxl_depth_octave *octave)
 {
     const int32_t length = value > 0 ? (int32_t)fxl_bit_length((uint64_t)value) : 0;
-    const int32_t number = one - length;
+    const int32_t one = plane->one, number = one - length;
     octave->is_constant = true;
     octave->drop = 0;
+    octave->step = 0;
     if (length == 0 || number >= scale.octaves) {
         octave->low = INT64_MIN;
         octave->high = fxl_power_of_2(one - scale.octaves);
@@ -68,6 +76,8 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, int32_t one, int64
         octave->high = fxl_power_of_2(length);
         octave->drop = length - 17 - scale.mantissa; /* -31..34 */
         octave->bias = ((uint32_t)(scale.octaves - 2 - number) << (scale.mantissa + 16)) + 65536u;
+        /* bug: depth-step */
+        octave->step = fxl_depth_shifted(plane->gradient.along, octave->drop);
         octave->is_constant = false;
     }
 }
@@ -75,12 +85,6 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, int32_t one, int64
 static inline bool fxl_depth_octave_holds(const fxl_depth_octave *octave, int64_t value)
 {
     return value >= octave->low && value < octave->high;
-}
-
-/* The 32 lowest bits of floor(value / 2^drop). */
-static inline uint32_t fxl_depth_shifted(int64_t value, int32_t drop)
-{
-    return drop >= 0 ? (uint32_t)(uint64_t)(value >> drop) : (uint32_t)((uint64_t)value << -drop);
 }
 
 #endif

@@ -202,9 +202,9 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * that have one. They are checked in constant time each: the scales and centres of all, and the
  * orientations of the instances in sight. fxl_scene_check checks all orientations.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, no visibility method, or turns without a turn_code),
- * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (the orientation of one in sight), FXL_E_CAPACITY
- * (scene->instance_count has grown beyond the order's room): the frame before stays current;
- * counted in refused_calls. */
+ * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (the orientation of one in sight),
+ * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): the frame before stays
+ * current; counted in refused_calls. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared
@@ -237,8 +237,8 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
 
 /* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
  * may draw a band of its own at the same time, each in its own workspace, with any clipper and
- * the method fxl_visibility_sorted, _box, _spans or _spans_box, without light beams: a BSP and
- * beams have one workspace for all cores, so with them one band must be drawn after another.
+ * the method fxl_visibility_sorted, _box, _spans, _spans_box or _depth, without light beams: a BSP
+ * and beams have one workspace for all cores, so with them one band must be drawn after another.
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun, or the workspace was set up for another clipper or

@@ -365,7 +365,8 @@ typedef struct {
     uint32_t clipped;       /* of those drawn: cut by at least one plane */
     uint32_t refused_calls; /* public calls that returned an error */
     uint32_t spilled;       /* of those drawn: not in the display list, computed for every band */
-    uint16_t split_bands;   /* bands, or parts of bands, drawn again in halves; 65535: or more */
+    uint16_t split_bands;   /* bands, or parts of bands, drawn again in halves, or
+                               in parts; 65535: or more */
     uint16_t rounded;       /* turned instances in sight whose points were rounded in the world */
 } fxl_counters;
 
