@@ -22,7 +22,8 @@ static const oracle_claim *const claims[] = {
     &oracle_orientation_axis,    &oracle_orientation_look_at,   &oracle_orientation_product,
     &oracle_orientation_parents, &oracle_sine_cosine,           &oracle_vertex_unclipped,
     &oracle_outline_clipped,     &oracle_outline_near_parallel, &oracle_coverage,
-    &oracle_watertight,
+    &oracle_watertight,          &oracle_texel_divided,         &oracle_texel_every_16,
+    &oracle_light_level,
 };
 
 enum {

@@ -8,6 +8,14 @@ static int in_32_bits(int64_t number)
     return number >= INT32_MIN && number <= INT32_MAX;
 }
 
+int oracle_setup_lens(const oracle_input *input, fxl_lens *lens)
+{
+    const int64_t *n = input->numbers;
+    return fxl_lens_from_fov((uint16_t)n[0], (uint16_t)n[1], (uint32_t)n[2], (int32_t)n[3],
+                             (int32_t)n[4], (int32_t)n[5], lens) == FXL_OK &&
+           fxl_lens_set_centre(lens, (int32_t)n[12], (int32_t)n[13]) == FXL_OK;
+}
+
 int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
 {
     const int64_t *n = input->numbers;
@@ -26,9 +34,7 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
                              .pitch = (uint32_t)n[10],
                              .roll = (uint32_t)n[11]};
     fxl_lens lens;
-    if (fxl_lens_from_fov((uint16_t)n[0], (uint16_t)n[1], (uint32_t)n[2], (int32_t)n[3],
-                          (int32_t)n[4], (int32_t)n[5], &lens) != FXL_OK ||
-        fxl_lens_set_centre(&lens, (int32_t)n[12], (int32_t)n[13]) != FXL_OK) {
+    if (!oracle_setup_lens(input, &lens)) {
         return 0;
     }
     fxl_view_set_lens(&setup->view, &lens);

@@ -26,6 +26,10 @@ typedef struct {
  * them. */
 int oracle_setup_read(const oracle_input *input, oracle_setup *setup);
 
+/* The lens as it was set; the view has the one that it is drawn with. Requires numbers that
+ * oracle_setup_read takes. Returns 0 where the library refuses them. */
+int oracle_setup_lens(const oracle_input *input, fxl_lens *lens);
+
 /* Appends random numbers for a setup. The sides of the screen are at most side_max. */
 void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *input);
 

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* A triangle that has a surface, and one pixel of it: as numbers of an input, drawn by the library,
+ * and its attributes in exact arithmetic. */
+#ifndef ORACLE_SURFACE_SAMPLE_H
+#define ORACLE_SURFACE_SAMPLE_H
+
+#include "oracle/setup.h"
+
+enum {
+    SURFACE_ATTRIBUTES = 3, /* of a corner: u, v, light, each 16.16 */
+    SURFACE_NUMBERS = ORACLE_SETUP_NUMBERS + 2 + 3 * (3 + SURFACE_ATTRIBUTES)
+};
+
+#define SURFACE_TEXT ORACLE_SETUP_TEXT ", column row, three corners x y z u v light"
+
+typedef struct {
+    oracle_setup setup;
+    fxl_lens lens; /* whose view that is */
+    int64_t x, y;  /* the pixel */
+    fxl_point corners[3];
+    int64_t values[3][SURFACE_ATTRIBUTES];
+    /* The triangle as a scene of the library. */
+    fxl_face face;
+    fxl_model model;
+    fxl_instance instance;
+    fxl_scene scene;
+    uint16_t indices[3];
+} surface_sample;
+
+/* Random numbers for a sample whose pixel lies in the triangle, if its corners are in range. */
+void surface_sample_generate(oracle_random *random, oracle_input *input);
+
+/* Reads the numbers. Returns 0 where the library refuses them. */
+int surface_sample_read(const oracle_input *input, surface_sample *sample);
+
+/* Draws the pixel by a surface. Returns -1 if the face does not cover it. light may be null. */
+int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
+                        const fxl_surface *surface, const fxl_direction normals[3],
+                        const fxl_light_settings *light);
+
+/* The exact value of an attribute at the pixel, in units of 2^-32, rounded down. *bound: what
+ * docs/accuracy.md, section 5.1, allows, in the unit of the attribute. */
+int64_t surface_sample_exact(const surface_sample *sample, int attribute, double *bound);
+
+#endif
