@@ -25,8 +25,9 @@ BOARD_UNIT_OMIT := test_depth test_billboards test_pick test_off_centre_frames t
     test_bsp_pieces test_bsp_order test_bsp_spheres test_lit_pieces test_beam_light test_workspace test_workspace_parts test_clip_capacity test_clip_rejects test_scene test_scene_tables test_scene_placed test_turned_frames test_turned_world \
     test_surfaces test_surface_light test_surface_levels
 
-# A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP
+# A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces would take
+# 16 KiB of flash.
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES
 
 BOARD_SOURCES := boards/stm32vldiscovery/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \

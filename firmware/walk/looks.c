@@ -3,12 +3,6 @@
 
 #include "fixel/all.h"
 
-/* What surfaces want; a record of each texture follows. */
-typedef struct {
-    fxl_surfaces surfaces;
-    fxl_surface_set set;
-} surface_memory;
-
 static uint32_t aligned(size_t bytes)
 {
     return ((uint32_t)bytes + 7u) & ~7u;
@@ -24,6 +18,32 @@ static uint32_t light_bytes(const fxl_scene_image *image)
     return image->light.base != NULL ? aligned(sizeof(fxl_light)) : 0;
 }
 
+#if defined WALK_WITHOUT_SURFACES
+
+static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
+{
+    (void)surfaces;
+    return 0;
+}
+
+static fxl_status open_surfaces(const fxl_scene_image *image, fxl_renderer *renderer,
+                                uint8_t *memory, const fxl_light *light)
+{
+    (void)image;
+    (void)renderer;
+    (void)memory;
+    (void)light;
+    return FXL_OK;
+}
+
+#else
+
+/* What surfaces want; a record of each texture follows. */
+typedef struct {
+    fxl_surfaces surfaces;
+    fxl_surface_set set;
+} surface_memory;
+
 static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
 {
     return surfaces->face_map != NULL
@@ -31,14 +51,10 @@ static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
                : 0;
 }
 
-uint32_t walk_looks_bytes(const fxl_scene_image *image)
-{
-    return beam_bytes(&image->scene) + light_bytes(image) + surface_bytes(&image->surfaces);
-}
-
 static fxl_status open_surfaces(const fxl_scene_image *image, fxl_renderer *renderer,
-                                surface_memory *own, const fxl_light *light)
+                                uint8_t *memory, const fxl_light *light)
 {
+    surface_memory *const own = (surface_memory *)(void *)memory;
     const uint32_t count = image->surfaces.texture_count;
     fxl_texture *textures = (fxl_texture *)(void *)(own + 1);
     fxl_status status = fxl_surfaces_open(image, textures, count, &own->set, NULL);
@@ -48,6 +64,13 @@ static fxl_status open_surfaces(const fxl_scene_image *image, fxl_renderer *rend
     }
     return status == FXL_OK && light != NULL ? fxl_renderer_light_surfaces(renderer, light)
                                              : status;
+}
+
+#endif
+
+uint32_t walk_looks_bytes(const fxl_scene_image *image)
+{
+    return beam_bytes(&image->scene) + light_bytes(image) + surface_bytes(&image->surfaces);
 }
 
 fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer, uint8_t *memory)
@@ -68,8 +91,7 @@ fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer,
         status = fxl_renderer_set_light(renderer, light, &settings);
     }
     if (status == FXL_OK && image->surfaces.face_map != NULL) {
-        status = open_surfaces(image, renderer,
-                               (surface_memory *)(void *)(lights + light_bytes(image)), light);
+        status = open_surfaces(image, renderer, lights + light_bytes(image), light);
     }
     return status;
 }

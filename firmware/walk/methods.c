@@ -18,8 +18,15 @@ static const fxl_visibility *visibility_of(const fxl_scene_image *image)
     (void)image;
     return &WALK_VISIBILITY;
 #else
+    if (image->scene.bsp_nodes == NULL && image->surfaces.face_map == NULL) {
+        return &fxl_visibility_sorted;
+    }
     if (image->scene.bsp_nodes == NULL) {
-        return image->surfaces.face_map != NULL ? &fxl_visibility_surfaces : &fxl_visibility_sorted;
+#if defined WALK_WITHOUT_SURFACES
+        return NULL;
+#else
+        return &fxl_visibility_surfaces;
+#endif
     }
 #if defined WALK_WITHOUT_BSP
     return NULL;

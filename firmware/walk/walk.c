@@ -136,7 +136,7 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->looks = walk_looks_bytes(image);
     of->taken = of->act + of->looks;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
-        system_text("walk: this board has no room to draw by a BSP tree; "
+        system_text("walk: this board has no room to draw by a BSP tree or with surfaces; "
                     "VISIBILITY=sorted draws without\n");
         return SYSTEM_EXIT_CAPACITY;
     }

@@ -118,18 +118,19 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
     }
 }
 
-/* Whether surfaces are drawn: no BSP draws them. */
-static bool draws_surfaces(const ref_renderer *renderer)
-{
-    const ref_scene *scene = renderer->scene;
-    return scene->surfaces && !renderer->draws_flat && !(renderer->by_bsp && scene->bsp_nodes);
-}
-
-/* Whether a face of an instance shows a surface. */
+/* Whether a face of an instance shows a surface. No BSP draws surfaces, nor do turned instances
+ * whose points are rounded in the world (SPEC.md, section 8.5). */
 static bool shows_surface(const ref_renderer *renderer, const ref_instance *instance, uint32_t face)
 {
     const ref_scene *scene = renderer->scene;
-    return draws_surfaces(renderer) &&
+    if (!scene->surfaces || renderer->draws_flat || (renderer->by_bsp && scene->bsp_nodes)) {
+        return false;
+    }
+    const bool is_rounded =
+        ref_turn_of(scene, instance) &&
+        (renderer->by_points ||
+         ref_beam_light_reaches(scene, &instance->centre, ref_instance_radius(scene, instance)));
+    return !is_rounded &&
            scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
 }
 
@@ -147,7 +148,7 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
     if (drawn.polygon.count == 0 && drawn.most.count == 0) {
         return true;
     }
-    if (draws_surfaces(renderer)) {
+    if (shows_surface(renderer, &renderer->scene->instances[instance], face)) {
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
                          &renderer->scene->instances[instance], face, &drawn.look);
     }

@@ -213,10 +213,26 @@ static bool solve_ray(const ref_surface_view *view, const ref_lens *lens, double
     return true;
 }
 
+/* How far a value may be off (docs/accuracy.md, section 5): by rounding 1/256; between two
+ * divisions half a unit of the texture's first level or of light, and what the steps between them
+ * round. */
+static double slack_of(const ref_surface_view *view, int value, double scale)
+{
+    const double rounding = 1.0 / 256, bend = view->is_affine ? 0 : 0.5 * scale;
+    if (view->surface->division == REF_DIVIDE_1) {
+        return rounding;
+    }
+    if (value == REF_BRIGHTNESS || !view->texture) {
+        return rounding + bend + 1.0 / 16;
+    }
+    const int side =
+        view->level->width > view->level->height ? view->level->width : view->level->height;
+    return rounding + bend + 9.0 * side / 65536;
+}
+
 bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
                        ref_place *place)
 {
-    const bool is_linear = view->is_affine || view->surface->division == REF_DIVIDE_1;
     long double times[2];
     bool found = true;
     if (view->is_affine) {
@@ -229,7 +245,7 @@ bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, doubl
         place->values[k] = (double)(view->values[k] + times[0] * view->steps[0][k] +
                                     times[1] * view->steps[1][k]) *
                            scale;
-        place->slack[k] = (is_linear ? 0 : 0.5 * scale) + 1.0 / 256;
+        place->slack[k] = slack_of(view, k, scale);
         found = found && fabs(place->values[k]) < 0x1p40;
     }
     return found;

@@ -120,12 +120,13 @@ def test_an_unknown_name_is_refused_with_those_there_are(setting, names):
     assert done.returncode == 2 and "nonsense" in done.stderr and names in done.stderr
 
 
-def test_a_board_without_room_for_a_tree_says_so(build, tmp_path, planted):
+@pytest.mark.parametrize("scene", ["planted", CHECKOUT / "scenes/room.toml"], ids=["tree", "surfaces"])
+def test_a_board_without_room_for_a_tree_or_surfaces_says_so(build, tmp_path, planted, scene):
     elf = build / "boards/stm32vldiscovery/walk.elf"
     if not elf.exists():
         assert run_make(elf.relative_to(CHECKOUT)).returncode == 0
-    done = walk(tmp_path / "out", board="stm32vldiscovery", scene=planted, frames=None)
-    assert done.returncode == 13 and "no room to draw by a BSP tree" in done.stderr
+    done = walk(tmp_path / "out", board="stm32vldiscovery", scene=planted if scene == "planted" else scene, frames=None)
+    assert done.returncode == 13 and "no room to draw by a BSP tree or with surfaces" in done.stderr
     assert not (tmp_path / "out").exists()
 
 

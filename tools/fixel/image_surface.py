@@ -190,7 +190,7 @@ def read(found, blend_first, models):
         _check_texture(texture, reserved, i)
     made = Surfaces([texture for texture, _ in placed],
                     [_read_surface(fields, i, len(placed), blend) for i, fields in enumerate(surfaces)], normals,
-                    blend_first, blend)
+                    blend_first, [list(row) for row in blend])
     for i, normal in enumerate(normals):
         if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
             fail("normal", f"normal {i} of a corner is not of unit length")

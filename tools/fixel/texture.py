@@ -103,7 +103,7 @@ def with_levels(picture, count, most, least):
     """The picture with so many levels, and at most so many colours: its own ones, and others for the smaller levels.
     least: the least width of a level."""
     levels = [picture.rows()]
-    while len(levels) < count and max(len(levels[-1]), len(levels[-1][0])) > 1:
+    while len(levels) < min(count, max(picture.width, picture.height).bit_length()):
         levels.append(_halved(levels[-1], least))
     return from_pixels(levels, most, picture.colours)
 

@@ -283,10 +283,10 @@ class Objects:
         """The looks of a shape's faces; the same object for the same wish."""
         if coordinates is None:
             return ()
-        key = id(made), look.key, shaded
+        changes = look.lit if isinstance(self.light, toml_light.RunTime) else shaded
+        key = id(made), look.key, changes
         if key not in self.looks:
-            bake = self.light.bake if shaded else lambda colour, _normal: colour
-            self.looks[key] = look.looks(made, coordinates, bake, where)
+            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where)
         return self.looks[key]
 
     def _check_made(self, faces, where):

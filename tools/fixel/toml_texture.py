@@ -15,6 +15,7 @@ KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_off
 _ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
 TEXTURES_MAX = 256      # of a scene file
 TEXELS_MAX = 16384      # a world unit
+DIRECTIONS_MAX = 16     # in which the textured faces of an object look, if the tool's light changes their colours
 _LEVEL_COLOURS = 32     # of a texture of 8 bits with levels, where its own are not more
 
 
@@ -210,6 +211,9 @@ class Wish:
     def looks(self, made, coordinates, bake, where):
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
         normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        directions = {face.normal for face, source in zip(made.faces, made.sources) if self.paint_of(source)}
+        if not self.lit and len(directions) > DIRECTIONS_MAX:
+            bake = keep
         return tuple(self._look(made, number, coordinates[number], normals[number], bake, where)
                      for number in range(len(made.faces)))
 
@@ -223,13 +227,17 @@ class Wish:
         own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
-        changes = self.lit or paint.bits == 4
-        colours = tuple(bake(colour, face.normal) for colour in paint.picture.colours) if changes else self._own_of(paint)
+        colours = self._own_of(paint) if bake is keep else tuple(bake(colour, face.normal) for colour in paint.picture.colours)
         return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
 
     def _own_of(self, paint):
         """The colours of a paint; the same object for the same paint."""
         return self.own.setdefault(paint, tuple(paint.picture.colours))
+
+
+def keep(colour, _normal):
+    """What a light that is not there makes of a colour."""
+    return colour
 
 
 _NO_PAINT = Paint(None, 8, True)

@@ -280,6 +280,7 @@ static fxl_status check_light_counts(const header *head, fxl_scene_fault *fault)
 static fxl_status check_face_map(const header *head, fxl_scene_fault *fault)
 {
     const surface_header *more = surface_header_of(head);
+    /* bug: face-map-count */
     return more == NULL || more->face_map.count == head->faces.count
                ? FXL_OK
                : fxl_fault_at(fault, "face map", 0, FXL_E_COUNT);

@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: MIT
+"""Scene files with textures: what becomes of each key, and each refusal."""
+
+import struct
+
+import pytest
+from PIL import Image
+
+from conftest import CHECKOUT, run_cli
+from fixel import image, image_surface, light_palette, surfaces, texture, toml_scene
+from fixel.errors import ToolError
+
+PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
+TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
+BOX = '[[objects]]\nsolid = "box"\nscale = [4, 2, 6]\nposition = [0, 0, 9]\ntexture = "t"\n'
+TILE = '[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\ntexture = "t"\n'
+LEVELS = "[light]\nlevels = 4\n"
+ONE = 65536
+
+
+def build(tmp_path, text):
+    file = tmp_path / "scene.toml"
+    file.write_text(text + PATH)
+    scene, _ = toml_scene.compile_file(str(file))
+    assert image.unpack(image.pack(scene)) == scene
+    return scene
+
+
+def faces_of(scene, model=0):
+    return scene.models[model].faces
+
+
+def texels_of(face):
+    """{corner of the face: (u, v) in texels}."""
+    return {corner: (u / ONE, v / ONE) for corner, (u, v) in zip(face.mapped.corners, face.mapped.texels)}
+
+
+def everywhere(model, face):
+    """{vertex: (u, v)} of all of a face's vertices: affine, from its three corners."""
+    points = [model.vertices[c] for c in face.corners]
+    known = texels_of(face)
+    (a, b, c), origin = sorted(known), points[sorted(known)[0]]
+    one, two = (tuple(p - q for p, q in zip(points[i], origin)) for i in (b, c))
+    dot = lambda p, q: sum(x * y for x, y in zip(p, q))
+    whole = dot(one, one) * dot(two, two) - dot(one, two) ** 2
+    result = {}
+    for point in points:
+        way = tuple(p - q for p, q in zip(point, origin))
+        s = (dot(way, one) * dot(two, two) - dot(way, two) * dot(one, two)) / whole
+        t = (dot(way, two) * dot(one, one) - dot(way, one) * dot(one, two)) / whole
+        result[point] = tuple(known[a][k] + s * (known[b][k] - known[a][k]) + t * (known[c][k] - known[a][k])
+                              for k in range(2))
+    return result
+
+
+# --- the image -----------------------------------------------------------------------------------
+
+def test_textures_make_an_image_with_surfaces(tmp_path):
+    plain = build(tmp_path, BOX.replace('texture = "t"\n', ""))
+    made = build(tmp_path, TEXTURE + BOX)
+    assert plain.surfaces is None and struct.unpack_from("<HH", image.pack(plain), 4) == (2, 160)
+    assert struct.unpack_from("<HH", image.pack(made), 4) == (6, 296)
+    assert all(face.mapped for face in faces_of(made))
+    assert {(one.log_width, one.log_height, one.format, one.levels) for one in made.surfaces.textures} == {(4, 3, 0, 1)}
+
+
+def test_equal_objects_share_a_model_and_others_do_not(tmp_path):
+    text = TEXTURE + BOX + BOX + BOX + "opacity = 5\n"
+    scene = build(tmp_path, text)
+    assert [item.model for item in scene.objects] == [0, 0, 1]
+
+
+# --- where a texture lies ------------------------------------------------------------------------
+
+def test_a_tile_covers_a_face_as_it_is_seen(tmp_path):
+    """From the front the upper left corner of the texture is at the face's upper left."""
+    model = build(tmp_path, TEXTURE + BOX).models[0]
+    for face in model.faces:
+        found = everywhere(model, face)
+        assert sorted({round(u, 9) for u, _ in found.values()}) == [0, 16]
+        assert sorted({round(v, 9) for _, v in found.values()}) == [0, 8]
+    front = next(face for face in model.faces if face.normal[2] < 0)
+    found = everywhere(model, front)
+    assert found[-2 * ONE, ONE, -3 * ONE] == (0, 0) and found[2 * ONE, -ONE, -3 * ONE] == (16, 8)
+    right = next(face for face in model.faces if face.normal[0] > 0)
+    assert everywhere(model, right)[2 * ONE, ONE, -3 * ONE] == (0, 0)
+    above = next(face for face in model.faces if face.normal[1] > 0)
+    assert everywhere(model, above)[-2 * ONE, ONE, 3 * ONE] == (0, 0)
+
+
+@pytest.mark.parametrize("inside", [False, True])
+def test_no_texture_is_mirrored(tmp_path, inside):
+    """u, v and the way to the eye turn as right, down and the face's normal do."""
+    model = build(tmp_path, TEXTURE + BOX + f"inside = {str(inside).lower()}\n").models[0]
+    for face in model.faces:
+        found = everywhere(model, face)
+        (p, q, r) = [model.vertices[c] for c in face.corners[:3]]
+        along, across = [b - a for a, b in zip(p, q)], [b - a for a, b in zip(p, r)]
+        turn = [along[i - 2] * across[i - 1] - along[i - 1] * across[i - 2] for i in range(3)]
+        assert sum(a * b for a, b in zip(turn, face.normal)) > 0
+        (u0, v0), (u1, v1), (u2, v2) = found[p], found[q], found[r]
+        assert (u1 - u0) * (v2 - v0) - (v1 - v0) * (u2 - u0) > 0
+
+
+def test_texels_a_unit_are_the_same_on_all_faces(tmp_path):
+    model = build(tmp_path, TEXTURE + BOX + "texels_per_unit = 2.5\n").models[0]
+    for face in model.faces:
+        found = list(everywhere(model, face).items())
+        for (p, (u0, v0)), (q, (u1, v1)) in zip(found, found[1:]):
+            length = sum(((a - b) / ONE) ** 2 for a, b in zip(p, q)) ** 0.5
+            assert abs(((u1 - u0) ** 2 + (v1 - v0) ** 2) ** 0.5 - 2.5 * length) < 0.001
+
+
+def test_an_offset_moves_a_texture(tmp_path):
+    plain, moved = (texels_of(faces_of(build(tmp_path, TEXTURE + TILE + text))[0])
+                    for text in ("", 'texel_offset = [1.5, "1/4"]\n'))
+    assert {c: (u + 1.5, v + 0.25) for c, (u, v) in plain.items()} == moved
+
+
+def test_a_texture_turns_with_its_model(tmp_path):
+    for text in ("", "rotation = [30, 20, 10]\n"):
+        model = build(tmp_path, TEXTURE + BOX + text).models[0]
+        for face in model.faces:
+            found = sorted((round(u, 2), round(v, 2)) for u, v in everywhere(model, face).values())
+            assert found == [(0, 0), (0, 8), (16, 0), (16, 8)]
+
+
+def test_what_repeats_begins_near_nought_and_what_is_clamped_stays(tmp_path):
+    text = "texels_per_unit = 100\nscale = 40\ntexel_offset = [1600, 0]\n"
+    repeated = build(tmp_path, TEXTURE + TILE + text)
+    assert 0 <= min(u for u, _ in texels_of(faces_of(repeated)[0]).values()) < 16
+    clamped = build(tmp_path, TEXTURE + 'wrap = "clamp"\n' + TILE + text)
+    assert min(u for u, _ in texels_of(faces_of(clamped)[0]).values()) == 1600 - 2000
+    assert clamped.surfaces.textures[0].flags == image_surface.CLAMP
+
+
+def test_textures_take_turns_and_some_faces_have_none(tmp_path):
+    other = TEXTURE.replace('"t"', '"o"').replace("[16, 8]", "[4, 4]")
+    scene = build(tmp_path, TEXTURE + other + BOX.replace('texture = "t"', 'textures = ["t", "", "o"]'))
+    sizes = [0 if face.mapped is None else
+             scene.surfaces.textures[scene.surfaces.surfaces[face.mapped.surface].texture - 1].log_width
+             for face in faces_of(scene)]
+    assert sizes == [4, 0, 2, 4, 0, 2]
+
+
+def test_keys_of_a_surface_become_its_fields(tmp_path):
+    for text, field, value in (("division = 8\n", "division", 1), ("division = 1\n", "division", 2),
+                               ('division = "affine"\n', "division", 3), ("opacity = 7\n", "opacity", 7),
+                               ("blend = true\n", "flags", image_surface.BLENDED), ("", "division", 0)):
+        scene = build(tmp_path, TEXTURE + TILE + text)
+        assert {getattr(one, field) for one in scene.surfaces.surfaces} == {value}
+
+
+def test_opacity_needs_no_texture(tmp_path):
+    scene = build(tmp_path, TILE.replace('texture = "t"\n', "opacity = 3\n"))
+    assert scene.surfaces.textures == [] and scene.surfaces.surfaces == [image_surface.Surface(0, 0, 0, 3)]
+
+
+# --- files ---------------------------------------------------------------------------------------
+
+QUAD = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+
+
+def test_coordinates_of_a_file_are_used(tmp_path):
+    """OBJ: u to the right, v upward, 1 across."""
+    (tmp_path / "quad.obj").write_text(QUAD + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+    scene = build(tmp_path, TEXTURE + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
+    [model] = scene.models
+    assert everywhere(model, model.faces[0]) == {
+        (-ONE, -ONE, 0): (0, 8), (ONE, -ONE, 0): (16, 8), (ONE, ONE, 0): (16, 0), (-ONE, ONE, 0): (0, 0)}
+
+
+def test_a_face_is_cut_where_its_coordinates_are_not_affine(tmp_path):
+    (tmp_path / "quad.obj").write_text(QUAD + "vt 0 0\nvt 1 0\nvt 0.5 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+    scene = build(tmp_path, TEXTURE + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
+    assert [len(face.corners) for face in faces_of(scene)] == [3, 3]
+    found = everywhere(scene.models[0], faces_of(scene)[0]) | everywhere(scene.models[0], faces_of(scene)[1])
+    assert found[ONE, ONE, 0] == (8, 0) and found[ONE, -ONE, 0] == (16, 8)
+
+
+def test_a_face_without_coordinates_is_named(tmp_path):
+    (tmp_path / "quad.obj").write_text(QUAD + "f 1 2 3 4\n")
+    with pytest.raises(ToolError, match="quad.obj:5.*no texture coordinates"):
+        build(tmp_path, TEXTURE + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
+
+
+# --- pictures ------------------------------------------------------------------------------------
+
+def test_a_picture_of_a_file_has_its_colours_and_its_holes(tmp_path):
+    picture = Image.new("RGBA", (4, 2), (200, 10, 20, 255))
+    picture.putpixel((3, 1), (0, 0, 0, 0))
+    picture.putpixel((0, 0), (10, 200, 30, 255))
+    picture.save(tmp_path / "p.png")
+    for bits in (8, 4):
+        scene = build(tmp_path, f'[[textures]]\nname = "t"\nfile = "p.png"\nbits = {bits}\n' + TILE + "shade = false\n")
+        [made] = scene.surfaces.textures
+        assert made.flags == image_surface.KEYED and made.key == 0 and len(made.texels) == bits
+        numbers = made.texels if bits == 8 else [made.colours[n] for b in made.texels for n in (b & 15, b >> 4)]
+        assert [scene.palette[n] if n else None for n in numbers] == \
+            [(10, 200, 30)] + [(200, 10, 20)] * 6 + [None]
+
+
+def test_many_colours_of_a_file_are_merged(tmp_path):
+    picture = Image.new("RGB", (16, 16))
+    picture.putdata([(i, 255 - i, i * 7 % 256) for i in range(256)])
+    picture.save(tmp_path / "p.png")
+    for text, most in (("", 32), ("most_colours = 5\n", 5), ("bits = 4\n", 15)):
+        scene = build(tmp_path, f'[[textures]]\nname = "t"\nfile = "p.png"\n{text}' + TILE + "shade = false\n")
+        [made] = scene.surfaces.textures
+        assert len(set(made.colours[:15] if made.colours else made.texels)) == most
+
+
+@pytest.mark.parametrize("name", list(texture.PATTERNS))
+def test_patterns_repeat_at_any_size(name):
+    colours = [(i, i, i) for i in range(len(texture.PATTERNS[name][1]))]
+    for size in ((1, 1), (2, 4), (64, 16), (256, 256)):
+        made = texture.pattern(name, *size, colours)
+        assert (made.width, made.height) == size
+        assert all(n is texture.CLEAR or 0 <= n < len(colours) for row in made.levels[0] for n in row)
+    made = texture.pattern(name, 32, 32, colours)
+    assert {n for row in made.levels[0] for n in row} - {None} == set(range(len(colours)))
+    assert made.has_clear() == (name == "grille")
+
+
+def test_levels_are_means_of_the_level_before(tmp_path):
+    scene = build(tmp_path, TEXTURE + 'colours = ["#000000", "#ffffff"]\nlevels = 9\n' + TILE + "shade = false\n")
+    [made] = scene.surfaces.textures
+    assert made.levels == 5 and len(made.texels) == 16 * 8 + 8 * 4 + 4 * 2 + 2 + 1
+    assert scene.palette[made.texels[-1]] == (128, 128, 128)
+    first = [scene.palette[n] for n in made.texels[128:160]]
+    assert first == [(0, 0, 0) if (x < 4) == (y < 2) else (255, 255, 255) for y in range(4) for x in range(8)]
+    scene = build(tmp_path, TEXTURE + "bits = 4\nlevels = 9\n" + TILE + "shade = false\n")
+    assert len(scene.surfaces.textures[0].texels) == (16 * 8 + 8 * 4 + 4 * 2 + 2 + 2) // 2
+
+
+# --- colours and light ---------------------------------------------------------------------------
+
+@pytest.mark.parametrize("bits", [4, 8])
+def test_the_tools_light_shades_a_texture_for_each_direction(tmp_path, bits):
+    scene = build(tmp_path, TEXTURE + f"bits = {bits}\n" + BOX)
+    assert len(scene.surfaces.textures) == 6
+    assert len({one.texels for one in scene.surfaces.textures}) == (1 if bits == 4 else 6)
+    unlit = build(tmp_path, TEXTURE + f"bits = {bits}\n" + BOX + "shade = false\n")
+    assert len(unlit.surfaces.textures) == 1
+
+
+def test_many_directions_keep_the_textures_colours(tmp_path):
+    scene = build(tmp_path, TEXTURE + '[[objects]]\nsolid = "sphere"\nposition = [0, 0, 4]\ntexture = "t"\n')
+    assert len(scene.surfaces.textures) == 1
+
+
+def test_a_textured_face_has_the_mean_colour(tmp_path):
+    text = TEXTURE + 'colours = ["#200000", "#400080"]\n' + TILE + "shade = false\n"
+    assert {(0x30, 0, 0x40)} == {(lambda s: s.palette[faces_of(s)[0].colour])(build(tmp_path, text))}
+    scene = build(tmp_path, text + 'colour = "#010203"\n')
+    assert scene.palette[faces_of(scene)[0].colour] == (1, 2, 3)
+
+
+def test_light_at_run_time_gives_corners_normals(tmp_path):
+    scene = build(tmp_path, LEVELS + TEXTURE + BOX)
+    assert {one.flags for one in scene.surfaces.surfaces} == {image_surface.LIT} and len(scene.surfaces.textures) == 1
+    for face in faces_of(scene):
+        assert {scene.surfaces.normals[n] for n in face.mapped.normals} == {face.normal}
+    plain = build(tmp_path, LEVELS + TEXTURE + BOX + "lit = false\n")
+    assert {one.flags for one in plain.surfaces.surfaces} == {0} and plain.surfaces.normals == []
+
+
+def test_smooth_normals_are_shared_by_neighbours(tmp_path):
+    scene = build(tmp_path, LEVELS + '[[objects]]\nsolid = "octahedron"\nposition = [0, 0, 4]\nsmooth = true\n')
+    [model] = scene.models
+    for face in model.faces:
+        for corner, number in zip(face.mapped.corners, face.mapped.normals):
+            vertex, normal = model.vertices[face.corners[corner]], scene.surfaces.normals[number]
+            assert all(abs(n - v * (1 << 30) / (ONE // 2)) < 1 << 14 for n, v in zip(normal, vertex))
+
+
+def test_a_blend_table_has_the_nearest_entries(tmp_path):
+    scene = build(tmp_path, TEXTURE + TILE + "[palette]\nblend = 5\n" +
+                  '[[objects]]\nsolid = "tile"\nposition = [0, 0, 4]\ncolour = "#40c0e0"\nshade = false\nblend = true\n')
+    made = scene.surfaces
+    assert len(made.blend) == 1 and scene.palette[made.blend_first] == (0x40, 0xC0, 0xE0)
+    for beneath, shown in enumerate(made.blend[0]):
+        wanted = light_palette.between(scene.palette[beneath], (0x40, 0xC0, 0xE0), 5, 16)
+        distances = [sum((a - b) ** 2 for a, b in zip(entry, wanted)) for entry in scene.palette]
+        assert beneath == made.blend_first == shown or distances[shown] == min(distances)
+
+
+def test_a_tree_leaves_surfaces_out_and_says_so(tmp_path):
+    done = run_cli("scene", "build", "scenes/room.toml", "-o", tmp_path / "room.fxls", "--tree", "most")
+    assert done.returncode == 0 and "surfaces are left out" in done.stderr
+    assert image.load(tmp_path / "room.fxls").surfaces is None
+
+
+# --- refusals ------------------------------------------------------------------------------------
+
+def test_what_is_wrong_is_named(tmp_path):
+    (tmp_path / "bad.png").write_bytes(b"\x89PNG\r\n\x1a\nno picture")
+    Image.new("RGB", (3, 4)).save(tmp_path / "odd.png")
+    own = '[[textures]]\nname = "t"\n'
+    for text, parts in (
+            (own, ["file, pattern", "none is given"]),
+            (own + 'pattern = "brick"\n', ['did you mean "bricks"']),
+            (own + 'pattern = "checker"\nfile = "p.png"\n', ["both file and pattern"]),
+            (own + 'pattern = "checker"\nsize = [16, 12]\n', ["size[1]", "12", "power of two"]),
+            (own + 'pattern = "checker"\nsize = [512, 1]\n', ["size[0]", "512"]),
+            (own + 'pattern = "checker"\ncolours = ["red"]\n', ["1 colours", "2"]),
+            (own + 'pattern = "checker"\nbits = 5\n', ["bits", "5"]),
+            (own + 'pattern = "checker"\nsize = [1, 8]\nbits = 4\n', ["at least 2 wide"]),
+            (own + 'pattern = "checker"\nmost_colours = 5\n', ["most_colours", "belongs to a file"]),
+            (own + 'pattern = "checker"\nlevels = 10\n', ["levels = 10"]),
+            (own + 'pattern = "checker"\nwrap = "mirror"\n', ["wrap", '"mirror"']),
+            (own + 'file = "gone.png"\n', ["there is no file", "gone.png"]),
+            (own + 'file = "bad.png"\n', ["bad.png", "not a picture"]),
+            (own + 'file = "odd.png"\n', ["odd.png", "3 x 4", "powers of two"]),
+            (own + 'file = "odd.png"\nsize = [4, 4]\n', ["size", "belongs to a pattern"]),
+            (TEXTURE + TEXTURE, ['there is a texture "t" already']),
+            ('[[textures]]\npattern = "checker"\n', ['"name" is missing'])):
+        with pytest.raises(ToolError) as caught:
+            build(tmp_path, text + TILE)
+        assert not [part for part in parts if part not in str(caught.value)], caught.value
+
+
+def test_what_is_wrong_of_an_object_is_named(tmp_path):
+    for text, parts in (
+            ('textures = ["t"]\n', ["both texture and textures"]),
+            ("division = 4\n", ["division", "4", '"affine"']),
+            ("opacity = 0\n", ["opacity = 0", "1..16"]),
+            ("tiles = [1]\n", ["tiles", "[across, down]"]),
+            ("tiles = [1, 0]\n", ["tiles"]),
+            ("tiles = [1, 1]\ntexels_per_unit = 2\n", ["both texels_per_unit and tiles"]),
+            ("texels_per_unit = 0\n", ["texels_per_unit = 0"]),
+            ("texels_per_unit = 16384\nscale = 4\n", ["more than 16383 texels long"]),
+            ("texel_offset = 3\n", ["texel_offset", "[u, v]"]),
+            ("lit = true\n", ["lit", "[light] levels"]),
+            ("smooth = true\n", ["smooth", "[light] levels"]),
+            ('mapping = "file"\ntiles = [1, 1]\n', ["tiles", 'mapping = "box"']),
+            ('mapping = "file"\n', ["no texture coordinates"])):
+        with pytest.raises(ToolError) as caught:
+            build(tmp_path, TEXTURE + TILE + text)
+        assert not [part for part in parts if part not in str(caught.value)], caught.value
+    for text, parts in (('texture = "x"\n', ['no texture "x"', "t"]), ("tiles = [1, 1]\n", ["tiles", "without a texture"])):
+        with pytest.raises(ToolError) as caught:
+            build(tmp_path, TEXTURE + TILE.replace('texture = "t"\n', text))
+        assert not [part for part in parts if part not in str(caught.value)], caught.value
+
+
+def test_the_own_scene_has_what_it_promises():
+    scene, notes = toml_scene.compile_file(str(CHECKOUT / "scenes" / "room.toml"))
+    kinds = {(one.flags, one.log_width) for one in scene.surfaces.textures}
+    assert (image_surface.KEYED, 5) in kinds and (0, 6) in kinds and scene.motions
+    assert {one.opacity for one in scene.surfaces.surfaces} == {6, 16}
+    assert not [note for note in notes if "merged" in note]
+
+
+def test_surfaces_divides_what_it_must_and_no_more():
+    square = [(0, 0, 0), (0, ONE, 0), (ONE, ONE, 0), (ONE, 0, 0)]
+    assert surfaces.place(square, [(0, 0), (0, 9), (9, 9), (9, 0)], surfaces.Paint(None, 8, True), "")[0] == (0, 1, 2)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Frames of scenes with surfaces, against the reference renderer in double (docs/extras/surfaces.md)."""
+
+import json
+import subprocess
+
+import pytest
+from conftest import CHECKOUT, run_cli
+
+from fixel import dump
+
+SCENES = ("scenes/room.toml", "host_tests/fuzz/scenes/surfaces.toml")
+FRAMES = "12"
+# A floor to the horizon, whose texels are two units wide each.
+FLOOR = """
+[screen]
+width = 96
+height = 64
+[[textures]]
+name = "t"
+pattern = "crate"
+size = [16, 16]
+[[objects]]
+solid = "tile"
+scale = [64, 1, 64]
+position = [0, -2, 0]
+texture = "t"
+texels_per_unit = 0.5
+%s
+[path]
+keys = [{ position = [0, 0, 0], yaw = 20, frames = 3 }, { position = [1, 0.5, 0], yaw = 50 }]
+"""
+
+
+def built(scene, folder, name="scene"):
+    image = folder / f"{name}.fxls"
+    made = run_cli("scene", "build", scene, "-o", image)
+    assert made.returncode == 0, made.stderr
+    return image
+
+
+def floor(folder, name, text):
+    file = folder / f"{name}.toml"
+    file.write_text(FLOOR % text)
+    return built(file, folder, name)
+
+
+def drawn(build, image, name, *options):
+    out = image.with_name(f"{name}.fxld")
+    done = subprocess.run([build / "host" / "frames", image, out, "--frames", FRAMES, *options], text=True,
+                          capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return out
+
+
+def judged(build, image, dumped, *options):
+    out = dumped.with_suffix(".json")
+    done = subprocess.run([build / "host" / "judge", image, dumped, "--json", out, *options], text=True,
+                          capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(out.read_text())
+
+
+def pixels(dumped):
+    return [bytes(frame.pixels) for frame in dump.read_dump(dumped).frames]
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_frames_are_those_of_the_reference(scene, build, tmp_path):
+    image = built(CHECKOUT / scene, tmp_path)
+    verdict = judged(build, image, drawn(build, image, "frames"))
+    assert verdict["pixels_unexplained"] == 0
+    assert verdict["texel_pixels"] <= verdict["pixels_differing"] < verdict["pixels"] / 40
+
+
+CLIPPERS = ("world", "normalised", "once", "half-spaces", "triangles", "near", "left")
+
+
+@pytest.mark.parametrize("clipper", CLIPPERS)
+def test_texels_do_not_depend_on_the_clipper(clipper, build, tmp_path):
+    """Of what does not turn: some clippers round the points of what does, and draw it in its own colours."""
+    still = tmp_path / "still.toml"
+    still.write_text((CHECKOUT / "scenes/room.toml").read_text().replace("spin = {", "# spin = {"))
+    image = built(still, tmp_path)
+    by_view, other = (pixels(drawn(build, image, name, *options)) for name, options in
+                      (("view", []), ("other", ["--clipper", clipper])))
+    differing = sum(a != b for one, two in zip(by_view, other) for a, b in zip(one, two))
+    assert differing <= 12      # one a frame, at edges: so without textures
+
+
+@pytest.mark.parametrize("clipper", CLIPPERS)
+def test_every_clipper_draws_the_frames_of_the_reference(clipper, build, tmp_path):
+    image = built(CHECKOUT / "scenes/room.toml", tmp_path)
+    dumped = drawn(build, image, "frames", "--clipper", clipper)
+    assert judged(build, image, dumped, "--clipper", clipper)["pixels_unexplained"] == 0
+
+
+@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("options", [["--rows", "7", "--list", "0"], ["--rows", "3", "--list", "200"],
+                                     ["--rows", "5", "--cache", "0"]])
+def test_frames_do_not_depend_on_bands_and_memory(scene, options, build, tmp_path):
+    image = built(CHECKOUT / scene, tmp_path)
+    assert pixels(drawn(build, image, "whole")) == pixels(drawn(build, image, "bands", *options))
+
+
+def test_another_visibility_method_draws_own_colours(build, tmp_path):
+    image = built(CHECKOUT / "scenes/room.toml", tmp_path)
+    flat = drawn(build, image, "flat", "--hidden", "sorted")
+    assert pixels(flat) != pixels(drawn(build, image, "frames"))
+    assert judged(build, image, flat, "--hidden", "sorted")["pixels_unexplained"] == 0
+    assert judged(build, image, flat)["pixels_unexplained"] > 1000
+
+
+@pytest.mark.parametrize("division, offset, explained", [
+    ("16", "0", True), ("16", "0.45", True), ("16", "2", False), ("1", "0", True), ("1", "0.02", False)])
+def test_the_judge_sees_a_texture_that_is_moved(division, offset, explained, build, tmp_path):
+    """By less than the bound a move is explained, if most pixels are exact; by more it is not."""
+    image = floor(tmp_path, "judged", f"division = {division}")
+    moved = floor(tmp_path, "moved", f"division = {division}\ntexel_offset = [{offset}, 0]")
+    verdict = judged(build, image, drawn(build, moved, "moved"))
+    if explained:
+        assert verdict["pixels_unexplained"] < verdict["pixels"] / 1000
+    else:
+        assert verdict["pixels_unexplained"] > verdict["pixels"] / 1000
+
+
+def test_each_pixel_divided_differs_at_the_borders_of_texels_alone(build, tmp_path):
+    image = floor(tmp_path, "each", "division = 1")
+    verdict = judged(build, image, drawn(build, image, "each"))
+    assert verdict["pixels_unexplained"] == 0 and verdict["pixels_differing"] < verdict["pixels"] / 500
+
+
+def test_an_off_centre_lens_moves_texels_with_the_picture(build, tmp_path):
+    text = (FLOOR % "division = 8").replace("[[textures]]", "[view]\ncentre = [20, 50.5]\n[[textures]]", 1)
+    file = tmp_path / "centre.toml"
+    file.write_text(text)
+    image = built(file, tmp_path, "centre")
+    assert judged(build, image, drawn(build, image, "centre"))["pixels_unexplained"] == 0
+
+
+def test_a_beam_passes_by_surfaces_that_stand_still(build, tmp_path):
+    """It splits the faces of what turns, which then have their own colours."""
+    text = FLOOR % """
+[[objects]]
+solid = "box"
+texture = "t"
+position = [1, -1, 5]
+spin = { yaw = 10 }
+layer = 1
+[[beams]]
+direction = [0, -1, 0]
+window = [[-2, 4, 2], [-2, 4, 7], [3, 4, 7], [3, 4, 2]]
+"""
+    file = tmp_path / "beam.toml"
+    file.write_text(text)
+    image = built(file, tmp_path, "beam")
+    assert judged(build, image, drawn(build, image, "beam"))["pixels_unexplained"] == 0
