@@ -31,9 +31,10 @@ static const uint8_t straight[] = {4, 4, 4}, tilted[] = {8, 6, 4};
 static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
 {
     static const int8_t sides[3][2] = {{-1, 1}, {1, 1}, {1, -1}};
-    static fxl_gradient_corners face = {.values = {{0, TEXELS, TEXELS},
-                                                   {0, 0, TEXELS * 3 / 4},
-                                                   {32768, LEVELS * 65536 / 2, LEVELS * 65536 - 1}}};
+    static fxl_gradient_corners face = {
+        .values = {{0, TEXELS, TEXELS},
+                   {0, 0, TEXELS * 3 / 4},
+                   {32768, LEVELS * 65536 / 2, LEVELS * 65536 - 1}}};
     fxl_gradients gradients;
     for (uint32_t i = 0; i < 3; i++) {
         fxl_view_point *corner = &face.corners[i];
@@ -51,7 +52,7 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
                              .ramp = lit ? ramp : NULL,
                              .levels_less_1 = LEVELS - 1,
                              .opacity = 16};
-    fxl_paint_polygon(&paint, whole, 4, &screen, &scan);
+    fxl_paint_polygon(&paint, whole, 4, &screen, &scan, NULL, NULL);
 }
 
 static void affine(const kernel_inputs *in)

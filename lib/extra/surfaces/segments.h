@@ -19,8 +19,8 @@
  *
  * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
  * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
- * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of segment k is light's upper word in column 0, and k times the
- * upper word of the step. */
+ * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of
+ * segment k is light's upper word in column 0, and k times the upper word of the step. */
 #ifndef FXL_SEGMENTS_H
 #define FXL_SEGMENTS_H
 
