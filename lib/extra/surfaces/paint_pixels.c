@@ -151,30 +151,27 @@ static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int3
 
 /* --- the kernel ----------------------------------------------------------------------------- */
 
-/* The weight in a column of the screen. */
-static inline int32_t kernel_weight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+/* The column before which the kernel may paint from x0 on: x0, the end of a segment, or x1. */
+static int32_t kernel_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    const uint64_t along = (uint64_t)paint->gradients->weight.along;
-    return (int32_t)(((uint64_t)row->weight + along * (uint32_t)x) >> 32);
-}
-
-/* The column before which the kernel may paint from x0 on: x0 or the end of a segment, x1 at
- * most. */
-static int32_t kernel_end(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
-{
-    int32_t end = x0 & ~15;
-    while (end < x1 && kernel_weight(paint, row, end) >= row->segments->weight_min &&
-           kernel_weight(paint, row, end + 16) >= row->segments->weight_min) {
-        end += 16;
+    const fxl_segment_face *face = row->segments;
+    if (face == NULL || fxl_segment_weight(face, row, (uint32_t)x0 >> 4) < face->weight_min) {
+        return x0;
     }
-    return end < x0 ? x0 : smaller(end, x1);
+    if (fxl_segments_suffice(face, row, x0, x1)) {
+        return x1;
+    }
+    uint32_t segment = (uint32_t)x0 >> 4;
+    while (fxl_segment_weight(face, row, segment + 1u) >= face->weight_min) {
+        segment++; /* less than the last one of the row, where the weight is too small */
+    }
+    return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
 }
 
-/* A row of which the kernel paints a part, or nothing. */
-static void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     while (x0 < x1) {
-        int32_t end = row->segments == NULL ? x0 : kernel_end(paint, row, x0, x1);
+        int32_t end = kernel_end(row, x0, x1);
         if (end > x0) {
             fxl_paint_segments(row->segments, row, x0, end);
         } else {
@@ -182,18 +179,5 @@ static void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row, int32_
             paint_sixteen(paint, row, x0, end);
         }
         x0 = end;
-    }
-}
-
-/* The weight is linear, so it is large enough in all segments of a row if it is in the first column
- * and after the last one. */
-void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
-{
-    const fxl_segment_face *face = row->segments;
-    if (face != NULL && kernel_weight(paint, row, x0 & ~15) >= face->weight_min &&
-        kernel_weight(paint, row, (x1 + 15) & ~15) >= face->weight_min) {
-        fxl_paint_segments(face, row, x0, x1);
-    } else {
-        paint_mixed(paint, row, x0, x1);
     }
 }

@@ -28,6 +28,17 @@ static inline void next_row(const fxl_gradients *gradients, fxl_paint_row *row)
     }
 }
 
+/* A whole row mostly goes to the kernel without detours. */
+static inline void paint_simply(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                                int32_t x1)
+{
+    if (row->segments != NULL && fxl_segments_suffice(row->segments, row, x0, x1)) {
+        fxl_paint_segments(row->segments, row, x0, x1);
+    } else {
+        fxl_paint_pixels(paint, row, x0, x1);
+    }
+}
+
 static void paint_trapezoid(const fxl_paint *paint, const fxl_trapezoid *trapezoid,
                             const fxl_segment_face *segments, const fxl_band *band,
                             fxl_row_painter *paint_row, void *with)
@@ -42,7 +53,7 @@ static void paint_trapezoid(const fxl_paint *paint, const fxl_trapezoid *trapezo
         const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
         if (x0 < x1) {
             if (paint_row == NULL) {
-                fxl_paint_pixels(paint, &row, x0, x1);
+                paint_simply(paint, &row, x0, x1);
             } else {
                 paint_row(with, paint, &row, x0, x1);
             }
@@ -55,8 +66,7 @@ static void paint_trapezoid(const fxl_paint *paint, const fxl_trapezoid *trapezo
 }
 
 void fxl_paint_polygon(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
-                       const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row,
-                       void *with)
+                       const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row, void *with)
 {
     const fxl_trapezoid *trapezoid;
     fxl_segment_face face;

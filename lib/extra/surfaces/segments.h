@@ -19,8 +19,8 @@
  *
  * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
  * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
- * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of segment k is light's upper word in column 0, and k times the
- * upper word of the step. */
+ * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of
+ * segment k is light's upper word in column 0, and k times the upper word of the step. */
 #ifndef FXL_SEGMENTS_H
 #define FXL_SEGMENTS_H
 
@@ -57,6 +57,22 @@ struct fxl_segment_face {
 
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face);
+
+/* The weight at the beginning of a segment of a row. */
+static inline int32_t fxl_segment_weight(const fxl_segment_face *face, const fxl_paint_row *row,
+                                         uint32_t segment)
+{
+    return (int32_t)(((uint64_t)row->weight + (uint64_t)face->weight_step * segment) >> 32);
+}
+
+/* Whether the weight is large enough at both ends of all segments of a part of a row. It is linear,
+ * so it suffices to look at the first end and the last. */
+static inline bool fxl_segments_suffice(const fxl_segment_face *face, const fxl_paint_row *row,
+                                        int32_t x0, int32_t x1)
+{
+    return fxl_segment_weight(face, row, (uint32_t)x0 >> 4) >= face->weight_min &&
+           fxl_segment_weight(face, row, ((uint32_t)x1 + 15u) >> 4) >= face->weight_min;
+}
 
 /* Paints the pixels x0 <= x < x1 of a row. Requires 0 <= x0 < x1, and weights of at least
  * weight_min at both ends of each segment. Safe for any other number: no texel or entry of the ramp

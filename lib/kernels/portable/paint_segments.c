@@ -66,8 +66,7 @@ static inline void find_end(const fxl_segment_face *face, const segment_values *
     end->v = divided((int32_t)(at->v >> 32), reciprocal, face->v_drop);
     end->light = 0;
     if (face->ramp != NULL) {
-        end->light =
-            limited(divided(at->light, reciprocal, face->light_drop), face->light_max);
+        end->light = limited(divided(at->light, reciprocal, face->light_drop), face->light_max);
     }
 }
 
