@@ -268,7 +268,7 @@ static bool is_in_sight(uint32_t number)
  * where its rows were measured, and where there was none. */
 void test_orientations_in_sight_are_checked(void)
 {
-    const uint32_t rounds = UNIT_REPEAT / 500;
+    const uint32_t rounds = UNIT_REPEAT / 1000 + 24;
     uint32_t in_sight = 0, measured = 0;
     for (uint32_t round = 0; round < rounds; round++) {
         const fxl_pose poses[] = {random_pose(), random_pose()};
