@@ -239,6 +239,16 @@ def test_images_are_scaled_by_a_box_filter_and_have_levels(tmp_path):
     assert [made.palette[entry] for entry in texture.texels] == [(250, 0, 0), (0, 0, 250)] * 2 + [(125, 0, 125)]
 
 
+def test_images_of_4_bits(tmp_path):
+    made = textured(tmp_path, "images = { size = 8, bits = 4, levels = 4 }\nshade = false\n")
+    texture, = made.surfaces.textures
+    assert (texture.format, texture.log_width, texture.log_height, texture.levels) == (1, 3, 2, 4)
+    first = [number for byte in texture.texels[:4] for number in (byte & 15, byte >> 4)]
+    assert [made.palette[texture.colours[number]] for number in first] == [(250, 0, 0)] * 4 + [(0, 0, 250)] * 4
+    with pytest.raises(ToolError, match="colours = 16 is outside 1..15"):
+        textured(tmp_path, "images = { bits = 4, colours = 16 }\n")
+
+
 def test_what_is_clear_in_an_image_is_not_drawn_and_opacity_is_a_pattern(tmp_path):
     from PIL import Image
     import io

@@ -10,7 +10,7 @@ from fixel.surfaces import Paint
 from fixel.toml_table import Table
 
 KEYS = {"images"}
-_ROW_KEYS = {"size", "colours", "levels"}
+_ROW_KEYS = {"size", "colours", "levels", "bits"}
 DISTINCT_MAX = 2048     # colours of an image, before they are merged
 FACES_MAX = 8192        # of a model whose images are textures
 
@@ -30,22 +30,23 @@ def _coarser(rows):
     return np.column_stack([found + ((1 << dropped) >> 1), rows[:, 3]])
 
 
-def picture(image, colour, size, most, levels):
+def picture(image, colour, size, most, levels, bits):
     """The texture.Picture of an image that is multiplied by a colour, scaled by a box filter to powers of two."""
-    key = colour, size, most, levels
+    key = colour, size, most, levels, bits
     if key not in image.pictures:
-        width, height = (_power(side, size) for side in (image.width, image.height))
+        least = 2 if bits == 4 else 1       # texels of a row
+        width, height = max(least, _power(image.width, size)), _power(image.height, size)
         scaled = np.asarray(Image.fromarray(image.pixels).resize((width, height), Image.Resampling.BOX)).reshape(-1, 4)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
         pixels = [tuple(rgb) if alpha >= 128 else texture.CLEAR for *rgb, alpha in _coarser(scaled).tolist()]
         own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels
         made = texture.from_pixels([[pixels[i:i + width] for i in range(0, len(pixels), width)]], own)
-        image.pictures[key] = texture.with_levels(made, levels, most, 1) if levels > 1 else made
+        image.pictures[key] = texture.with_levels(made, levels, most, least) if levels > 1 else made
     return image.pictures[key]
 
 
 def _row(table):
-    """(largest side, colours of a texture, levels) of an object's images; None where it has none."""
+    """(largest side, colours of a texture, levels, bits) of an object's images; None where it has none."""
     value = table.data.get("images", False)
     if isinstance(value, bool):
         value = {} if value else None
@@ -55,7 +56,12 @@ def _row(table):
     size = row.whole("size", 64, 1, texture.SIDE_MAX)
     if not texture.is_side(size):
         raise ToolError(f"{row.at('size')}: {size} is not a power of two from 1 to {texture.SIDE_MAX}")
-    return size, row.whole("colours", 32, 1, texture.COLOURS_MAX), row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
+    bits = row.whole("bits", 8, 4, 8)
+    if bits not in (4, 8):
+        raise ToolError(f"{row.at('bits')}: 4 or 8, found {bits}")
+    # Of 16 colours one is what is not drawn.
+    colours = row.whole("colours", 15 if bits == 4 else 32, 1, 15 if bits == 4 else texture.COLOURS_MAX)
+    return size, colours, row.whole("levels", 1, 1, image_surface.LEVELS_MAX), bits
 
 
 def read(table, mesh_of):
@@ -73,7 +79,7 @@ def read(table, mesh_of):
     if len(surfaces.of_face) > FACES_MAX:
         raise ToolError(f"{table.at('images')}: {len(surfaces.of_face):,} faces are more than the limit of {FACES_MAX:,} for "
                         "textures; simplify the model, or leave images away")
-    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), 8, False)
+    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), row[3], False)
               for material in surfaces.materials]
     opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
     return (tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),

@@ -3,7 +3,7 @@
 
 #include "../family.h"
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_KERNELS_ARMV7M && !FXL_KERNELS_ARMV6M
 
 static inline uint8_t texel(const fxl_segment_face *face, uint32_t position)
 {
