@@ -269,6 +269,37 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     free_renderer(renderer);
 }
 
+/* The frame by a depth buffer of any size: whole and in bands, with any list. */
+static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
+                          uint32_t clipper, fuzz_input *in)
+{
+    const fxl_lens *lens = &first->frame.view.lens;
+    const uint32_t words =
+        fuzz_below(in, (first->workspace.counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(16));
+    const bool wide = fuzz_below(in, 4) == 0;
+    const uint32_t bits = wide ? 32 : 16, rows = 1 + fuzz_below(in, whole->rows);
+    const uint32_t size = FXL_DEPTH_BYTES(lens->width, rows, bits);
+    fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
+    fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
+    fxl_depth depth;
+    void *cells = malloc(size);
+    DEMAND(cells != NULL);
+    DEMAND(fxl_renderer_set_depth(renderer, &depth,
+                                  wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth, cells,
+                                  size) == FXL_OK);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    demand_gaps_intact(&band);
+    draw_in_bands(renderer, &band, in);
+    DEMAND(renderer->workspace.counters.drawn == first->workspace.counters.drawn);
+    free(band.pixels);
+    free(cells);
+    if (renderer->shader == &depth.shader) {
+        renderer->shader = NULL; /* it is no beams' room */
+    }
+    free_renderer(renderer);
+}
+
 /* The frame with outlines: whole and in bands, with any list; and what its pixels show. */
 static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
                           uint32_t clipper, fuzz_input *in)
@@ -342,6 +373,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);
     draw_outlined(renderer, pose, &whole, choice->clipper, in);
+    draw_by_depth(renderer, pose, &whole, choice->clipper, in);
     draw_by_bsp(scene, lens, pose, in);
     draw_wireframe(scene, lens, pose, in);
     draw_boxes(scene, lens, pose);

@@ -301,17 +301,26 @@ static void check_textured(uint32_t face, bool keyed)
 
 void test_textures_are_seen_where_they_are_nearest(void)
 {
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    set_texture(1);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    check_textured(1, false);
-    texture.flags = FXL_TEXTURE_KEYED;
-    texture.key = 99;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    check_textured(1, true);
-    memcpy(frame, again, sizeof frame);
-    check_bands(&fxl_visibility_depth);
+    static uint8_t plain[WIDTH * HEIGHT]; /* without a key */
+    for (uint32_t face = 0; face < QUADS; face++) {
+        memset(face_map, 0, sizeof face_map);
+        texture.flags = 0;
+        start_with(&fxl_visibility_depth);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+        set_texture(face);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+        check_textured(face, false);
+        memcpy(plain, again, sizeof plain);
+        texture.flags = FXL_TEXTURE_KEYED;
+        texture.key = 99;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+        check_textured(face, true);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            TEST_ASSERT_EQUAL(plain[i] == 98, again[i] == 98);
+        }
+        memcpy(frame, again, sizeof frame);
+        check_bands(&fxl_visibility_depth);
+    }
 }
 
 void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)

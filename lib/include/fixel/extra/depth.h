@@ -27,7 +27,8 @@ typedef struct {
  * largest for which e 2^m < 65536, two faces whose distances at a pixel differ by more than
  * (1 + 1/32) 2^-m of the distance are told apart; and 32 bits tell faces apart at 2^-(m + 5) of
  * it. To that comes what a face's plane is off: 2^-28 of its size and FXL_PLANARITY_MAX. Where two
- * faces are not told apart, that which fxl_visibility_sorted draws later is seen. */
+ * faces are not told apart, either may be seen; where both have the same code, it is that which
+ * fxl_visibility_sorted draws later. */
 extern const fxl_visibility fxl_visibility_depth;    /* 16 bits a pixel */
 extern const fxl_visibility fxl_visibility_depth_32; /* 32 bits a pixel */
 
