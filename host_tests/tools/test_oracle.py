@@ -93,3 +93,10 @@ def test_the_twin_is_judged_too(build):
     assert vertex["twin_off"] == 0
     outline = json.loads(oracle(build, "outline_clipped", "--samples", 20_000, "--seed", 7, "--shard", 0))
     assert outline["twin_beyond"] <= 0.005 * outline["cut"]
+
+
+@pytest.mark.parametrize("claim", ("texel_divided", "light_level"))
+def test_no_pixel_of_a_surface_exceeds_its_own_bound(build, claim):
+    found = json.loads(oracle(build, claim, "--samples", 20_000, "--seed", 9, "--shard", 0))
+    assert found["beyond_own_bound"] == 0
+    assert found["samples"] == 20_000 > 10 * found["skipped"]

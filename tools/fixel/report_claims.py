@@ -40,6 +40,11 @@ CLAIMS = (
     Claim("watertight", 0, "pixels", "Gaps between two polygons that share an edge, and pixels that "
           "both draw, clipped or not. Except pieces thinner than 1/65536 pixel that rounding "
           "turned over."),
+    Claim("texel_divided", 1 / 256, "texel", "The texel that a pixel shows, divided at each pixel: how far it is "
+          "from the exact texture coordinates, given corners and matrix."),
+    Claim("texel_every_16", 0.54, "texel", "The same, divided every 16 columns or more often."),
+    Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
+          "the exact light, given the lights, the corners and their normals."),
     Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
           "renderer in double. Each must lie within 1/8192 pixel of an edge."),
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "

@@ -46,7 +46,10 @@ CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("vertex_unclipped", 10_000_000, 250_000),
     ("outline_clipped", 1_000_000, 10_000),
     ("coverage", 1_000_000, 10_000),
-    ("watertight", 500_000, 10_000)))
+    ("watertight", 500_000, 10_000),
+    ("texel_divided", 2_000_000, 50_000),
+    ("texel_every_16", 2_000_000, 50_000),
+    ("light_level", 1_000_000, 50_000)))
 STAGES = tuple(Kind("designs", *kind) for kind in (
     ("matrix", 1_000_000, 100_000),
     ("vertex", 10_000_000, 250_000),
