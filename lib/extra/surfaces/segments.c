@@ -14,6 +14,7 @@ static int32_t drop_of(int shift, int fraction)
  * the drop and 32. */
 static int32_t weight_for(int32_t drop)
 {
+    /* bug: segment-far */
     return drop >= -2 ? 2 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
 }
 

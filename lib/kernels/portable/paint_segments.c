@@ -56,7 +56,7 @@ static inline int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, i
 
 static inline int32_t limited(int32_t light, int32_t most)
 {
-    return light < 0 ? 0 : light > most ? most : light;
+    return light < 0 ? 0 : light > most ? most : light; /* bug: segment-light */
 }
 
 static inline void find_end(const fxl_segment_face *face, const segment_values *at,

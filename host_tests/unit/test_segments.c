@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernel of textured segments against its definition in double, and the faces that it takes. */
+#include <math.h>
+#include <string.h>
+
+#include "extra/surfaces/segments.h"
+#include "unity.h"
+
+enum {
+    COLUMNS = 128,
+    TEXELS = 1024,
+    LEVELS = 3,
+    UNTOUCHED = 255
+};
+
+static uint8_t texels[TEXELS], ramp[256 * LEVELS];
+static uint8_t row_pixels[COLUMNS], part[COLUMNS];
+static fxl_gradients gradients;
+static fxl_paint paint;
+static fxl_paint_row row;
+static fxl_segment_face face;
+static uint32_t state;
+
+void setUp(void)
+{
+    state = 2463534242u;
+    memset(&gradients, 0, sizeof gradients);
+    memset(&paint, 0, sizeof paint);
+    memset(&row, 0, sizeof row);
+    gradients.count = 2;
+    gradients.weight_min[0] = gradients.weight_min[1] = 1;
+    paint.gradients = &gradients;
+    paint.level.texels = texels;
+    paint.opacity = 16;
+}
+
+void tearDown(void)
+{
+}
+
+static uint32_t any(void)
+{
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state;
+}
+
+static void choose_size(uint32_t log_width, uint32_t log_height)
+{
+    paint.level.log_width = (uint8_t)log_width;
+    paint.level.columns_less_1 = (1u << log_width) - 1u;
+    paint.level.rows_less_1 = (1u << log_height) - 1u;
+}
+
+/* A gradient from one value to another over the columns; the row's value is the first. */
+static void choose_gradient(fxl_gradient *gradient, int64_t *at, double from, double to)
+{
+    gradient->at = *at = (int64_t)ldexp(from, 32);
+    gradient->along = (int64_t)(ldexp(to - from, 32) / COLUMNS);
+}
+
+static double exact(const fxl_gradient *gradient, int column)
+{
+    return ldexp((double)(gradient->at + gradient->along * column), -32);
+}
+
+/* An attribute at the end of a segment: texels, or levels. */
+static double divided(uint32_t attribute, int column)
+{
+    return ldexp(exact(&gradients.attributes[attribute], column) / exact(&gradients.weight, column),
+                 gradients.shifts[attribute] - 16);
+}
+
+/* On the line between both ends of a pixel's segment. */
+static double on_line(uint32_t attribute, int x)
+{
+    const int first = x & ~15;
+    const double from = divided(attribute, first), to = divided(attribute, first + 16);
+    return from + (to - from) * (x - first) / 16;
+}
+
+/* How far a coordinate is from texel number n of 2^log, which repeats. */
+static double distance(double coordinate, uint32_t n, uint32_t log)
+{
+    const double size = ldexp(1, (int)log), from_middle = coordinate - n - 0.5;
+    return fabs(from_middle - size * floor(from_middle / size + 0.5)) - 0.5;
+}
+
+/* A face whose weights are from 2^26 to 2^30, and whose coordinates are within 200 texels. */
+static void choose_face(void)
+{
+    const double weights[2] = {67108864.0 + any() % 900000000u, 67108864.0 + any() % 900000000u};
+    choose_gradient(&gradients.weight, &row.weight, weights[0], weights[1]);
+    for (uint32_t i = 0; i < 2; i++) {
+        const double from = (int)(any() % 400u) - 200 + (any() & 255u) / 256.0;
+        const double to = from + (int)(any() % 161u) - 80;
+        gradients.shifts[i] = 24;
+        choose_gradient(&gradients.attributes[i], &row.attributes[i], from * weights[0] / 256,
+                        to * weights[1] / 256);
+    }
+}
+
+static void paint_row(uint8_t *pixels, int32_t x0, int32_t x1)
+{
+    memset(pixels, UNTOUCHED, COLUMNS);
+    row.pixels = pixels;
+    fxl_paint_segments(&face, &row, x0, x1);
+}
+
+/* The worst distance of what the kernel painted: i is 0 for columns of texels, 1 for rows. */
+static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height)
+{
+    const uint32_t log = log_width > log_height ? log_width : log_height;
+    for (uint32_t n = 0; n < 1u << (log_width + log_height); n++) {
+        texels[n] = (uint8_t)(i == 0 ? n & ((1u << log_width) - 1u) : n >> log_width);
+    }
+    paint_row(row_pixels, 0, COLUMNS);
+    for (int x = 0; x < COLUMNS; x++) {
+        /* 1 of the position and 1/2 of 15 steps; 2 that v carries over; 1 for both ends. */
+        const double most = ldexp(11.5, -16 + (int)(i == 0 ? log_width : log));
+        const double off = distance(on_line(i, x), row_pixels[x], i == 0 ? log_width : log_height);
+        TEST_ASSERT_TRUE(off <= most);
+    }
+}
+
+void test_texels_are_on_the_line_between_both_ends(void)
+{
+    for (uint32_t log_width = 4; log_width <= 8; log_width++) {
+        for (uint32_t log_height = 0; log_width + log_height <= 10 && log_height <= 8;
+             log_height++) {
+            for (uint32_t n = 0; n < 4; n++) {
+                choose_face();
+                choose_size(log_width, log_height);
+                TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+                check_coordinate(0, log_width, log_height);
+                check_coordinate(1, log_width, log_height);
+            }
+        }
+    }
+}
+
+void test_a_pixel_does_not_depend_on_where_a_row_begins(void)
+{
+    choose_size(5, 5);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 300; n++) {
+        const int32_t x0 = (int32_t)(any() % COLUMNS);
+        const int32_t x1 = x0 + 1 + (int32_t)(any() % (uint32_t)(COLUMNS - x0));
+        choose_face();
+        paint.ramp = NULL;
+        if (n & 1u) {
+            paint.ramp = ramp;
+            paint.levels_less_1 = LEVELS - 1;
+            gradients.count = 3;
+            gradients.shifts[2] = 24;
+            choose_gradient(&gradients.attributes[2], &row.attributes[2], any() % 10000000u,
+                            any() % 10000000u);
+        }
+        for (uint32_t i = 0; i < sizeof ramp; i++) {
+            ramp[i] = (uint8_t)(any() % UNTOUCHED);
+        }
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        paint_row(row_pixels, 0, COLUMNS);
+        paint_row(part, x0, x1);
+        for (int32_t x = 0; x < COLUMNS; x++) {
+            TEST_ASSERT_EQUAL(x >= x0 && x < x1 ? row_pixels[x] : UNTOUCHED, part[x]);
+        }
+    }
+}
+
+void test_light_is_on_the_line_between_both_ends(void)
+{
+    choose_size(4, 4);
+    memset(texels, 7, sizeof texels);
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)((i & 255u) == 7 ? i >> 8 : UNTOUCHED);
+    }
+    paint.ramp = ramp;
+    paint.levels_less_1 = LEVELS - 1;
+    gradients.count = 3;
+    for (uint32_t n = 0; n < 100; n++) {
+        choose_face();
+        gradients.shifts[2] = 20;
+        choose_gradient(&gradients.attributes[2], &row.attributes[2],
+                        exact(&gradients.weight, 0) * (any() % 700u) / 5000,
+                        exact(&gradients.weight, COLUMNS) * (any() % 700u) / 5000);
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        paint_row(row_pixels, 0, COLUMNS);
+        for (int x = 0; x < COLUMNS; x++) {
+            const double light = on_line(2, x);
+            TEST_ASSERT_TRUE(row_pixels[x] < LEVELS);
+            TEST_ASSERT_TRUE(light - row_pixels[x] > -1.0 / 15 || row_pixels[x] == 0);
+            TEST_ASSERT_TRUE(light - row_pixels[x] < 1 + 1.0 / 15);
+        }
+    }
+}
+
+/* Light far beyond the levels, whatever its numbers: no entry beyond the ramp is read, as the
+ * sanitizers see, and every pixel is painted. */
+void test_light_beyond_the_levels_is_limited(void)
+{
+    choose_size(4, 0);
+    memset(texels, 0, sizeof texels);
+    memset(ramp, 1, sizeof ramp);
+    paint.ramp = ramp;
+    gradients.count = 3;
+    for (uint32_t n = 0; n < 500; n++) {
+        choose_face();
+        paint.levels_less_1 = (uint8_t)(n % LEVELS);
+        gradients.shifts[2] = (int8_t)(n % 64);
+        choose_gradient(&gradients.attributes[2], &row.attributes[2], (int32_t)any() / 4 >> n % 28,
+                        (int32_t)any() / 4 >> n % 29);
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        if (fxl_segments_suffice(&face, &row, 0, COLUMNS)) {
+            paint_row(row_pixels, 0, COLUMNS);
+            for (int x = 0; x < COLUMNS; x++) {
+                TEST_ASSERT_EQUAL(1, row_pixels[x]);
+            }
+        }
+    }
+}
+
+/* Weights, from the least to the largest, with drops that fit them. A texture of one row has as
+ * many texels as the sanitizers let the kernel read. */
+void test_every_weight_reads_texels_of_the_texture_alone(void)
+{
+    choose_size(8, 2);
+    for (uint32_t bits = 1; bits < 30; bits++) {
+        for (uint32_t n = 0; n < 20; n++) {
+            const double from = ldexp(1, (int)bits) + n % 2, to = ldexp(1, 1 + (int)(any() % 29u));
+            choose_gradient(&gradients.weight, &row.weight, from, to);
+            for (uint32_t i = 0; i < 2; i++) {
+                gradients.shifts[i] = (int8_t)(any() % 90u);
+                choose_gradient(&gradients.attributes[i], &row.attributes[i],
+                                (int32_t)any() / 4 >> any() % 28u,
+                                (int32_t)any() / 4 >> any() % 28u);
+            }
+            TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+            if (fxl_segments_suffice(&face, &row, 0, COLUMNS)) {
+                paint_row(row_pixels, 0, COLUMNS);
+            }
+            fxl_paint_row any_row = row;
+            any_row.pixels = part;
+            any_row.segments = &face;
+            fxl_paint_pixels(&paint, &any_row, 0, COLUMNS);
+        }
+    }
+}
+
+/* The weight may be too small at one end of a row: then its other segments are the kernel's. */
+void test_small_weights_are_divided_more_often(void)
+{
+    choose_size(5, 5);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(i % UNTOUCHED);
+    }
+    choose_face();
+    choose_gradient(&gradients.weight, &row.weight, 1 << 26, 1 << 29);
+    gradients.weight_min[0] = 200 << 20;
+    TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+    TEST_ASSERT_FALSE(fxl_segments_suffice(&face, &row, 0, COLUMNS));
+    row.segments = &face;
+    row.pixels = part;
+    fxl_paint_pixels(&paint, &row, 0, COLUMNS);
+    TEST_ASSERT_TRUE(fxl_segments_suffice(&face, &row, 48, COLUMNS));
+    TEST_ASSERT_FALSE(fxl_segments_suffice(&face, &row, 32, COLUMNS));
+    paint_row(row_pixels, 48, COLUMNS);
+    TEST_ASSERT_EQUAL_MEMORY(row_pixels + 48, part + 48, COLUMNS - 48);
+    row.segments = NULL;
+    row.pixels = row_pixels;
+    fxl_paint_pixels(&paint, &row, 0, 48);
+    TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, 48);
+}
+
+static void check_refused(bool expected)
+{
+    TEST_ASSERT_EQUAL(expected, !fxl_segments_find(&paint, &face));
+    setUp();
+    choose_size(4, 4);
+}
+
+void test_other_faces_are_not_the_kernels(void)
+{
+    static const uint8_t colours[16];
+    choose_size(4, 4);
+    check_refused(false);
+    choose_size(3, 4);
+    check_refused(true);
+    paint.level.texels = NULL;
+    check_refused(true);
+    paint.level.colours = colours;
+    check_refused(true);
+    paint.level.flags = FXL_TEXTURE_CLAMP;
+    check_refused(true);
+    paint.level.flags = FXL_TEXTURE_KEYED;
+    check_refused(true);
+    paint.opacity = 15;
+    check_refused(true);
+    paint.blend = colours;
+    check_refused(true);
+    paint.division = FXL_DIVIDE_8;
+    check_refused(true);
+    gradients.weight_min[0] = UINT32_MAX;
+    check_refused(true);
+}
