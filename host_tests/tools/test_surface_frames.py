@@ -155,3 +155,32 @@ window = [[-2, 4, 2], [-2, 4, 7], [3, 4, 7], [3, 4, 2]]
     file.write_text(text)
     image = built(file, tmp_path, "beam")
     assert judged(build, image, drawn(build, image, "beam"))["pixels_unexplained"] == 0
+
+
+def test_light_of_narrow_faces_is_within_its_bound(build, tmp_path):
+    """Segments of 16 columns reach beyond such faces, to where light is beyond the ramp."""
+    text = """
+[screen]
+width = 160
+height = 40
+[light]
+levels = 12
+ambient = 0.1
+direction = [-1, 0, 0.5]
+[[textures]]
+name = "t"
+pattern = "checker"
+size = [64, 64]
+[[objects]]
+solid = "box"
+scale = [0.2, 1, 0.2]
+texture = "t"
+smooth = true
+positions = [[-2, 0, 5], [-1, 0, 5], [0, 0, 5], [1, 0, 5], [2, 0, 5]]
+[path]
+keys = [{ position = [0, 0, 0], frames = 4 }, { position = [0.5, 0, 0] }]
+"""
+    file = tmp_path / "narrow.toml"
+    file.write_text(text)
+    image = built(file, tmp_path, "narrow")
+    assert judged(build, image, drawn(build, image, "narrow"))["pixels_unexplained"] == 0

@@ -168,10 +168,42 @@ static int32_t kernel_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
     return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
 }
 
+/* Whether the light at the end of a segment is a level of the ramp. */
+static bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+{
+    int32_t values[FXL_ATTRIBUTES];
+    divide_at(paint, row, x, weight_at(paint, row, x), values);
+    const int32_t level = values[paint->gradients->count - 1] >> 16;
+    return level >= 0 && level <= paint->levels_less_1;
+}
+
+/* The same for light. The kernel holds the light at both ends of a segment within the ramp. An end
+ * may lie outside of the face, where light is beyond the ramp: then the light between the ends
+ * would be wrong, and the segment is not for the kernel. Along a row light rises or falls, so
+ * between two ends where it is within the ramp it is so at all ends. */
+static int32_t kernel_end_of_light(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                                   int32_t end)
+{
+    int32_t segment_end = (x0 & ~15) + 16;
+    if (!level_is_in_ramp(paint, row, x0 & ~15)) {
+        return x0;
+    }
+    if (level_is_in_ramp(paint, row, (end + 15) & ~15)) {
+        return end;
+    }
+    while (level_is_in_ramp(paint, row, segment_end)) {
+        segment_end += 16; /* less than end + 15, where it is beyond */
+    }
+    return segment_end - 16 > x0 ? segment_end - 16 : x0;
+}
+
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     while (x0 < x1) {
         int32_t end = kernel_end(row, x0, x1);
+        if (end > x0 && paint->ramp != NULL) {
+            end = kernel_end_of_light(paint, row, x0, end);
+        }
         if (end > x0) {
             fxl_paint_segments(row->segments, row, x0, end);
         } else {
