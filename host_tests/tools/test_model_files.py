@@ -212,7 +212,7 @@ CLOTH = png([[(250, 0, 0)] * 8 + [(0, 0, 250)] * 8] * 4)
 
 def textured(tmp_path, objects, **material):
     data, blob = gltf(*SQUARE, uvs=[(0, 0), (2, 0), (2, 1), (0, 1)], image=CLOTH, material=material)
-    return compiled(tmp_path, f'[[objects]]\nmodel = "m.glb"\n{objects}', m_glb=glb(data, blob))[0]
+    return compiled(tmp_path, f'[[objects]]\nmodel = "m.glb"\nshade = false\n{objects}', m_glb=glb(data, blob))[0]
 
 
 def test_an_image_becomes_a_texture_at_the_files_coordinates(tmp_path):
@@ -240,7 +240,7 @@ def test_images_are_scaled_by_a_box_filter_and_have_levels(tmp_path):
 
 
 def test_images_of_4_bits(tmp_path):
-    made = textured(tmp_path, "images = { size = 8, bits = 4, levels = 4 }\nshade = false\n")
+    made = textured(tmp_path, "images = { size = 8, bits = 4, levels = 4 }\n")
     texture, = made.surfaces.textures
     assert (texture.format, texture.log_width, texture.log_height, texture.levels) == (1, 3, 2, 4)
     first = [number for byte in texture.texels[:4] for number in (byte & 15, byte >> 4)]
