@@ -208,7 +208,7 @@ static int open_renderer(fxl_scene_image *image)
 /* How many rows of a band fit into its memory, or fewer if the build says so. */
 static uint32_t band_rows(uint16_t width)
 {
-    const uint32_t most = WALK_BAND_BYTES / width;
+    const uint32_t most = (uint32_t)WALK_BAND_BYTES / width;
 
 #ifdef WALK_ROWS_MAX
     return most < WALK_ROWS_MAX ? most : WALK_ROWS_MAX;

@@ -52,10 +52,9 @@ static void spin_rows(vector rows[3], vector axis, double angle)
     for (int i = 0; i < 3; i++) {
         const vector row = rows[i];
         /* The row of R times the spin is the spin's inverse of the row. */
-        rows[i] = vector_plus(
-            vector_plus(vector_times(row, cos(angle)),
-                        vector_times(vector_cross(row, a), sin(angle))),
-            vector_times(a, vector_dot(a, row) * (1 - cos(angle))));
+        rows[i] = vector_plus(vector_plus(vector_times(row, cos(angle)),
+                                          vector_times(vector_cross(row, a), sin(angle))),
+                              vector_times(a, vector_dot(a, row) * (1 - cos(angle))));
     }
 }
 
@@ -102,8 +101,8 @@ static placing move(const uint8_t *motion, const uint8_t *keys, uint32_t frame)
     const double around = angle_of(get_u32(motion + 36), get_u32(motion + 40), frame);
     const vector axis = point_of(motion + 12, 1.0);
     const stop at = between_keys(keys, get_u32(motion + 68), motion[74] != 0, frame);
-    placing place = unturned(
-        vector_plus(at.centre, (vector){radius * sin(around), 0, radius * cos(around)}));
+    placing place =
+        unturned(vector_plus(at.centre, (vector){radius * sin(around), 0, radius * cos(around)}));
     double angles[3];
     for (int i = 0; i < 3; i++)
         angles[i] = at.angles[i] * 2 * acos(-1.0) + angle_of(0, get_u32(motion + 4 * i), frame);
@@ -130,9 +129,9 @@ static placing attached(const placing *parent, const placing *child)
     place.scale = parent->scale * child->scale;
     for (int i = 0; i < 3; i++) {
         const vector row = parent->rows[i];
-        place.rows[i] = vector_plus(vector_times(child->rows[0], row.x),
-                                    vector_plus(vector_times(child->rows[1], row.y),
-                                                vector_times(child->rows[2], row.z)));
+        place.rows[i] = vector_plus(
+            vector_times(child->rows[0], row.x),
+            vector_plus(vector_times(child->rows[1], row.y), vector_times(child->rows[2], row.z)));
     }
     return place;
 }

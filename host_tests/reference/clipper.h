@@ -19,8 +19,9 @@
 bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points);
 
 /* How a visibility method of this name draws: by_bsp: a scene that has a BSP tree by the tree;
- * flat: faces in their own colours, whatever surfaces they have; depth_bits: of a depth buffer, or 0.
- * Returns false where no method has that name. A span buffer gives the same picture as drawing over. */
+ * flat: faces in their own colours, whatever surfaces they have; depth_bits: of a depth buffer, or
+ * 0. Returns false where no method has that name. A span buffer gives the same picture as drawing
+ * over. */
 bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat, int *depth_bits);
 
 #endif

@@ -13,8 +13,8 @@ typedef struct {
 } ref_lens;
 
 /* Makes a lens. focal = (width / 2) / tan(fov / 2), rounded to the nearest 1/65536; the
- * specification defines that rounding. near_z, far_z and inset are in world units. The centre is the
- * middle of the screen. */
+ * specification defines that rounding. near_z, far_z and inset are in world units. The centre is
+ * the middle of the screen. */
 ref_lens ref_lens_from_fov(int width, int height, ref_angle fov, double near_z, double far_z,
                            double inset);
 

@@ -182,7 +182,8 @@ void test_the_order_of_faces(void)
         const fxl_point *c = &instance.centre, *e = &view.camera.position;
         const fxl_point from_eye = {c->x - e->x, c->y - e->y, c->z - e->z};
         const unsigned shift = fxl_turn_eye(&turn, &from_eye, model.radius, &eye);
-        const uint32_t found = fxl_order_turned_faces(&turned, &scene, &model, 0, model.face_count, entries);
+        const uint32_t found =
+            fxl_order_turned_faces(&turned, &scene, &model, 0, model.face_count, entries);
         for (uint32_t i = 0; i < FACES; i++) {
             if (is_front(i)) {
                 TEST_ASSERT_TRUE(count < found);

@@ -52,9 +52,8 @@ static void find(const void *what, const fxl_model_view *model_view, const fxl_f
     fxl_gradients_find(&corners, model_view->view, &polygon->gradients);
     polygon->level = 0;
     if (surface->texture != 0) {
-        polygon->level =
-            fxl_texture_level_choose(&surfaces->set->textures[surface->texture - 1], &corners,
-                                     model_view->view, &polygon->gradients);
+        polygon->level = fxl_texture_level_choose(&surfaces->set->textures[surface->texture - 1],
+                                                  &corners, model_view->view, &polygon->gradients);
     }
     polygon->surface = mapped->surface;
     polygon->colour = face->material;

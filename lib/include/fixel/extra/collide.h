@@ -79,16 +79,15 @@ typedef struct {
  * that it reaches into, the nearest to its centre first; if it then still reaches into one, it
  * stays where the step began. If the sphere is free of all faces at the start, it is free after
  * each step, and its centre keeps at least half the radius from every face on the straight way
- * between two steps. A push leaves a gap of 8 to 16 units of 1/65536, and from a turned face of scale
- * s up to 4 s + 132 units more. If the sphere is not free at
- * the start, it may stay there (`blocked`). A coordinate beyond FXL_COORDINATE_MAX is clamped to
- * it. It reads every face of each instance whose sphere it reaches, a few times for each step.
- * The faces of an instance that is turned are those of fxl_cast_segment; all turns are checked in
- * each call. *slide may be null.
+ * between two steps. A push leaves a gap of 8 to 16 units of 1/65536, and from a turned face of
+ * scale s up to 4 s + 132 units more. If the sphere is not free at the start, it may stay there
+ * (`blocked`). A coordinate beyond FXL_COORDINATE_MAX is clamped to it. It reads every face of each
+ * instance whose sphere it reaches, a few times for each step. The faces of an instance that is
+ * turned are those of fxl_cast_segment; all turns are checked in each call. *slide may be null.
  * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked, or has turns without a turn_code),
- * FXL_E_TURN (the orientation of an instance), FXL_E_RANGE (the centre, or the radius; a component of
- * `move` outside of FXL_COORDINATE_MAX; a move of more than FXL_SLIDE_STEPS_MAX steps; the scale or
- * the place of a turned instance): nothing is changed. */
+ * FXL_E_TURN (the orientation of an instance), FXL_E_RANGE (the centre, or the radius; a component
+ * of `move` outside of FXL_COORDINATE_MAX; a move of more than FXL_SLIDE_STEPS_MAX steps; the scale
+ * or the place of a turned instance): nothing is changed. */
 fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *move,
                             fxl_slide *slide);
 

@@ -30,16 +30,16 @@ typedef struct {
 
 /* Memory of the caller that a world works in for as long as it lives. */
 typedef struct {
-    fxl_instance *instances;        /* capacity + turned_capacity */
-    fxl_world_slot *slots;          /* as many */
-    fxl_turn *turns;                /* turned_capacity; may be null where that is 0 */
-    uint32_t capacity;              /* instances without a turn, hidden ones included */
+    fxl_instance *instances;  /* capacity + turned_capacity */
+    fxl_world_slot *slots;    /* as many */
+    fxl_turn *turns;          /* turned_capacity; may be null where that is 0 */
+    uint32_t capacity;        /* instances without a turn, hidden ones included */
     uint32_t turned_capacity; /* instances with a turn, hidden ones included; both together are
                                  1..FXL_SCENE_INSTANCES_MAX */
     /* Tables of 256 colours that fxl_world_recolour chooses from: by table n, colours[256 * n + c]
      * is drawn in place of colour c. May be null where colour_count is 0. */
     const uint8_t *colours;
-    uint32_t colour_count; /* tables, 0..255 */
+    uint32_t colour_count;          /* tables, 0..255 */
     const fxl_turn_code *turn_code; /* &fxl_turned_instances where turned_capacity is above 0: a
                                        program that turns nothing links no code for it */
 } fxl_world_memory;
