@@ -14,7 +14,7 @@
 #ifndef FXL_SEGMENTS_ARMV7M_H
 #define FXL_SEGMENTS_ARMV7M_H
 
-.syntax unified
+    .syntax unified
     .thumb
 
 /* The reciprocal of a weight and its leading zeros, as fxl_reciprocal_of finds them, where `most` is
