@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its
  * picture: the pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the
- * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first.
- * With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. */
+ * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first. With
+ * EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. */
 #define main example_main
 #include EXAMPLE
 #undef main
