@@ -50,14 +50,13 @@ typedef struct {
 static workload flat, textured;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(SURFACE_WIDTH, SURFACE_HEIGHT, 16)];
-static uint8_t pixels[SURFACE_WIDTH * SURFACE_HEIGHT];
 
 #define CLEARS 4u /* of a frame without a face, so that its beginning counts less */
 
 static void draw(workload *of, fxl_angle yaw, uint32_t times)
 {
     const fxl_pose eye = {{0, 0, -10 * 65536}, yaw, FXL_DEGREES(10), 0};
-    const fxl_band band = {pixels, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
+    const fxl_band band = {kernel_screen, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
     (void)fxl_frame_begin(&of->renderer, &eye);
     for (uint32_t i = 0; i < times; i++) {
         (void)fxl_frame_draw(&of->renderer, &band);

@@ -14,8 +14,8 @@ enum {
 
 static uint8_t texels[1u << (2 * LOG_SIZE)];
 static uint8_t ramp[256 * LEVELS];
-static FXL_ALIGN_8 uint8_t frame[SURFACE_WIDTH * SURFACE_HEIGHT];
-static const fxl_band screen = {frame, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
+FXL_ALIGN_8 uint8_t kernel_screen[SURFACE_WIDTH * SURFACE_HEIGHT];
+static const fxl_band screen = {kernel_screen, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
 static fxl_scan scan;
 
 /* --- a quad --------------------------------------------------------------------------------- */

@@ -7,6 +7,9 @@
 #define SURFACE_WIDTH  320u
 #define SURFACE_HEIGHT 240u
 
+/* What kernels with frames draw into, one after another. */
+extern uint8_t kernel_screen[SURFACE_WIDTH * SURFACE_HEIGHT];
+
 /* Before the list is run. False: the library refused the workload. */
 bool kernel_surfaces_prepare(void);
 

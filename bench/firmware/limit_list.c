@@ -2,11 +2,10 @@
 /* The bare work of a few kernels, as a limit for them: without rounding, range or rule. Filling
  * is assembly, with the fewest instructions for a frame. The others are plain products, as the
  * compiler translates them. */
-#include "kernels.h"
+#include "kernel_surfaces.h"
 
-#define FILL_BYTES 76800u /* 320 x 240 */
+#define FILL_BYTES (SURFACE_WIDTH * SURFACE_HEIGHT)
 
-static uint8_t frame[FILL_BYTES] __attribute__((aligned(8)));
 static int32_t products[KERNEL_COUNT];
 static fxl_view_point sums[KERNEL_COUNT];
 
@@ -37,7 +36,7 @@ __attribute__((naked)) static void fill(const kernel_inputs *in)
                      "pop {r4, r5, r6, r7, pc}\n\t"
                      ".align 2\n"
                      "2:\t.word %c0\n"
-                     "3:\t.word %c1" ::"i"(frame),
+                     "3:\t.word %c1" ::"i"(kernel_screen),
                      "i"(FILL_BYTES));
 }
 

@@ -79,8 +79,10 @@ def compiler_says(bug):
 
 
 def test_each_bug_compiles():
-    """A marked line that was wrapped since is a line no longer. Assembly is left to the sample."""
-    inputs = [bug for bug in bugs.read(CHECKOUT) if not bug.file.endswith(".S")]
+    """A marked line that was wrapped since is a line no longer. Assembly, and the headers that it alone includes, are
+    left to the sample."""
+    inputs = [bug for bug in bugs.read(CHECKOUT)
+              if not bug.file.endswith(".S") and ".macro" not in (CHECKOUT / bug.file).read_text(encoding="utf-8")]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         assert "".join(pool.map(compiler_says, inputs)) == ""
 

@@ -6,11 +6,12 @@
 
 #if !FXL_TURNS_IN_ASSEMBLY
 
-/* A row of the view along a column of the orientation. */
+/* A row of the view along a column of the orientation. Both may have an entry of -2^30 - 4, so
+ * fxl_multiply_s31 would not do. */
 static inline fxl_q2_30 along(const fxl_direction *row, int32_t x, int32_t y, int32_t z)
 {
-    return (fxl_q2_30)fxl_round_shift(fxl_multiply_s31(row->x, x) + fxl_multiply_s31(row->y, y) +
-                                          fxl_multiply_s31(row->z, z),
+    return (fxl_q2_30)fxl_round_shift(fxl_multiply_s32(row->x, x) + fxl_multiply_s32(row->y, y) +
+                                          fxl_multiply_s32(row->z, z),
                                       30);
 }
 
