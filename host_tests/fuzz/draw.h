@@ -52,4 +52,8 @@ void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in);
 /* A point on the screen, a segment from the eye, and a sphere that slides away from there. */
 void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in);
 
+/* A frame that has begun, in another workspace: as it is in `whole`, over the background. */
+void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t background,
+                     fuzz_input *in);
+
 #endif

@@ -59,7 +59,7 @@ static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
 {
     fxl_texture *texture = &made->textures[number];
     const uint32_t format = fuzz_below(in, 2);
-    const uint32_t wide = format + fuzz_below(in, fuzz_below(in, 8) ? 4 : 8);
+    const uint32_t wide = format + fuzz_below(in, fuzz_below(in, 2) ? 4 : 8);
     const uint32_t high = fuzz_below(in, fuzz_below(in, 8) ? 4 : 9);
     *texture = (fxl_texture){.log_width = (uint8_t)wide,
                              .log_height = (uint8_t)high,
@@ -161,7 +161,7 @@ static void misuse(fxl_renderer *renderer, made_surfaces *made, const fxl_scene 
 {
     static fxl_renderer none;
     static fxl_surfaces surfaces;
-    uint8_t table[256];
+    static uint8_t palette[768], table[512];
     fxl_surface_set set = made->set;
     DEMAND(fxl_renderer_set_surfaces(NULL, &surfaces, &set) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_surfaces(renderer, NULL, &set) == FXL_E_ARGUMENT);
@@ -169,8 +169,12 @@ static void misuse(fxl_renderer *renderer, made_surfaces *made, const fxl_scene 
     DEMAND(fxl_renderer_light_surfaces(NULL, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_light_surfaces(&none, NULL) == FXL_E_ORDER);
     DEMAND(fxl_blend_make_table(NULL, 8, 0, 1, table) == FXL_E_ARGUMENT);
-    DEMAND(fxl_blend_make_table(table, 17, 0, 1, table) == FXL_E_RANGE);
-    DEMAND(fxl_blend_make_table(table, 16, 255, 2, table) == FXL_E_COUNT);
+    DEMAND(fxl_blend_make_table(palette, 17, 0, 1, table) == FXL_E_RANGE);
+    DEMAND(fxl_blend_make_table(palette, 0, 0, 1, table) == FXL_E_RANGE);
+    DEMAND(fxl_blend_make_table(palette, 16, 255, 2, table) == FXL_E_COUNT);
+    DEMAND(fxl_blend_make_table(palette, 16, 256, 1, table) == FXL_E_COUNT);
+    DEMAND(fxl_blend_make_table(palette, 16, 0, 0, table) == FXL_E_COUNT);
+    DEMAND(fxl_blend_make_table(palette, 8, 254, 2, table) == FXL_OK && table[511] == 255);
     DEMAND(fxl_surfaces_check(NULL, scene, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_surfaces_check(&set, NULL, NULL) == FXL_E_ARGUMENT);
     set.face_map = NULL;
@@ -209,6 +213,7 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     renderer->frame.display_list.capacity = words;
     draw(renderer, &pose, bands, 1 + fuzz_below(in, lens->height));
     DEMAND(memcmp(whole, bands, size) == 0);
+    draw_in_another(renderer, whole, BACKGROUND, in);
     free(whole);
     free(bands);
     free(list);
