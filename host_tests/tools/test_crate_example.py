@@ -13,7 +13,7 @@ from fixel import first_program
 def test_the_crate_is_that_of_the_document(build):
     pixels, palette = first_program.draw_crate(build / "host" / "libfixel.a")
     shown = numpy.array(Image.open(CHECKOUT / "docs" / "crate.png").convert("RGB"))
-    assert len(numpy.unique(pixels)) > 60
+    assert len(numpy.unique(pixels)) > 20  # grain and light
     assert numpy.array_equal(palette[pixels], shown)
 
 
