@@ -38,7 +38,8 @@ typedef struct {
  * Requires a camera and a lens made by their functions.
  * Error: an entry of the matrix, taken without its shift, 1.1 units of 2^-30; near_z and far_z
  * none; an inset 2^-25 of itself, on screens at most twice as high as wide and at most four
- * times as wide as high. */
+ * times as wide as high. With an off-centre lens the matrix is that of the longer focal length, so
+ * on the screen its error counts up to sqrt(17) times. */
 void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
                                 fxl_normalised *frustum);
 
