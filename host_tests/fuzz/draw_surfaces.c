@@ -242,6 +242,17 @@ static void draw_twice_by_depth(fxl_renderer *renderer, fuzz_input *in)
     free(cells);
 }
 
+static void set_plain_light(fxl_renderer *renderer, fxl_light *light)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)] = {1, 2, 3};
+    const fxl_light_settings settings = {.ambient = FXL_Q2_30_ONE / 3,
+                                         .strength = FXL_Q2_30_ONE,
+                                         .direction = {0, -FXL_Q2_30_ONE, 0},
+                                         .ramp = ramp,
+                                         .levels = 2};
+    DEMAND(fxl_renderer_set_light(renderer, light, &settings) == FXL_OK);
+}
+
 static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *in)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_triangles,
@@ -261,12 +272,16 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
     DEMAND(fxl_renderer_set_clipper(&renderer, clipper, clipper->workspace_size > 0 ? room : NULL,
                                     clipper->workspace_size) == FXL_OK);
     fuzz_set_light(&renderer, &light, in);
+    const bool is_plain = light.settings.ramp == NULL;
+    if (is_plain) {
+        set_plain_light(&renderer, &light);
+    }
     DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_E_ORDER);
     const fxl_status status = fxl_surfaces_check(&made->set, scene, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND(fxl_renderer_set_surfaces(&renderer, &surfaces, &made->set) == status);
     if (status == FXL_OK) {
-        if (light.settings.ramp != NULL && fuzz_below(in, 4)) {
+        if (is_plain || fuzz_below(in, 4)) {
             DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_OK);
         }
         draw_twice(&renderer, in);

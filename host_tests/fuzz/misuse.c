@@ -18,6 +18,10 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
                      no_list = {order, 2, NULL, 1, NULL, 0},
                      no_cache = {order, 2, NULL, 0, NULL, 1},
                      too_little = {order, 1, NULL, 0, NULL, 0};
+    static const fxl_lens no_lens;
+    const fxl_scene unchecked = {0};
+    fxl_memory misplaced = memory;
+    misplaced.order = (fxl_order_entry *)(void *)((uint8_t *)order + 2);
     *renderer = untouched;
     DEMAND(fxl_renderer_init_with(NULL, scene, lens, &memory) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init_with(renderer, NULL, lens, &memory) == FXL_E_ARGUMENT);
@@ -27,6 +31,9 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
     DEMAND(fxl_renderer_init_with(renderer, scene, lens, &no_list) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init_with(renderer, scene, lens, &no_cache) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init_with(renderer, scene, lens, &too_little) == FXL_E_CAPACITY);
+    DEMAND(fxl_renderer_init_with(renderer, scene, lens, &misplaced) == FXL_E_ALIGNMENT);
+    DEMAND(fxl_renderer_init_with(renderer, scene, &no_lens, &memory) == FXL_E_RANGE);
+    DEMAND(fxl_renderer_init_with(renderer, &unchecked, lens, &memory) == FXL_E_ORDER);
     DEMAND(memcmp(renderer, &untouched, sizeof untouched) == 0);
     DEMAND(fxl_renderer_init_with(renderer, scene, lens, &memory) == FXL_OK);
 }

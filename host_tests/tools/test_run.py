@@ -20,7 +20,7 @@ from fixel import dump, emulator
 
 SCENE = "scenes/tiny.toml"
 FRAMES = 4
-KEYS = {"board", "cpu", "scene", "width", "height", "frames", "pixels", "pixels_differing",
+KEYS = {"texel_pixels", "board", "cpu", "scene", "width", "height", "frames", "pixels", "pixels_differing",
         "pixels_unexplained", "worst_frame_differing", "max_edge_distance_px", "polygons",
         "instructions_per_frame", "frame_sha256", "host_frames_equal", "frames_empty", "visibility", "clipper", "program",
         "order_wrong_pixels", "order_judged_pixels"}
