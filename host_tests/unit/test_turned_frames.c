@@ -294,7 +294,8 @@ void test_orientations_in_sight_are_checked(void)
         draw(&poses[1], 5, third);
         TEST_ASSERT_EQUAL_MEMORY(frames[1], third, PIXELS);
     }
-    TEST_ASSERT_TRUE(in_sight > 0 && in_sight < rounds && measured > 0);
+    /* A library for few bytes measures no rows. */
+    TEST_ASSERT_TRUE(in_sight > 0 && in_sight < rounds && (measured > 0 || FXL_IS_SMALL));
     make(0);
     start(CLIPPERS, 0, 9, false);
     turns[0].orientation.x.x = turns[1].orientation.x.x = turns[2].orientation.x.x = 0;
