@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
-#include "reference/light.h"
+#include "reference/scene_parts.h"
 #include "reference/surface.h"
 #include "reference/turn.h"
 
@@ -44,14 +44,14 @@ uint32_t ref_crc32(uint32_t crc, const uint8_t *bytes, size_t size)
     return ~crc;
 }
 
-static ref_lattice_point point_read(const uint8_t *bytes)
+ref_lattice_point ref_point_read(const uint8_t *bytes)
 {
     return (ref_lattice_point){ref_i32(bytes), ref_i32(bytes + 4), ref_i32(bytes + 8)};
 }
 
 ref_pose ref_pose_read(const uint8_t *bytes)
 {
-    return (ref_pose){point_read(bytes), ref_u32(bytes + 12), ref_u32(bytes + 16),
+    return (ref_pose){ref_point_read(bytes), ref_u32(bytes + 12), ref_u32(bytes + 16),
                       ref_u32(bytes + 20)};
 }
 
@@ -76,7 +76,7 @@ ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *in
 }
 
 /* Returns the first entry of a table of the image; null, and *count 0, where it is not usable. */
-static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
+const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
                                uint32_t maximum, uint32_t *count)
 {
     uint64_t offset = ref_u32(bytes + field);
@@ -88,12 +88,6 @@ static const uint8_t *table_at(const uint8_t *bytes, size_t size, size_t field, 
         return NULL;
     }
     return bytes + offset;
-}
-
-const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
-                               uint32_t maximum, uint32_t *count)
-{
-    return table_at(bytes, size, field, entry_size, maximum, count);
 }
 
 static bool coordinate_is_sound(int64_t c)
@@ -108,11 +102,11 @@ static bool inside_world(const ref_lattice_point *p)
 
 static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
-    const uint8_t *vertices = table_at(bytes, size, 88, 12, 1000000, &scene->vertex_count);
-    const uint8_t *indices = table_at(bytes, size, 96, 2, 4000000, &scene->index_count);
-    const uint8_t *faces = table_at(bytes, size, 104, 20, 1000000, &scene->face_count);
-    const uint8_t *models = table_at(bytes, size, 112, 28, 65535, &scene->model_count);
-    const uint8_t *instances = table_at(bytes, size, 120, 16, 65535, &scene->instance_count);
+    const uint8_t *vertices = ref_image_table(bytes, size, 88, 12, 1000000, &scene->vertex_count);
+    const uint8_t *indices = ref_image_table(bytes, size, 96, 2, 4000000, &scene->index_count);
+    const uint8_t *faces = ref_image_table(bytes, size, 104, 20, 1000000, &scene->face_count);
+    const uint8_t *models = ref_image_table(bytes, size, 112, 28, 65535, &scene->model_count);
+    const uint8_t *instances = ref_image_table(bytes, size, 120, 16, 65535, &scene->instance_count);
     if (!vertices || !indices || !faces || !models || !instances) {
         return false;
     }
@@ -126,7 +120,7 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
         return false;
     }
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
-        scene->vertices[i] = point_read(vertices + 12 * (size_t)i);
+        scene->vertices[i] = ref_point_read(vertices + 12 * (size_t)i);
     }
     for (uint32_t i = 0; i < scene->index_count; i++) {
         scene->indices[i] = ref_u16(indices + 2 * (size_t)i);
@@ -143,7 +137,7 @@ static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
     }
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const uint8_t *p = instances + 16 * (size_t)i;
-        scene->instances[i] = (ref_instance){point_read(p), ref_u16(p + 12), p[14]};
+        scene->instances[i] = (ref_instance){ref_point_read(p), ref_u16(p + 12), p[14]};
     }
     return true;
 }
@@ -209,96 +203,11 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
-/* Reads the light of an image of version 6. Returns true also where there is none. */
-static bool read_light(const uint8_t *bytes, size_t size, ref_scene_image *image)
-{
-    uint32_t lights, points = 0, levels;
-    if (ref_u16(bytes + 4) < 6 || (ref_u16(bytes + 6) > 232 && ref_u32(bytes + 212) == 0)) {
-        return true;
-    }
-    const uint8_t *base = table_at(bytes, size, 208, 28, 1, &lights);
-    const uint8_t *at = table_at(bytes, size, 216, 20, REF_LIGHT_POINTS_MAX, &points);
-    const uint8_t *ramp = table_at(bytes, size, 224, 256, REF_LIGHT_LEVELS_MAX, &levels);
-    image->light = base && ramp && levels >= 2 ? calloc(1, sizeof *image->light) : NULL;
-    if (!image->light || (!at && ref_u32(bytes + 220) != 0)) {
-        return false;
-    }
-    ref_light_read(image->light, base, at, (int)points, ramp, (int)levels);
-    image->scene.light = image->light;
-    return true;
-}
-
-/* Reads the turns of an image of version 5 or later. Returns true also where there are none. */
-static bool read_turns(const uint8_t *bytes, size_t size, ref_scene_image *image)
-{
-    ref_scene *scene = &image->scene;
-    uint32_t count;
-    if (ref_u16(bytes + 4) < 5 || (ref_u16(bytes + 4) > 5 && ref_u32(bytes + 188) == 0)) {
-        return true;
-    }
-    const uint8_t *turns = table_at(bytes, size, 184, 40, scene->instance_count, &count);
-    image->motion_count = ref_u32(bytes + 196);
-    scene->turns = turns ? calloc(count, sizeof *scene->turns) : NULL;
-    if (!scene->turns || image->motion_count > count) {
-        return false;
-    }
-    scene->first_turned = scene->instance_count - count;
-    for (uint32_t i = 0; i < count; i++) {
-        const uint8_t *p = turns + 40 * (size_t)i;
-        for (int k = 0; k < 9; k++) {
-            scene->turns[i].rows[k / 3][k % 3] = ref_i32(p + 4 * k);
-        }
-        scene->turns[i].scale = ref_i32(p + 36);
-    }
-    return true;
-}
-
-/* Reads the BSP. Returns true also where there is none. A child's number must be greater than
- * its parent's, because nodes are stored in the order root, front, back. So every path downward
- * ends. */
-static bool read_bsp(const uint8_t *bytes, size_t size, ref_scene *scene)
-{
-    if (ref_u16(bytes + 4) == 2) {
-        return ref_u32(bytes + 148) == 0 && ref_u32(bytes + 152) == 0 && ref_u32(bytes + 156) == 0;
-    }
-    scene->bsp_instance = ref_u32(bytes + 156);
-    if (ref_u32(bytes + 152) == 0) {
-        return ref_u32(bytes + 148) == 0 && scene->bsp_instance == 0;
-    }
-    const uint8_t *bsp_nodes = table_at(bytes, size, 148, 48, 65535, &scene->bsp_node_count);
-    scene->bsp_nodes = bsp_nodes ? calloc(scene->bsp_node_count, sizeof *scene->bsp_nodes) : NULL;
-    if (!scene->bsp_nodes || scene->bsp_instance >= scene->instance_count) {
-        return false;
-    }
-    const ref_model *model = &scene->models[scene->instances[scene->bsp_instance].model];
-    for (uint32_t i = 0; i < scene->bsp_node_count; i++) {
-        const uint8_t *p = bsp_nodes + 48 * (size_t)i;
-        ref_bsp_node *node = &scene->bsp_nodes[i];
-        *node = (ref_bsp_node){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
-                               (int64_t)(ref_u32(p + 12) | (uint64_t)ref_u32(p + 16) << 32),
-                               ref_u16(p + 20),
-                               ref_u16(p + 22),
-                               ref_u16(p + 24),
-                               ref_u16(p + 26),
-                               ref_u16(p + 28)};
-        const uint32_t below[2] = {node->front, node->back};
-        for (int k = 0; k < 2; k++) {
-            if (below[k] != REF_BSP_NONE && (below[k] <= i || below[k] >= scene->bsp_node_count)) {
-                return false;
-            }
-        }
-        if (node->first_face + node->face_count > model->face_count) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     bool segments = bytes[37] == 1;
     const uint8_t *path =
-        table_at(bytes, size, 128, segments ? 4 : 24, 1000000, &image->path_count);
+        ref_image_table(bytes, size, 128, segments ? 4 : 24, 1000000, &image->path_count);
     if (!path || bytes[37] > 1) {
         return false;
     }
@@ -351,85 +260,6 @@ static bool read_lens(const uint8_t *bytes, size_t size, ref_lens *lens)
            inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, size, lens);
 }
 
-/* Tells whether the clusters of a model hold all of its faces. */
-static bool clusters_are_sound(const ref_scene *scene, const ref_model *model)
-{
-    uint32_t faces = 0;
-    for (uint32_t i = model->first_cluster; i > 0 && faces < model->face_count; i++) {
-        if (i > scene->cluster_count || scene->clusters[i - 1].face_count == 0) {
-            return false;
-        }
-        faces += scene->clusters[i - 1].face_count;
-    }
-    return model->first_cluster == 0 || faces == model->face_count;
-}
-
-/* Reads the clusters. Returns true also where there are none. */
-static bool read_clusters(const uint8_t *bytes, size_t size, ref_scene *scene)
-{
-    if (ref_u16(bytes + 6) >= 184 && (ref_u16(bytes + 4) == 4 || ref_u32(bytes + 180) > 0)) {
-        const uint8_t *clusters = table_at(bytes, size, 176, 48, 65535, &scene->cluster_count);
-        scene->clusters = clusters ? calloc(scene->cluster_count, sizeof *scene->clusters) : NULL;
-        for (uint32_t i = 0; scene->clusters && i < scene->cluster_count; i++) {
-            const uint8_t *p = clusters + 48 * (size_t)i;
-            scene->clusters[i] = (ref_cluster){point_read(p), ref_i32(p + 12), ref_u16(p + 44)};
-        }
-        if (!scene->clusters) {
-            return false;
-        }
-    }
-    for (uint32_t i = 0; i < scene->model_count; i++) {
-        if (!clusters_are_sound(scene, &scene->models[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* Reads a distance of 18.46, low word first, with all of its bits. */
-static long double distance_read(const uint8_t *bytes)
-{
-    return ldexpl((long double)ref_i32(bytes + 4), -14) + ldexpl((long double)ref_u32(bytes), -46);
-}
-
-static void beam_read(const uint8_t *bytes, ref_beam *beam)
-{
-    for (int i = 0; i < 3; i++) {
-        beam->from[i] = ref_i32(bytes + 4 * i);
-    }
-    beam->kind = bytes[12];
-    beam->plane_count = bytes[13];
-    for (int i = 0; i < beam->plane_count && i < 8; i++) {
-        const uint8_t *p = bytes + 16 + 20 * i;
-        beam->planes[i] = (ref_plane){
-            {ldexp(ref_i32(p), -30), ldexp(ref_i32(p + 4), -30), ldexp(ref_i32(p + 8), -30)},
-            distance_read(p + 12)};
-    }
-}
-
-static bool read_beams(const uint8_t *bytes, size_t size, ref_scene *scene)
-{
-    /* With clusters or turns the header has the fields of beams also where there are none. */
-    if (ref_u16(bytes + 6) == 160 || (ref_u16(bytes + 6) >= 184 && ref_u32(bytes + 164) == 0)) {
-        return true;
-    }
-    const uint8_t *beams = table_at(bytes, size, 160, 176, 4, &scene->beam_count);
-    uint64_t lit = ref_u32(bytes + 168);
-    if (!beams || lit + 256 > size) {
-        return false;
-    }
-    memcpy(scene->lit, bytes + lit, 256);
-    scene->beams = calloc(scene->beam_count, sizeof *scene->beams);
-    for (uint32_t i = 0; scene->beams && i < scene->beam_count; i++) {
-        beam_read(beams + 176 * (size_t)i, &scene->beams[i]);
-        if (scene->beams[i].plane_count < 1 || scene->beams[i].plane_count > 8 ||
-            scene->beams[i].kind > REF_BEAM_DIRECTION) {
-            return false;
-        }
-    }
-    return scene->beams != NULL;
-}
-
 static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
@@ -459,26 +289,26 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         (ref_motion_limits){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
                             ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
     uint32_t colours;
-    const uint8_t *palette = table_at(bytes, stated, 80, 3, 256, &colours);
+    const uint8_t *palette = ref_image_table(bytes, stated, 80, 3, 256, &colours);
     if (!palette || colours != 256) {
         return "the scene image's palette is not usable";
     }
     memcpy(image->palette, palette, sizeof image->palette);
-    if (!read_geometry(bytes, stated, &image->scene) || !read_turns(bytes, stated, image) ||
+    if (!read_geometry(bytes, stated, &image->scene) || !ref_turns_read(bytes, stated, image) ||
         !geometry_is_sound(&image->scene)) {
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";
     }
-    if (!read_bsp(bytes, stated, &image->scene)) {
+    if (!ref_bsp_read(bytes, stated, &image->scene)) {
         return "the scene image's BSP tree is not usable";
     }
-    if (!read_clusters(bytes, stated, &image->scene)) {
+    if (!ref_clusters_read(bytes, stated, &image->scene)) {
         return "the scene image's clusters are not usable";
     }
-    if (!read_beams(bytes, stated, &image->scene)) {
+    if (!ref_beams_read(bytes, stated, &image->scene)) {
         return "the scene image's beams are not usable";
     }
-    if (!read_light(bytes, stated, image)) {
+    if (!ref_light_part_read(bytes, stated, image)) {
         return "the scene image's light is not usable";
     }
     if (!ref_surfaces_read(bytes, stated, &image->scene)) {

@@ -126,8 +126,10 @@ int32_t ref_i32(const uint8_t *bytes);
 const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
                                uint32_t maximum, uint32_t *count);
 
-/* Reads a pose of 24 bytes (position, yaw, pitch, roll), as here and in the frame dump. */
+/* Reads a point of 12 bytes, and a pose of 24 (position, yaw, pitch, roll), as here and in the
+ * frame dump. */
 ref_pose ref_pose_read(const uint8_t *bytes);
+ref_lattice_point ref_point_read(const uint8_t *bytes);
 
 /* Returns a vertex of a face in the model. */
 ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_instance *instance,

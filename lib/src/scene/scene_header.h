@@ -111,4 +111,49 @@ FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in
 #define LIGHT_HEADER_SIZE   (TURN_HEADER_SIZE + sizeof(light_header))
 #define SURFACE_HEADER_SIZE (LIGHT_HEADER_SIZE + sizeof(surface_header))
 
+enum {
+    PATH_POSES = 0,
+    PATH_SEGMENTS = 1
+};
+
+/* Null where the header has no such part. A part before another may be 0. */
+static inline const beam_header *beam_header_of(const header *head)
+{
+    return head->header_size > sizeof *head ? (const beam_header *)(const void *)(head + 1) : NULL;
+}
+
+static inline const cluster_header *cluster_header_of(const header *head)
+{
+    return head->header_size > BEAM_HEADER_SIZE
+               ? (const cluster_header *)(const void *)(beam_header_of(head) + 1)
+               : NULL;
+}
+
+static inline const turn_header *turn_header_of(const header *head)
+{
+    return head->header_size > CLUSTER_HEADER_SIZE
+               ? (const turn_header *)(const void *)(cluster_header_of(head) + 1)
+               : NULL;
+}
+
+static inline const light_header *light_header_of(const header *head)
+{
+    return head->header_size > TURN_HEADER_SIZE
+               ? (const light_header *)(const void *)(turn_header_of(head) + 1)
+               : NULL;
+}
+
+static inline const surface_header *surface_header_of(const header *head)
+{
+    return head->header_size > LIGHT_HEADER_SIZE
+               ? (const surface_header *)(const void *)(light_header_of(head) + 1)
+               : NULL;
+}
+
+/* Checks that each table lies within the image, and is as long as others want it. */
+fxl_status fxl_scene_tables_check(const header *head, fxl_scene_fault *fault);
+
+/* Has what is opened point to the tables, which fxl_scene_tables_check has checked. */
+void fxl_scene_tables_open(const header *head, fxl_scene_image *opened);
+
 #endif
