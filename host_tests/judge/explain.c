@@ -125,30 +125,46 @@ typedef struct {
     double in, out;
 } choice;
 
+/* Leaving a polygon out costs so much, whatever is beneath it. */
+static void add_left_out(double out, double costs[256])
+{
+    for (int c = 0; c < 256 && out > 0; c++) {
+        costs[c] = fmax(costs[c], out);
+    }
+}
+
+/* The colours beneath a polygon that blends which make one that costs little. */
+static void add_blended(const ref_surface_view *look, const showing *found, choice made,
+                        double costs[256])
+{
+    double before[256];
+    memcpy(before, costs, sizeof before);
+    add_left_out(made.out, costs);
+    for (int c = 0; c < 256 && isfinite(made.in); c++) {
+        for (int beneath = 0; beneath < 256 && found->colours[c]; beneath++) {
+            const uint8_t mixed = ref_surface_over(look, (uint8_t)c, (uint8_t)beneath);
+            costs[beneath] = fmin(costs[beneath], fmax(before[mixed], made.in));
+        }
+    }
+}
+
 /* costs[c]: what it costs that the colour c, beneath the polygons after this one, explains the
  * pixel. Makes them those beneath this polygon too. Returns what it costs that the polygon itself
  * explains the pixel. */
 static double add_polygon(const ref_surface_view *look, const showing *found, choice made,
                           double costs[256])
 {
-    double before[256], shown = INFINITY;
-    memcpy(before, costs, sizeof before);
-    for (int c = 0; c < 256; c++) {
-        costs[c] = fmax(costs[c], made.out);
+    double shown = INFINITY;
+    if (look->surface && look->surface->blends) {
+        add_blended(look, found, made, costs);
+        return shown;
     }
     for (int c = 0; c < 256 && isfinite(made.in); c++) {
-        if (!found->colours[c]) {
-            continue;
-        }
-        if (!look->surface || !look->surface->blends) {
-            shown = fmin(shown, fmax(before[c], made.in));
-            continue;
-        }
-        for (int beneath = 0; beneath < 256; beneath++) {
-            const uint8_t mixed = ref_surface_over(look, (uint8_t)c, (uint8_t)beneath);
-            costs[beneath] = fmin(costs[beneath], fmax(before[mixed], made.in));
+        if (found->colours[c]) {
+            shown = fmin(shown, fmax(costs[c], made.in));
         }
     }
+    add_left_out(made.out, costs);
     return shown;
 }
 
@@ -183,7 +199,7 @@ double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_b
         const choice made = {is_in ? 0 : judge_edge_distance(most, cx, cy),
                              is_out ? 0 : judge_edge_distance(least, cx, cy)};
         best = fmin(best, add_polygon(&drawn[i].look, &found, made, costs));
-        least_cost = least_of(costs);
+        least_cost = made.out > 0 || drawn[i].look.surface ? least_of(costs) : least_cost;
     }
     return fmin(best, costs[question->background]);
 }
