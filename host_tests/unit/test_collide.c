@@ -344,6 +344,34 @@ void test_a_segment_hits_what_is_turned(void)
     TEST_ASSERT_TRUE(hits > 0);
 }
 
+/* Rows that are no rotation, a scale that is out of range, turns without their code: a status, and
+ * no hit is written, also where the segment comes nowhere near the instance. */
+void test_a_segment_against_turns_that_are_refused(void)
+{
+    const fxl_point from = {Q16(4000), Q16(4000), Q16(4000)}, to = {Q16(4000), Q16(4001), Q16(4000)};
+    const fxl_hit before = {{1, 2, 3}, 4, 5, 6};
+    tiny_scene *tiny = tiny_make();
+    tiny->scene.instance_count = 1;
+    fxl_turn turn = FXL_TURN_NONE;
+    tiny->scene.turns = &turn;
+    tiny->scene.first_turned = 0;
+    tiny->scene.turn_code = &fxl_turned_instances;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    fxl_hit hit = before;
+    turn.orientation.x.x -= 8;
+    TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+    turn.orientation.x.x += 8;
+    turn.scale = 0;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+    turn.scale = FXL_Q16_16_ONE;
+    tiny->scene.turn_code = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &hit, sizeof hit);
+    tiny->scene.turn_code = &fxl_turned_instances;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+    TEST_ASSERT_EQUAL(FXL_HIT_NONE, hit.instance);
+}
+
 /* The box of a turned instance is that of its points in the world. */
 void test_the_box_of_what_is_turned(void)
 {

@@ -61,6 +61,10 @@ fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const
     if (!fxl_point_in_range(from) || !fxl_point_in_range(to)) {
         return FXL_E_RANGE;
     }
+    const fxl_status turned = fxl_check_turns(scene); /* bug: cast-turns */
+    if (turned != FXL_OK) {
+        return turned;
+    }
     nearest_hit nearest = {UINT64_MAX, FXL_HIT_NONE, 0};
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         if (fxl_segment_nears_instance(scene, &scene->instances[i], from, to, 0)) {
