@@ -74,15 +74,22 @@ static bool nearly_parallel(const ref_volume_polygon *polygon, const ref_half_sp
     return false;
 }
 
+bool case_expected_of(const ref_volume_polygon *seen, const fxl_lens *lens,
+                      const ref_half_space *planes, outline *expected, bool *parallel)
+{
+    ref_volume_polygon left;
+    double focal = lens->focal / 65536.0;
+    *parallel = nearly_parallel(seen, planes);
+    ref_clip_to_volume(seen, planes, REF_PLANE_COUNT, &left);
+    *expected = outline_of_volume(&left, lens->width / 2.0, lens->height / 2.0, focal, focal);
+    return left.count >= 3;
+}
+
 bool case_expected(const clipper_case *of, const ref_half_space *planes, outline *expected,
                    bool *parallel)
 {
-    ref_volume_polygon seen = case_seen(of), left;
-    double focal = of->lens.focal / 65536.0;
-    *parallel = nearly_parallel(&seen, planes);
-    ref_clip_to_volume(&seen, planes, REF_PLANE_COUNT, &left);
-    *expected = outline_of_volume(&left, of->lens.width / 2.0, of->lens.height / 2.0, focal, focal);
-    return left.count >= 3;
+    ref_volume_polygon seen = case_seen(of);
+    return case_expected_of(&seen, &of->lens, planes, expected, parallel);
 }
 
 void case_compare(clipper_tally *tally, const outline *got, const outline *expected, bool parallel)

@@ -75,6 +75,9 @@ double case_carried_error(const clipper_case *of, const fxl_varying_vertex *vert
  * the polygon is nearly parallel to a plane that cuts it. */
 bool case_expected(const clipper_case *of, const ref_half_space *planes, outline *expected,
                    bool *parallel);
+/* The same for a polygon that is seen so. */
+bool case_expected_of(const ref_volume_polygon *seen, const fxl_lens *lens,
+                      const ref_half_space *planes, outline *expected, bool *parallel);
 
 /* Counts the library's outline, null where there is none, against the twin's. */
 void case_compare(clipper_tally *tally, const outline *got, const outline *expected, bool parallel);

@@ -24,19 +24,20 @@ static spy_findings found;
 /* The face under way: what it is, and what came of it. */
 static struct {
     bool open;
-    clipper_case face;
+    fxl_lens lens;
+    ref_volume_polygon seen;
     int count;
     outline pieces[PIECES_MAX];
 } current;
 
 /* Whether the planes of the lens cut the face under way and leave something of it. */
-static bool is_crossing(const ref_volume_polygon *seen)
+static bool is_crossing(void)
 {
     ref_half_space planes[REF_PLANE_COUNT];
-    ref_lens lens = bridge_lens(&current.face.lens);
+    ref_lens lens = bridge_lens(&current.lens);
     ref_volume_polygon left;
     ref_volume_from_lens(&lens, planes);
-    return ref_clip_to_volume(seen, planes, REF_PLANE_COUNT, &left) && left.count >= 3;
+    return ref_clip_to_volume(&current.seen, planes, REF_PLANE_COUNT, &left) && left.count >= 3;
 }
 
 static void planes_of(const fxl_lens *lens, ref_half_space planes[REF_PLANE_COUNT])
@@ -93,12 +94,12 @@ static void close_face(void)
     ref_half_space planes[REF_PLANE_COUNT];
     outline expected;
     bool parallel;
-    planes_of(&current.face.lens, planes);
-    bool seen = case_expected(&current.face, planes, &expected, &parallel);
+    planes_of(&current.lens, planes);
+    bool seen = case_expected_of(&current.seen, &current.lens, planes, &expected, &parallel);
     if (current.count == 0) { /* beside the screen there is nothing to miss */
-        ref_lens lens = bridge_lens(&current.face.lens);
+        ref_lens lens = bridge_lens(&current.lens);
         ref_volume_from_lens(&lens, planes);
-        seen = case_expected(&current.face, planes, &expected, &parallel);
+        seen = case_expected_of(&current.seen, &current.lens, planes, &expected, &parallel);
         found.missed += seen && is_something(&expected);
         return;
     }
@@ -117,18 +118,37 @@ static void close_face(void)
     }
 }
 
+/* The vertices of a face in the view, exact. Of a turned instance whose points the clipper does not
+ * round they are what its matrix makes of those of the model (SPEC.md, section 8.2). */
+static ref_volume_polygon seen_of(const fxl_model_view *model_view, const fxl_face *face)
+{
+    const fxl_camera *camera = &model_view->view->camera;
+    clipper_case of = {.camera = *camera};
+    if (model_view->axes == &camera->axes) {
+        fxl_face_to_polygon(model_view, face, &of.polygon);
+        return case_seen(&of);
+    }
+    ref_volume_polygon seen = {.count = face->count};
+    for (int i = 0; i < seen.count; i++) {
+        fxl_cached_vertex vertex;
+        fxl_transform_vertex(model_view, model_view->indices[face->first_index + (uint32_t)i],
+                             &vertex);
+        ref_view_point at = bridge_view_point(&vertex.position);
+        seen.vertices[i] = (ref_volume_vertex){.x = at.x, .y = at.y, .z = at.z};
+    }
+    return seen;
+}
+
 static void open_face(const fxl_model_view *model_view, const fxl_face *face)
 {
     current.open = true;
     current.count = 0;
-    current.face.camera = model_view->view->camera;
-    current.face.lens = model_view->view->lens;
-    fxl_face_to_polygon(model_view, face, &current.face.polygon);
+    current.lens = model_view->view->lens;
+    current.seen = seen_of(model_view, face);
     found.faces++;
-    ref_volume_polygon seen = case_seen(&current.face);
-    found.crossing += is_crossing(&seen);
-    for (int i = 0; i < seen.count; i++) {
-        const ref_volume_vertex *at = &seen.vertices[i];
+    found.crossing += is_crossing();
+    for (int i = 0; i < current.seen.count; i++) {
+        const ref_volume_vertex *at = &current.seen.vertices[i];
         found.view = fmax(
             found.view, fmax(fabs((double)at->x), fmax(fabs((double)at->y), fabs((double)at->z))));
     }
@@ -136,7 +156,7 @@ static void open_face(const fxl_model_view *model_view, const fxl_face *face)
 
 static void add_piece(const fxl_screen_polygon *screen)
 {
-    const fxl_lens *lens = &current.face.lens;
+    const fxl_lens *lens = &current.lens;
     found.pieces++;
     found.vertices = screen->count > found.vertices ? screen->count : found.vertices;
     for (int i = 0; i < screen->count; i++) {
@@ -200,7 +220,8 @@ bool spy_begin(fxl_renderer *renderer, spy_sides sides)
     spy = (fxl_clipper){.clip = ask,
                         .next = asked->next != NULL ? ask_next : NULL,
                         .workspace_size = wanted,
-                        .begin = asked->begin};
+                        .begin = asked->begin,
+                        .by_points = asked->by_points};
     found = (spy_findings){.error = 0};
     return fxl_renderer_set_clipper(renderer, &spy, workspace, sizeof workspace) == FXL_OK;
 }
