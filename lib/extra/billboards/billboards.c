@@ -10,21 +10,6 @@
 #include "fixel/extra/billboards.h"
 #include "fixel/stage/transform.h"
 
-/* The points of a record of the display list: left and top, right and bottom, and the number of
- * the model. */
-#define RECORD_POINTS 3
-
-static const fxl_billboard_set *set_of(const fxl_renderer *renderer)
-{
-    return ((const fxl_billboards *)renderer->submit_workspace)->set;
-}
-
-static const fxl_sprite *sprite_of(const fxl_renderer *renderer, uint32_t model)
-{
-    const fxl_billboard_set *set = set_of(renderer);
-    return set->billboards[set->model_map[model] - 1].sprite;
-}
-
 /* --- submission ------------------------------------------------------------------------- */
 
 /* A length of a billboard, by the scale of its instance. Both are at least 0; the product is that
@@ -89,26 +74,31 @@ static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
 }
 
 /* Into the display list or into the band. One that reaches no row goes nowhere. */
-static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_screen_point *corners)
+static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_screen_point *corners,
+                           fxl_q18_46 distance)
 {
+    const fxl_billboard_painter *painter = fxl_billboards_of(on->renderer)->of.painter;
     const fxl_rows rows = rows_of(corners, on->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
     }
-    if (on->display_list == NULL) {
-        fxl_billboard_paint(sprite_of(on->renderer, model), &corners[0], &corners[1], on->band);
-        return FXL_OUTCOME_SPILLED;
-    }
     fxl_screen_polygon *screen = &on->workspace->screen;
-    screen->count = RECORD_POINTS;
+    screen->count = painter->points;
     screen->kind = FXL_POLYGON_SPRITE;
     screen->points[0] = corners[0];
     screen->points[1] = corners[1];
     screen->points[2].x = (int32_t)model;
     screen->points[2].y = 0;
-    const bool has_room = fxl_display_list_append(on->display_list, screen, rows);
+    screen->points[3].x = (int32_t)(distance >> 32);
+    screen->points[3].y = (int32_t)(uint32_t)(uint64_t)distance;
+    fxl_outcome outcome = FXL_OUTCOME_SPILLED;
+    if (on->display_list == NULL) {
+        painter->paint(on->renderer, on->workspace, screen->points, on->band);
+    } else {
+        outcome = fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+    }
     screen->kind = FXL_POLYGON_FLAT;
-    return has_room ? 0 : FXL_OUTCOME_FULL;
+    return outcome;
 }
 
 /* What becomes of an instance that shows a billboard. */
@@ -132,13 +122,13 @@ static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint3
     if (is_beside_screen(&view->lens, corners)) {
         return 1u << FXL_CLIP_OUTSIDE;
     }
-    return 1u << FXL_CLIP_INSIDE | deliver(on, model, corners);
+    return 1u << FXL_CLIP_INSIDE | deliver(on, model, corners, centre.z);
 }
 
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */
 static bool submit_any(const fxl_traversal *on, const fxl_order_entry *entry)
 {
-    const fxl_billboard_set *set = set_of(on->renderer);
+    const fxl_billboard_set *set = fxl_billboards_of(on->renderer)->of.set;
     const uint32_t model = on->renderer->scene->instances[entry->index].model;
     const uint32_t number = set->model_map[model];
     if (number == 0) {
@@ -172,8 +162,7 @@ static bool draw_list(const fxl_traversal *on)
     uint32_t place = 0;
     while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
         if (record.kind == FXL_POLYGON_SPRITE) {
-            fxl_billboard_paint(sprite_of(on->renderer, (uint32_t)record.points[2].x),
-                                &record.points[0], &record.points[1], on->band);
+            fxl_billboard_paints_over.paint(on->renderer, on->workspace, record.points, on->band);
         } else {
             fxl_draw_over(on->workspace, record.points, record.count, record.colour, on->band);
         }
@@ -200,6 +189,84 @@ static const fxl_raster_backend backend = {
 const fxl_visibility fxl_visibility_billboards = {
     .submit = submit, .submit_workspace_size = set_size, .backend = &backend};
 
+fxl_status fxl_billboards_check_setting(const fxl_renderer *renderer,
+                                        const fxl_billboards *billboards,
+                                        const fxl_billboard_set *set)
+{
+    if (renderer->scene == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (billboards == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    return (uintptr_t)billboards % 8 != 0 ? FXL_E_ALIGNMENT
+                                          : fxl_billboards_check(set, renderer->scene, NULL);
+}
+
+bool fxl_billboards_may_join(const fxl_renderer *renderer)
+{
+    const fxl_visibility *method = renderer->visibility;
+    return method != NULL && method->backend->draws_surfaces &&
+           (method->submit == fxl_submit_by_distance || method->submit == submit);
+}
+
+/* Whether billboards have joined the renderer's method. */
+static bool have_joined(const fxl_renderer *renderer)
+{
+    return fxl_billboards_may_join(renderer) && renderer->visibility->submit == submit;
+}
+
+/* The method that the renderer draws by but for billboards. */
+static const fxl_visibility *method_without(const fxl_renderer *renderer)
+{
+    return have_joined(renderer) ? fxl_billboards_of(renderer)->of.without : renderer->visibility;
+}
+
+fxl_status fxl_billboards_join(fxl_renderer *renderer, fxl_billboards *billboards,
+                               const fxl_billboard_set *set, const fxl_billboard_painter *painter)
+{
+    fxl_workspace *workspace = &renderer->workspace;
+    const fxl_visibility *without = method_without(renderer);
+    billboards->of.without = without;
+    billboards->of.method = *without;
+    billboards->of.method.submit = submit;
+    billboards->of.set = set;
+    billboards->of.painter = painter;
+    const fxl_status status =
+        fxl_renderer_set_visibility(renderer, &billboards->of.method, workspace->raster_workspace,
+                                    workspace->raster_workspace_size);
+    FXL_ASSERT(status == FXL_OK);
+    renderer->submit_workspace = billboards;
+    return status;
+}
+
+/* By distance alone, or where billboards are taken away, as before. */
+static fxl_status set_sorted(fxl_renderer *renderer, fxl_billboards *billboards,
+                             const fxl_billboard_set *set)
+{
+    const fxl_visibility *method = renderer->visibility;
+    if (method != NULL && method != &fxl_visibility_sorted && method->submit != submit) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER); /* bug: sprite-method */
+    }
+    const fxl_status status = fxl_renderer_set_visibility(renderer, &fxl_visibility_billboards,
+                                                          billboards, (uint32_t)sizeof *billboards);
+    if (status == FXL_OK) {
+        billboards->of.set = set;
+        billboards->of.painter = &fxl_billboard_paints_over;
+    }
+    return status;
+}
+
+static fxl_status take_away(fxl_renderer *renderer)
+{
+    fxl_workspace *workspace = &renderer->workspace;
+    return have_joined(renderer)
+               ? fxl_renderer_set_visibility(renderer, method_without(renderer),
+                                             workspace->raster_workspace,
+                                             workspace->raster_workspace_size)
+               : fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0);
+}
+
 fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                        const fxl_billboard_set *set)
 {
@@ -207,20 +274,16 @@ fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *b
         return FXL_E_ARGUMENT;
     }
     if (set == NULL) {
-        return fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0);
+        return take_away(renderer);
     }
-    fxl_status status = FXL_E_ORDER;
-    if (renderer->scene != NULL) {
-        status =
-            billboards == NULL ? FXL_E_ARGUMENT : fxl_billboards_check(set, renderer->scene, NULL);
-    }
+    const fxl_status status = fxl_billboards_check_setting(renderer, billboards, set);
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
-    status = fxl_renderer_set_visibility(renderer, &fxl_visibility_billboards, billboards,
-                                         (uint32_t)sizeof *billboards);
-    if (status == FXL_OK) {
-        billboards->set = set;
+    if (!fxl_billboards_may_join(renderer)) {
+        return set_sorted(renderer, billboards, set);
     }
-    return status;
+    return renderer->visibility->backend->workspace_size == NULL
+               ? fxl_billboards_join(renderer, billboards, set, &fxl_billboard_paints_over)
+               : fxl_refuse(&renderer->workspace, FXL_E_ORDER);
 }

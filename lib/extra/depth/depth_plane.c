@@ -82,6 +82,24 @@ static int64_t times(int64_t value, uint32_t factor)
            (int64_t)(fxl_multiply_u32((uint32_t)value, factor) >> 32);
 }
 
+/* The ratio of the mantissas, times 2^31 and rounded down: from 2^30 to 2^32 - 2. */
+static uint32_t ratio_of(const normalised *near_z, const normalised *divisor)
+{
+    uint32_t rest;
+    return fxl_divide_u64((uint64_t)(near_z->mantissa >> 1) << 32, divisor->mantissa, &rest);
+}
+
+/* near_z has units of 2^-16 and the distance of 2^-46: near_z /
+ * distance is the ratio of the mantissas times 2^(30 + the difference of the exponents). */
+void fxl_depth_plane_of_distance(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
+{
+    const normalised near_z = normalise((uint32_t)lens->near_z);
+    const normalised divisor = normalise((uint64_t)distance);
+    plane->gradient.at = ratio_of(&near_z, &divisor);
+    plane->gradient.along = plane->gradient.down = 0;
+    plane->one = divisor.exponent - near_z.exponent + 1;
+}
+
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *on, fxl_depth_plane *plane)
 {
@@ -105,10 +123,7 @@ void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face
     const normalised at_height = normalise((uint64_t)height);
     const normalised divisor =
         normalise(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)));
-    uint32_t rest;
-    /* From 2^30 to 2^32. */
-    const uint32_t factor =
-        fxl_divide_u64((uint64_t)(near_z.mantissa >> 1) << 32, divisor.mantissa, &rest);
+    const uint32_t factor = ratio_of(&near_z, &divisor);
     gradient->at = times(gradient->at, factor);
     gradient->along = times(gradient->along, factor);
     gradient->down = times(gradient->down, factor);

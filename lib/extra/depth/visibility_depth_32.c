@@ -42,7 +42,8 @@ static const fxl_surface_backend backend = {.backend = {.workspace_size = worksp
                                                         .draws_surfaces = true},
                                             .find_depth = fxl_depth_plane_find,
                                             .paint = paint,
-                                            .far_to_near = &fxl_depth_far_to_near_32};
+                                            .far_to_near = &fxl_depth_far_to_near_32,
+                                            .depth_bits = 32};
 
 const fxl_visibility fxl_depth_far_to_near_32 = {
     .front_to_back = false, .submit = fxl_submit_by_distance, .backend = &backend.backend};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Where the polygons of a face with a surface, or with a depth, go. */
 #include "../../src/draw/submit_sorted.h"
+#include "../billboards/billboard_paint.h"
 #include "surface_polygon.h"
 
 const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer)
@@ -77,13 +78,16 @@ bool fxl_surface_draw_list(const fxl_traversal *on)
     fxl_display_list_record record;
     uint32_t place = 0;
     while (fxl_display_list_next(&renderer->frame.display_list, wanted, &place, &record)) {
-        if (record.kind == FXL_POLYGON_SURFACE) {
+        if (record.kind == FXL_POLYGON_FLAT) {
+            (void)backend->backend.draw_polygon(on->workspace, record.points, record.count,
+                                                record.colour, band);
+        } else if (record.kind == FXL_POLYGON_SURFACE) {
             fxl_surface_polygon polygon;
             const uint32_t count = fxl_surface_polygon_read(&record, &polygon);
             backend->paint(renderer, on->workspace, &polygon, record.points, count, band);
         } else {
-            (void)backend->backend.draw_polygon(on->workspace, record.points, record.count,
-                                                record.colour, band);
+            fxl_billboards_of(renderer)->of.painter->paint(renderer, on->workspace, record.points,
+                                                           band);
         }
     }
     return true;

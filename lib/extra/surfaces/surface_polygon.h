@@ -43,6 +43,7 @@ typedef struct {
                   uint32_t count, const fxl_band *band);
     /* With find_depth: the same method far to near. */
     const fxl_visibility *far_to_near;
+    uint8_t depth_bits; /* with find_depth: 16 or 32 a pixel */
 } fxl_surface_backend;
 
 static inline const fxl_surface_backend *fxl_surface_backend_of(const fxl_renderer *renderer)

@@ -289,6 +289,27 @@ typedef struct {
     uint32_t blend_first, blend_count;
 } fxl_scene_surfaces;
 
+/* A billboard as a scene image has it: fxl_billboard and fxl_sprite (extra/billboards.h) with
+ * places instead of pointers. */
+typedef struct {
+    uint32_t pixels;  /* where in the image's sprite pixels its first byte is */
+    uint32_t colours; /* 1 or 4 bits: where in them its 2 or 16 colours are; else 0 */
+    uint16_t pixel_width, pixel_height;
+    uint16_t key; /* 0..255, or 256: all pixels are drawn */
+    uint8_t bits;
+    uint8_t reserved; /* 0 */
+    fxl_q16_16 width, height, anchor_x, anchor_y;
+} fxl_scene_billboard;
+
+/* The billboards of a scene image, of which fxl_billboards_open (extra/billboards.h) makes a set.
+ */
+typedef struct {
+    const fxl_scene_billboard *billboards;
+    const uint8_t *pixels;     /* of all sprites */
+    const uint16_t *model_map; /* one for each model of the scene; null: there are no billboards */
+    uint32_t count, pixel_bytes;
+} fxl_scene_billboards;
+
 /* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
  * the same frames; its sorted models take longer. */
 typedef struct {
@@ -332,6 +353,7 @@ typedef struct {
     fxl_motion_set motion;            /* for fxl_motion_begin */
     fxl_scene_light light;            /* for fxl_light_settings_of */
     fxl_scene_surfaces surfaces;      /* for fxl_surfaces_open, which checks them */
+    fxl_scene_billboards billboards;  /* for fxl_billboards_open, which checks them */
 } fxl_scene_image;
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */

@@ -63,6 +63,12 @@ typedef struct {
     uint32_t blend_first, reserved;
 } surface_header;
 
+/* The rest of the header after that of surfaces, only if the scene has billboards. */
+typedef struct {
+    table billboards, model_map;
+    table pixels; /* of all sprites, bytes */
+} billboard_header;
+
 FXL_STATIC_ASSERT(sizeof(header) == 160, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, start) == 40, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(offsetof(header, palette) == 80, "docs/formats.md, section 1");
@@ -89,6 +95,8 @@ FXL_STATIC_ASSERT(sizeof(fxl_light_base) == 28, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_point_light) == 20, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(surface_header) == 64, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_scene_texture) == 16, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(billboard_header) == 24, "docs/formats.md, section 1");
+FXL_STATIC_ASSERT(sizeof(fxl_scene_billboard) == 32, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_pose) == 24, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(sizeof(fxl_path_segment) == 4, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
@@ -99,6 +107,7 @@ FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in
 #define VERSION_CLUSTERS 4u /* has clusters, and may have a BSP tree and beams */
 #define VERSION_TURNS    5u /* has turned instances, and may have all the others */
 #define VERSION_LIGHT    6u /* has light or surfaces, and may have all the others */
+#define VERSION_BOARDS   7u /* has billboards, and may have all the others */
 #define PALETTE_ENTRIES  256u
 
 /* Bytes of a surface and of a mapped face, which extra/surfaces.h defines. */
@@ -110,6 +119,7 @@ FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in
 #define TURN_HEADER_SIZE    (CLUSTER_HEADER_SIZE + sizeof(turn_header))
 #define LIGHT_HEADER_SIZE   (TURN_HEADER_SIZE + sizeof(light_header))
 #define SURFACE_HEADER_SIZE (LIGHT_HEADER_SIZE + sizeof(surface_header))
+#define BOARD_HEADER_SIZE   (SURFACE_HEADER_SIZE + sizeof(billboard_header))
 
 enum {
     PATH_POSES = 0,
@@ -143,10 +153,18 @@ static inline const light_header *light_header_of(const header *head)
                : NULL;
 }
 
+/* Its tables may be empty where there are billboards. */
 static inline const surface_header *surface_header_of(const header *head)
 {
     return head->header_size > LIGHT_HEADER_SIZE
                ? (const surface_header *)(const void *)(light_header_of(head) + 1)
+               : NULL;
+}
+
+static inline const billboard_header *billboard_header_of(const header *head)
+{
+    return head->header_size > SURFACE_HEADER_SIZE
+               ? (const billboard_header *)(const void *)(surface_header_of(head) + 1)
                : NULL;
 }
 

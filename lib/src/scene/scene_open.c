@@ -11,6 +11,9 @@
 
 static bool header_size_is_known(const header *head)
 {
+    if (head->version == VERSION_BOARDS) {
+        return head->header_size == BOARD_HEADER_SIZE;
+    }
     if (head->version == VERSION_LIGHT) {
         return head->header_size == LIGHT_HEADER_SIZE || head->header_size == SURFACE_HEADER_SIZE;
     }
@@ -33,7 +36,7 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     if (head->magic != MAGIC) {
         return FXL_E_MAGIC;
     }
-    if (head->version < VERSION || head->version > VERSION_LIGHT) {
+    if (head->version < VERSION || head->version > VERSION_BOARDS) {
         return FXL_E_VERSION;
     }
     if (!header_size_is_known(head)) {

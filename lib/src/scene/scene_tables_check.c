@@ -24,6 +24,8 @@ static fxl_status check_table(const header *head, const table *entry, uint32_t e
 
 #define SURFACE_TABLE_AT(name) (LIGHT_HEADER_SIZE + offsetof(surface_header, name))
 
+#define BOARD_TABLE_AT(name) (SURFACE_HEADER_SIZE + offsetof(billboard_header, name))
+
 /* The tables whose offset and count the header states, in their order there. An entry size of 0 is
  * that of the path's kind. */
 static const struct {
@@ -61,6 +63,10 @@ static const struct {
     {SURFACE_TABLE_AT(corner_normals), sizeof(fxl_direction), FXL_SCENE_TABLE_MAX,
      "corner normal table"},
     {SURFACE_TABLE_AT(blend), PALETTE_ENTRIES, PALETTE_ENTRIES, "blend table"},
+    {BOARD_TABLE_AT(billboards), sizeof(fxl_scene_billboard), FXL_SCENE_TABLE_MAX,
+     "billboard table"},
+    {BOARD_TABLE_AT(model_map), sizeof(uint16_t), FXL_SCENE_MODELS_MAX, "billboard map"},
+    {BOARD_TABLE_AT(pixels), 1, FXL_SCENE_IMAGE_MAX, "sprite pixels"},
 };
 
 enum {
@@ -73,10 +79,21 @@ enum {
     SURFACE_TABLE = 19,
     MAPPED_FACE_TABLE = 20,
     FACE_MAP_TABLE = 21,
-    TABLE_COUNT = 24
+    BOARD_TABLE = 24,
+    TABLE_COUNT = 27
 };
 
 FXL_STATIC_ASSERT(sizeof tables / sizeof tables[0] == TABLE_COUNT, "one for each");
+
+/* An image with billboards may have no surfaces; then none of their tables is there. */
+static bool has_surfaces(const header *head)
+{
+    const surface_header *of = surface_header_of(head);
+    return of != NULL &&
+           (billboard_header_of(head) == NULL ||
+            (of->textures.count | of->texels.count | of->surfaces.count | of->mapped_faces.count |
+             of->face_map.count | of->corner_normals.count | of->blend.count) != 0);
+}
 
 /* Of the tables behind that of the path, a header needs those for which it is so long; light has a
  * ramp. */
@@ -85,8 +102,9 @@ static bool is_needed(const header *head, size_t number)
     if (number == RAMP_TABLE) {
         return light_header_of(head)->light.count != 0;
     }
-    if (head->header_size == SURFACE_HEADER_SIZE) {
-        return number <= PATH_TABLE || (number >= SURFACE_TABLE && number <= FACE_MAP_TABLE);
+    if (surface_header_of(head) != NULL) {
+        return number <= PATH_TABLE || number >= BOARD_TABLE ||
+               (has_surfaces(head) && number >= SURFACE_TABLE && number <= FACE_MAP_TABLE);
     }
     const size_t last = head->header_size == LIGHT_HEADER_SIZE     ? LIGHT_TABLE
                         : head->header_size == TURN_HEADER_SIZE    ? TURN_TABLE
@@ -134,9 +152,19 @@ static fxl_status check_face_map(const header *head, fxl_scene_fault *fault)
 {
     const surface_header *more = surface_header_of(head);
     /* bug: face-map-count */
-    return more == NULL || more->face_map.count == head->faces.count
+    return !has_surfaces(head) || more->face_map.count == head->faces.count
                ? FXL_OK
                : fxl_fault_at(fault, "face map", 0, FXL_E_COUNT);
+}
+
+/* Each model has its entry in the billboard map. */
+static fxl_status check_billboard_map(const header *head, fxl_scene_fault *fault)
+{
+    const billboard_header *more = billboard_header_of(head);
+    /* bug: billboard-map-count */
+    return more == NULL || more->model_map.count == head->models.count
+               ? FXL_OK
+               : fxl_fault_at(fault, "billboard map", 0, FXL_E_COUNT);
 }
 
 fxl_status fxl_scene_tables_check(const header *head, fxl_scene_fault *fault)
@@ -167,5 +195,8 @@ fxl_status fxl_scene_tables_check(const header *head, fxl_scene_fault *fault)
     if (status == FXL_OK) {
         status = check_light_counts(head, fault);
     }
-    return status == FXL_OK ? check_face_map(head, fault) : status;
+    if (status == FXL_OK) {
+        status = check_face_map(head, fault);
+    }
+    return status == FXL_OK ? check_billboard_map(head, fault) : status;
 }

@@ -46,7 +46,7 @@ static void point_to_surfaces(const header *head, fxl_scene_image *opened)
 {
     const surface_header *more = surface_header_of(head);
     fxl_scene_surfaces *to = &opened->surfaces;
-    if (more == NULL) {
+    if (more == NULL || more->face_map.count == 0) {
         return;
     }
     to->textures = (const fxl_scene_texture *)at(head, more->textures.offset);
@@ -65,6 +65,20 @@ static void point_to_surfaces(const header *head, fxl_scene_image *opened)
         to->blend_count = more->blend.count;
         to->blend_first = more->blend_first;
     }
+}
+
+static void point_to_billboards(const header *head, fxl_scene_image *opened)
+{
+    const billboard_header *more = billboard_header_of(head);
+    fxl_scene_billboards *to = &opened->billboards;
+    if (more == NULL) {
+        return;
+    }
+    to->billboards = (const fxl_scene_billboard *)at(head, more->billboards.offset);
+    to->model_map = (const uint16_t *)at(head, more->model_map.offset);
+    to->pixels = (const uint8_t *)at(head, more->pixels.offset);
+    to->count = more->billboards.count;
+    to->pixel_bytes = more->pixels.count;
 }
 
 void fxl_scene_tables_open(const header *head, fxl_scene_image *opened)
@@ -96,6 +110,7 @@ void fxl_scene_tables_open(const header *head, fxl_scene_image *opened)
     point_to_turns(head, opened);
     point_to_light(head, opened);
     point_to_surfaces(head, opened);
+    point_to_billboards(head, opened);
     opened->scene.vertex_count = head->vertices.count;
     opened->scene.index_count = head->indices.count;
     opened->scene.face_count = head->faces.count;

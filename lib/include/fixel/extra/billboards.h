@@ -32,7 +32,12 @@ typedef struct {
 
 /* The billboards of a renderer, which the caller owns. Members are internal. */
 typedef union {
-    const fxl_billboard_set *set;
+    struct {
+        const fxl_billboard_set *set;
+        const struct fxl_billboard_painter *painter;
+        const fxl_visibility *without; /* the method that they have joined */
+        fxl_visibility method;         /* the same with billboards */
+    } of;
     uint64_t aligned; /* a workspace is aligned to 8 bytes */
 } fxl_billboards;
 
@@ -46,15 +51,42 @@ typedef union {
 fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
                                 fxl_scene_fault *fault);
 
-/* Has a renderer draw billboards, or, where set is null, by fxl_visibility_sorted as before.
- * The renderer keeps a pointer to *billboards, and that one to *set. Sets the visibility method
- * fxl_visibility_billboards. By any other method an instance shows its face. A sprite may change
- * between frames, and so may model_map. The frame must begin anew. Several cores may draw bands of
- * one frame.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_ALIGNMENT (billboards),
- * and those of fxl_billboards_check: nothing is changed but refused_calls. */
+/* Makes a set of the billboards of a scene image. sprites and boards: memory for its records, so
+ * many of each; they must outlive *set, as the image must. Checks that each sprite lies within the
+ * image's sprite pixels, and as fxl_billboards_check.
+ * Requires an image that fxl_scene_open has opened; fault may be null.
+ * FXL_E_ARGUMENT (a null pointer; an image without billboards), FXL_E_CAPACITY (more billboards
+ * than capacity), FXL_E_RANGE, FXL_E_OFFSET, FXL_E_RESERVED, and those of fxl_billboards_check:
+ * *set untouched, *fault written; sprites and boards may be overwritten. On FXL_OK *fault is
+ * untouched.
+ */
+fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
+                               fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
+                               fxl_scene_fault *fault);
+
+/* Has a renderer draw billboards, or, where set is null, draw without them as before.
+ * The renderer keeps a pointer to *billboards, and that one to *set. The visibility method becomes
+ * fxl_visibility_billboards if it was fxl_visibility_sorted; if it was fxl_visibility_surfaces,
+ * faces keep their surfaces. It is set after those, and ends where another method is set: then an
+ * instance shows its face. A sprite may change between frames, and so may model_map. The frame must
+ * begin anew. Several cores may draw bands of one frame.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised; its visibility method is another
+ * one: with a depth buffer fxl_renderer_set_billboards_by_depth does it, with a span buffer, a BSP
+ * tree or outlines nothing does), FXL_E_ALIGNMENT (billboards), and those of fxl_billboards_check:
+ * nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                        const fxl_billboard_set *set);
+
+/* The same for a renderer that draws with a depth buffer, with surfaces or without: it is called
+ * after fxl_renderer_set_depth. Each pixel of a billboard has the distance of its instance's
+ * centre; one with the colour key keeps no depth. In the display list a billboard takes 40 bytes.
+ * fxl_renderer_set_billboards with a set that is null takes them away. The relative error of a
+ * depth is below 2^-28. set must not be null.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised, or draws without a depth
+ * buffer), FXL_E_ALIGNMENT (billboards), and those of fxl_billboards_check: nothing is changed but
+ * refused_calls. */
+fxl_status fxl_renderer_set_billboards_by_depth(fxl_renderer *renderer, fxl_billboards *billboards,
+                                                const fxl_billboard_set *set);
 
 /* The order of fxl_visibility_sorted; a later polygon or sprite covers an earlier one. Of the
  * display list's memory a billboard takes 32 bytes. fxl_renderer_set_billboards sets it. */
