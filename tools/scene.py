@@ -109,6 +109,8 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None):
 
 def plant(compiled, layers, name):
     """Gives a scene a tree; answers what there is to say about it."""
+    if compiled.billboards:
+        raise ToolError(f"{name}: --tree: a BSP tree draws no billboards, and this scene has some; leave --tree away")
     had_surfaces = compiled.surfaces is not None
     try:
         counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, Progress())
@@ -142,6 +144,8 @@ def summary(scene):
         "textures": len(scene.surfaces.textures) if scene.surfaces else 0,
         "texel_bytes": sum(image_surface.texel_bytes(one) for one in scene.surfaces.textures) if scene.surfaces else 0,
         "faces_with_surfaces": sum(face.mapped is not None for model in scene.models for face in model.faces),
+        "billboards": len(scene.billboards.boards) if scene.billboards else 0,
+        "sprite_bytes": sum(len(one.pixels) + len(one.colours) for one in scene.billboards.boards) if scene.billboards else 0,
         "light_levels": len(scene.light.ramp) if scene.light else 0,
         "point_lights": len(scene.light.points) if scene.light else 0,
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
@@ -172,6 +176,8 @@ def info(file, as_json):
     if data["faces_with_surfaces"]:
         print(f"  surfaces of {data['faces_with_surfaces']:,} faces; {data['textures']} textures, "
               f"{data['texel_bytes']:,} bytes of texels")
+    if data["billboards"]:
+        print(f"  billboards {data['billboards']}, {data['sprite_bytes']:,} bytes of pixels and colours")
     if data["light_levels"]:
         print(f"  light    at run time, in {data['light_levels']} levels; {data['point_lights']} point lights")
     if data["clusters"]:

@@ -19,7 +19,7 @@ from fixel.flash_image import ERASED, read_old, replace
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
 SCENE_VERSIONS = (2, 3, 4, 5, 6)
 SCENE_HEADER_SIZE = 160
-SCENE_HEADER_SIZES = (160, 176, 184, 208, 232, 296)  # the larger ones of scenes with beams, clusters, turns, light, surfaces
+SCENE_HEADER_SIZES = (160, 176, 184, 208, 232, 296, 320)  # the larger ones of scenes with beams, clusters, turns, light, surfaces, billboards
 
 
 @dataclasses.dataclass(frozen=True)

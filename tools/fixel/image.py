@@ -4,7 +4,7 @@
 from dataclasses import dataclass, field
 import zlib
 
-from fixel import (image_beam, image_cluster, image_header, image_keys, image_lens, image_light, image_models,
+from fixel import (image_beam, image_billboard, image_cluster, image_header, image_keys, image_lens, image_light, image_models,
                    image_surface, image_tables, image_turn, reading)
 from fixel.errors import ToolError
 from fixel.image_header import HEADER_SIZE, IMAGE_MAX, POSES, STRIDES
@@ -47,6 +47,7 @@ class SceneImage:
     motions: list = field(default_factory=list)     # of the last of those
     light: image_light.Light = None                 # at run time
     surfaces: image_surface.Surfaces = None
+    billboards: image_billboard.Billboards = None
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     names: list = field(default_factory=list, compare=False)    # of the objects, in turn; None: it has none
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
@@ -72,7 +73,8 @@ def pack(image):
     turns, motions, motion_keys = image_turn.tables(image.turns, image.motions)
     light = image.light.tables() if image.light else [[], [], []]
     surfaces = image_surface.tables(image.surfaces, image.models)
-    version, header_size = image_header.kind_of(nodes, beams, clusters, turns, light[0], image.surfaces)
+    version, header_size = image_header.kind_of(nodes, beams, clusters, turns, light[0], image.surfaces,
+                                                image.billboards)
     body, where = image_lens.CENTRE.pack(*image.centre) if image.centre else b"", []
 
     def place(table):
@@ -93,6 +95,8 @@ def pack(image):
     more += image_light.HEADER.pack(*(number for table in light for number in place(table)))
     more += image_surface.HEADER.pack(*(number for table in surfaces for number in place(table)),
                                       image.surfaces.blend_first if image.surfaces else 0, 0)
+    more += image_billboard.HEADER.pack(*(number for table in image_billboard.tables(image.billboards)
+                                          for number in place(table)))
     more = more[:header_size - HEADER_SIZE]
     size = header_size + len(body)
     if size > IMAGE_MAX:
@@ -150,7 +154,7 @@ def unpack(blob):
     check_coordinates(start[:3], "the start")
     _check_gait(gait)
     palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters, turns, motions, \
-        motion_keys, light, points, ramp, *surfaces = image_tables.read(blob, fields)
+        motion_keys, light, points, ramp, *looks = image_tables.read(blob, fields)
     image_models.check_faces(faces, corners)
     models, extras = image_models.read_models(models, vertices, corners, faces)
     objects = image_models.read_objects(objects, models)
@@ -177,9 +181,10 @@ def unpack(blob):
     motions = image_turn.read_motions(motions, motion_keys, radii)
     light = image_light.read(light, points, ramp)
     _check_path(kind, path, fields[38])
-    surfaces = image_surface.read(surfaces, image_header.blend_first(blob, fields), models)
+    surfaces = image_surface.read(looks[:len(image_surface.TABLES)], image_header.blend_first(blob, fields), models)
+    billboards = image_billboard.read(looks[len(image_surface.TABLES):], models, [radius for radius, *_ in extras])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, surfaces,
+                      kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, surfaces, billboards,
                       size=fields[3], crc=fields[4])
 
 

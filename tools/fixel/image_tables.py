@@ -3,8 +3,9 @@
 
 import struct
 
-from fixel import image_beam, image_cluster, image_keys, image_light, image_models, image_surface, image_turn
-from fixel.image_header import (CLUSTER_HEADER_SIZE, HEADER_SIZE, LIGHT_HEADER_SIZE, LIT_HEADER_SIZE, POSES,
+from fixel import (image_beam, image_billboard, image_cluster, image_keys, image_light, image_models, image_surface,
+                   image_turn)
+from fixel.image_header import (BOARD_HEADER_SIZE, CLUSTER_HEADER_SIZE, HEADER_SIZE, LIGHT_HEADER_SIZE, LIT_HEADER_SIZE, POSES,
                                 SURFACE_HEADER_SIZE, TURN_HEADER_SIZE)
 from fixel.image_tree import NODE, NODES_MAX, fail
 
@@ -25,14 +26,15 @@ def _limits(kind):
             ("turns", image_turn.TURN, 1, 65_535), ("motions", image_turn.MOTION, 1, 65_535),
             ("motion keys", image_turn.KEY, 1, image_turn.KEYS_MAX), ("light", image_light.BASE, 1, 1),
             ("point lights", image_light.POINT, 1, image_light.POINTS_MAX),
-            ("levels", image_light.LEVEL, 1, image_light.LEVELS_MAX), *image_surface.TABLES]
+            ("levels", image_light.LEVEL, 1, image_light.LEVELS_MAX), *image_surface.TABLES, *image_billboard.TABLES]
 
 
 def _places(blob, fields):
     """The offset and count of each table, and the names of those that may be missing."""
     optional = {"keys", "nodes", "beams", "lit", "clusters", "turns", "motions", "motion keys", "light", "point lights",
-                "levels", *(name for name, *_ in image_surface.TABLES)}
+                "levels", *(name for name, *_ in image_surface.TABLES + image_billboard.TABLES)}
     beams, lit, clusters, turns, light, surfaces = (0, 0), (0, 0), (0, 0), (0,) * 6, (0,) * 6, (0,) * 14
+    boards = (0,) * 6
     if fields[2] != HEADER_SIZE:
         *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
         if reserved:
@@ -48,11 +50,17 @@ def _places(blob, fields):
     if fields[2] >= LIGHT_HEADER_SIZE:
         light = image_light.HEADER.unpack_from(blob, TURN_HEADER_SIZE)
         optional = optional - {"light", "levels"} | {"turns"}
-    if fields[2] == SURFACE_HEADER_SIZE:
+    if fields[2] >= SURFACE_HEADER_SIZE:
         *surfaces, _, _ = image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)
-        optional = optional - image_surface.NEEDED | {"light"} | ({"levels"} if not light[1] else set())
+        if fields[2] == SURFACE_HEADER_SIZE or any(surfaces[1::2]):     # of billboards there may be none
+            optional = optional - image_surface.NEEDED
+        optional = optional | {"light"} | ({"levels"} if not light[1] else set())
+    if fields[2] >= BOARD_HEADER_SIZE:
+        boards = image_billboard.HEADER.unpack_from(blob, SURFACE_HEADER_SIZE)
+        optional -= {name for name, *_ in image_billboard.TABLES}
     places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters,
-              turns[:2], turns[2:4], turns[4:], light[:2], light[2:4], light[4:], *zip(surfaces[::2], surfaces[1::2])]
+              turns[:2], turns[2:4], turns[4:], light[:2], light[2:4], light[4:], *zip(surfaces[::2], surfaces[1::2]),
+              *zip(boards[::2], boards[1::2])]
     return places, optional
 
 
@@ -68,6 +76,8 @@ def _check_counts(tables):
         fail("count", "there are point lights or levels, but no light")
     if tables["face map"] and len(tables["face map"]) != len(tables["faces"]):
         fail("count", f"{len(tables['face map'])} entries of the face map for {len(tables['faces'])} faces")
+    if tables["billboard map"] and len(tables["billboard map"]) != len(tables["models"]):
+        fail("count", f"{len(tables['billboard map'])} entries of the billboard map for {len(tables['models'])} models")
 
 
 def read(blob, fields):

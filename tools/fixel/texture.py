@@ -108,19 +108,23 @@ def with_levels(picture, count, most, least):
     return from_pixels(levels, most, picture.colours)
 
 
-def read(path, name, most):
-    """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR."""
+def read(path, name, most, any_side=False, key=None):
+    """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
+    pixels of the colour key. any_side: its sides need not be powers of two."""
     reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
     try:
         with Image.open(path) as file:
-            if not is_side(file.width) or not is_side(file.height):
+            if any_side and max(file.size) > SIDE_MAX:
+                raise ToolError(f"{name}: a picture of {file.width} x {file.height}; a side is at most {SIDE_MAX}, so scale it")
+            if not any_side and not (is_side(file.width) and is_side(file.height)):
                 raise ToolError(f"{name}: a picture of {file.width} x {file.height}; the sides of a texture are powers of "
                                 f"two up to {SIDE_MAX}, so scale it")
             data = file.convert("RGBA").tobytes()
             width, height = file.size
     except (UnidentifiedImageError, OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
         raise ToolError(f"{name}: not a picture that can be read: {reading.shortened(str(error))}") from error
-    pixels = [tuple(data[i:i + 3]) if data[i + 3] >= 128 else CLEAR for i in range(0, len(data), 4)]
+    pixels = [tuple(data[i:i + 3]) if data[i + 3] >= 128 and tuple(data[i:i + 3]) != key else CLEAR
+              for i in range(0, len(data), 4)]
     return from_pixels([[pixels[i:i + width] for i in range(0, width * height, width)]], most)
 
 
@@ -183,6 +187,19 @@ def _grille(x, y, width, height):
     return 0 if column == 0 or row == 0 else 1
 
 
+def _tree(x, y, width, height):
+    """A fir: three tiers of two shades, the left lighter, over a trunk; the rest is a hole."""
+    across = abs(2 * x + 1 - width)             # of the width: 0 in the middle
+    if 8 * y >= 7 * height:
+        return 2 if 6 * across < width else CLEAR
+    tier = 8 * y * 3 // (7 * height)            # 0 at the top
+    within = 8 * y * 3 - tier * 7 * height      # of 7 * height: 0 at the tier's top
+    reach = (3 + 3 * tier) * 7 * height + (5 + 2 * tier) * within
+    if across * 14 * 7 * height > width * reach:
+        return CLEAR
+    return 0 if 2 * x + _hash(x, y, 9) * width // 512 < width + width // 4 else 1
+
+
 def _stones(x, y, width, height):
     """Grains of three shades, four texels wide at most."""
     return (_hash(x // 2, y // 2, 7) + _hash(x, y, 8)) // 2 * 3 // 256
@@ -195,6 +212,7 @@ PATTERNS = {
     "planks": (_planks, ("#a87848", "#9c6c40", "#b48452", "#5c3c20")),
     "crate": (_crate, ("#b88850", "#a87844", "#d0a468", "#6c4824")),
     "grille": (_grille, ("#b0b8c4", "#586070")),
+    "tree": (_tree, ("#3c8c48", "#286838", "#684830")),
     "stones": (_stones, ("#8c8c88", "#989890", "#80807c")),
 }
 
@@ -203,6 +221,13 @@ def pattern(name, width, height, colours):
     """A pattern's picture. colours: as many as the pattern has by default."""
     made, _ = PATTERNS[name]
     return Picture([[[made(x, y, width, height) for x in range(width)] for y in range(height)]], list(colours))
+
+
+def pattern_colours(row, name):
+    """The colours that a row of a scene file gives a pattern, or the pattern's own."""
+    given = row.rows("colours") if "colours" in row else list(PATTERNS[name][1])
+    check_colours(given, name, row.at("colours"))
+    return [palette.parse(colour, f"{row.at('colours')}[{i}]") for i, colour in enumerate(given)]
 
 
 # --- files ---------------------------------------------------------------------------------------

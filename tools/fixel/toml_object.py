@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 
-from fixel import image, palette, quantity, solids, toml_light, toml_model, toml_motion, toml_texture
+from fixel import image, palette, quantity, solids, toml_billboard, toml_light, toml_model, toml_motion, toml_texture
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
@@ -38,6 +38,7 @@ class Placement:
     where: str
     name: str = None
     looks: tuple = ()       # a surfaces.Look or None for each face; none if no face has a surface
+    board: object = None    # a toml_billboard.Wish
     life: object = None     # a toml_motion.Life, of what is turned; its centre is then without the rise
 
 
@@ -144,11 +145,12 @@ def _places(table, room):
 class Objects:
     """Compiles the objects of one scene. notes are told to the user, once each."""
 
-    def __init__(self, name, folder, light, notes, progress=None, files=None, textures=None):
+    def __init__(self, name, folder, light, notes, progress=None, files=None, textures=None, billboards=None):
         self.name, self.folder, self.light = name, folder, light
         self.notes, self.progress = notes, progress
         self.files, self.shapes, self.coloured, self.surfaces = files or {}, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
+        self.billboards, self.boards = billboards or {}, {}
         self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
 
     def mesh(self, table):
@@ -307,6 +309,8 @@ class Objects:
         """All placements of the object that stands number-th in the file."""
         name = data.get("name") if isinstance(data, dict) else None
         where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
+        if isinstance(data, dict) and "billboard" in data:
+            return self._billboards(Table(data, where, toml_billboard.OBJECT_KEYS), name)
         table = Table(data, where, KEYS)
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
@@ -341,10 +345,30 @@ class Objects:
             if life or turned:
                 own = (life or toml_motion.Life()).on_ring(yaw if turned else 0, rise)
                 result.append(Placement((made, moved), colours, kind, position, layer, True, clusters, place, name, looks,
-                                        own))
+                                        life=own))
                 continue
             centre = _centre(position, rise, ends, place)
             result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
+        return result
+
+    def _billboards(self, table, name):
+        """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""
+        wish = toml_billboard.of_object(table, self.billboards)
+        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
+        if _ring_is_turned(table):
+            raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
+        places = _places(table, PLACEMENTS_MAX - self.count)
+        self.count += len(places)
+        if wish not in self.boards:
+            self.boards[wish] = toml_billboard.shape_of(wish), (wish.picture.mean(),)
+        made, colours = self.boards[wish]
+        result = []
+        for i, (position, _) in enumerate(places):
+            place = table.where + (f", copy {i}" if i else "")
+            self._count_placed(len(made.vertices), place)
+            centre = position if life else _centre(position, 0, _ends(made, (0, 0, 0)), place)
+            result.append(Placement((made, (0, 0, 0)), colours, image.CONVEX, centre, layer, bool(life) or moves, False, place,
+                                    name, board=wish, life=life.on_ring(0, 0) if life else None))
         return result
 
 

@@ -6,8 +6,8 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import clusters, default_path, image, image_beam, image_lens, light_palette, palette, quantity, toml_light, toml_motion, \
-    toml_table, toml_texture
+from fixel import clusters, default_path, image, image_beam, image_lens, light_palette, palette, quantity, toml_billboard, toml_light, \
+    toml_motion, toml_table, toml_texture
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -18,7 +18,7 @@ from fixel.toml_table import Table
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
-            "textures"}
+            "textures", "billboards"}
 _PALETTE_KEYS = {"reserve", "colours", "blend"}
 
 
@@ -243,6 +243,8 @@ def _count_colours(placements, lit):
     for colour in {c for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look
                    for c in look.colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
+    for colour in {c for placement in placements if placement.board for c in placement.board.picture.colours}:
+        wanted[colour] = wanted.get(colour, 0) + 1
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
             wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
@@ -270,30 +272,31 @@ def _palette(background, placements, reserved, light, lit):
 
 
 def _models(placements, indices, records):
-    """Models and objects; equal models are made once. An object's position in
+    """Models, objects, and of each model its billboard or None; equal models are made once. An object's position in
     the list is its number in the order of drawing. records: a surfaces.Records."""
-    numbers, models, objects = {}, [], []
+    numbers, models, objects, boards = {}, [], [], []
     for item in placements:
         made, moved = item.shape
-        key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters)
+        key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board)
         if key not in numbers:
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours)
             faces = tuple((f.normal, f.corners, c, m) for f, c, m in zip(made.faces, colours, mapped))
             # Meshes from different sources may come out the same.
-            content = (vertices, faces, item.kind, item.clusters)
+            content = (vertices, faces, item.kind, item.clusters, item.board)
             if content not in numbers:
                 if len(vertices) > 65535 or len(faces) > 65535:
                     raise ToolError(f"{item.where}: {len(vertices)} vertices and {len(faces)} "
                                     "faces; a model has at most 65535 of each, so split it")
                 numbers[content] = len(models)
                 models.append(Model(list(vertices), [Face(*f) for f in faces], item.kind))
+                boards.append(item.board)
                 if item.clusters:
                     clusters.divide(models[-1])
             numbers[key] = numbers[content]
         objects.append(Object(item.centre, numbers[key], item.layer))
-    return models, objects
+    return models, objects, boards
 
 
 def compile_data(data, name, folder, frames=None, progress=None, screen=None, meshes=None):
@@ -310,7 +313,8 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     beams, lit = _beams(top)
     reserved = _reserved(top)
     light = toml_light.read(top)
-    objects = Objects(name, folder, light, notes, progress, meshes, toml_texture.read(top, folder))
+    objects = Objects(name, folder, light, notes, progress, meshes, toml_texture.read(top, folder),
+                      toml_billboard.read(top, folder))
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
@@ -322,10 +326,11 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     records = Records(indices)
-    models, placed = _models(placements, indices, records)
+    models, placed, boards = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre = lens[-1]
     scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
+    scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)

@@ -4,7 +4,7 @@
 from fractions import Fraction
 import os
 
-from fixel import image_surface, palette, quantity, surfaces, texture, toml_images
+from fixel import image_surface, quantity, surfaces, texture, toml_images
 from fixel.errors import ToolError
 from fixel.reading import quoted
 from fixel.surfaces import Look, Paint
@@ -31,10 +31,7 @@ def _pattern(row):
     if len(size) != 2:
         raise ToolError(f"{row.at('size')}: expected [width, height]")
     width, height = (_side(side, f"{row.at('size')}[{i}]") for i, side in enumerate(size))
-    given = row.rows("colours") if "colours" in row else list(texture.PATTERNS[name][1])
-    texture.check_colours(given, name, row.at("colours"))
-    colours = [palette.parse(colour, f"{row.at('colours')}[{i}]") for i, colour in enumerate(given)]
-    return texture.pattern(name, width, height, colours)
+    return texture.pattern(name, width, height, texture.pattern_colours(row, name))
 
 
 def _file(row, folder, most):
