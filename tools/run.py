@@ -112,10 +112,10 @@ def count_wrong_order(programs, image, folder, frames):
     """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
     and of how many.
 
-    None where the scene has light beams or surfaces, which no ray knows.
+    None where the scene has light beams, surfaces or billboards, which no ray knows.
     """
     scene = scene_image.load(image)
-    if scene.beams or scene.surfaces:
+    if scene.beams or scene.surfaces or scene.billboards:
         return None, 0
     every = -(-frames // RAYS_FRAMES_MAX)
     verdict = programs.raycast(image, folder / "double.fxld", folder / "rays.json", every)
@@ -164,7 +164,7 @@ def judged_rows(summary):
               if summary["texel_pixels"] else []),
             ["unexplained", f"{summary['pixels_unexplained']:,}"],
             ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
-            ["wrong by the order", "not counted: the scene has light beams or surfaces" if wrong is None else
+            ["wrong by the order", "not counted: the scene has light beams, surfaces or billboards" if wrong is None else
              f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
 
 

@@ -121,6 +121,16 @@ fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer,
     return status;
 }
 
+fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                       const fxl_billboard_set *set)
+{
+#if defined WALK_DEPTH
+    return fxl_renderer_set_billboards_by_depth(renderer, billboards, set);
+#else
+    return fxl_renderer_set_billboards(renderer, billboards, set);
+#endif
+}
+
 uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer)
 {
     return draws_by_bsp(methods, renderer->scene)

@@ -4,6 +4,7 @@
 #ifndef WALK_METHODS_H
 #define WALK_METHODS_H
 
+#include "fixel/extra/billboards.h"
 #include "fixel/render.h"
 #include "fixel/scene.h"
 
@@ -29,6 +30,11 @@ uint32_t walk_methods_bytes(const walk_methods *methods);
 
 /* Sets a renderer's methods; memory has walk_methods_bytes, aligned to 8. */
 fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory);
+
+/* Has the renderer, whose methods are set, draw billboards too. FXL_E_ORDER: its visibility method
+ * draws none. */
+fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                       const fxl_billboard_set *set);
 
 /* How many instances of the last frame were drawn in a wrong order, because the memory for their
  * pieces was too small. */

@@ -2,6 +2,7 @@
 #include "walk.h"
 
 #include "act.h"
+#include "billboards.h"
 #include "contract/clock.h"
 #include "contract/display.h"
 #include "contract/input.h"
@@ -122,10 +123,10 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
-/* How the list's memory is shared: what the act wants, what the scene's looks want, then what the
- * methods want; the rest is the list. In bytes, multiples of 8. */
+/* How the list's memory is shared: what the act wants, what the scene's looks want, its billboards,
+ * then what the methods want; the rest is the list. In bytes, multiples of 8. */
 typedef struct {
-    uint32_t act, looks, taken;
+    uint32_t act, looks, billboards, taken;
 } shares;
 
 static int share_list(const fxl_scene_image *image, shares *of)
@@ -134,7 +135,8 @@ static int share_list(const fxl_scene_image *image, shares *of)
 
     of->act = act_bytes(image);
     of->looks = walk_looks_bytes(image);
-    of->taken = of->act + of->looks;
+    of->billboards = walk_billboards_bytes(image);
+    of->taken = of->act + of->looks + of->billboards;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree or with surfaces; "
                     "VISIBILITY=sorted draws without\n");
@@ -142,9 +144,9 @@ static int share_list(const fxl_scene_image *image, shares *of)
     }
     of->taken += walk_methods_bytes(&methods);
     if (of->taken > room) {
-        print_with_number(
-            "walk: motions, beams, light, surfaces, clipper and visibility method need ", of->taken,
-            " bytes");
+        print_with_number("walk: motions, beams, light, surfaces, billboards, clipper and "
+                          "visibility method need ",
+                          of->taken, " bytes");
         print_with_number(", this board's display list has ", room, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
@@ -194,7 +196,15 @@ static int open_renderer(fxl_scene_image *image)
         status = walk_looks_open(image, &renderer, bytes + of.act);
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.looks);
+        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.looks + of.billboards);
+    }
+    if (status == FXL_OK) {
+        status = walk_billboards_open(image, &renderer, bytes + of.act + of.looks);
+        if (status == FXL_E_ORDER) {
+            system_text("walk: the scene has billboards, which VISIBILITY=sorted, surfaces, depth "
+                        "and depth-32 draw\n");
+            return SYSTEM_EXIT_RENDER;
+        }
     }
     if (status == FXL_OK) {
         status = act_attach(&renderer);

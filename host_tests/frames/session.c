@@ -30,6 +30,12 @@ const char *session_open(session *run, const char *path)
         status = fxl_surfaces_open(&run->image, session_memory(count * sizeof(fxl_texture)), count,
                                    &run->surface_set, NULL);
     }
+    if (status == FXL_OK && run->image.billboards.model_map) {
+        const uint32_t count = run->image.billboards.count;
+        status = fxl_billboards_open(&run->image, session_memory(count * sizeof(fxl_sprite)),
+                                     session_memory(count * sizeof(fxl_billboard)), count,
+                                     &run->billboard_set, NULL);
+    }
     if (status == FXL_OK && run->image.motion.motion_count > 0) {
         fxl_scene *scene = &run->image.scene;
         const uint32_t turned = scene->instance_count - scene->first_turned;
@@ -102,6 +108,18 @@ static bool has_depth(const fxl_visibility *visibility)
            visibility->backend == fxl_visibility_depth_32.backend;
 }
 
+/* After the visibility method is set. */
+static fxl_status add_billboards(session *run)
+{
+    if (!run->image.billboards.model_map) {
+        return FXL_OK;
+    }
+    return has_depth(run->renderer.visibility)
+               ? fxl_renderer_set_billboards_by_depth(&run->renderer, &run->billboards,
+                                                      &run->billboard_set)
+               : fxl_renderer_set_billboards(&run->renderer, &run->billboards, &run->billboard_set);
+}
+
 fxl_status session_set_up(session *run, const session_settings *settings)
 {
     const fxl_scene *scene = &run->image.scene;
@@ -124,6 +142,9 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,
                                              session_submit_bytes(run, settings->visibility) +
                                                  settings->raster_bytes);
+    }
+    if (status == FXL_OK) {
+        status = add_billboards(run);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,

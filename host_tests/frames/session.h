@@ -26,6 +26,8 @@ typedef struct {
     fxl_surfaces surfaces;
     fxl_light light;
     fxl_depth depth;
+    fxl_billboard_set billboard_set; /* if the image has billboards */
+    fxl_billboards billboards;
     uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
     void *workspace, *pieces, *beam_light; /* the visibility method's, the tree's, the beams' */
 } session;

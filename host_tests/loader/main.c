@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fixel/extra/billboards.h"
 #include "fixel/extra/surfaces.h"
 #include "fixel/scene.h"
 #include "frames/read_file.h"
@@ -24,6 +25,24 @@ static fxl_status open_surfaces(const fxl_scene_image *opened, fxl_scene_fault *
     return status;
 }
 
+/* Opens the billboards of an image, if it has some. */
+static fxl_status open_billboards(const fxl_scene_image *opened, fxl_scene_fault *fault)
+{
+    const uint32_t count = opened->billboards.count;
+    fxl_billboard_set set;
+    if (opened->billboards.model_map == NULL) {
+        return FXL_OK;
+    }
+    fxl_sprite *sprites = malloc((count + 1u) * sizeof *sprites);
+    fxl_billboard *boards = malloc((count + 1u) * sizeof *boards);
+    fxl_status status = sprites && boards
+                            ? fxl_billboards_open(opened, sprites, boards, count, &set, fault)
+                            : FXL_E_CAPACITY;
+    free(sprites);
+    free(boards);
+    return status;
+}
+
 /* Copies an image to memory of its own, aligned and no longer than it, and opens it there. */
 static int judge(const uint8_t *bytes, uint32_t size)
 {
@@ -37,6 +56,9 @@ static int judge(const uint8_t *bytes, uint32_t size)
     fxl_status status = fxl_scene_open(image, size, &opened, &fault);
     if (status == FXL_OK) {
         status = open_surfaces(&opened, &fault);
+    }
+    if (status == FXL_OK) {
+        status = open_billboards(&opened, &fault);
     }
     printf("%d %u %s\n", (int)status, (unsigned)fault.index, fault.what);
     free(image);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reference/billboard.h"
 #include "reference/clip_world.h"
 #include "reference/cull.h"
 #include "reference/camera.h"
@@ -242,10 +243,32 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
     return ref_submit_polygon(renderer, &whole, instance_number, face_number, &renderer->counters);
 }
 
+/* The one face of an instance that shows a billboard. */
+static bool submit_billboard(ref_renderer *renderer, uint32_t number)
+{
+    const ref_scene *scene = renderer->scene;
+    ref_drawn drawn = {.instance = number};
+    const ref_billboard_result result = ref_billboard_look(
+        scene, &renderer->camera, &renderer->lens, &scene->instances[number], &drawn);
+    renderer->counters.in++;
+    renderer->counters.outside += result == REF_BILLBOARD_OUTSIDE;
+    renderer->counters.refused += result == REF_BILLBOARD_REFUSED;
+    renderer->counters.drawn += result == REF_BILLBOARD_DRAWN;
+    drawn.in_doubt = drawn.in_doubt && renderer->keeps_doubt;
+    if (drawn.polygon.count == 0 && !drawn.in_doubt) {
+        return true;
+    }
+    drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
+    return ref_display_list_append(&renderer->display_list, &drawn);
+}
+
 bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
 {
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[number];
+    if (ref_billboard_of(scene, instance)) {
+        return submit_billboard(renderer, number);
+    }
     const ref_model *model = &scene->models[instance->model];
     uint32_t count = 0, left_out = 0;
     if (model->kind == REF_MODEL_SORTED) {

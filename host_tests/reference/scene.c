@@ -2,6 +2,7 @@
 #include "reference/scene.h"
 
 #include "reference/scene_parts.h"
+#include "reference/billboard.h"
 #include "reference/surface.h"
 #include "reference/turn.h"
 
@@ -266,11 +267,12 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
         return "it is not a scene image (no FXLS at its start)";
     }
     uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
-    if (version < 2 || version > 6 ||
-        !(header == 232 || header == 296 ? version == 6
-          : header == 208                ? version == 5
-          : version > 4                  ? false
-                                         : header == 160 || header == 176 || header == 184)) {
+    if (version < 2 || version > 7 ||
+        !(header == 320                    ? version == 7
+          : header == 232 || header == 296 ? version == 6
+          : header == 208                  ? version == 5
+          : version > 4                    ? false
+                                           : header == 160 || header == 176 || header == 184)) {
         return "this version of the scene image is not known";
     }
     uint32_t stated = ref_u32(bytes + 8);
@@ -314,6 +316,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!ref_surfaces_read(bytes, stated, &image->scene)) {
         return "the scene image's surfaces are not usable";
     }
+    if (!ref_billboards_read(bytes, stated, &image->scene)) {
+        return "the scene image's billboards are not usable";
+    }
     if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
         return "the scene image's path is not usable";
     }
@@ -342,6 +347,7 @@ void ref_scene_close(ref_scene_image *image)
     free(image->scene.clusters);
     free(image->light);
     ref_surfaces_close(image->scene.surfaces);
+    ref_billboards_close(image->scene.billboards);
     free(image->poses);
     free(image->segments);
     memset(image, 0, sizeof *image);

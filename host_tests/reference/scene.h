@@ -72,6 +72,7 @@ typedef struct {
 
 typedef struct ref_light ref_light;
 typedef struct ref_surfaces ref_surfaces;
+typedef struct ref_billboards ref_billboards;
 
 typedef struct {
     ref_lattice_point *vertices; /* relative to the instance's centre */
@@ -89,8 +90,9 @@ typedef struct {
     uint32_t cluster_count;
     ref_turn *turns; /* of the instances from first_turned on; null where there are none */
     uint32_t first_turned;
-    ref_surfaces *surfaces; /* null where there are none */
-    const ref_light *light; /* light at run time; or null */
+    ref_surfaces *surfaces;     /* null where there are none */
+    ref_billboards *billboards; /* null where there are none */
+    const ref_light *light;     /* light at run time; or null */
 } ref_scene;
 
 typedef struct {

@@ -218,7 +218,8 @@ static bool solve_ray(const ref_surface_view *view, const ref_lens *lens, double
  * round. */
 static double slack_of(const ref_surface_view *view, int value, double scale)
 {
-    const double rounding = 1.0 / 256, bend = view->is_affine ? 0 : 0.5 * scale;
+    const double rounding = 1.0 / 256 + view->rounding[value],
+                 bend = view->is_affine ? 0 : 0.5 * scale;
     if (view->surface->division == REF_DIVIDE_1) {
         return rounding;
     }

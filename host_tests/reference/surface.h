@@ -73,8 +73,9 @@ typedef struct {
     bool is_affine;
     ref_screen_point points[3];                      /* where it is affine: its corners */
     double values[REF_VALUES], steps[2][REF_VALUES]; /* at the corner, and what each side adds */
-    double scales[2]; /* texels of the level for one of the texture */
-    uint8_t own;      /* the face's own colour */
+    double scales[2];            /* texels of the level for one of the texture */
+    double rounding[REF_VALUES]; /* added to what a value may be off: of a billboard */
+    uint8_t own;                 /* the face's own colour */
 } ref_surface_view;
 
 /* The values at a point of the screen, and how far from them the library's may be. */

@@ -180,7 +180,8 @@ static bool read_map(const uint8_t *bytes, size_t size, const ref_scene *scene,
 
 bool ref_surfaces_read(const uint8_t *bytes, size_t size, ref_scene *scene)
 {
-    if (ref_u16(bytes + 6) <= MAP_AT) {
+    if (ref_u16(bytes + 6) <= MAP_AT ||
+        (ref_u16(bytes + 4) > 6 && ref_u32(bytes + MAP_AT + 4) == 0)) {
         return true;
     }
     ref_surfaces *surfaces = calloc(1, sizeof *surfaces);

@@ -240,13 +240,20 @@ fxl_status fxl_billboards_join(fxl_renderer *renderer, fxl_billboards *billboard
     return status;
 }
 
+/* Whether a method is fxl_visibility_sorted, or that with billboards. */
+static bool goes_far_to_near(const fxl_visibility *method)
+{
+    return (method->submit == fxl_submit_by_distance || method->submit == submit) &&
+           !method->front_to_back && method->backend->draws_over;
+}
+
 /* By distance alone, or where billboards are taken away, as before. */
 static fxl_status set_sorted(fxl_renderer *renderer, fxl_billboards *billboards,
                              const fxl_billboard_set *set)
 {
     const fxl_visibility *method = renderer->visibility;
-    if (method != NULL && method != &fxl_visibility_sorted && method->submit != submit) {
-        return fxl_refuse(&renderer->workspace, FXL_E_ORDER); /* bug: sprite-method */
+    if (method != NULL && !goes_far_to_near(method)) { /* bug: sprite-method */
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
     const fxl_status status = fxl_renderer_set_visibility(renderer, &fxl_visibility_billboards,
                                                           billboards, (uint32_t)sizeof *billboards);

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#include "billboards.h"
+
+#include "fixel/all.h"
+#include "methods.h"
+
+/* What billboards want; the records of each follow. */
+typedef struct {
+    fxl_billboards billboards;
+    fxl_billboard_set set;
+} billboard_memory;
+
+uint32_t walk_billboards_bytes(const fxl_scene_image *image)
+{
+    const size_t each = sizeof(fxl_billboard) + sizeof(fxl_sprite);
+
+    return image->billboards.model_map != NULL
+               ? ((uint32_t)(sizeof(billboard_memory) + image->billboards.count * each) + 7u) & ~7u
+               : 0;
+}
+
+fxl_status walk_billboards_open(const fxl_scene_image *image, fxl_renderer *renderer,
+                                uint8_t *memory)
+{
+    billboard_memory *const own = (billboard_memory *)(void *)memory;
+    const uint32_t count = image->billboards.count;
+    fxl_billboard *const boards = (fxl_billboard *)(void *)(own + 1);
+    fxl_sprite *const sprites = (fxl_sprite *)(void *)(boards + count);
+    fxl_status status;
+
+    if (image->billboards.model_map == NULL) {
+        return FXL_OK;
+    }
+    status = fxl_billboards_open(image, sprites, boards, count, &own->set, NULL);
+    return status == FXL_OK ? walk_methods_add_billboards(renderer, &own->billboards, &own->set)
+                            : status;
+}
