@@ -17,9 +17,10 @@ from fixel.errors import ToolError
 from fixel.flash_image import ERASED, read_old, replace
 
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
-SCENE_VERSIONS = (2, 3, 4, 5, 6)
+SCENE_VERSIONS = (2, 3, 4, 5, 6, 7)
 SCENE_HEADER_SIZE = 160
-SCENE_HEADER_SIZES = (160, 176, 184, 208, 232, 296, 320)  # the larger ones of scenes with beams, clusters, turns, light, surfaces, billboards
+# The larger ones are of scenes with beams, clusters, turns, light, surfaces, billboards.
+SCENE_HEADER_SIZES = (160, 176, 184, 208, 232, 296, 320)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -56,7 +57,7 @@ def read_scene(path):
     _, version, header_size, size, crc = SCENE_HEAD.unpack_from(data)
     if version not in SCENE_VERSIONS or header_size not in SCENE_HEADER_SIZES:
         raise ToolError(f"{path} is a scene image of version {version} with a header of {header_size} "
-                        f"bytes; this tool knows versions 2 to 5 with {SCENE_HEADER_SIZE} to {SCENE_HEADER_SIZES[-1]}: "
+                        f"bytes; this tool knows versions {SCENE_VERSIONS[0]} to {SCENE_VERSIONS[-1]} with {SCENE_HEADER_SIZE} to {SCENE_HEADER_SIZES[-1]}: "
                         "make it again with tools/scene.py")
     if size != len(data):
         raise ToolError(f"{path} has {len(data)} bytes but says that it has {size}: "
