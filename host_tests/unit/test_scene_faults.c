@@ -73,7 +73,7 @@ void test_an_image_as_a_whole(void)
     TEST_ASSERT_EQUAL_STRING("image", fault.what);
     TEST_ASSERT_EQUAL_UINT32(0, fault.index);
     expect_name(FXL_E_MAGIC, "image", 0, AT_MAGIC, 0);
-    expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, HEADER_SIZE << 16 | 7);
+    expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, HEADER_SIZE << 16 | 8);
     expect_name(FXL_E_SIZE, "header", 0, AT_VERSION, HEADER_SIZE << 16 | 4);
 }
 
