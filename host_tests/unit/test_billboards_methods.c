@@ -165,7 +165,7 @@ void test_depth_with_blended_surfaces(void)
 {
     surface.flags = FXL_SURFACE_BLEND;
     for (uint32_t i = 0; i < sizeof blend; i++) {
-        blend[i] = (uint8_t)i; /* what is beneath */
+        blend[i] = (uint8_t)(i ^ 1); /* what is beneath, but for its last bit */
     }
     surface_set.blend = blend;
     surface_set.blend_count = 8;
@@ -184,6 +184,14 @@ void test_depth_with_blended_surfaces(void)
     TEST_ASSERT_EQUAL(FXL_OK, add(&fxl_visibility_depth));
     draw(other, &pose, 8);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    /* Its middle is behind the sprite, its front before it. */
+    tiny->instances[1].centre = (fxl_point){0, 0, Q16(0.25)};
+    draw(other, &pose, 8);
+    tiny->scene.instance_count = 1;
+    draw(whole, &pose, 8);
+    TEST_ASSERT_TRUE(is_sprite(whole[HEIGHT / 2 * WIDTH + WIDTH / 2]));
+    TEST_ASSERT_EQUAL(whole[HEIGHT / 2 * WIDTH + WIDTH / 2] ^ 1,
+                      other[HEIGHT / 2 * WIDTH + WIDTH / 2]);
 }
 
 /* --- all methods ------------------------------------------------------------------------------ */

@@ -82,7 +82,7 @@ void test_the_header_of_turns_has_its_size(void)
     turn_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE + 24);
     turn_half(FXL_E_SIZE, AT_VERSION, 4);
     turn_half(FXL_E_SIZE, AT_VERSION, 6);
-    turn_half(FXL_E_VERSION, AT_VERSION, 7);
+    turn_half(FXL_E_VERSION, AT_VERSION, 8);
 }
 
 void test_tables_of_turns_are_checked(void)
