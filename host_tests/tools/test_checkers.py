@@ -17,14 +17,16 @@ SEED, MUTANTS = 13, 600     # mutants of each image
 SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
           ("scenes/knot", None), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None),
           ("host_tests/fuzz/scenes/turns", None), ("host_tests/fuzz/scenes/turns", "0"),
-          ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None))
-TABLES = [*range(80, 136, 8), 140, 148, 160, 176, 184, 192, 200, 208, 216, 224, *range(232, 288, 8)]
+          ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None),
+          ("host_tests/fuzz/scenes/billboards", None))
+TABLES = [*range(80, 136, 8), 140, 148, 160, 176, 184, 192, 200, 208, 216, 224, *range(232, 288, 8),
+          *range(296, 320, 8)]
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
                            "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
                            "face bounds", "bsp", "cluster", "turn"]))
 # Entry sizes of the tables, in the order of TABLES; of the path it is that of poses.
-ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176, 48, 40, 76, 32, 28, 20, 256, 16, 1, 8, 36, 2, 12, 256)
+ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176, 48, 40, 76, 32, 28, 20, 256, 16, 1, 8, 36, 2, 12, 256, 32, 2, 1)
 
 
 def sealed(blob):
@@ -51,7 +53,7 @@ def mutant(blob, chance, changes=1):
     for _ in range(changes):
         where = chance.random()
         if where < 0.25:
-            put(blob, chance.randrange(16, 296), chance)
+            put(blob, chance.randrange(16, 320), chance)
             continue
         number = chance.randrange(len(TABLES))
         offset, count = struct.unpack_from("<II", blob, TABLES[number])

@@ -7,7 +7,7 @@ scene links no check."""
 import itertools
 import re
 
-from fixel import c_names, c_surfaces, c_text, image, image_beam, image_keys, memory_needed
+from fixel import c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_keys, memory_needed
 from fixel.c_text import braces, comment, split64, table
 from fixel.errors import ToolError
 from fixel.reading import quoted
@@ -287,7 +287,8 @@ def header(scene, name, source, frames=False):
     return "\n".join([
         *comment(f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so "
                  "no program need call fxl_scene_check."),
-        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", *([c_surfaces.INCLUDE] if scene.surfaces else []), "",
+        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", *([c_surfaces.INCLUDE] if scene.surfaces else []),
+        *([c_billboards.INCLUDE] if scene.billboards else []), "",
         _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
-        *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
+        *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name), *c_billboards.text(scene, name),
         *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])
