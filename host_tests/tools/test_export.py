@@ -24,7 +24,8 @@ SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
           "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None),
           "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
-          "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None)}
+          "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None),
+          "billboards": (ROOT / "host_tests" / "fuzz" / "scenes" / "billboards.toml", None)}
 
 
 @functools.cache
@@ -136,6 +137,26 @@ int main(int argc, char **argv)
 #else
     if (image.surfaces.face_map != NULL) { return 15; }
 #endif
+#ifdef BILLBOARDS
+    static fxl_sprite sprites[8];
+    static fxl_billboard boards[8];
+    fxl_billboard_set boards_of_image;
+    const fxl_billboard_set *shown = &OF(_billboards);
+    if (fxl_billboards_open(&image, sprites, boards, 8, &boards_of_image, NULL) != FXL_OK) { return 16; }
+    if (fxl_billboards_check(shown, scene, NULL) != FXL_OK || shown->count != boards_of_image.count) { return 17; }
+    compare("billboard map", shown->model_map, boards_of_image.model_map, scene->model_count * sizeof *shown->model_map);
+    for (uint32_t i = 0; i < shown->count; i++) {
+        const fxl_billboard *one = &shown->billboards[i];
+        const fxl_sprite *sprite = one->sprite, *other = &sprites[i];
+        if (one->width != boards[i].width || one->height != boards[i].height || one->anchor_x != boards[i].anchor_x ||
+            one->anchor_y != boards[i].anchor_y || sprite->width != other->width || sprite->height != other->height ||
+            sprite->bits != other->bits || sprite->key != other->key) { return 18; }
+        compare("sprite", sprite->pixels, other->pixels, ((size_t)sprite->width * sprite->bits + 7) / 8 * sprite->height);
+        if (sprite->bits != 8) { compare("sprite colours", sprite->colours, other->colours, (size_t)1 << sprite->bits); }
+    }
+#else
+    if (image.billboards.model_map != NULL) { return 19; }
+#endif
     compare("lit", scene->lit, image.scene.lit, 256);
     if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
     compare("palette", OF(_palette), image.palette, sizeof OF(_palette));
@@ -156,10 +177,15 @@ int main(int argc, char **argv)
 """
 
 
+def looks_of(scene):
+    """What its programs are told of a scene's faces."""
+    return (["-DSURFACES"] if scene.surfaces else []) + (["-DBILLBOARDS"] if scene.billboards else [])
+
+
 def test_a_header_holds_what_the_image_holds(exported):
     path = [f"-DPATH={exported.name.upper()}_FRAMES"] if exported.frames else []
     parts = (["-DMOTION"] if exported.scene.motions else []) + (["-DLIGHT"] if exported.scene.light else [])
-    parts += ["-DSURFACES"] if exported.scene.surfaces else []
+    parts += looks_of(exported.scene)
     program = compiled(exported.folder, SAME, f"-DNAME={exported.name}", *path, *parts)
     done = subprocess.run([program, exported.folder / "scene.fxls"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, "")
@@ -204,6 +230,10 @@ int main(void)
     static fxl_surfaces surfaces;
     if (fxl_renderer_set_surfaces(&renderer, &surfaces, &OF(_surfaces)) != FXL_OK) { return 6; }
 #endif
+#ifdef BILLBOARDS
+    static fxl_billboards billboards;
+    if (fxl_renderer_set_billboards(&renderer, &billboards, &OF(_billboards)) != FXL_OK) { return 7; }
+#endif
 #ifdef PATH
     unsigned most = 0;
     for (int frame = 0; frame < PATH; frame++) {
@@ -235,7 +265,7 @@ def test_the_library_divides_the_block_as_the_tool_says(exported):
     name = exported.name.upper()
     path = [f"-DPATH={name}_FRAMES"] if exported.frames else []
     program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY",
-                       f"-DLEAST={name}_MEMORY_LEAST", *path, *(["-DSURFACES"] if exported.scene.surfaces else []))
+                       f"-DLEAST={name}_MEMORY_LEAST", *path, *looks_of(exported.scene))
     rows = printed(program).splitlines()
     if exported.frames:
         assert int(rows.pop().split()[1]) > 0
