@@ -1,8 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 #include "billboards.h"
 
+#include "contract/system.h"
 #include "fixel/all.h"
 #include "methods.h"
+
+#if defined WALK_WITHOUT_BILLBOARDS
+
+uint32_t walk_billboards_bytes(const fxl_scene_image *image)
+{
+    (void)image;
+    return 0;
+}
+
+fxl_status walk_billboards_open(const fxl_scene_image *image, fxl_renderer *renderer,
+                                uint8_t *memory)
+{
+    (void)image;
+    (void)renderer;
+    (void)memory;
+    return FXL_OK;
+}
+
+#else
 
 /* What billboards want; the records of each follow. */
 typedef struct {
@@ -32,6 +52,14 @@ fxl_status walk_billboards_open(const fxl_scene_image *image, fxl_renderer *rend
         return FXL_OK;
     }
     status = fxl_billboards_open(image, sprites, boards, count, &own->set, NULL);
-    return status == FXL_OK ? walk_methods_add_billboards(renderer, &own->billboards, &own->set)
-                            : status;
+    if (status == FXL_OK) {
+        status = walk_methods_add_billboards(renderer, &own->billboards, &own->set);
+    }
+    if (status == FXL_E_ORDER) {
+        system_text("walk: the scene has billboards, which VISIBILITY=sorted, surfaces, depth and "
+                    "depth-32 draw\n");
+    }
+    return status;
 }
+
+#endif

@@ -70,6 +70,11 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, ui
 {
     const fxl_scene *scene = &image->scene;
 
+#if defined WALK_WITHOUT_BILLBOARDS
+    if (image->billboards.model_map != NULL) {
+        return false;
+    }
+#endif
     methods->clipper = &WALK_CLIPPER;
     methods->visibility = visibility_of(image);
     if (methods->visibility == NULL) {
@@ -121,6 +126,8 @@ fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer,
     return status;
 }
 
+#if !defined WALK_WITHOUT_BILLBOARDS
+
 fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                        const fxl_billboard_set *set)
 {
@@ -130,6 +137,8 @@ fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *b
     return fxl_renderer_set_billboards(renderer, billboards, set);
 #endif
 }
+
+#endif
 
 uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer)
 {

@@ -20,9 +20,9 @@ typedef struct {
 /* Chooses the methods for a scene, where the board has set room bytes aside for them. Without
  * VISIBILITY=, a scene that has a BSP tree is drawn by it, and any other by distance, with its
  * surfaces if it has some. What the
- * methods want may be more than room: then they don't fit. False where the scene has a tree, or
- * surfaces, and the board, which sets WALK_WITHOUT_BSP, or WALK_WITHOUT_SURFACES, has too little
- * memory to draw by one, or with them. */
+ * methods want may be more than room: then they don't fit. False where the scene has a tree,
+ * surfaces or billboards, and the board, which sets WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES or
+ * WALK_WITHOUT_BILLBOARDS, has too little memory to draw by one, or with them. */
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room);
 
 /* Bytes that the methods want together. */

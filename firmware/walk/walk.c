@@ -138,14 +138,13 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->billboards = walk_billboards_bytes(image);
     of->taken = of->act + of->looks + of->billboards;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
-        system_text("walk: this board has no room to draw by a BSP tree or with surfaces; "
-                    "VISIBILITY=sorted draws without\n");
+        system_text("walk: this board has no room to draw by a BSP tree or with surfaces "
+                    "(VISIBILITY=sorted) or billboards\n");
         return SYSTEM_EXIT_CAPACITY;
     }
     of->taken += walk_methods_bytes(&methods);
     if (of->taken > room) {
-        print_with_number("walk: motions, beams, light, surfaces, billboards, clipper and "
-                          "visibility method need ",
+        print_with_number("walk: what the scene has, clipper and visibility method need ",
                           of->taken, " bytes");
         print_with_number(", this board's display list has ", room, "\n");
         return SYSTEM_EXIT_CAPACITY;
@@ -200,11 +199,6 @@ static int open_renderer(fxl_scene_image *image)
     }
     if (status == FXL_OK) {
         status = walk_billboards_open(image, &renderer, bytes + of.act + of.looks);
-        if (status == FXL_E_ORDER) {
-            system_text("walk: the scene has billboards, which VISIBILITY=sorted, surfaces, depth "
-                        "and depth-32 draw\n");
-            return SYSTEM_EXIT_RENDER;
-        }
     }
     if (status == FXL_OK) {
         status = act_attach(&renderer);

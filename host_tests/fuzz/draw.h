@@ -24,6 +24,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
                 const draw_choice *choice, fuzz_input *in);
 
 /* Opens the surfaces of an image; draws some rows with them, if nothing is wrong. */
+void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose);
 void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose);
 
 /* Faces that a frame looks at. */

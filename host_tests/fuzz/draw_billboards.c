@@ -79,8 +79,31 @@ static void make_boards(boards *made, const fxl_scene *scene, fuzz_input *in)
     made->set = (fxl_billboard_set){made->boards, count, made->model_map};
 }
 
-static fxl_renderer *start(const boards *made, fxl_billboards *billboards, const fxl_lens *lens,
-                           const fxl_pose *pose, uint32_t words)
+/* A renderer with a depth buffer, or, where the method is null, without. */
+typedef struct {
+    fxl_billboards billboards;
+    fxl_depth depth;
+    void *cells;
+} way;
+
+static void choose(way *by, fxl_renderer *renderer, const fxl_visibility *method,
+                   const fxl_billboard_set *set)
+{
+    const uint32_t size = FXL_DEPTH_BYTES(renderer->frame.view.lens.width, 3, 32);
+    by->cells = malloc(size);
+    DEMAND(by->cells != NULL);
+    if (method == NULL) {
+        DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_E_ORDER);
+        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
+        return;
+    }
+    DEMAND(fxl_renderer_set_depth(renderer, &by->depth, method, by->cells, size) == FXL_OK);
+    DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_E_ORDER);
+    DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
+}
+
+static fxl_renderer *start(const boards *made, way *by, const fxl_visibility *method,
+                           const fxl_lens *lens, const fxl_pose *pose, uint32_t words)
 {
     fxl_renderer *renderer = malloc(sizeof *renderer);
     const uint32_t entries = made->scene.order_needed;
@@ -88,13 +111,15 @@ static fxl_renderer *start(const boards *made, fxl_billboards *billboards, const
         malloc(entries * sizeof(fxl_order_entry)), entries, malloc(words * 4 + 4), words, NULL, 0};
     DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &made->scene, lens, &memory) == FXL_OK);
-    DEMAND(fxl_renderer_set_billboards(renderer, billboards, &made->set) == FXL_OK);
+    choose(by, renderer, method, &made->set);
+    renderer->workspace.counters.refused_calls = 0;
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     return renderer;
 }
 
-static void end(fxl_renderer *renderer)
+static void end(fxl_renderer *renderer, way *by)
 {
+    free(by->cells);
     free(renderer->frame.order);
     free(renderer->frame.display_list.words);
     free(renderer);
@@ -112,26 +137,27 @@ static void draw(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_
     }
 }
 
-static void draw_both(const boards *made, const fxl_lens *lens, const fxl_pose *pose,
-                      fuzz_input *in)
+static void draw_both(const boards *made, const fxl_visibility *method, const fxl_lens *lens,
+                      const fxl_pose *pose, fuzz_input *in)
 {
     const uint32_t rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
     const size_t size = (size_t)rows * lens->width;
     uint8_t *whole = malloc(2 * size);
-    fxl_billboards one, other;
+    way one, other;
     DEMAND(whole != NULL);
-    fxl_renderer *first = start(made, &one, lens, pose, 0);
+    fxl_renderer *first = start(made, &one, method, lens, pose, 0);
     draw(first, whole, rows, rows);
     fxl_counters counters = first->workspace.counters;
     DEMAND(counters.in == (uint64_t)counters.backfacing + counters.outside + counters.degenerate +
                               counters.refused + counters.drawn);
-    fxl_renderer *second = start(made, &other, lens, pose, fuzz_below(in, 200));
+    fxl_renderer *second = start(made, &other, method, lens, pose, fuzz_below(in, 200));
     draw(second, whole + size, rows, 1 + fuzz_below(in, rows));
     DEMAND(memcmp(whole, whole + size, size) == 0);
     counters.spilled = second->workspace.counters.spilled;
+    counters.split_bands = second->workspace.counters.split_bands;
     DEMAND(memcmp(&counters, &second->workspace.counters, sizeof counters) == 0);
-    end(first);
-    end(second);
+    end(first, &one);
+    end(second, &other);
     free(whole);
 }
 
@@ -145,7 +171,9 @@ void draw_billboards(const fxl_scene *scene, const fxl_lens *lens, const fxl_pos
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND(fxl_billboards_check(NULL, scene, NULL) == FXL_E_ARGUMENT);
     if (status == FXL_OK) {
-        draw_both(&made, lens, pose, in);
+        static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
+                                                        &fxl_visibility_depth_32};
+        draw_both(&made, methods[fuzz_below(in, 3)], lens, pose, in);
     }
     free(made.models);
     free(made.model_map);

@@ -29,6 +29,7 @@ def scene_seeds(file):
     yield image.pack(dataclasses.replace(small, path_kind=image.POSES, path=[start, start]))
     yield image.pack(dataclasses.replace(small, path_kind=image.STRIDES,
                                          path=[(image.KEYS["forward"], 2), (0xFF, 1)]))
+    small.billboards = None     # their models are convex, and in no tree
     kinds = [dataclasses.replace(model, kind=image.SORTED) for model in small.models]
     yield image.pack(dataclasses.replace(small, models=kinds, path_kind=image.POSES, path=[start]))
     planted = dataclasses.replace(small, path_kind=image.POSES, path=path)

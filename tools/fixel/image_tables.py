@@ -52,7 +52,7 @@ def _places(blob, fields):
         optional = optional - {"light", "levels"} | {"turns"}
     if fields[2] >= SURFACE_HEADER_SIZE:
         *surfaces, _, _ = image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)
-        if fields[2] == SURFACE_HEADER_SIZE or any(surfaces[1::2]):     # of billboards there may be none
+        if fields[2] == SURFACE_HEADER_SIZE or surfaces[9]:     # with billboards there may be no face map
             optional = optional - image_surface.NEEDED
         optional = optional | {"light"} | ({"levels"} if not light[1] else set())
     if fields[2] >= BOARD_HEADER_SIZE:

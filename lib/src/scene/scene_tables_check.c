@@ -85,14 +85,11 @@ enum {
 
 FXL_STATIC_ASSERT(sizeof tables / sizeof tables[0] == TABLE_COUNT, "one for each");
 
-/* An image with billboards may have no surfaces; then none of their tables is there. */
+/* An image with billboards may have no surfaces; then it has no face map. */
 static bool has_surfaces(const header *head)
 {
     const surface_header *of = surface_header_of(head);
-    return of != NULL &&
-           (billboard_header_of(head) == NULL ||
-            (of->textures.count | of->texels.count | of->surfaces.count | of->mapped_faces.count |
-             of->face_map.count | of->corner_normals.count | of->blend.count) != 0);
+    return of != NULL && (billboard_header_of(head) == NULL || of->face_map.count != 0);
 }
 
 /* Of the tables behind that of the path, a header needs those for which it is so long; light has a
@@ -147,24 +144,19 @@ static fxl_status check_light_counts(const header *head, fxl_scene_fault *fault)
                : fxl_fault_at(fault, "light table", 0, FXL_E_COUNT);
 }
 
-/* Each face has its entry in the face map. */
-static fxl_status check_face_map(const header *head, fxl_scene_fault *fault)
+/* Each face has its entry in the face map, and each model its own in the billboard map. */
+static fxl_status check_maps(const header *head, fxl_scene_fault *fault)
 {
-    const surface_header *more = surface_header_of(head);
+    const billboard_header *boards = billboard_header_of(head);
     /* bug: face-map-count */
-    return !has_surfaces(head) || more->face_map.count == head->faces.count
-               ? FXL_OK
-               : fxl_fault_at(fault, "face map", 0, FXL_E_COUNT);
-}
-
-/* Each model has its entry in the billboard map. */
-static fxl_status check_billboard_map(const header *head, fxl_scene_fault *fault)
-{
-    const billboard_header *more = billboard_header_of(head);
+    if (has_surfaces(head) && surface_header_of(head)->face_map.count != head->faces.count) {
+        return fxl_fault_at(fault, "face map", 0, FXL_E_COUNT);
+    }
     /* bug: billboard-map-count */
-    return more == NULL || more->model_map.count == head->models.count
-               ? FXL_OK
-               : fxl_fault_at(fault, "billboard map", 0, FXL_E_COUNT);
+    if (boards != NULL && boards->model_map.count != head->models.count) {
+        return fxl_fault_at(fault, "billboard map", 0, FXL_E_COUNT);
+    }
+    return FXL_OK;
 }
 
 fxl_status fxl_scene_tables_check(const header *head, fxl_scene_fault *fault)
@@ -195,8 +187,5 @@ fxl_status fxl_scene_tables_check(const header *head, fxl_scene_fault *fault)
     if (status == FXL_OK) {
         status = check_light_counts(head, fault);
     }
-    if (status == FXL_OK) {
-        status = check_face_map(head, fault);
-    }
-    return status == FXL_OK ? check_billboard_map(head, fault) : status;
+    return status == FXL_OK ? check_maps(head, fault) : status;
 }
