@@ -102,6 +102,35 @@ static void choose(way *by, fxl_renderer *renderer, const fxl_visibility *method
     DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
 }
 
+/* Calls that are refused, and that change nothing; billboards that go and come again. */
+static void misuse(way *by, fxl_renderer *renderer, const fxl_visibility *method,
+                   const fxl_billboard_set *set)
+{
+    fxl_billboards *const off = (fxl_billboards *)(void *)((uint8_t *)&by->billboards + 4);
+    fxl_renderer none;
+    memset(&none, 0, sizeof none);
+    DEMAND(fxl_renderer_set_billboards(NULL, &by->billboards, set) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_billboards(renderer, NULL, set) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_billboards(renderer, off, set) == FXL_E_ALIGNMENT);
+    DEMAND(fxl_renderer_set_billboards(&none, &by->billboards, set) == FXL_E_ORDER);
+    DEMAND(fxl_renderer_set_billboards_by_depth(NULL, &by->billboards, set) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_billboards_by_depth(renderer, NULL, set) == FXL_E_ARGUMENT);
+    DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, NULL) == FXL_E_ARGUMENT);
+    const fxl_visibility *joined = renderer->visibility;
+    DEMAND(fxl_renderer_set_billboards(renderer, NULL, NULL) == FXL_OK);
+    DEMAND(renderer->visibility != joined);
+    if (method == NULL) {
+        DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_box, NULL, 0) == FXL_OK);
+        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_E_ORDER);
+        renderer->visibility = NULL;
+        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
+        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
+    } else {
+        DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
+        DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
+    }
+}
+
 static fxl_renderer *start(const boards *made, way *by, const fxl_visibility *method,
                            const fxl_lens *lens, const fxl_pose *pose, uint32_t words)
 {
@@ -112,6 +141,7 @@ static fxl_renderer *start(const boards *made, way *by, const fxl_visibility *me
     DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &made->scene, lens, &memory) == FXL_OK);
     choose(by, renderer, method, &made->set);
+    misuse(by, renderer, method, &made->set);
     renderer->workspace.counters.refused_calls = 0;
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     return renderer;

@@ -65,6 +65,10 @@ void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose)
     const fxl_status status = fxl_billboards_open(opened, sprites, boards, count, &set, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND((status == FXL_E_ARGUMENT) == (opened->billboards.model_map == NULL));
+    DEMAND(fxl_billboards_open(NULL, sprites, boards, count, &set, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_billboards_open(opened, NULL, boards, count, &set, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_billboards_open(opened, sprites, NULL, count, &set, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_billboards_open(opened, sprites, boards, count, NULL, NULL) == FXL_E_ARGUMENT);
     if (status == FXL_OK) {
         sum = sum_sprites(sprites, count);
         if (draw_model_view(&opened->scene) <= FACES) {
