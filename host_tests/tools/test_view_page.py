@@ -257,6 +257,7 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
         page.set_default_timeout(0)
         page.wait_for_function("() => document.getElementById('board-rate').textContent !== '–'")
         wait_for_frames(page, 3)
+        page.keyboard.down("ArrowDown")     # begins a new game each time that rocks have ended one, so nothing here hurries
         for key, sign in (("ArrowRight", 1), ("ArrowLeft", -1)):
             before, (picture,) = figure(page, "yaw"), canvases(page, "fixed")
             page.keyboard.down(key)
@@ -273,6 +274,7 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
             wait_for_frames(page, 2)
             seen.add(page.evaluate(drawn))
         page.keyboard.up("ArrowUp")
+        page.keyboard.up("ArrowDown")
         assert len(seen) > 1
         assert page.is_hidden("#beside-choice")
         page.screenshot(path=str(build / "view" / "game.png"))
