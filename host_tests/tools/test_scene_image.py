@@ -85,7 +85,7 @@ def test_damaged_images_are_refused_with_the_status():
     refused(blob[:-4], "size")
     refused(b"FXLD" + blob[4:], "magic")
     refused(patched(blob, 4, b"\1\0"), "version")
-    refused(patched(blob, 4, b"\7\0"), "version")
+    refused(patched(blob, 4, b"\10\0"), "version")
     refused(patched(blob, 6, b"\0\1"), "size")
     refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
     refused(patched(blob, 38, b"\2"), "reserved")

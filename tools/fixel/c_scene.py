@@ -290,5 +290,6 @@ def header(scene, name, source, frames=False):
         f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", *([c_surfaces.INCLUDE] if scene.surfaces else []),
         *([c_billboards.INCLUDE] if scene.billboards else []), "",
         _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
-        *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name), *c_billboards.text(scene, name),
+        *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
+        *c_billboards.text(scene, name),
         *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])
