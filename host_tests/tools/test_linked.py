@@ -44,6 +44,20 @@ def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_p
         assert not any(name.startswith("fxl_world") for name in names)
 
 
+@pytest.mark.parametrize("call, other", [
+    ("fxl_renderer_set_surfaces(NULL, NULL, NULL) + fxl_renderer_set_depth(NULL, NULL, &fxl_visibility_depth, NULL, 0)",
+     ("fxl_billboard", "fxl_sprite")),
+    ("fxl_renderer_set_billboards(NULL, NULL, NULL)", ("fxl_depth", "fxl_surface", "fxl_renderer_set_billboards_by_depth"))])
+def test_billboards_surfaces_and_depth_do_not_link_each_other(build, tmp_path, call, other):
+    source, program = tmp_path / "draw.c", tmp_path / "draw"
+    text = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL) + " + call
+    source.write_text("#include <stddef.h>\n#include <fixel/all.h>\n" + PROGRAM.replace("NAME", text), encoding="utf-8")
+    subprocess.run(["gcc", "-std=c11", "-I", build.parent / "lib" / "include", source, build / "host" / "libfixel.a", "-o",
+                    program], check=True)
+    names = subprocess.run(["nm", program], check=True, text=True, capture_output=True).stdout.split()
+    assert not [name for name in names if name.startswith(other)]
+
+
 def test_an_int_of_16_bits_is_refused(build, tmp_path):
     """There is no such compiler here: int stands for short, once the system's headers are read."""
     source = tmp_path / "short.c"

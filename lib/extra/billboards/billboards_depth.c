@@ -3,6 +3,7 @@
 #include "../../src/draw/renderer.h"
 #include "../depth/depth_band.h"
 #include "../depth/depth_plane.h"
+#include "../depth/depth_ratio.h"
 #include "billboard_paint.h"
 #include "billboard_walk.h"
 
@@ -31,6 +32,18 @@ static inline void paint_row(fxl_billboard_row *row, const void *with)
     }
 }
 
+/* The plane at a distance, above 0, that is parallel to the screen. Its depth is off relatively by
+ * less than 2^-28: near_z has units of 2^-16 and the distance of 2^-46: near_z /
+ * distance is the ratio of the mantissas times 2^(30 + the difference of the exponents). */
+static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
+{
+    const fxl_normalised near_z = fxl_normalise((uint32_t)lens->near_z);
+    const fxl_normalised divisor = fxl_normalise((uint64_t)distance);
+    plane->gradient.at = fxl_ratio_of(&near_z, &divisor);
+    plane->gradient.along = plane->gradient.down = 0;
+    plane->one = divisor.exponent - near_z.exponent + 1;
+}
+
 /* The code of a plane that is parallel to the screen: that of every pixel. */
 static uint32_t code_of(fxl_depth_scale scale, const fxl_depth_plane *plane)
 {
@@ -50,7 +63,7 @@ static void paint(const fxl_renderer *renderer, fxl_workspace *workspace,
     const fxl_q18_46 distance =
         (fxl_q18_46)((uint64_t)(uint32_t)points[3].x << 32 | (uint32_t)points[3].y);
     fxl_depth_plane plane;
-    fxl_depth_plane_of_distance(&renderer->frame.view.lens, distance, &plane);
+    find_plane(&renderer->frame.view.lens, distance, &plane);
     const depth_place at = {band,
                             (uint8_t *)(head + 1),
                             code_of(head->scale, &plane),

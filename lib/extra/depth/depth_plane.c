@@ -5,20 +5,7 @@
 #include "depth_plane.h"
 
 #include "../../src/math/arith.h"
-
-/* A number mantissa * 2^exponent. */
-typedef struct {
-    uint32_t mantissa; /* 2^31 to 2^32 */
-    int exponent;
-} normalised;
-
-/* Requires number > 0. Rounded down, by less than 2^-31 of it. */
-static normalised normalise(uint64_t number)
-{
-    const int drop = (int)fxl_bit_length(number) - 32;
-    const normalised result = {(uint32_t)(drop > 0 ? number >> drop : number << -drop), drop};
-    return result;
-}
+#include "depth_ratio.h"
 
 /* Products of a row and a normal, of unit length or shorter: a sum is below 2^61. Of a row whose
  * components are at most 2^30, below 2^62. */
@@ -82,24 +69,6 @@ static int64_t times(int64_t value, uint32_t factor)
            (int64_t)(fxl_multiply_u32((uint32_t)value, factor) >> 32);
 }
 
-/* The ratio of the mantissas, times 2^31 and rounded down: from 2^30 to 2^32 - 2. */
-static uint32_t ratio_of(const normalised *near_z, const normalised *divisor)
-{
-    uint32_t rest;
-    return fxl_divide_u64((uint64_t)(near_z->mantissa >> 1) << 32, divisor->mantissa, &rest);
-}
-
-/* near_z has units of 2^-16 and the distance of 2^-46: near_z /
- * distance is the ratio of the mantissas times 2^(30 + the difference of the exponents). */
-void fxl_depth_plane_of_distance(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
-{
-    const normalised near_z = normalise((uint32_t)lens->near_z);
-    const normalised divisor = normalise((uint64_t)distance);
-    plane->gradient.at = ratio_of(&near_z, &divisor);
-    plane->gradient.along = plane->gradient.down = 0;
-    plane->one = divisor.exponent - near_z.exponent + 1;
-}
-
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *on, fxl_depth_plane *plane)
 {
@@ -119,11 +88,11 @@ void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face
     }
     /* height is in units of 2^-15 of n's, near_z in units of 2^-16. */
     const int exponent = fxl_gradient_of_plane(n, view, gradient) - n.exponent;
-    const normalised near_z = normalise((uint32_t)view->lens.near_z);
-    const normalised at_height = normalise((uint64_t)height);
-    const normalised divisor =
-        normalise(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)));
-    const uint32_t factor = ratio_of(&near_z, &divisor);
+    const fxl_normalised near_z = fxl_normalise((uint32_t)view->lens.near_z);
+    const fxl_normalised at_height = fxl_normalise((uint64_t)height);
+    const fxl_normalised divisor =
+        fxl_normalise(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)));
+    const uint32_t factor = fxl_ratio_of(&near_z, &divisor);
     gradient->at = times(gradient->at, factor);
     gradient->along = times(gradient->along, factor);
     gradient->down = times(gradient->down, factor);

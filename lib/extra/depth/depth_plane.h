@@ -16,10 +16,6 @@ extern "C" {
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *on, fxl_depth_plane *plane);
 
-/* The plane at a distance that is parallel to the screen. Requires distance > 0. Its depth is off
- * relatively by less than 2^-28. */
-void fxl_depth_plane_of_distance(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane);
-
 /* fxl_visibility_depth and fxl_visibility_depth_32 in the other order, for blended surfaces. */
 extern const fxl_visibility fxl_depth_far_to_near, fxl_depth_far_to_near_32;
 
