@@ -33,8 +33,8 @@ static inline void paint_row(fxl_billboard_row *row, const void *with)
 }
 
 /* The plane at a distance, above 0, that is parallel to the screen. Its depth is off relatively by
- * less than 2^-28: near_z has units of 2^-16 and the distance of 2^-46: near_z /
- * distance is the ratio of the mantissas times 2^(30 + the difference of the exponents). */
+ * less than 2^-28. near_z has units of 2^-16 and the distance of 2^-46, so near_z / distance is the
+ * ratio of the mantissas times 2^(30 + the difference of the exponents). */
 static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
 {
     const fxl_normalised near_z = fxl_normalise((uint32_t)lens->near_z);
