@@ -198,6 +198,57 @@ void test_light_is_on_the_line_between_both_ends(void)
     }
 }
 
+/* Whether light is so far within the ramp at both ends of all segments. */
+static bool is_in_ramp(double margin)
+{
+    for (int x = 0; x <= COLUMNS; x += 16) {
+        if (divided(2, x) < margin || divided(2, x) > LEVELS - margin) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A row that goes to the kernel without a division has light within the ramp. Almost every such row
+ * goes there, unless the light is too far from the weight. Its pixels are those that
+ * fxl_paint_pixels paints. */
+void test_rows_are_taken_whose_light_is_within_the_ramp(void)
+{
+    uint32_t taken = 0, left = 0;
+    choose_size(4, 4);
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    paint.ramp = ramp;
+    paint.levels_less_1 = LEVELS - 1;
+    gradients.count = 3;
+    for (uint32_t n = 0; n < 4000; n++) {
+        choose_face();
+        gradients.shifts[2] = (int8_t)(18 + n % 15);
+        const double scale = ldexp(1, 16 - gradients.shifts[2]);
+        const double near = LEVELS - (any() % 9u) * 1e-7;
+        const double from = n & 16u ? near : (any() % 900u - 100.0) / 250;
+        const double to = n & 32u ? near : (any() % 900u - 100.0) / 250;
+        choose_gradient(&gradients.attributes[2], &row.attributes[2],
+                        floor(exact(&gradients.weight, 0) * from * scale),
+                        floor(exact(&gradients.weight, COLUMNS) * to * scale));
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        if (fxl_segments_take(&face, &row, 0, COLUMNS)) {
+            TEST_ASSERT_TRUE(is_in_ramp(0));
+            paint_row(row_pixels, 0, COLUMNS);
+            row.segments = &face;
+            row.pixels = part;
+            fxl_paint_pixels(&paint, &row, 0, COLUMNS);
+            TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, COLUMNS);
+            taken++;
+        } else {
+            TEST_ASSERT_TRUE(gradients.shifts[2] > 30 || !is_in_ramp(0.01));
+            left++;
+        }
+    }
+    TEST_ASSERT_TRUE(taken > 500 && left > 500);
+}
+
 /* Light far beyond the levels, whatever its numbers: no entry beyond the ramp is read, as the
  * sanitizers see, and every pixel is painted. */
 void test_light_beyond_the_levels_is_limited(void)

@@ -168,13 +168,19 @@ static int32_t kernel_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
     return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
 }
 
-/* Whether the light at the end of a segment is a level of the ramp. */
-static bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+/* Whether the light at the end of a segment is a level of the ramp. Only close to the ramp's ends
+ * this takes a division. */
+static inline bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
 {
-    int32_t values[FXL_ATTRIBUTES];
-    divide_at(paint, row, x, weight_at(paint, row, x), values);
-    const int32_t level = values[paint->gradients->count - 1] >> 16;
-    return level >= 0 && level <= paint->levels_less_1;
+    const fxl_gradients *gradients = paint->gradients;
+    if (fxl_segment_light_suffices(row->segments, row, (uint32_t)x >> 4)) {
+        return true;
+    }
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(paint, row, x));
+    const int32_t light = fxl_attribute_of(
+        value_at(row->attributes[FXL_SEGMENT_LIGHT], &gradients->attributes[FXL_SEGMENT_LIGHT], x),
+        &reciprocal, gradients->shifts[FXL_SEGMENT_LIGHT]);
+    return light >= 0 && light >> 16 <= paint->levels_less_1;
 }
 
 /* The same for light. The kernel holds the light at both ends of a segment within the ramp. An end
