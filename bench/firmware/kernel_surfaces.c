@@ -4,6 +4,7 @@
 #include "kernel_surfaces.h"
 
 #include "fixel/all.h"
+#include "../../host_tests/unit/mapped_quad.h"
 #include "extra/surfaces/paint.h"
 
 enum {
@@ -12,7 +13,7 @@ enum {
     TEXELS = 512 * 65536 /* of the quad, 16.16 */
 };
 
-static uint8_t texels[1u << (2 * LOG_SIZE)];
+static mapped_quad floor_scene;
 static uint8_t ramp[256 * LEVELS];
 FXL_ALIGN_8 uint8_t kernel_screen[SURFACE_WIDTH * SURFACE_HEIGHT];
 static const fxl_band screen = {kernel_screen, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
@@ -45,7 +46,7 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
     face.count = lit ? 3 : 2;
     fxl_gradients_find(&face, &in->view, &gradients);
     const fxl_paint paint = {.gradients = &gradients,
-                             .level = {.texels = texels,
+                             .level = {.texels = floor_scene.texels,
                                        .columns_less_1 = (1u << LOG_SIZE) - 1u,
                                        .rows_less_1 = (1u << LOG_SIZE) - 1u,
                                        .log_width = LOG_SIZE},
@@ -72,41 +73,6 @@ static void lit(const kernel_inputs *in)
 
 /* --- W4 ------------------------------------------------------------------------------------- */
 
-/* A floor of 16 x 20 units, half a unit below the eye, that runs behind it. */
-static const fxl_point floor_corners[] = {{-8 * 65536, -32768, 16 * 65536},
-                                          {8 * 65536, -32768, 16 * 65536},
-                                          {8 * 65536, -32768, -4 * 65536},
-                                          {-8 * 65536, -32768, -4 * 65536}};
-static const uint16_t indices[] = {0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 200, 0}};
-static const fxl_model models[] = {
-    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 18 * 65536}};
-static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
-static fxl_scene scene = {.vertices = floor_corners,
-                          .indices = indices,
-                          .faces = faces,
-                          .models = models,
-                          .instances = instances,
-                          .vertex_count = 4,
-                          .index_count = 4,
-                          .face_count = 1,
-                          .model_count = 1,
-                          .instance_count = 1};
-
-static const fxl_texture texture = {
-    .texels = texels, .log_width = LOG_SIZE, .log_height = LOG_SIZE, .levels = 1};
-static const fxl_surface surface = {.texture = 1, .opacity = 16};
-static const fxl_mapped_face mapped[] = {
-    {.corners = {0, 1, 2},
-     .texels = {{0, 640 * 65536}, {512 * 65536, 640 * 65536}, {512 * 65536, 0}}}};
-static const uint16_t face_map[] = {1};
-static const fxl_surface_set set = {.textures = &texture,
-                                    .surfaces = &surface,
-                                    .faces = mapped,
-                                    .face_map = face_map,
-                                    .texture_count = 1,
-                                    .surface_count = 1,
-                                    .face_count = 1};
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t memory[1024];
@@ -121,16 +87,12 @@ static void w4(const kernel_inputs *in)
 
 bool kernel_surfaces_prepare(void)
 {
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)(1 + (i >> 10 & 3) * 4 + (i >> 4 & 3));
-    }
-    fxl_config config = fxl_config_default(SURFACE_WIDTH, SURFACE_HEIGHT);
-    config.fov = FXL_ANGLE_QUARTER;
-    config.near_z = 4096;
-    config.far_z = 64 * 65536;
-    return fxl_scene_check(&scene, NULL) == FXL_OK &&
-           fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) == FXL_OK &&
-           fxl_renderer_set_surfaces(&renderer, &surfaces, &set) == FXL_OK;
+    mapped_quad_make_floor(&floor_scene);
+    const fxl_config config = mapped_quad_floor_config(SURFACE_WIDTH, SURFACE_HEIGHT);
+    return fxl_scene_check(&floor_scene.scene, NULL) == FXL_OK &&
+           fxl_renderer_init(&renderer, &floor_scene.scene, &config, memory, sizeof memory) ==
+               FXL_OK &&
+           fxl_renderer_set_surfaces(&renderer, &surfaces, &floor_scene.set) == FXL_OK;
 }
 
 #define PIXELS (SURFACE_WIDTH * SURFACE_HEIGHT)
