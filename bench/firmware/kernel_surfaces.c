@@ -10,6 +10,7 @@
 enum {
     LOG_SIZE = 6,
     LEVELS = 16,
+    KEY = 6,             /* of the colours 1 to 16 */
     TEXELS = 512 * 65536 /* of the quad, 16.16 */
 };
 
@@ -29,7 +30,7 @@ static const fxl_screen_point whole[] = {{0, 0},
 static const uint8_t straight[] = {4, 4, 4}, tilted[] = {8, 6, 4};
 
 /* A quad over the whole screen of the view: 90 degrees wide. */
-static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
+static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit, uint8_t flags)
 {
     static const int8_t sides[3][2] = {{-1, 1}, {1, 1}, {1, -1}};
     static fxl_gradient_corners face = {
@@ -49,7 +50,9 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
                              .level = {.texels = floor_scene.texels,
                                        .columns_less_1 = (1u << LOG_SIZE) - 1u,
                                        .rows_less_1 = (1u << LOG_SIZE) - 1u,
-                                       .log_width = LOG_SIZE},
+                                       .log_width = LOG_SIZE,
+                                       .flags = flags,
+                                       .key = KEY},
                              .ramp = lit ? ramp : NULL,
                              .levels_less_1 = LEVELS - 1,
                              .opacity = 16};
@@ -58,17 +61,28 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
 
 static void affine(const kernel_inputs *in)
 {
-    quad(in, straight, false);
+    quad(in, straight, false, 0);
 }
 
 static void perspective(const kernel_inputs *in)
 {
-    quad(in, tilted, false);
+    quad(in, tilted, false, 0);
 }
 
 static void lit(const kernel_inputs *in)
 {
-    quad(in, tilted, true);
+    quad(in, tilted, true, 0);
+}
+
+/* One texel of 16 is a hole. */
+static void keyed(const kernel_inputs *in)
+{
+    quad(in, tilted, false, FXL_TEXTURE_KEYED);
+}
+
+static void keyed_lit(const kernel_inputs *in)
+{
+    quad(in, tilted, true, FXL_TEXTURE_KEYED);
 }
 
 /* --- W4 ------------------------------------------------------------------------------------- */
@@ -101,6 +115,8 @@ const bench_kernel surface_list[] = {
     {"texture-affine", affine, PIXELS},
     {"texture-perspective", perspective, PIXELS},
     {"texture-lit", lit, PIXELS},
+    {"texture-keyed", keyed, PIXELS},
+    {"texture-keyed-lit", keyed_lit, PIXELS},
     {"texture-w4", w4, 1},
     {NULL, NULL, 0},
 };
