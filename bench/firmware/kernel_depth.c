@@ -3,43 +3,10 @@
  * colour and textured; and none, which leaves the clearing of the buffer. */
 #include "kernel_depth.h"
 
-#include "fixel/extra/depth.h"
-#include "fixel/extra/surfaces.h"
+#include "../../host_tests/unit/mapped_quad.h"
 #include "kernel_surfaces.h"
 
-static const fxl_point corners[] = {{-40 * 65536, -40 * 65536, 0},
-                                    {-40 * 65536, 40 * 65536, 0},
-                                    {40 * 65536, 40 * 65536, 0},
-                                    {40 * 65536, -40 * 65536, 0}};
-static const uint16_t indices[] = {0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 200, 0}};
-static const fxl_model models[] = {
-    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 57 * 65536}};
-static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
-static fxl_scene scene = {.vertices = corners,
-                          .indices = indices,
-                          .faces = faces,
-                          .models = models,
-                          .instances = instances,
-                          .vertex_count = 4,
-                          .index_count = 4,
-                          .face_count = 1,
-                          .model_count = 1,
-                          .instance_count = 1};
-
-static uint8_t texels[64 * 64];
-static const fxl_texture texture = {.texels = texels, .log_width = 6, .log_height = 6, .levels = 1};
-static const fxl_surface surface = {.texture = 1, .opacity = 16};
-static const fxl_mapped_face mapped[] = {
-    {.corners = {0, 1, 2}, .texels = {{0, 640 * 65536}, {0, 0}, {640 * 65536, 0}}}};
-static const uint16_t face_map[] = {1};
-static const fxl_surface_set set = {.textures = &texture,
-                                    .surfaces = &surface,
-                                    .faces = mapped,
-                                    .face_map = face_map,
-                                    .texture_count = 1,
-                                    .surface_count = 1,
-                                    .face_count = 1};
+static mapped_quad wall;
 
 typedef struct {
     fxl_renderer renderer;
@@ -84,19 +51,27 @@ static void run_clear(const kernel_inputs *in)
 static bool prepare(workload *of, bool has_surfaces)
 {
     const fxl_config config = fxl_config_default(SURFACE_WIDTH, SURFACE_HEIGHT);
-    return fxl_renderer_init(&of->renderer, &scene, &config, of->memory, sizeof of->memory) ==
+    return fxl_renderer_init(&of->renderer, &wall.scene, &config, of->memory, sizeof of->memory) ==
                FXL_OK &&
-           (!has_surfaces || fxl_renderer_set_surfaces(&of->renderer, &surfaces, &set) == FXL_OK) &&
+           (!has_surfaces ||
+            fxl_renderer_set_surfaces(&of->renderer, &surfaces, &wall.set) == FXL_OK) &&
            fxl_renderer_set_depth(&of->renderer, &of->depth, &fxl_visibility_depth, cells,
                                   sizeof cells) == FXL_OK;
 }
 
 bool kernel_depth_prepare(void)
 {
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)i;
+    for (uint32_t i = 0; i < 4; i++) {
+        const bool is_right = i > 1, is_above = i == 1 || i == 2;
+        wall.vertices[i] =
+            (fxl_point){(is_right ? 40 : -40) * 65536, (is_above ? 40 : -40) * 65536, 0};
     }
-    return fxl_scene_check(&scene, NULL) == FXL_OK && prepare(&flat, false) &&
+    wall.mapped.texels[0].v = wall.mapped.texels[2].u = 640 * 65536;
+    for (uint32_t i = 0; i < sizeof wall.texels; i++) {
+        wall.texels[i] = (uint8_t)i;
+    }
+    mapped_quad_make(&wall, (fxl_direction){0, 0, -FXL_Q2_30_ONE}, 57 * 65536);
+    return fxl_scene_check(&wall.scene, NULL) == FXL_OK && prepare(&flat, false) &&
            prepare(&textured, true);
 }
 

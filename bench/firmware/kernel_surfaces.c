@@ -4,15 +4,17 @@
 #include "kernel_surfaces.h"
 
 #include "fixel/all.h"
+#include "../../host_tests/unit/mapped_quad.h"
 #include "extra/surfaces/paint.h"
 
 enum {
     LOG_SIZE = 6,
     LEVELS = 16,
+    KEY = 6,             /* of the colours 1 to 16 */
     TEXELS = 512 * 65536 /* of the quad, 16.16 */
 };
 
-static uint8_t texels[1u << (2 * LOG_SIZE)];
+static mapped_quad floor_scene;
 static uint8_t ramp[256 * LEVELS];
 FXL_ALIGN_8 uint8_t kernel_screen[SURFACE_WIDTH * SURFACE_HEIGHT];
 static const fxl_band screen = {kernel_screen, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
@@ -28,7 +30,7 @@ static const fxl_screen_point whole[] = {{0, 0},
 static const uint8_t straight[] = {4, 4, 4}, tilted[] = {8, 6, 4};
 
 /* A quad over the whole screen of the view: 90 degrees wide. */
-static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
+static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit, uint8_t flags)
 {
     static const int8_t sides[3][2] = {{-1, 1}, {1, 1}, {1, -1}};
     static fxl_gradient_corners face = {
@@ -45,10 +47,12 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
     face.count = lit ? 3 : 2;
     fxl_gradients_find(&face, &in->view, &gradients);
     const fxl_paint paint = {.gradients = &gradients,
-                             .level = {.texels = texels,
+                             .level = {.texels = floor_scene.texels,
                                        .columns_less_1 = (1u << LOG_SIZE) - 1u,
                                        .rows_less_1 = (1u << LOG_SIZE) - 1u,
-                                       .log_width = LOG_SIZE},
+                                       .log_width = LOG_SIZE,
+                                       .flags = flags,
+                                       .key = KEY},
                              .ramp = lit ? ramp : NULL,
                              .levels_less_1 = LEVELS - 1,
                              .opacity = 16};
@@ -57,56 +61,32 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit)
 
 static void affine(const kernel_inputs *in)
 {
-    quad(in, straight, false);
+    quad(in, straight, false, 0);
 }
 
 static void perspective(const kernel_inputs *in)
 {
-    quad(in, tilted, false);
+    quad(in, tilted, false, 0);
 }
 
 static void lit(const kernel_inputs *in)
 {
-    quad(in, tilted, true);
+    quad(in, tilted, true, 0);
+}
+
+/* One texel of 16 is a hole. */
+static void keyed(const kernel_inputs *in)
+{
+    quad(in, tilted, false, FXL_TEXTURE_KEYED);
+}
+
+static void keyed_lit(const kernel_inputs *in)
+{
+    quad(in, tilted, true, FXL_TEXTURE_KEYED);
 }
 
 /* --- W4 ------------------------------------------------------------------------------------- */
 
-/* A floor of 16 x 20 units, half a unit below the eye, that runs behind it. */
-static const fxl_point floor_corners[] = {{-8 * 65536, -32768, 16 * 65536},
-                                          {8 * 65536, -32768, 16 * 65536},
-                                          {8 * 65536, -32768, -4 * 65536},
-                                          {-8 * 65536, -32768, -4 * 65536}};
-static const uint16_t indices[] = {0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 200, 0}};
-static const fxl_model models[] = {
-    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 18 * 65536}};
-static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
-static fxl_scene scene = {.vertices = floor_corners,
-                          .indices = indices,
-                          .faces = faces,
-                          .models = models,
-                          .instances = instances,
-                          .vertex_count = 4,
-                          .index_count = 4,
-                          .face_count = 1,
-                          .model_count = 1,
-                          .instance_count = 1};
-
-static const fxl_texture texture = {
-    .texels = texels, .log_width = LOG_SIZE, .log_height = LOG_SIZE, .levels = 1};
-static const fxl_surface surface = {.texture = 1, .opacity = 16};
-static const fxl_mapped_face mapped[] = {
-    {.corners = {0, 1, 2},
-     .texels = {{0, 640 * 65536}, {512 * 65536, 640 * 65536}, {512 * 65536, 0}}}};
-static const uint16_t face_map[] = {1};
-static const fxl_surface_set set = {.textures = &texture,
-                                    .surfaces = &surface,
-                                    .faces = mapped,
-                                    .face_map = face_map,
-                                    .texture_count = 1,
-                                    .surface_count = 1,
-                                    .face_count = 1};
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t memory[1024];
@@ -121,16 +101,12 @@ static void w4(const kernel_inputs *in)
 
 bool kernel_surfaces_prepare(void)
 {
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)(1 + (i >> 10 & 3) * 4 + (i >> 4 & 3));
-    }
-    fxl_config config = fxl_config_default(SURFACE_WIDTH, SURFACE_HEIGHT);
-    config.fov = FXL_ANGLE_QUARTER;
-    config.near_z = 4096;
-    config.far_z = 64 * 65536;
-    return fxl_scene_check(&scene, NULL) == FXL_OK &&
-           fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) == FXL_OK &&
-           fxl_renderer_set_surfaces(&renderer, &surfaces, &set) == FXL_OK;
+    mapped_quad_make_floor(&floor_scene);
+    const fxl_config config = mapped_quad_floor_config(SURFACE_WIDTH, SURFACE_HEIGHT);
+    return fxl_scene_check(&floor_scene.scene, NULL) == FXL_OK &&
+           fxl_renderer_init(&renderer, &floor_scene.scene, &config, memory, sizeof memory) ==
+               FXL_OK &&
+           fxl_renderer_set_surfaces(&renderer, &surfaces, &floor_scene.set) == FXL_OK;
 }
 
 #define PIXELS (SURFACE_WIDTH * SURFACE_HEIGHT)
@@ -139,6 +115,8 @@ const bench_kernel surface_list[] = {
     {"texture-affine", affine, PIXELS},
     {"texture-perspective", perspective, PIXELS},
     {"texture-lit", lit, PIXELS},
+    {"texture-keyed", keyed, PIXELS},
+    {"texture-keyed-lit", keyed_lit, PIXELS},
     {"texture-w4", w4, 1},
     {NULL, NULL, 0},
 };

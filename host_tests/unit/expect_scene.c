@@ -25,18 +25,32 @@ void expect_opening(fxl_status status, tiny_image *image)
     expect_status(status, image->words, image->size);
 }
 
-void expect_word(fxl_status status, uint32_t at, uint32_t value)
+void expect_image_word(fxl_status status, tiny_image *image, uint32_t at, uint32_t value)
 {
-    tiny_image *image = tiny_image_make(false);
     tiny_put32(tiny_at(image, at), value);
     expect_opening(status, image);
 }
 
-void expect_half(fxl_status status, uint32_t at, uint16_t value)
+void expect_image_half(fxl_status status, tiny_image *image, uint32_t at, uint16_t value)
 {
-    tiny_image *image = tiny_image_make(false);
     tiny_put16(tiny_at(image, at), value);
     expect_opening(status, image);
+}
+
+void expect_image_entry_word(fxl_status status, tiny_image *image, uint32_t table, uint32_t at,
+                             uint32_t value)
+{
+    expect_image_word(status, image, tiny_get(image, table) + at, value);
+}
+
+void expect_word(fxl_status status, uint32_t at, uint32_t value)
+{
+    expect_image_word(status, tiny_image_make(false), at, value);
+}
+
+void expect_half(fxl_status status, uint32_t at, uint16_t value)
+{
+    expect_image_half(status, tiny_image_make(false), at, value);
 }
 
 void expect_entry_word(fxl_status status, uint32_t table, uint32_t number, uint32_t size,

@@ -24,6 +24,13 @@ void expect_status(fxl_status status, const void *bytes, size_t size);
 /* Seals what the test has changed, and opens it. */
 void expect_opening(fxl_status status, tiny_image *image);
 
+/* The same for any image: a word or half of it that is something else, or a word of the bytes of a
+ * table. */
+void expect_image_word(fxl_status status, tiny_image *image, uint32_t at, uint32_t value);
+void expect_image_half(fxl_status status, tiny_image *image, uint32_t at, uint16_t value);
+void expect_image_entry_word(fxl_status status, tiny_image *image, uint32_t table, uint32_t at,
+                             uint32_t value);
+
 /* A word or half of the header that is something else. */
 void expect_word(fxl_status status, uint32_t at, uint32_t value);
 void expect_half(fxl_status status, uint32_t at, uint16_t value);

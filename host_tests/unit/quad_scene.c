@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "mapped_quad.h"
 #include "turns.h"
 
 static quad_scene made;
@@ -67,34 +68,21 @@ static void make_surface(quad_scene *quad)
         quad->normals[i] = unit_between(0, 3) ? quad->face.normal : unit_direction();
     }
     quad->face_map = 1;
-    quad->set = (fxl_surface_set){.textures = &quad->texture,
-                                  .surfaces = &quad->surface,
-                                  .faces = &quad->mapped,
-                                  .face_map = &quad->face_map,
-                                  .normals = quad->normals,
-                                  .texture_count = 0,
-                                  .surface_count = 1,
-                                  .face_count = 1,
-                                  .normal_count = 4};
+    quad->set = quad_surface_set(&quad->texture, &quad->surface, &quad->mapped, &quad->face_map);
+    quad->set.texture_count = 0;
+    quad->set.normals = quad->normals;
+    quad->set.normal_count = 4;
 }
 
 quad_scene *quad_make(bool turned)
 {
+    const quad_tables tables = {made.vertices, indices, &made.face, &made.model, &made.instance};
     memset(&made, 0, sizeof made);
     make_face(&made);
     make_pose(&made);
     make_surface(&made);
     made.turn = turns_any();
-    made.scene = (fxl_scene){.vertices = made.vertices,
-                             .indices = indices,
-                             .faces = &made.face,
-                             .models = &made.model,
-                             .instances = &made.instance,
-                             .vertex_count = 4,
-                             .index_count = 4,
-                             .face_count = 1,
-                             .model_count = 1,
-                             .instance_count = 1};
+    made.scene = quad_tables_scene(&tables, 1);
     if (turned) {
         /* The eye goes with the face: both are seen as they were. */
         made.turn.scale = unit_between(Q16(0.5), Q16(2));

@@ -3,110 +3,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "fixel/all.h"
+#include "depth_scene.h"
 #include "unity.h"
 
-enum {
-    WIDTH = 48,
-    HEIGHT = 36,
-    BACKGROUND = 255,
-    QUADS = 3
-};
-
-/* A floor that runs behind the eye, a wall across the view, and a slanted one that meets both: in
- * any order of drawing one of them covers a part of another that is nearer. */
-static const fxl_point vertices[] = {
-    {-8 * 65536, -32768, 16 * 65536},    {8 * 65536, -32768, 16 * 65536},
-    {8 * 65536, -32768, -4 * 65536},     {-8 * 65536, -32768, -4 * 65536},
-    {-6 * 65536, -2 * 65536, 4 * 65536}, {-6 * 65536, 2 * 65536, 4 * 65536},
-    {6 * 65536, 2 * 65536, 4 * 65536},   {6 * 65536, -2 * 65536, 4 * 65536},
-    {-4 * 65536, -3 * 65536, 0},         {-4 * 65536, 3 * 65536, 0},
-    {4 * 65536, 3 * 65536, 8 * 65536},   {4 * 65536, -3 * 65536, 8 * 65536}};
-static const uint16_t indices[] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 10, 0},
-                                 {{0, 0, -FXL_Q2_30_ONE}, 4, 4, 20, 0},
-                                 {{759250125, 0, -759250125}, 8, 4, 30, 0}};
-static const fxl_model models[] = {
-    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 19 * 65536},
-    {.first_vertex = 4,
-     .vertex_count = 4,
-     .first_face = 1,
-     .face_count = 1,
-     .kind = FXL_MODEL_CONVEX,
-     .radius = 8 * 65536},
-    {.first_vertex = 8,
-     .vertex_count = 4,
-     .first_face = 2,
-     .face_count = 1,
-     .kind = FXL_MODEL_CONVEX,
-     .radius = 12 * 65536}};
-static const fxl_instance instances[] = {
-    {{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 0, 0}, {{0, 0, 0}, 2, 0, 0}};
-
-static uint8_t texels[8 * 8];
-static fxl_texture texture = {.texels = texels, .log_width = 3, .log_height = 3, .levels = 1};
-static fxl_surface surface = {.texture = 1, .opacity = 16};
-static fxl_mapped_face mapped[] = {
-    {.corners = {0, 1, 2}, .texels = {{0, 8 * 65536}, {0, 0}, {48 * 65536, 0}}}};
-static uint16_t face_map[QUADS];
-static fxl_surface_set set = {.textures = &texture,
-                              .surfaces = &surface,
-                              .faces = mapped,
-                              .face_map = face_map,
-                              .texture_count = 1,
-                              .surface_count = 1,
-                              .face_count = 1};
-
-static fxl_scene scene;
-static fxl_config config;
-static fxl_renderer renderer;
-static fxl_surfaces surfaces;
-static fxl_depth depth;
-static FXL_ALIGN_8 uint8_t memory[1024];
-static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16)];
-static FXL_ALIGN_8 uint8_t room[8192]; /* of clippers, beams, another workspace */
-static uint8_t frame[WIDTH * HEIGHT], again[WIDTH * HEIGHT];
-
-static const fxl_pose eye = {{0, 0, 0}, 6u << 23, 0u - (2u << 23), 1u << 23};
-
-static void start(void)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
-}
-
-static void start_with(const fxl_visibility *method)
-{
-    start();
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&renderer, &depth, method, cells, sizeof cells));
-}
+static depth_scene *made;
 
 void setUp(void)
 {
-    scene = (fxl_scene){.vertices = vertices,
-                        .indices = indices,
-                        .faces = faces,
-                        .models = models,
-                        .instances = instances,
-                        .vertex_count = 12,
-                        .index_count = 12,
-                        .face_count = QUADS,
-                        .model_count = QUADS,
-                        .instance_count = QUADS};
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)(((i >> 2) + (i >> 4)) % 2 == 0 ? 99 : 98);
-    }
-    texture.flags = 0;
-    surface = (fxl_surface){.texture = 1, .opacity = 16};
-    memset(face_map, 0, sizeof face_map);
-    set.blend = NULL;
-    set.blend_first = set.blend_count = 0;
-    config = fxl_config_default(WIDTH, HEIGHT);
-    config.fov = FXL_ANGLE_QUARTER;
-    config.near_z = 4096;
-    config.far_z = 64 * 65536;
-    config.background = BACKGROUND;
+    made = depth_scene_make();
 }
 
 void tearDown(void)
@@ -122,11 +26,12 @@ static double dot(const double *a, const double *b)
  * how far the point is from the face's border, in world units. */
 static double distance_of(const fxl_face *face, double x, double y, double *edge)
 {
-    const fxl_axes *axes = &renderer.frame.view.camera.axes;
-    const fxl_point *eye_point = &renderer.frame.view.camera.position;
-    const fxl_model *model = &models[face - faces];
-    const double focal = renderer.frame.view.lens.focal / 65536.0, one = FXL_Q2_30_ONE;
-    const double dx = (x - WIDTH / 2.0) / focal, dy = (HEIGHT / 2.0 - y) / focal;
+    const fxl_axes *axes = &made->renderer.frame.view.camera.axes;
+    const fxl_point *eye_point = &made->renderer.frame.view.camera.position;
+    const fxl_model *model = &made->scene.models[face - made->scene.faces];
+    const double focal = made->renderer.frame.view.lens.focal / 65536.0, one = FXL_Q2_30_ONE;
+    const double dx = (x - DEPTH_SCENE_WIDTH / 2.0) / focal,
+                 dy = (DEPTH_SCENE_HEIGHT / 2.0 - y) / focal;
     const double way[3] = {(axes->right.x * dx + axes->up.x * dy + axes->forward.x) / one,
                            (axes->right.y * dx + axes->up.y * dy + axes->forward.y) / one,
                            (axes->right.z * dx + axes->up.z * dy + axes->forward.z) / one};
@@ -134,13 +39,13 @@ static double distance_of(const fxl_face *face, double x, double y, double *edge
     const double length = sqrt(dot(normal, normal));
     double corners[4][3], z, to[3];
     for (int i = 0; i < 4; i++) {
-        const fxl_point *v = &vertices[model->first_vertex + (uint32_t)i];
+        const fxl_point *v = &made->scene.vertices[model->first_vertex + (uint32_t)i];
         corners[i][0] = (v->x - eye_point->x) / 65536.0;
         corners[i][1] = (v->y - eye_point->y) / 65536.0;
         corners[i][2] = (v->z - eye_point->z) / 65536.0;
     }
     z = dot(normal, corners[0]) / dot(normal, way);
-    if (!(z >= config.near_z / 65536.0 && z <= config.far_z / 65536.0)) {
+    if (!(z >= made->config.near_z / 65536.0 && z <= made->config.far_z / 65536.0)) {
         return INFINITY;
     }
     for (int k = 0; k < 3; k++) {
@@ -166,13 +71,15 @@ static double distance_of(const fxl_face *face, double x, double y, double *edge
  * the nearest face is nearer than the next by more than the resolution. */
 static void check_frame(double resolution)
 {
-    uint32_t checked = 0, seen[QUADS] = {0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+    uint32_t checked = 0, seen[DEPTH_SCENE_QUADS] = {0};
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    for (int i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
         double nearest = INFINITY, next = INFINITY, edge = INFINITY;
         int found = -1;
-        for (int k = 0; k < QUADS; k++) {
-            const double z = distance_of(&faces[k], i % WIDTH + 0.5, i / WIDTH + 0.5, &edge);
+        for (int k = 0; k < DEPTH_SCENE_QUADS; k++) {
+            const double z = distance_of(&made->scene.faces[k], i % DEPTH_SCENE_WIDTH + 0.5,
+                                         i / DEPTH_SCENE_WIDTH + 0.5, &edge);
             next = fmin(next, fmax(z, nearest));
             if (z < nearest) {
                 nearest = z;
@@ -186,23 +93,24 @@ static void check_frame(double resolution)
         if (found >= 0) {
             seen[found]++;
         }
-        TEST_ASSERT_EQUAL(found < 0 ? BACKGROUND : faces[found].material, frame[i]);
+        TEST_ASSERT_EQUAL(found < 0 ? DEPTH_SCENE_BACKGROUND : made->scene.faces[found].material,
+                          made->frame[i]);
     }
-    TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT * 99 / 100, checked);
-    for (int k = 0; k < QUADS; k++) {
-        TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 20, seen[k]);
+    TEST_ASSERT_GREATER_THAN(DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT * 99 / 100, checked);
+    for (int k = 0; k < DEPTH_SCENE_QUADS; k++) {
+        TEST_ASSERT_GREATER_THAN(DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT / 20, seen[k]);
     }
 }
 
 void test_the_nearest_of_faces_that_intersect_is_seen(void)
 {
-    start_with(&fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_visibility_depth);
     check_frame(33.0 / 32 / 4096); /* far is 1024 near: 11 octaves, 12 bits */
 }
 
 void test_32_bits_are_finer(void)
 {
-    start_with(&fxl_visibility_depth_32);
+    depth_scene_start_with(made, &fxl_visibility_depth_32);
     check_frame(1.0 / 4096 / 32);
 }
 
@@ -210,167 +118,34 @@ void test_32_bits_are_finer(void)
 static uint32_t count_different(void)
 {
     uint32_t different = 0;
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        different += frame[i] != again[i];
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        different += made->frame[i] != made->again[i];
     }
     return different;
 }
 
-static void draw_in_bands(uint16_t rows, uint32_t list_words)
-{
-    renderer.frame.display_list.capacity = list_words;
-    memset(again, 0, sizeof again);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
-    for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + rows)) {
-        const fxl_band band = {again + row * WIDTH, WIDTH, WIDTH, row, rows};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
-}
-
-static void check_bands(const fxl_visibility *method)
-{
-    static const uint32_t sizes[] = {FXL_DEPTH_BYTES(WIDTH, 1, 32), FXL_DEPTH_BYTES(WIDTH, 5, 16),
-                                     sizeof cells};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    for (uint32_t i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_depth(&renderer, &depth, method, cells, sizes[i]));
-        for (uint32_t words = 0; words <= 128; words += 32) {
-            draw_in_bands(4, words);
-            draw_in_bands(HEIGHT, words);
-            const bool whole =
-                sizes[i] >= FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16) && method == &fxl_visibility_depth;
-            TEST_ASSERT_EQUAL(whole, renderer.workspace.counters.split_bands == 0);
-        }
-    }
-}
-
 void test_bands_lists_and_memory_give_the_same_pixels(void)
 {
-    start_with(&fxl_visibility_depth);
-    check_bands(&fxl_visibility_depth);
-    start_with(&fxl_visibility_depth_32);
-    check_bands(&fxl_visibility_depth_32);
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_check_bands(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_visibility_depth_32);
+    depth_scene_check_bands(made, &fxl_visibility_depth_32);
 }
 
 void test_every_clipper_gives_the_same_depths(void)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_world, &fxl_clipper_triangles,
                                                   &fxl_clipper_near};
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     for (uint32_t i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], room,
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&made->renderer, clippers[i], made->room,
                                                            clippers[i]->workspace_size));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
         TEST_ASSERT_LESS_THAN(4, count_different()); /* pixels at edges */
     }
-}
-
-static void set_texture(uint32_t face)
-{
-    face_map[face] = 1;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth,
-                                                     cells, sizeof cells));
-}
-
-/* Pixels of the texture of face `face` are where the flat frame has its colour; a texel of the key
- * lets through what is behind. */
-static void check_textured(uint32_t face, bool keyed)
-{
-    uint32_t drawn[2] = {0, 0};
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const bool texel = again[i] == 98 || again[i] == 99;
-        if (frame[i] != faces[face].material) {
-            TEST_ASSERT_EQUAL(frame[i], again[i]);
-        } else if (!keyed) {
-            TEST_ASSERT_TRUE(texel);
-        } else {
-            TEST_ASSERT_NOT_EQUAL(99, again[i]);
-            TEST_ASSERT_NOT_EQUAL(faces[face].material, again[i]);
-        }
-        drawn[0] += texel;
-        drawn[1] += frame[i] == faces[face].material && !texel;
-    }
-    TEST_ASSERT_GREATER_THAN(50, drawn[0]);
-    TEST_ASSERT_EQUAL(keyed, drawn[1] > 50);
-}
-
-void test_textures_are_seen_where_they_are_nearest(void)
-{
-    static uint8_t plain[WIDTH * HEIGHT]; /* without a key */
-    for (uint32_t face = 0; face < QUADS; face++) {
-        memset(face_map, 0, sizeof face_map);
-        texture.flags = 0;
-        start_with(&fxl_visibility_depth);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-        set_texture(face);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-        check_textured(face, false);
-        memcpy(plain, again, sizeof plain);
-        texture.flags = FXL_TEXTURE_KEYED;
-        texture.key = 99;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-        check_textured(face, true);
-        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            TEST_ASSERT_EQUAL(plain[i] == 98, again[i] == 98);
-        }
-        memcpy(frame, again, sizeof frame);
-        check_bands(&fxl_visibility_depth);
-    }
-}
-
-void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
-{
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    set_texture(1);
-    surface.opacity = 8;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    uint32_t drawn = 0, through = 0;
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const bool texel = again[i] == 98 || again[i] == 99;
-        drawn += texel;
-        through += frame[i] == faces[1].material && !texel;
-        TEST_ASSERT_TRUE(frame[i] == faces[1].material || !texel);
-    }
-    TEST_ASSERT_INT_WITHIN(WIDTH * HEIGHT / 50, drawn, through);
-    TEST_ASSERT_GREATER_THAN(100, drawn);
-}
-
-/* Glass: face 2 shows what is beneath it in another colour, whatever is drawn first. */
-void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
-{
-    static uint8_t beneath[WIDTH * HEIGHT], table[FXL_BLEND_TABLE_BYTES(1)];
-    for (uint32_t i = 0; i < sizeof table; i++) {
-        table[i] = (uint8_t)(i ^ 0x80);
-    }
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    memset(texels, 99, sizeof texels);
-    texture.flags = FXL_TEXTURE_KEYED;
-    texture.key = 99;
-    set_texture(2);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, beneath, WIDTH));
-    surface.texture = 0;
-    surface.flags = FXL_SURFACE_BLEND;
-    set.blend = table;
-    set.blend_first = faces[2].material;
-    set.blend_count = 1;
-    set_texture(2);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    uint32_t seen_through = 0;
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const bool is_glass = frame[i] == faces[2].material;
-        seen_through += is_glass && beneath[i] != BACKGROUND;
-        TEST_ASSERT_EQUAL(is_glass ? table[beneath[i]] : frame[i], again[i]);
-    }
-    TEST_ASSERT_GREATER_THAN(100, seen_through);
-    memcpy(frame, again, sizeof frame);
-    check_bands(&fxl_visibility_depth);
 }
 
 /* The lens of a part of the screen is off-centre: its picture is a part of the whole one. */
@@ -383,22 +158,27 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
         PART_HEIGHT = 20
     };
     fxl_lens lens;
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&renderer.frame.view.lens, LEFT, TOP, PART_WIDTH,
-                                               PART_HEIGHT, &lens));
-    fxl_memory tables = {(fxl_order_entry *)(void *)memory, scene.order_needed, NULL, 0, NULL, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &tables));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth,
-                                                     cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
-    const fxl_band band = {again, PART_WIDTH, WIDTH, 0, PART_HEIGHT};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&made->renderer.frame.view.lens, LEFT, TOP,
+                                               PART_WIDTH, PART_HEIGHT, &lens));
+    fxl_memory tables = {
+        (fxl_order_entry *)(void *)made->memory, made->scene.order_needed, NULL, 0, NULL, 0};
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&made->renderer, &made->scene, &lens, &tables));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
+                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
+    const fxl_band band = {made->again, PART_WIDTH, DEPTH_SCENE_WIDTH, 0, PART_HEIGHT};
+    fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
     uint32_t different = 0;
     for (uint32_t y = 0; y < PART_HEIGHT; y++) {
         for (uint32_t x = 0; x < PART_WIDTH; x++) {
-            different += again[y * WIDTH + x] != frame[(y + TOP) * WIDTH + x + LEFT];
+            different += made->again[y * DEPTH_SCENE_WIDTH + x] !=
+                         made->frame[(y + TOP) * DEPTH_SCENE_WIDTH + x + LEFT];
         }
     }
     TEST_ASSERT_LESS_THAN(3, different);
@@ -408,18 +188,22 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
  * points of the world: then the shader gets pieces. */
 void test_turned_instances_have_depth(void)
 {
-    static const fxl_turn turns[QUADS] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    scene.turns = turns;
-    scene.turn_code = &fxl_turned_instances;
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
-    TEST_ASSERT_EQUAL(0, renderer.workspace.counters.rounded);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_world, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    TEST_ASSERT_EQUAL(QUADS, renderer.workspace.counters.rounded);
+    static const fxl_turn turns[DEPTH_SCENE_QUADS] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    made->scene.turns = turns;
+    made->scene.turn_code = &fxl_turned_instances;
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
+    TEST_ASSERT_EQUAL(0, made->renderer.workspace.counters.rounded);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_clipper(&made->renderer, &fxl_clipper_world, NULL, 0));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL(DEPTH_SCENE_QUADS, made->renderer.workspace.counters.rounded);
     TEST_ASSERT_LESS_THAN(4, count_different());
 }
 
@@ -432,20 +216,23 @@ void test_pieces_of_light_beams_have_depth(void)
     for (uint32_t i = 0; i < sizeof lit; i++) {
         lit[i] = (uint8_t)(i + 1);
     }
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     const fxl_point lamp = {0, 8 * 65536, 3 * 65536};
     const fxl_point outline[] = {{-2 * 65536, 0, 65536},
                                  {-2 * 65536, 0, 6 * 65536},
                                  {2 * 65536, 0, 6 * 65536},
                                  {2 * 65536, 0, 65536}};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, outline, 4, &beam));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&made->renderer, &beam, 1, lit, made->room,
+                                                     sizeof made->room));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     uint32_t bright = 0;
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        bright += again[i] == frame[i] + 1;
-        TEST_ASSERT_TRUE(again[i] == frame[i] || again[i] == frame[i] + 1);
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        bright += made->again[i] == made->frame[i] + 1;
+        TEST_ASSERT_TRUE(made->again[i] == made->frame[i] || made->again[i] == made->frame[i] + 1);
     }
     TEST_ASSERT_GREATER_THAN(20, bright);
 }
@@ -469,99 +256,115 @@ void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
          .radius = 8 * 65536}};
     static const fxl_instance both[] = {{{0, 0, 0}, 0, 0, 0}, {{65536, 0, 0}, 1, 0, 0}};
     static const uint8_t table[FXL_BLEND_TABLE_BYTES(1)];
-    scene.vertices = corners;
-    scene.vertex_count = 8;
-    scene.faces = walls;
-    scene.face_count = scene.model_count = scene.instance_count = 2;
-    scene.models = two;
-    scene.instances = both;
-    scene.index_count = 8;
-    start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
-    surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
-    set.blend = table;
-    set.blend_count = 1;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth,
-                                                     cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+    made->scene.vertices = corners;
+    made->scene.vertex_count = 8;
+    made->scene.faces = walls;
+    made->scene.face_count = made->scene.model_count = made->scene.instance_count = 2;
+    made->scene.models = two;
+    made->scene.instances = both;
+    made->scene.index_count = 8;
+    depth_scene_start(made);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
+    made->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
+    made->set.blend = table;
+    made->set.blend_count = 1;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
+                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
 /* Another core's workspace, with a depth buffer of its own. */
 void test_two_workspaces_draw_halves_of_a_frame(void)
 {
     fxl_workspace other;
-    start_with(&fxl_visibility_depth);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&other, &renderer, room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_workspace_init(&other, &made->renderer, made->room, sizeof made->room));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
     for (uint16_t half = 0; half < 2; half++) {
-        const uint16_t row = (uint16_t)(half * HEIGHT / 2);
-        const fxl_band band = {again + row * WIDTH, WIDTH, WIDTH, row, HEIGHT / 2};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, half ? fxl_frame_draw_with(&renderer, &other, &band)
-                                       : fxl_frame_draw(&renderer, &band));
+        const uint16_t row = (uint16_t)(half * DEPTH_SCENE_HEIGHT / 2);
+        const fxl_band band = {made->again + row * DEPTH_SCENE_WIDTH, DEPTH_SCENE_WIDTH,
+                               DEPTH_SCENE_WIDTH, row, DEPTH_SCENE_HEIGHT / 2};
+        fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, half ? fxl_frame_draw_with(&made->renderer, &other, &band)
+                                       : fxl_frame_draw(&made->renderer, &band));
     }
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
 /* Once another method is set, faces are drawn as ever. */
 void test_another_method_ends_the_depth(void)
 {
-    start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth,
-                                                     cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    TEST_ASSERT_GREATER_THAN(50, count_different());
+    depth_scene_start(made);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
+                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_GREATER_THAN(50, count_different());
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_visibility(&made->renderer, &fxl_visibility_sorted, NULL, 0));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
 /* Set as any other method, without its shader, it draws what a span buffer does. */
 void test_without_its_record_it_hides_by_order(void)
 {
-    start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    depth_scene_start(made);
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_depth, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
-    draw_in_bands(6, 0);
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&made->renderer, &fxl_visibility_depth,
+                                                          made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
+    depth_scene_draw_in_bands(made, 6, 0);
 }
 
 void test_what_is_refused(void)
 {
-    start();
+    depth_scene_start(made);
     const fxl_visibility *const method = &fxl_visibility_depth;
     fxl_renderer none;
     memset(&none, 0, sizeof none);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(NULL, &made->depth, method,
+                                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(&made->renderer, NULL, method,
+                                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(&made->renderer, &made->depth, NULL,
+                                                             made->cells, sizeof made->cells));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_depth(NULL, &depth, method, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_depth(&renderer, NULL, method, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_depth(&renderer, &depth, NULL, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(
-        FXL_E_ARGUMENT,
-        fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_sorted, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(
-        FXL_E_ARGUMENT,
-        fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_surfaces, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_E_ORDER,
-                      fxl_renderer_set_depth(&none, &depth, method, cells, sizeof cells));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
-                      fxl_renderer_set_depth(&renderer, &depth, method, cells + 2, 1000));
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_depth(&renderer, &depth, method, cells,
-                                                             FXL_DEPTH_BYTES(WIDTH, 1, 16) - 1));
-    TEST_ASSERT_EQUAL(6, renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_sorted, renderer.visibility);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&renderer, &depth, method, cells,
-                                                     FXL_DEPTH_BYTES(WIDTH, 1, 16)));
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_sorted,
+                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(&made->renderer, &made->depth,
+                                                             &fxl_visibility_surfaces, made->cells,
+                                                             sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_depth(&none, &made->depth, method, made->cells,
+                                                          sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_depth(&made->renderer, &made->depth, method,
+                                                              made->cells + 2, 1000));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, method, made->cells,
+                                             FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16) - 1));
+    TEST_ASSERT_EQUAL(6, made->renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_sorted, made->renderer.visibility);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, method, made->cells,
+                                             FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16)));
 }

@@ -53,16 +53,12 @@ void test_a_beam_is_used_in_place(void)
 
 static void beam_word(fxl_status status, uint32_t offset, uint32_t value)
 {
-    tiny_image *image = make();
-    tiny_put32(tiny_at(image, offset), value);
-    expect_opening(status, image);
+    expect_image_word(status, make(), offset, value);
 }
 
 static void beam_half(fxl_status status, uint32_t offset, uint16_t value)
 {
-    tiny_image *image = make();
-    tiny_put16(tiny_at(image, offset), value);
-    expect_opening(status, image);
+    expect_image_half(status, make(), offset, value);
 }
 
 void test_the_larger_header(void)

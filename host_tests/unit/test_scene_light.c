@@ -33,16 +33,12 @@ static tiny_image *make(void)
 
 static void light_word(fxl_status status, uint32_t offset, uint32_t value)
 {
-    tiny_image *image = make();
-    tiny_put32(tiny_at(image, offset), value);
-    expect_opening(status, image);
+    expect_image_word(status, make(), offset, value);
 }
 
 static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t value)
 {
-    tiny_image *image = make();
-    tiny_put32(tiny_at(image, tiny_get(image, table) + at), value);
-    expect_opening(status, image);
+    expect_image_entry_word(status, make(), table, at, value);
 }
 
 /* The settings are those of the image, to the last member. */

@@ -31,23 +31,17 @@ static tiny_image *make(void)
 
 static void turn_word(fxl_status status, uint32_t offset, uint32_t value)
 {
-    tiny_image *image = make();
-    tiny_put32(tiny_at(image, offset), value);
-    expect_opening(status, image);
+    expect_image_word(status, make(), offset, value);
 }
 
 static void turn_half(fxl_status status, uint32_t offset, uint16_t value)
 {
-    tiny_image *image = make();
-    tiny_put16(tiny_at(image, offset), value);
-    expect_opening(status, image);
+    expect_image_half(status, make(), offset, value);
 }
 
 static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t value)
 {
-    tiny_image *image = make();
-    tiny_put32(tiny_at(image, tiny_get(image, table) + at), value);
-    expect_opening(status, image);
+    expect_image_entry_word(status, make(), table, at, value);
 }
 
 void test_turns_are_used_in_place(void)

@@ -198,6 +198,57 @@ void test_light_is_on_the_line_between_both_ends(void)
     }
 }
 
+/* Whether light is so far within the ramp at both ends of all segments. */
+static bool is_in_ramp(double margin)
+{
+    for (int x = 0; x <= COLUMNS; x += 16) {
+        if (divided(2, x) < margin || divided(2, x) > LEVELS - margin) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A row that goes to the kernel without a division has light within the ramp. Almost every such row
+ * goes there, unless the light is too far from the weight. Its pixels are those that
+ * fxl_paint_pixels paints. */
+void test_rows_are_taken_whose_light_is_within_the_ramp(void)
+{
+    uint32_t taken = 0, left = 0;
+    choose_size(4, 4);
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    paint.ramp = ramp;
+    paint.levels_less_1 = LEVELS - 1;
+    gradients.count = 3;
+    for (uint32_t n = 0; n < 4000; n++) {
+        choose_face();
+        gradients.shifts[2] = (int8_t)(18 + n % 15);
+        const double scale = ldexp(1, 16 - gradients.shifts[2]);
+        const double near = LEVELS - (any() % 9u) * 1e-7;
+        const double from = n & 16u ? near : (any() % 900u - 100.0) / 250;
+        const double to = n & 32u ? near : (any() % 900u - 100.0) / 250;
+        choose_gradient(&gradients.attributes[2], &row.attributes[2],
+                        floor(exact(&gradients.weight, 0) * from * scale),
+                        floor(exact(&gradients.weight, COLUMNS) * to * scale));
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        if (fxl_segments_take(&face, &row, 0, COLUMNS)) {
+            TEST_ASSERT_TRUE(is_in_ramp(0));
+            paint_row(row_pixels, 0, COLUMNS);
+            row.segments = &face;
+            row.pixels = part;
+            fxl_paint_pixels(&paint, &row, 0, COLUMNS);
+            TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, COLUMNS);
+            taken++;
+        } else {
+            TEST_ASSERT_TRUE(gradients.shifts[2] > 30 || !is_in_ramp(0.01));
+            left++;
+        }
+    }
+    TEST_ASSERT_TRUE(taken > 500 && left > 500);
+}
+
 /* Light far beyond the levels, whatever its numbers: no entry beyond the ramp is read, as the
  * sanitizers see, and every pixel is painted. */
 void test_light_beyond_the_levels_is_limited(void)
@@ -273,6 +324,64 @@ void test_small_weights_are_divided_more_often(void)
     row.pixels = row_pixels;
     fxl_paint_pixels(&paint, &row, 0, 48);
     TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, 48);
+}
+
+/* Pixels x0 <= x < x1 that are not the kernel's. A blend table of no colours leaves pixels as they
+ * are, and has each painted as any pixel is. */
+static void paint_any(uint8_t *pixels, const uint8_t *blend, int32_t x0, int32_t x1)
+{
+    memset(pixels, UNTOUCHED, COLUMNS);
+    paint.blend = blend;
+    row.segments = NULL;
+    row.pixels = pixels;
+    fxl_paint_pixels(&paint, &row, x0, x1);
+    paint.blend = NULL;
+}
+
+/* Loops for what most faces have paint what the loop for any pixel paints, wherever they begin. */
+void test_simple_pixels_are_as_any_pixel(void)
+{
+    static const uint8_t no_blend[1];
+    uint32_t holes = 0, painted = 0;
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(any() % 8u);
+    }
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 2000; n++) {
+        const int32_t x0 = (int32_t)(any() % COLUMNS);
+        const int32_t x1 = x0 + 1 + (int32_t)(any() % (uint32_t)(COLUMNS - x0));
+        setUp();
+        state += n;
+        choose_face();
+        choose_size(any() % 6u, any() % 6u);
+        paint.level.flags = (uint8_t)(n % 3 == 0 ? FXL_TEXTURE_KEYED : 0);
+        paint.level.key = (uint8_t)(any() % 8u);
+        paint.division = (uint8_t)(n % 5 == 0 ? FXL_DIVIDE_8 : FXL_DIVIDE_16);
+        paint.colour = 3;
+        if (n & 4u) {
+            paint.level.texels = n & 8u ? texels : NULL;
+            paint.ramp = ramp;
+            paint.levels_less_1 = LEVELS - 1;
+            gradients.count = n & 8u ? 3 : 1;
+            gradients.shifts[gradients.count - 1] = 20;
+            choose_gradient(&gradients.attributes[gradients.count - 1],
+                            &row.attributes[gradients.count - 1],
+                            exact(&gradients.weight, 0) * ((int)(any() % 900u) - 100) / 4000,
+                            exact(&gradients.weight, COLUMNS) * ((int)(any() % 900u) - 100) / 4000);
+        }
+        paint_any(row_pixels, NULL, x0, x1);
+        paint_any(part, no_blend, x0, x1);
+        TEST_ASSERT_EQUAL_MEMORY(part, row_pixels, COLUMNS);
+        paint_any(row_pixels, NULL, 0, COLUMNS);
+        TEST_ASSERT_EQUAL_MEMORY(part + x0, row_pixels + x0, (size_t)(x1 - x0));
+        for (int32_t x = x0; x < x1; x++) {
+            holes += part[x] == UNTOUCHED;
+            painted += part[x] != UNTOUCHED;
+        }
+    }
+    TEST_ASSERT_TRUE(holes > 1000 && painted > 10000);
 }
 
 static void check_refused(bool expected)

@@ -3,6 +3,7 @@
  */
 #include <math.h>
 
+#include "slides.h"
 #include "tiny.h"
 #include "turns.h"
 
@@ -63,7 +64,7 @@ static void turn_all(fxl_q16_16 scale_most)
 /* As of cubes that stand still: free after every call, however long the way. */
 void test_no_sphere_is_ever_within_a_turned_face(void)
 {
-    uint32_t contacts = 0, slid = 0;
+    slide_counts counts = {0, 0};
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         turn_all(Q16(3));
         fxl_sphere sphere = {unit_point(Q16(6)), unit_between(FXL_SLIDE_RADIUS_MIN, Q16(1.5))};
@@ -71,24 +72,9 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
         if (distance(&sphere.centre) < sphere.radius + 64) {
             continue;
         }
-        for (int i = 0; i < 8; i++) {
-            const fxl_point move =
-                unit_point(unit_random() % 4 ? sphere.radius : 16 * sphere.radius);
-            const fxl_point before = sphere.centre;
-            fxl_slide slide;
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
-            TEST_ASSERT_TRUE(distance(&sphere.centre) >= sphere.radius - 3);
-            contacts += slide.contacts;
-            slid += slide.contacts > 0 && slide.blocked == 0;
-            if (slide.contacts == 0) {
-                const fxl_point middle = {before.x + move.x / 2, before.y + move.y / 2,
-                                          before.z + move.z / 2};
-                TEST_ASSERT_TRUE(distance(&middle) >= sphere.radius / 2 - 3);
-                TEST_ASSERT_EQUAL_INT32(before.x + move.x, sphere.centre.x);
-            }
-        }
+        slides_stay_free(&tiny->scene, &sphere, distance, 3, &counts);
     }
-    TEST_ASSERT_TRUE(contacts > 10 && slid > 3);
+    TEST_ASSERT_TRUE(counts.contacts > 10 && counts.slid > 3);
 }
 
 /* Straight into a face that is turned by half a right angle it stops there, a gap away. */

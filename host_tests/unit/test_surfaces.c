@@ -2,7 +2,7 @@
 /* Faces with textures, against the definition in double: a ray through each pixel's centre. */
 #include <math.h>
 
-#include "fixel/all.h"
+#include "mapped_quad.h"
 #include "unity.h"
 
 enum {
@@ -11,33 +11,7 @@ enum {
     BACKGROUND = 255
 };
 
-/* A floor that runs behind the eye, as in workload W4 (units of 1/512). */
-static const fxl_point vertices[] = {{-8 * 65536, -32768, 16 * 65536},
-                                     {8 * 65536, -32768, 16 * 65536},
-                                     {8 * 65536, -32768, -4 * 65536},
-                                     {-8 * 65536, -32768, -4 * 65536}};
-static const uint16_t indices[] = {0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 200, 0}};
-static const fxl_model models[] = {
-    {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 18 * 65536}};
-static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
-
-static uint8_t texels[64 * 64];
-static fxl_texture texture = {.texels = texels, .log_width = 6, .log_height = 6, .levels = 1};
-static fxl_surface surface = {.texture = 1, .opacity = 16};
-static fxl_mapped_face mapped[] = {
-    {.corners = {0, 1, 2},
-     .texels = {{0, 640 * 65536}, {512 * 65536, 640 * 65536}, {512 * 65536, 0}}}};
-static const uint16_t face_map[] = {1};
-static const fxl_surface_set set = {.textures = &texture,
-                                    .surfaces = &surface,
-                                    .faces = mapped,
-                                    .face_map = face_map,
-                                    .texture_count = 1,
-                                    .surface_count = 1,
-                                    .face_count = 1};
-
-static fxl_scene scene;
+static mapped_quad quad;
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t memory[1024];
@@ -45,28 +19,12 @@ static uint8_t frame[WIDTH * HEIGHT], again[WIDTH * HEIGHT];
 
 void setUp(void)
 {
-    scene = (fxl_scene){.vertices = vertices,
-                        .indices = indices,
-                        .faces = faces,
-                        .models = models,
-                        .instances = instances,
-                        .vertex_count = 4,
-                        .index_count = 4,
-                        .face_count = 1,
-                        .model_count = 1,
-                        .instance_count = 1};
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)(1 + (i >> 10 & 3) * 4 + (i >> 4 & 3));
-    }
-    surface = (fxl_surface){.texture = 1, .opacity = 16};
-    texture.flags = 0;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
-    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
-    config.fov = FXL_ANGLE_QUARTER;
-    config.near_z = 4096;
-    config.far_z = 64 * 65536;
+    mapped_quad_make_floor(&quad);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&quad.scene, NULL));
+    fxl_config config = mapped_quad_floor_config(WIDTH, HEIGHT);
     config.background = BACKGROUND;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &quad.scene, &config, memory, sizeof memory));
 }
 
 void tearDown(void)
@@ -114,20 +72,20 @@ static void check_frame(double tolerance)
 
 void test_a_floor_divided_at_each_pixel(void)
 {
-    surface.division = FXL_DIVIDE_1;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    quad.surface.division = FXL_DIVIDE_1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
     check_frame(1.0 / 256);
 }
 
 void test_a_floor_divided_every_16_pixels(void)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
     check_frame(0.5 + 1.0 / 256);
 }
 
 void test_bands_and_lists_give_the_same_pixels(void)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &set));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
     for (uint32_t words = 0; words < 2; words++) {
         renderer.frame.display_list.capacity = words * 64;

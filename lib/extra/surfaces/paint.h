@@ -52,12 +52,6 @@ typedef struct {
 typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
                              int32_t x0, int32_t x1);
 
-/* The attributes of a stretch of pixels within which they are linear: 16.16 at the first pixel, and
- * their steps a pixel. */
-typedef struct {
-    int32_t values[FXL_ATTRIBUTES], steps[FXL_ATTRIBUTES];
-} fxl_stretch;
-
 /* Paints the pixels x0 <= x < x1 of a row. Safe for any gradients: no texel is read that is not of
  * the level, and no other pixel is written. Requires x0 < x1 within the band. */
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);

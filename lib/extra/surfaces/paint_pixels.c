@@ -93,33 +93,116 @@ static void divide_each(const fxl_paint *paint, const fxl_paint_row *row, int32_
 
 /* --- segments ------------------------------------------------------------------------------- */
 
+/* Neighbouring pixels whose attributes are linear: those of the first one, and the steps. */
+typedef struct {
+    uint32_t values[FXL_ATTRIBUTES], steps[FXL_ATTRIBUTES];
+} linear_pixels;
+
+/* Opaque texels of 8 bits, repeated: with or without a key, lit or not. Any pixel may be a byte of
+ * the tables to the compiler, so the loop has copies of all that it needs. */
+static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *of, uint8_t *pixel,
+                                  const uint8_t *end, bool lit)
+{
+    const fxl_texture_level *level = &paint->level;
+    const uint8_t *texels = level->texels, *ramp = paint->ramp;
+    const uint32_t key = level->flags & FXL_TEXTURE_KEYED ? level->key : 256u; /* bug: span-key */
+    const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
+    const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
+    const uint32_t last_level = paint->levels_less_1;
+    uint32_t u = of->values[FXL_ATTRIBUTE_U], v = of->values[FXL_ATTRIBUTE_V];
+    uint32_t light = of->values[FXL_SEGMENT_LIGHT];
+    const uint32_t u_step = of->steps[FXL_ATTRIBUTE_U], v_step = of->steps[FXL_ATTRIBUTE_V];
+    const uint32_t light_step = of->steps[FXL_SEGMENT_LIGHT];
+    for (; pixel != end; pixel++) {
+        uint32_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
+        if (colour != key) {
+            if (lit) {
+                colour = ramp[256u * limited((int32_t)light >> 16, last_level) + colour];
+            }
+            *pixel = (uint8_t)colour;
+        }
+        u += u_step;
+        v += v_step;
+        light += light_step;
+    }
+}
+
+/* Opaque pixels of the face's colour, lit: light is the only attribute. */
+static void paint_levels(const fxl_paint *paint, const linear_pixels *of, uint8_t *pixel,
+                         const uint8_t *end)
+{
+    const uint8_t *ramp = paint->ramp + paint->colour;
+    const uint32_t last_level = paint->levels_less_1, step = of->steps[0];
+    uint32_t light = of->values[0];
+    for (; pixel != end; pixel++) {
+        *pixel = ramp[256u * limited((int32_t)light >> 16, last_level)];
+        light += step;
+    }
+}
+
+static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                         const linear_pixels *of)
+{
+    uint8_t *pixel = row->pixels + x0;
+    const uint8_t *end = row->pixels + x1;
+    int32_t values[FXL_ATTRIBUTES];
+    if (!FXL_IS_SMALL && paint->opacity == 16 && paint->blend == NULL) {
+        if (paint->level.texels == NULL && paint->ramp != NULL) {
+            paint_levels(paint, of, pixel, end);
+            return;
+        }
+        if (paint->level.texels != NULL && paint->level.colours == NULL &&
+            (paint->level.flags & FXL_TEXTURE_CLAMP) == 0) {
+            if (paint->ramp != NULL) {
+                paint_repeated(paint, of, pixel, end, true);
+            } else {
+                paint_repeated(paint, of, pixel, end, false);
+            }
+            return;
+        }
+    }
+    for (int32_t x = x0; x < x1; x++) {
+        for (uint32_t i = 0; i < paint->gradients->count; i++) {
+            values[i] = (int32_t)(of->values[i] + (uint32_t)(x - x0) * of->steps[i]);
+        }
+        paint_pixel(paint, row, x, values);
+    }
+}
+
+/* A column and its attributes: where one segment ends the next one begins. */
+typedef struct {
+    int32_t column; /* -1: none */
+    int32_t values[FXL_ATTRIBUTES];
+} divided_column;
+
 /* The columns first..first + 2^log - 1, divided at both ends. False where that is not exact enough:
  * nothing is painted. A step is rounded down by less than a unit, so the last pixel is off by less
  * than 16 units of 1/65536. */
 static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
-                          unsigned log, int32_t x0, int32_t x1)
+                          unsigned log, int32_t x0, int32_t x1, divided_column *at)
 {
     const fxl_gradients *gradients = paint->gradients;
     const int32_t last = first + (1 << log);
     const uint32_t weight_0 = weight_at(paint, row, first), weight_1 = weight_at(paint, row, last);
     const uint32_t least = gradients->weight_min[log == 4 ? 0 : 1];
-    int32_t values[FXL_ATTRIBUTES], ends[FXL_ATTRIBUTES], steps[FXL_ATTRIBUTES];
+    const uint32_t skipped = (uint32_t)(x0 - first); /* bug: span-skip */
+    int32_t ends[FXL_ATTRIBUTES];
+    linear_pixels linear = {{0}, {0}};
     if (weight_0 < least || weight_1 < least) {
         return false;
     }
-    divide_at(paint, row, first, weight_0, values);
+    if (at->column != first) {
+        divide_at(paint, row, first, weight_0, at->values);
+    }
     divide_at(paint, row, last, weight_1, ends);
-    for (uint32_t i = 0; i < gradients->count; i++) {
-        steps[i] = (int32_t)((uint32_t)ends[i] - (uint32_t)values[i]) >> log;
+    at->column = last;
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
+        const int32_t change = (int32_t)((uint32_t)ends[i] - (uint32_t)at->values[i]);
+        linear.steps[i] = (uint32_t)(change >> log);
+        linear.values[i] = (uint32_t)at->values[i] + skipped * linear.steps[i];
+        at->values[i] = ends[i];
     }
-    for (int32_t x = first; x < x1; x++) {
-        if (x >= x0) {
-            paint_pixel(paint, row, x, values);
-        }
-        for (uint32_t i = 0; i < gradients->count; i++) {
-            values[i] = (int32_t)((uint32_t)values[i] + (uint32_t)steps[i]);
-        }
-    }
+    paint_linear(paint, row, x0, x1, &linear);
     return true;
 }
 
@@ -129,23 +212,25 @@ static inline int32_t smaller(int32_t a, int32_t b)
 }
 
 /* At most eight columns, of one segment of eight. */
-static void paint_eight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+static void paint_eight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                        divided_column *at)
 {
-    if (paint->division == FXL_DIVIDE_1 || !paint_segment(paint, row, x0 & ~7, 3, x0, x1)) {
+    if (paint->division == FXL_DIVIDE_1 || !paint_segment(paint, row, x0 & ~7, 3, x0, x1, at)) {
         divide_each(paint, row, x0, x1);
     }
 }
 
 /* Columns of one segment of 16, at most. */
-static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                          divided_column *at)
 {
-    if (paint->division == FXL_DIVIDE_16 && paint_segment(paint, row, x0 & ~15, 4, x0, x1)) {
+    if (paint->division == FXL_DIVIDE_16 && paint_segment(paint, row, x0 & ~15, 4, x0, x1, at)) {
         return;
     }
     const int32_t middle = smaller((x0 & ~7) + 8, x1);
-    paint_eight(paint, row, x0, middle);
+    paint_eight(paint, row, x0, middle, at);
     if (middle < x1) {
-        paint_eight(paint, row, middle, x1);
+        paint_eight(paint, row, middle, x1, at);
     }
 }
 
@@ -168,13 +253,19 @@ static int32_t kernel_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
     return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
 }
 
-/* Whether the light at the end of a segment is a level of the ramp. */
-static bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+/* Whether the light at the end of a segment is a level of the ramp. Only close to the ramp's ends
+ * this takes a division. */
+static inline bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
 {
-    int32_t values[FXL_ATTRIBUTES];
-    divide_at(paint, row, x, weight_at(paint, row, x), values);
-    const int32_t level = values[paint->gradients->count - 1] >> 16;
-    return level >= 0 && level <= paint->levels_less_1;
+    const fxl_gradients *gradients = paint->gradients;
+    if (fxl_segment_light_suffices(row->segments, row, (uint32_t)x >> 4)) {
+        return true;
+    }
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(paint, row, x));
+    const int32_t light = fxl_attribute_of(
+        value_at(row->attributes[FXL_SEGMENT_LIGHT], &gradients->attributes[FXL_SEGMENT_LIGHT], x),
+        &reciprocal, gradients->shifts[FXL_SEGMENT_LIGHT]);
+    return light >= 0 && light >> 16 <= paint->levels_less_1;
 }
 
 /* The same for light. The kernel holds the light at both ends of a segment within the ramp. An end
@@ -199,6 +290,8 @@ static int32_t kernel_end_of_light(const fxl_paint *paint, const fxl_paint_row *
 
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
+    divided_column at;
+    at.column = -1;
     while (x0 < x1) {
         int32_t end = kernel_end(row, x0, x1);
         if (end > x0 && paint->ramp != NULL) {
@@ -208,7 +301,7 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
             fxl_paint_segments(row->segments, row, x0, end);
         } else {
             end = smaller((x0 & ~15) + 16, x1);
-            paint_sixteen(paint, row, x0, end);
+            paint_sixteen(paint, row, x0, end, &at);
         }
         x0 = end;
     }

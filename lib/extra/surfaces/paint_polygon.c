@@ -28,12 +28,11 @@ static inline void next_row(const fxl_gradients *gradients, fxl_paint_row *row)
     }
 }
 
-/* A whole row that is not lit mostly goes to the kernel without detours. */
+/* A whole row mostly goes to the kernel without detours. */
 static inline void paint_simply(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
                                 int32_t x1)
 {
-    if (row->segments != NULL && paint->ramp == NULL &&
-        fxl_segments_suffice(row->segments, row, x0, x1)) {
+    if (row->segments != NULL && fxl_segments_take(row->segments, row, x0, x1)) {
         fxl_paint_segments(row->segments, row, x0, x1);
     } else {
         fxl_paint_pixels(paint, row, x0, x1);

@@ -26,6 +26,8 @@
 
 #include "paint.h"
 
+#include "../../src/math/arith.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -53,6 +55,8 @@ struct fxl_segment_face {
     uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */
     uint8_t is_constant; /* the weight is the same in all columns of a row */
     uint8_t form;        /* log_width - 4 if it is above 0 and log_width = log; else 0 */
+    uint32_t light_scale, light_limit; /* a light is surely a level of the ramp where its upper word
+                                        * light_scale < weight * light_limit; 0, 0: nowhere */
 };
 
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
@@ -72,6 +76,31 @@ static inline bool fxl_segments_suffice(const fxl_segment_face *face, const fxl_
 {
     return fxl_segment_weight(face, row, (uint32_t)x0 >> 4) >= face->weight_min &&
            fxl_segment_weight(face, row, ((uint32_t)x1 + 15u) >> 4) >= face->weight_min;
+}
+
+/* Whether the light at the beginning of a segment is surely a level of the ramp. Requires a weight
+ * there of at least weight_min. The sum of upper words is at most segment + 1 less than the light's
+ * own upper word. The light is below 2^31 and light_scale at most 2^30; the weight is below 2^31
+ * and light_limit at most 2^24: no product exceeds 64 bits. */
+static inline bool fxl_segment_light_suffices(const fxl_segment_face *face,
+                                              const fxl_paint_row *row, uint32_t segment)
+{
+    const uint32_t light =
+        (uint32_t)(row->attributes[FXL_SEGMENT_LIGHT] >> 32) + segment * (uint32_t)face->light_step;
+    const uint32_t weight = (uint32_t)fxl_segment_weight(face, row, segment);
+    return (int32_t)light >= 0 && fxl_multiply_u32(light + segment + 1u, face->light_scale) <
+                                      fxl_multiply_u32(weight, face->light_limit);
+}
+
+/* Whether the kernel surely takes a part of a row: the weights suffice, and light is within the
+ * ramp at both ends, so between them, too. False says nothing of light. */
+static inline bool fxl_segments_take(const fxl_segment_face *face, const fxl_paint_row *row,
+                                     int32_t x0, int32_t x1)
+{
+    return fxl_segments_suffice(face, row, x0, x1) &&
+           (face->ramp == NULL ||
+            (fxl_segment_light_suffices(face, row, (uint32_t)x0 >> 4) &&
+             fxl_segment_light_suffices(face, row, ((uint32_t)x1 + 15u) >> 4)));
 }
 
 /* Paints the pixels x0 <= x < x1 of a row. Requires 0 <= x0 < x1, and weights of at least

@@ -2,6 +2,7 @@
 /* What the two texts of fxl_fill_trapezoid and fxl_fill_rows for Armv7-M share: the registers, the
  * entry, and the steps from row to row. Included once by each, where its code begins. */
 
+/* clang-format off */
     .syntax unified
     .thumb
 
@@ -69,3 +70,4 @@ fxl_fill_trapezoid:
     add     right_step, right_step, lr
     str     lr, [sp, #FRAME_STRIDE]
     strd    rows, rows, [sp, #FRAME_LAST] /* equal, so no other trapezoid follows */
+    /* clang-format on */

@@ -1,26 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_segments of faces with light, for Armv7-M and Armv8-M Mainline: the other kernel jumps
  * here. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no higher than
- * wide; any other takes 12. A segment takes 52 more. */
+ * wide; any other takes 12. A segment takes 49 more. */
 #include "../family.h"
 #include "../offsets.h"
 
 #if FXL_KERNELS_ARMV7M
 
-/* The frame: weight, u and v at the end of the segment; their steps; U, V and light at its
- * beginning; the block to which lr points; a block for one load; then: */
+/* The frame: weight, u and v at the end of the segment; their steps; the address of the block; the
+ * block; U, V and light at the beginning of the segment; a block for one load; then: */
 #define STEPS        24
-#define BLOCK        60 /* 2^31 - 1, the least drop, the light's upper word, its step and its drop,
+#define BLOCK        52 /* 2^31 - 1, the least drop, the light's upper word, its step and its drop,
                            those of U and V, its most */
-#define LOADED       92 /* texels, mask, ramp, FRAME_GO */
+#define BLOCK_LIGHT  8
+#define BLOCK_BYTES  32
+#define LOADED       96 /* texels, mask, ramp, FRAME_LAST, the end, FRAME_GO */
 #define FRAME_TEXELS LOADED
-#define FRAME_GO     104
-#define FRAME_FULL   108
-#define FRAME_BEFORE 116
-#define FRAME_LAST   120
-#define FRAME_SKIP   128
-#define FRAME_COLUMN 132
-#define FIRST        140 /* what paints the first segment */
+#define FRAME_LAST   108
+#define FRAME_GO     116
+#define FRAME_FULL   120
+#define FRAME_BEFORE 128
+#define FRAME_SKIP   132
+#define FRAME_COLUMN 136
+#define FIRST        144 /* what paints the first segment */
 #define FRAME        148
 #define WHOLE        432 /* bytes of the code of a whole segment */
 #include "segments.h"
@@ -31,9 +33,27 @@ step    .req r2
 texels  .req r4
 mask    .req r5
 ramp    .req r6
+last    .req r7     /* FRAME_LAST */
 change  .req r9     /* of light, a pixel */
 light   .req r10    /* 1/256 level: of an even pixel */
 other   .req r11    /* of an odd one */
+
+/* r2, r4, r7: U, V and light, of the weight in r2, r4: u / z, r6: v / z, and light's upper word in
+ * r7. The block is in r3, r5 and r8 to r12. Goes away if a drop has fewer leading zeros. */
+    .macro  divide_all far
+    reciprocal r3, r1, r2, r3, r2, r8
+    cmp     r1, r5
+    bgt     \far
+    sub     r9, r9, r1
+    sub     r10, r10, r1
+    sub     r11, r11, r1
+    smull   r1, r2, r4, r3
+    asr     r2, r2, r10
+    smull   r1, r4, r6, r3
+    asr     r4, r4, r11
+    smull   r1, r7, r7, r3
+    asr     r7, r7, r9
+    .endm
 
     .section .text.fxl_paint_lit_segments, "ax", %progbits
     .global fxl_paint_lit_segments
@@ -50,6 +70,7 @@ fxl_paint_lit_segments:
     add     r8, sp, #STEPS
     stm     r8, {r2-r7}
     add     lr, sp, #BLOCK
+    str     lr, [sp, #BLOCK - 4]
     mvn     r2, #0x80000000
     ldr     r3, [r0, #SEGMENT_FACE_DROP_MIN]
     ldr     r4, [r1, #PAINT_ROW_LIGHT]
@@ -57,7 +78,6 @@ fxl_paint_lit_segments:
     ldrd    r7, r8, [r0, #SEGMENT_FACE_U_DROP]
     ldr     r9, [r0, #SEGMENT_FACE_LIGHT_MAX]
     lsr     r10, r12, #4
-    sub     r10, r10, #1                /* a step is added below */
     mla     r4, r5, r10, r4
     stm     lr, {r2-r9}
     ldrd    r2, r3, [r0, #SEGMENT_FACE_TEXELS]
@@ -66,9 +86,6 @@ fxl_paint_lit_segments:
     stm     r6, {r2-r4}
     choose_code 26, WHOLE
     begin_pixels r12, r11
-    str     r3, [sp, #FIRST]
-    adr     r3, .Lstarted + 1
-    str     r3, [sp, #FRAME_GO]
 
     /* The row's values at the first segment: the steps times its number. */
     lsr     r12, r12, #4
@@ -88,12 +105,17 @@ fxl_paint_lit_segments:
     mla     r10, r8, r12, r10
     adds    r5, r5, r9
     adc     r6, r6, r10
-    b       .Lattributes
+    stm     sp, {r1-r6}
+    ldm     lr!, {r3, r5, r7-r12}
+    divide_all .Lbegin_slowly
+    cmp     r7, r12
+    bhi     .Lbegin_slowly              /* bug: v7m-light-start */
+    stm     lr, {r2, r4, r7}
 
     /* The end of the next segment. */
     .align  2
 .Lsegment:
-    ldm     sp, {r1-r12}
+    ldm     sp, {r1-r12, lr}
     adds    r1, r1, r7
     adcs    r2, r2, r8
     adds    r3, r3, r9
@@ -102,27 +124,16 @@ fxl_paint_lit_segments:
     adc     r6, r6, r12
 .Lattributes:                           /* r2: weight, r4: u / z, r6: v / z */
     stm     sp, {r1-r6}
-    ldm     lr, {r3, r5, r7-r12}
+    ldm     lr!, {r3, r5, r7-r12}
     add     r7, r7, r8
-    str     r7, [lr, #8]
-    reciprocal r3, r1, r2, r3, r2, r8
-    cmp     r1, r5
-    bgt     .Lfar
-    sub     r9, r9, r1
-    sub     r10, r10, r1
-    sub     r11, r11, r1
-    smull   r1, r2, r4, r3
-    asr     r2, r2, r10
-    smull   r1, r4, r6, r3
-    asr     r4, r4, r11
-    smull   r1, r7, r7, r3
-    asr     r7, r7, r9
+    str     r7, [lr, #BLOCK_LIGHT - BLOCK_BYTES]
+    divide_all .Lfar
 .Lends:                                 /* r2: U, r4: V, r7: light at the end */
     cmp     r7, r12
     bhi     .Lbeyond
 .Lwithin:
-    ldmdb   lr, {r8-r10}
-    stmdb   lr, {r2, r4, r7}
+    ldm     lr, {r8-r10}
+    stm     lr!, {r2, r4, r7}
     ubfx    p, r9, #4, #16
     lsr     r3, r8, #4
     add     p, p, r3, lsl #16
@@ -135,8 +146,7 @@ fxl_paint_lit_segments:
     asrs    r2, r2, #8
     sbfx    r4, r4, #8, #16
     add     step, r4, r2, lsl #16
-    add     r3, lr, #LOADED - BLOCK
-    ldm     r3, {texels, mask, ramp, pc}
+    ldm     lr, {texels, mask, ramp, last, r8, pc}
 
     /* Light that is not a level. */
 .Lbeyond:
@@ -159,7 +169,18 @@ fxl_paint_lit_segments:
     shift_down r7, r1, r9
     b       .Lends
 
-    /* Only the beginning of the first segment was to be found. */
+    /* The beginning of the first segment is found as an end is: the step back and forth. */
+.Lbegin_slowly:
+    ldr     r3, [sp, #FRAME_GO]
+    str     r3, [sp, #FIRST]
+    adr     r3, .Lstarted + 1
+    str     r3, [sp, #FRAME_GO]
+    ldr     lr, [sp, #BLOCK - 4]
+    ldrd    r7, r8, [lr, #BLOCK_LIGHT]
+    sub     r7, r7, r8
+    str     r7, [lr, #BLOCK_LIGHT]
+    ldm     sp, {r1-r6}
+    b       .Lattributes
     .align  2
 .Lstarted:
     ldr     r3, [sp, #FIRST]
@@ -168,8 +189,8 @@ fxl_paint_lit_segments:
 
     .align  2
 .Lpartial:
-    find_partial r7, r8
-    mla     light, change, r7, light
+    find_partial r12, r8
+    mla     light, change, r12, light
     mov     other, light                /* the code may begin at an odd pixel */
     go_partial r8
 
@@ -183,8 +204,7 @@ fxl_paint_lit_segments:
 
 
     .macro  go_on
-    ldr     r3, [sp, #FRAME_LAST]
-    cmp     pixels, r3
+    cmp     pixels, last
     bls     .Lsegment
     b       .Lrest
     .endm
@@ -212,6 +232,7 @@ fxl_paint_lit_segments:
     add     p, step
     cmp     pixels, r12
     bne     .Lpixel
+    ldr     last, [sp, #FRAME_LAST]
     go_on
 
     /* 26 bytes a pixel. The texel takes the place of the light's fraction: level and colour. */
@@ -236,14 +257,7 @@ fxl_paint_lit_segments:
     .endr
     go_on
     .endm
-    .align  2
-    whole   5
-    .org    .Lpixels_5 + WHOLE
-    whole   6
-    .org    .Lpixels_5 + 2 * WHOLE
-    whole   7
-    .org    .Lpixels_5 + 3 * WHOLE
-    whole   8
+    whole_of_each_size
 
     .size fxl_paint_lit_segments, . - fxl_paint_lit_segments
 

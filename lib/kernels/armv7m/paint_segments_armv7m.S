@@ -251,14 +251,7 @@ fxl_paint_segments:
     .endr
     ldr     pc, [sp, #FRAME_NEXT]
     .endm
-    .align  2
-    whole   5
-    .org    .Lpixels_5 + WHOLE
-    whole   6
-    .org    .Lpixels_5 + 2 * WHOLE
-    whole   7
-    .org    .Lpixels_5 + 3 * WHOLE
-    whole   8
+    whole_of_each_size
 
     .size fxl_paint_segments, . - fxl_paint_segments
 

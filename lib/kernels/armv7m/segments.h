@@ -14,6 +14,7 @@
 #ifndef FXL_SEGMENTS_ARMV7M_H
 #define FXL_SEGMENTS_ARMV7M_H
 
+/* clang-format off */
     .syntax unified
     .thumb
 
@@ -134,5 +135,20 @@
     adr     r3, .Lpartial + 1
     str     r3, [sp, #FRAME_GO]
     .endm
+
+/* The code of a whole segment for each width that has its own: a kernel's macro whole writes it for
+ * one logarithm of the width, under the label .Lpixels_ and the logarithm. */
+    .macro  whole_of_each_size
+    .align  2
+    whole   5
+    .org    .Lpixels_5 + WHOLE
+    whole   6
+    .org    .Lpixels_5 + 2 * WHOLE
+    whole   7
+    .org    .Lpixels_5 + 3 * WHOLE
+    whole   8
+    .endm
+
+/* clang-format on */
 
 #endif

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* Surfaces with a depth buffer: textures, stipple and glass. */
+#include <string.h>
+
+#include "depth_scene.h"
+#include "unity.h"
+
+static depth_scene *made;
+
+void setUp(void)
+{
+    made = depth_scene_make();
+}
+
+void tearDown(void)
+{
+}
+
+static void set_texture(uint32_t face)
+{
+    made->face_map[face] = 1;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
+                                             made->cells, sizeof made->cells));
+}
+
+/* Pixels of the texture of face `face` are where the flat frame has its colour; a texel of the key
+ * lets through what is behind. */
+static void check_textured(uint32_t face, bool keyed)
+{
+    uint32_t drawn[2] = {0, 0};
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        const bool texel = made->again[i] == 98 || made->again[i] == 99;
+        if (made->frame[i] != made->scene.faces[face].material) {
+            TEST_ASSERT_EQUAL(made->frame[i], made->again[i]);
+        } else if (!keyed) {
+            TEST_ASSERT_TRUE(texel);
+        } else {
+            TEST_ASSERT_NOT_EQUAL(99, made->again[i]);
+            TEST_ASSERT_NOT_EQUAL(made->scene.faces[face].material, made->again[i]);
+        }
+        drawn[0] += texel;
+        drawn[1] += made->frame[i] == made->scene.faces[face].material && !texel;
+    }
+    TEST_ASSERT_GREATER_THAN(50, drawn[0]);
+    TEST_ASSERT_EQUAL(keyed, drawn[1] > 50);
+}
+
+void test_textures_are_seen_where_they_are_nearest(void)
+{
+    static uint8_t plain[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT]; /* without a key */
+    for (uint32_t face = 0; face < DEPTH_SCENE_QUADS; face++) {
+        memset(made->face_map, 0, sizeof made->face_map);
+        made->texture.flags = 0;
+        depth_scene_start_with(made, &fxl_visibility_depth);
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+        set_texture(face);
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        check_textured(face, false);
+        memcpy(plain, made->again, sizeof plain);
+        made->texture.flags = FXL_TEXTURE_KEYED;
+        made->texture.key = 99;
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        check_textured(face, true);
+        for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+            TEST_ASSERT_EQUAL(plain[i] == 98, made->again[i] == 98);
+        }
+        memcpy(made->frame, made->again, sizeof made->frame);
+        depth_scene_check_bands(made, &fxl_visibility_depth);
+    }
+}
+
+void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
+{
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    set_texture(1);
+    made->surface.opacity = 8;
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    uint32_t drawn = 0, through = 0;
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        const bool texel = made->again[i] == 98 || made->again[i] == 99;
+        drawn += texel;
+        through += made->frame[i] == made->scene.faces[1].material && !texel;
+        TEST_ASSERT_TRUE(made->frame[i] == made->scene.faces[1].material || !texel);
+    }
+    TEST_ASSERT_INT_WITHIN(DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT / 50, drawn, through);
+    TEST_ASSERT_GREATER_THAN(100, drawn);
+}
+
+/* Glass: face 2 shows what is beneath it in another colour, whatever is drawn first. */
+void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
+{
+    static uint8_t beneath[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT], table[FXL_BLEND_TABLE_BYTES(1)];
+    for (uint32_t i = 0; i < sizeof table; i++) {
+        table[i] = (uint8_t)(i ^ 0x80);
+    }
+    depth_scene_start_with(made, &fxl_visibility_depth);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    memset(made->texels, 99, sizeof made->texels);
+    made->texture.flags = FXL_TEXTURE_KEYED;
+    made->texture.key = 99;
+    set_texture(2);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_render(&made->renderer, &depth_scene_eye, beneath, DEPTH_SCENE_WIDTH));
+    made->surface.texture = 0;
+    made->surface.flags = FXL_SURFACE_BLEND;
+    made->set.blend = table;
+    made->set.blend_first = made->scene.faces[2].material;
+    made->set.blend_count = 1;
+    set_texture(2);
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    uint32_t seen_through = 0;
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        const bool is_glass = made->frame[i] == made->scene.faces[2].material;
+        seen_through += is_glass && beneath[i] != DEPTH_SCENE_BACKGROUND;
+        TEST_ASSERT_EQUAL(is_glass ? table[beneath[i]] : made->frame[i], made->again[i]);
+    }
+    TEST_ASSERT_GREATER_THAN(100, seen_through);
+    memcpy(made->frame, made->again, sizeof made->frame);
+    depth_scene_check_bands(made, &fxl_visibility_depth);
+}
