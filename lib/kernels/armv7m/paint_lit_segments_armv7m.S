@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_segments of faces with light, for Armv7-M and Armv8-M Mainline: the other kernel jumps
  * here. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no higher than
- * wide; any other takes 12. A segment takes 49 more. */
+ * wide; any other takes 12. A segment takes 47 more. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -24,7 +24,7 @@
 #define FRAME_COLUMN 136
 #define FIRST        144 /* what paints the first segment */
 #define FRAME        148
-#define WHOLE        432 /* bytes of the code of a whole segment */
+#define WHOLE        420 /* bytes of the code of a whole segment */
 #include "segments.h"
 
 pixels  .req r0
@@ -235,19 +235,22 @@ fxl_paint_lit_segments:
     ldr     last, [sp, #FRAME_LAST]
     go_on
 
-    /* 26 bytes a pixel. The texel takes the place of the light's fraction: level and colour. */
+    /* 26 bytes a pixel, and less for the last one, which no pixel follows. The texel takes the place
+     * of the light's fraction: level and colour. */
     .macro  lit_texel log, at, light, next
     texel_offset r3, mask, p, \log
     ldrb    r3, [texels, r3]
+    .if     \at < 16
     add.w   \next, \light, change
+    .endif
     bfi     \light, r3, #0, #8
     ldrb    r3, [ramp, \light]
     .if     \at < 16
     strb    r3, [pixels, #\at]
+    add     p, step
     .else
     strb    r3, [pixels, #\at]!
     .endif
-    add     p, step
     .endm
     .macro  whole log
 .Lpixels_\log:

@@ -2,7 +2,7 @@
 /* fxl_paint_segments for Armv7-M and Armv8-M Mainline, and all of it for faces without light.
  * lib/extra/surfaces/segments.h states what it requires and does. A texel takes 5 instructions if
  * the texture is 32 to 256 texels wide and no higher than wide; any other takes 9. A segment takes
- * 44 more, or 28 if the weight is constant. */
+ * 43 more, or 27 if the weight is constant. */
 #include "../family.h"
 #include "../offsets.h"
 
@@ -20,7 +20,7 @@
 #define DROPS        76 /* where the weight is constant: those of U and V less its leading zeros */
 #define FRAME_COLUMN 84
 #define FRAME        92
-#define WHOLE        232 /* bytes of the code of a whole segment */
+#define WHOLE        228 /* bytes of the code of a whole segment */
 #include "segments.h"
 
 pixels  .req r0
@@ -236,7 +236,7 @@ fxl_paint_segments:
     pop     {r6-r9}
     ldr     pc, [sp, #FRAME_NEXT]
 
-    /* 14 bytes a pixel. */
+    /* 14 bytes a pixel, and less for the last one, which no pixel follows. */
     .macro  whole log
 .Lpixels_\log:
     .irp    i, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16
@@ -244,10 +244,10 @@ fxl_paint_segments:
     ldrb    r3, [texels, r3]
     .if     \i < 16
     strb    r3, [pixels, #\i]
+    add     p, step
     .else
     strb    r3, [pixels, #\i]!
     .endif
-    add     p, step
     .endr
     ldr     pc, [sp, #FRAME_NEXT]
     .endm
