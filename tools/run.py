@@ -215,12 +215,13 @@ UNJUDGED = dict.fromkeys(["pixels_differing", "texel_pixels", "pixels_unexplaine
                           "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
 
 
-def say_what_depth_confuses(image, visibility):
+def say_what_depth_confuses(image, options):
     """A note about faces that a depth buffer cannot tell apart, if one draws."""
-    if visibility in methods.DEPTH_BITS:
-        note = close_faces.note(scene_image.load(image), methods.DEPTH_BITS[visibility])
-        if note:
-            print(f"  {note}", file=sys.stderr)
+    scene = scene_image.load(image)
+    bits = methods.depth_bits(options, scene)
+    note = close_faces.note(scene, bits) if bits else None
+    if note:
+        print(f"  {note}", file=sys.stderr)
 
 
 def run(options, folder):
@@ -231,7 +232,7 @@ def run(options, folder):
         if options.board != firmware.HOST:
             emulator.find_qemu()
         image = make_scene_image(options.scene, work, options.frames, options.screen)
-        say_what_depth_confuses(image, options.visibility)
+        say_what_depth_confuses(image, options)
         name = methods.program(options)
         file, cpu = walk(options.board, options.build, image, work, options.frames, name)
         drawn = dump.read_dump(file)

@@ -2,8 +2,8 @@
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
  *     [--clipper NAME] [--hidden NAME]
  *
- * --hidden names the visibility method. Without it, a scene that has a tree is drawn by it, and
- * one that has surfaces with them.
+ * --hidden names the visibility method. Without it, a scene that asks for a depth buffer is drawn
+ * with one, else a scene that has a tree by it, and one that has surfaces with them.
  * Renders every frame of a board's dump with the reference renderer in double precision, from
  * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
  * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
@@ -26,6 +26,7 @@ typedef struct {
     bool by_bsp;    /* the board drew in the order of the scene's BSP */
     bool flat;      /* the board drew faces in their own colours */
     int depth_bits; /* the board drew by a depth buffer of so many; else 0 */
+    bool unasked;   /* the board drew as the scene says */
     double distance;
     const named_light *light; /* in which the board drew; or null */
 } options;
@@ -152,7 +153,8 @@ static void say_all(report *out, const options *wanted, const session *run)
 
 static bool parse_options(int count, char **arguments, options *wanted)
 {
-    *wanted = (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL, .by_bsp = true};
+    *wanted =
+        (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;
@@ -179,6 +181,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
             if (!ref_visibility_draws(value, &wanted->by_bsp, &wanted->flat, &wanted->depth_bits)) {
                 return false;
             }
+            wanted->unasked = false;
         } else if (strcmp(name, "--light") == 0) {
             wanted->light = find_light(value);
             if (!wanted->light) {
@@ -226,13 +229,16 @@ static int open_inputs(const options *wanted, session *run)
     return 0;
 }
 
-static int judge(const options *wanted, session *run)
+static int judge(options *wanted, session *run)
 {
     int code = open_inputs(wanted, run);
     if (code != 0) {
         return code;
     }
     const judge_scene scene = {&run->image, run->bytes, run->size};
+    if (wanted->unasked && run->image.by_depth) {
+        (void)ref_visibility_draws("depth", &wanted->by_bsp, &wanted->flat, &wanted->depth_bits);
+    }
     if (wanted->light) {
         judge_light(&run->image, wanted->light, &run->light);
     }

@@ -232,7 +232,7 @@ scene scene_read(const char *path)
     s.focal = s.width / 2.0 / tan(turn * acos(-1.0));
     s.centre_x = s.width / 2.0;
     s.centre_y = s.height / 2.0;
-    if (get_u16(bytes + 38) != 0) {
+    if (bytes[38] != 0) {
         const uint8_t *centre = bytes + get_u16(bytes + 6);
         if (centre + 8 > bytes + r->image.size)
             unusable("%s: it ends before the centre of its lens", path);
