@@ -108,17 +108,25 @@ def check_verdict(verdict, drawn, twin):
                         f"{verdict['pixels_differing']} and {sum(ours)}; one of them has a bug", 1)
 
 
-def count_wrong_order(programs, image, folder, frames):
-    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
-    and of how many.
+def names_told(options, scene):
+    """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
+    knows. None where they tell colours."""
+    if scene.surfaces and methods.shows_surfaces(options):
+        return "opaque"
+    return "all" if scene.surfaces or scene.beams else None
 
-    None where the scene has light beams, surfaces or billboards, which no ray knows.
+
+def count_wrong_order(programs, image, folder, frames, names):
+    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
+    and of how many. names: as names_told says.
+
+    None where the scene has billboards, which no ray knows.
     """
-    scene = scene_image.load(image)
-    if scene.beams or scene.surfaces or scene.billboards:
+    if scene_image.load(image).billboards:
         return None, 0
     every = -(-frames // RAYS_FRAMES_MAX)
-    verdict = programs.raycast(image, folder / "double.fxld", folder / "rays.json", every)
+    verdict = programs.raycast(image, folder / ("names.fxld" if names else "double.fxld"), folder / "rays.json", every,
+                               names)
     return verdict["pixels_unexplained"], verdict["pixels"]
 
 
@@ -164,7 +172,7 @@ def judged_rows(summary):
               if summary["texel_pixels"] else []),
             ["unexplained", f"{summary['pixels_unexplained']:,}"],
             ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
-            ["wrong by the order", "not counted: the scene has light beams, surfaces or billboards" if wrong is None else
+            ["wrong by the order", "not counted: the scene has billboards" if wrong is None else
              f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
 
 
@@ -196,12 +204,13 @@ def passes(summary):
 def judge(options, image, drawn, file, work):
     """What double and rays say of a dump: for summary.json, and the reference renderer's frames."""
     programs = HostPrograms(options.build)
+    names = names_told(options, scene_image.load(image))
     with Progress("judging against double"):
         verdict = programs.judge(image, file, work / "judge.json", work / "double.fxld",
-                                 methods.judge_options(options))
+                                 methods.judge_options(options), work / "names.fxld" if names else None)
     twin = dump.read_dump(work / "double.fxld")
     check_verdict(verdict, drawn, twin)
-    wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames))
+    wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames), names)
     return {"pixels_differing": verdict["pixels_differing"],
             "texel_pixels": verdict["texel_pixels"],
             "pixels_unexplained": verdict["pixels_unexplained"],

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
- *     [--clipper NAME] [--hidden NAME]
+ *     [--names NAMES.fxld] [--clipper NAME] [--hidden NAME]
  *
  * --hidden names the visibility method. Without it, a scene that asks for a depth buffer is drawn
  * with one, else a scene that has a tree by it, and one that has surfaces with them.
+ * --names writes a dump in which each pixel is the name of its face (ref_face_name), or 0.
  * Renders every frame of a board's dump with the reference renderer in double precision, from
  * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
  * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
@@ -20,7 +21,7 @@
 #include "judge/walk.h"
 
 typedef struct {
-    const char *scene, *dump, *json, *twin;
+    const char *scene, *dump, *json, *twin, *names;
     unsigned cuts; /* the planes that the board's clipper cuts by */
     bool by_points;
     bool by_bsp;    /* the board drew in the order of the scene's BSP */
@@ -35,7 +36,7 @@ typedef struct {
     ref_scene_image image;
     uint8_t *bytes; /* of the image */
     size_t size;
-    judge_dump dump, twin;
+    judge_dump dump, twin, names;
     judge_frame *frames;
     judge_walk walk;
     ref_light light;
@@ -173,6 +174,8 @@ static bool parse_options(int count, char **arguments, options *wanted)
             wanted->json = value;
         } else if (strcmp(name, "--twin") == 0) {
             wanted->twin = value;
+        } else if (strcmp(name, "--names") == 0) {
+            wanted->names = value;
         } else if (strcmp(name, "--clipper") == 0) {
             if (!ref_clipper_cuts(value, &wanted->cuts, &wanted->by_points)) {
                 return false;
@@ -244,14 +247,18 @@ static int judge(options *wanted, session *run)
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
+        (wanted->names && !judge_dump_like(&run->dump, &run->names)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
                       wanted->flat, wanted->depth_bits, wanted->distance, run->frames,
-                      wanted->twin ? &run->twin : NULL)) {
+                      wanted->twin ? &run->twin : NULL, wanted->names ? &run->names : NULL)) {
         return fail("there is not enough memory to judge %s, or the library refuses its scene",
                     wanted->dump);
     }
     if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
         return fail("%s: it cannot be written", wanted->twin);
+    }
+    if (wanted->names && !judge_dump_save(&run->names, wanted->names)) {
+        return fail("%s: it cannot be written", wanted->names);
     }
     report out = {0};
     say_all(&out, wanted, run);

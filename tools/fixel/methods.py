@@ -34,6 +34,11 @@ def depth_bits(options, scene):
     return DEPTH_BITS["depth"] if scene.visibility == image_header.BY_DEPTH else None
 
 
+def shows_surfaces(options):
+    """Whether the choice draws a scene's surfaces, if it has some."""
+    return options.visibility in (None, "surfaces", *DEPTH_BITS)
+
+
 def judge_options(options):
     """The choice in the words of the judge and of the reference renderer in the live window."""
     return [*(["--hidden", options.visibility] if options.visibility else []),
