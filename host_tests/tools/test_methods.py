@@ -3,6 +3,7 @@
 
 import argparse
 import json
+import pathlib
 import subprocess
 
 import pytest
@@ -130,13 +131,16 @@ def test_an_unknown_name_is_refused_with_those_there_are(setting, names):
     assert done.returncode == 2 and "nonsense" in done.stderr and names in done.stderr
 
 
-@pytest.mark.parametrize("scene", ["planted", CHECKOUT / "scenes/room.toml"], ids=["tree", "surfaces"])
-def test_a_board_without_room_for_a_tree_or_surfaces_says_so(build, tmp_path, planted, scene):
+@pytest.mark.parametrize("scene", ["planted", CHECKOUT / "scenes/room.toml", "depth"], ids=["tree", "surfaces", "depth"])
+def test_a_board_without_room_for_a_tree_surfaces_or_depth_says_so(build, tmp_path, planted, scene):
     elf = build / "boards/stm32vldiscovery/walk.elf"
     if not elf.exists():
         assert run_make(elf.relative_to(CHECKOUT)).returncode == 0
+    if scene == "depth":
+        scene = tmp_path / "deep.toml"
+        scene.write_text(pathlib.Path(KNOT).read_text().replace("[view]", '[view]\nvisibility = "depth"'))
     done = walk(tmp_path / "out", board="stm32vldiscovery", scene=planted if scene == "planted" else scene, frames=None)
-    assert done.returncode == 13 and "no room to draw by a BSP tree or with surfaces" in done.stderr
+    assert done.returncode == 13 and "no room to draw by a BSP tree, with surfaces or with a depth buffer" in done.stderr
     assert not (tmp_path / "out").exists()
 
 

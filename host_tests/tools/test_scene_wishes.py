@@ -9,6 +9,7 @@ from test_surface_frames import built, drawn, judged
 
 from fixel import dump, image, image_header, island, mesh, parts, solids, surfaces, toml_scene
 from fixel.errors import ToolError
+from fixel.programs import HostPrograms
 from test_scene_mesh import ONE
 
 # A bar through a ball, and a ring about it.
@@ -204,3 +205,31 @@ def test_fronts_and_backs_are_smooth_each_for_itself():
     assert normals[:count] == surfaces.smooth_normals(one)
     for front, back in zip(normals[:count], normals[count:]):
         assert [tuple(-c for c in normal) for normal in front[::-1]] == back
+
+
+# --- models that are no part of the project: where they are not, the tests are left out ----------
+
+def documented(start):
+    """The scene file of docs/scenes.md that stands indented after a line that begins so."""
+    lines = (CHECKOUT / "docs/scenes.md").read_text(encoding="utf-8").splitlines()
+    first = next(i for i, line in enumerate(lines) if start in line) + 1
+    end = next(i for i in range(first, len(lines)) if lines[i] and not lines[i].startswith("    "))
+    return "\n".join(line[4:] for line in lines[first:end])
+
+
+@pytest.mark.parametrize("name", ["teapot", "spot"])
+def test_a_model_of_yours_is_drawn_as_the_document_says(build, tmp_path, name):
+    source = CHECKOUT.parent / "shared/models" / f"{name}.obj"
+    if not source.exists():
+        pytest.skip(f"{source} is not there")
+    (tmp_path / source.name).write_bytes(source.read_bytes())
+    text = documented("draws a smooth teapot").replace("teapot.obj", source.name).replace("frames = 24", "frames = 4")
+    if name == "spot":
+        text = text.replace("smooth = true", 'smooth = true\ntexture = "patches"\nmapping = "file"') + \
+            "\n" + documented("patterns lies on the model's coordinates")
+    image_file = built(scene_of(tmp_path, text), tmp_path)
+    shown = drawn(build, image_file, "unasked", "--frames", "4")
+    verdict = judged(build, image_file, shown, "--names", tmp_path / "names.fxld")
+    assert verdict["pixels_unexplained"] == 0 and verdict["pixels_differing"] < verdict["pixels"] / 100
+    rays = HostPrograms(build).raycast(image_file, tmp_path / "names.fxld", tmp_path / "rays.json", 2, "opaque")
+    assert rays["pixels_unexplained"] == 0
