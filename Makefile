@@ -172,6 +172,9 @@ pictures: ## renew the pictures of the documents (needs make run and make report
 	@$(PY) tools/scene.py build scenes/plaza.toml -o $(BUILD)/lit.fxls
 	@for light in day lamps dusk; do $(BUILD)/host/frames $(BUILD)/lit.fxls $(BUILD)/$$light.fxld --light $$light || exit 1; done
 	@$(PY) tools/pictures.py --dumps $(BUILD)/day.fxld $(BUILD)/lamps.fxld $(BUILD)/dusk.fxld --frames 40,40,20 --out docs/light.png
+	@for scene in landscape gallery car; do $(PY) tools/scene.py build scenes/$$scene.toml --screen 320x240 -o $(BUILD)/$$scene.fxls && \
+	    $(BUILD)/host/frames $(BUILD)/$$scene.fxls $(BUILD)/$$scene.fxld || exit 1; done
+	@$(PY) tools/pictures.py --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
 	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.

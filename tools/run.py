@@ -108,17 +108,25 @@ def check_verdict(verdict, drawn, twin):
                         f"{verdict['pixels_differing']} and {sum(ours)}; one of them has a bug", 1)
 
 
-def count_wrong_order(programs, image, folder, frames):
-    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
-    and of how many.
+def names_told(options, scene):
+    """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
+    knows. None where they tell colours."""
+    if scene.surfaces and methods.shows_surfaces(options):
+        return "opaque"
+    return "all" if scene.surfaces or scene.beams else None
 
-    None where the scene has light beams, surfaces or billboards, which no ray knows.
+
+def count_wrong_order(programs, image, folder, frames, names):
+    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
+    and of how many. names: as names_told says.
+
+    None where the scene has billboards, which no ray knows.
     """
-    scene = scene_image.load(image)
-    if scene.beams or scene.surfaces or scene.billboards:
+    if scene_image.load(image).billboards:
         return None, 0
     every = -(-frames // RAYS_FRAMES_MAX)
-    verdict = programs.raycast(image, folder / "double.fxld", folder / "rays.json", every)
+    verdict = programs.raycast(image, folder / ("names.fxld" if names else "double.fxld"), folder / "rays.json", every,
+                               names)
     return verdict["pixels_unexplained"], verdict["pixels"]
 
 
@@ -164,7 +172,7 @@ def judged_rows(summary):
               if summary["texel_pixels"] else []),
             ["unexplained", f"{summary['pixels_unexplained']:,}"],
             ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
-            ["wrong by the order", "not counted: the scene has light beams, surfaces or billboards" if wrong is None else
+            ["wrong by the order", "not counted: the scene has billboards" if wrong is None else
              f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
 
 
@@ -196,12 +204,13 @@ def passes(summary):
 def judge(options, image, drawn, file, work):
     """What double and rays say of a dump: for summary.json, and the reference renderer's frames."""
     programs = HostPrograms(options.build)
+    names = names_told(options, scene_image.load(image))
     with Progress("judging against double"):
         verdict = programs.judge(image, file, work / "judge.json", work / "double.fxld",
-                                 methods.judge_options(options))
+                                 methods.judge_options(options), work / "names.fxld" if names else None)
     twin = dump.read_dump(work / "double.fxld")
     check_verdict(verdict, drawn, twin)
-    wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames))
+    wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames), names)
     return {"pixels_differing": verdict["pixels_differing"],
             "texel_pixels": verdict["texel_pixels"],
             "pixels_unexplained": verdict["pixels_unexplained"],
@@ -215,12 +224,13 @@ UNJUDGED = dict.fromkeys(["pixels_differing", "texel_pixels", "pixels_unexplaine
                           "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
 
 
-def say_what_depth_confuses(image, visibility):
+def say_what_depth_confuses(image, options):
     """A note about faces that a depth buffer cannot tell apart, if one draws."""
-    if visibility in methods.DEPTH_BITS:
-        note = close_faces.note(scene_image.load(image), methods.DEPTH_BITS[visibility])
-        if note:
-            print(f"  {note}", file=sys.stderr)
+    scene = scene_image.load(image)
+    bits = methods.depth_bits(options, scene)
+    note = close_faces.note(scene, bits) if bits else None
+    if note:
+        print(f"  {note}", file=sys.stderr)
 
 
 def run(options, folder):
@@ -231,7 +241,7 @@ def run(options, folder):
         if options.board != firmware.HOST:
             emulator.find_qemu()
         image = make_scene_image(options.scene, work, options.frames, options.screen)
-        say_what_depth_confuses(image, options.visibility)
+        say_what_depth_confuses(image, options)
         name = methods.program(options)
         file, cpu = walk(options.board, options.build, image, work, options.frames, name)
         drawn = dump.read_dump(file)

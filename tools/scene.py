@@ -19,7 +19,7 @@ import re
 import sys
 import time
 
-from fixel import c_scene, framing, image, image_lens, image_surface, model_file, output, path, toml_scene, tree
+from fixel import c_scene, framing, image, image_header, image_lens, image_surface, model_file, output, path, toml_scene, tree
 from fixel.errors import ToolError, run_main
 from fixel.reading import quoted
 
@@ -111,6 +111,8 @@ def plant(compiled, layers, name):
     """Gives a scene a tree; answers what there is to say about it."""
     if compiled.billboards:
         raise ToolError(f"{name}: --tree: a BSP tree draws no billboards, and this scene has some; leave --tree away")
+    if compiled.visibility == image_header.BY_DEPTH:
+        raise ToolError(f'{name}: view.visibility = "depth" asks for a depth buffer; remove it, or leave out --tree')
     had_surfaces = compiled.surfaces is not None
     try:
         counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, Progress())
@@ -150,6 +152,7 @@ def summary(scene):
         "point_lights": len(scene.light.points) if scene.light else 0,
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
+        "visibility": toml_scene.VISIBILITIES[scene.visibility],
         "path": "poses" if scene.path_kind == image.POSES else "strides",
         "start": path.describe(scene.start),
     }
@@ -184,6 +187,8 @@ def info(file, as_json):
         print(f"  clusters {data['clusters']:,} of faces")
     if data["tree_nodes"]:
         print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
+    if data["visibility"] != toml_scene.VISIBILITIES[image_header.BY_DEFAULT]:
+        print(f"  drawn    by visibility method {data['visibility']}")
     print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")
 
 

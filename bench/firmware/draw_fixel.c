@@ -2,16 +2,25 @@
 /* Draws with Fixel, the frame in one band, so it needs no display list. */
 #include "contract/system.h"
 #include "draw.h"
+#include "fixel/extra/depth.h"
+#include "looks.h"
 #include "text.h"
 
 #define ORDER_ENTRIES 8192u /* a terrain of 8,000 faces in one model takes 8001 */
 #define CACHE_ENTRIES 256u  /* at most */
+#define LOOKS_BYTES   4096u
 
 static fxl_order_entry order[ORDER_ENTRIES];
 static fxl_cached_vertex cache[CACHE_ENTRIES];
 static fxl_renderer renderer;
 static uint32_t order_needed;
 static uint32_t cache_used;
+
+/* Of a scene with surfaces, and of one that asks for a depth buffer. */
+static fxl_depth depth;
+static uint64_t looks[LOOKS_BYTES / 8u];
+static uint64_t cells[FXL_DEPTH_BYTES(DRAW_PIXELS_MAX, 1, 16) / 8u];
+static uint32_t looks_used, cells_used;
 
 /* Entries for the vertices of the scene's largest model, a power of two. */
 static uint32_t cache_entries(const fxl_scene *scene)
@@ -27,6 +36,26 @@ static uint32_t cache_entries(const fxl_scene *scene)
     return entries;
 }
 
+/* The surfaces of a scene, its light at run time, and its depth buffer, which holds the whole
+ * frame. Nothing where the scene has none of them. */
+static fxl_status open_looks(const fxl_scene_image *image)
+{
+    const uint32_t wanted = walk_looks_bytes(image);
+    const uint32_t pixels = (uint32_t)image->lens.width * image->lens.height;
+    fxl_status status;
+    if (wanted > LOOKS_BYTES) {
+        return FXL_E_CAPACITY;
+    }
+    looks_used = wanted;
+    status = walk_looks_open(image, &renderer, (uint8_t *)looks);
+    if (status == FXL_OK && image->visibility == FXL_SCENE_BY_DEPTH) {
+        cells_used = FXL_DEPTH_BYTES(pixels, 1, 16);
+        status =
+            fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth, cells, cells_used);
+    }
+    return status;
+}
+
 int draw_open(const fxl_scene_image *image)
 {
     cache_used = cache_entries(&image->scene);
@@ -37,7 +66,8 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: order entries needed", "", ": ", order_needed);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
+    return fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
+                   open_looks(image) == FXL_OK
                ? SYSTEM_EXIT_DONE
                : SYSTEM_EXIT_RENDER;
 }
@@ -50,7 +80,8 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 uint32_t draw_memory(void)
 {
     return (uint32_t)(sizeof renderer + cache_used * sizeof cache[0] +
-                      order_needed * sizeof order[0]);
+                      order_needed * sizeof order[0]) +
+           looks_used + cells_used;
 }
 
 const fxl_counters *draw_counters(void)

@@ -30,7 +30,7 @@ BOARD_OWN_FLAGS := -Os
 
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces would take
 # 16 KiB of flash, and billboards 4 KiB.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH
 
 BOARD_SOURCES := boards/stm32vldiscovery/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \

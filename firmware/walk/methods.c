@@ -18,6 +18,13 @@ static const fxl_visibility *visibility_of(const fxl_scene_image *image)
     (void)image;
     return &WALK_VISIBILITY;
 #else
+    if (image->visibility == FXL_SCENE_BY_DEPTH) {
+#if defined WALK_WITHOUT_DEPTH
+        return NULL;
+#else
+        return &fxl_visibility_depth;
+#endif
+    }
     if (image->scene.bsp_nodes == NULL && image->surfaces.face_map == NULL) {
         return &fxl_visibility_sorted;
     }
@@ -47,6 +54,45 @@ static bool draws_by_bsp(const walk_methods *methods, const fxl_scene *scene)
            methods->visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
 #endif
 }
+
+#if defined WALK_DEPTH || (!defined WALK_VISIBILITY && !defined WALK_WITHOUT_DEPTH)
+#define HAS_DEPTH
+
+static fxl_depth depth;
+
+static bool is_depth(const fxl_visibility *visibility)
+{
+#if defined WALK_DEPTH
+    (void)visibility;
+    return true;
+#else
+    return visibility == &fxl_visibility_depth;
+#endif
+}
+
+static fxl_status set_depth(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory)
+{
+    return fxl_renderer_set_depth(renderer, &depth, methods->visibility, memory,
+                                  methods->visibility_bytes);
+}
+
+#else
+
+static bool is_depth(const fxl_visibility *visibility)
+{
+    (void)visibility;
+    return false;
+}
+
+static fxl_status set_depth(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory)
+{
+    (void)methods;
+    (void)renderer;
+    (void)memory;
+    return FXL_E_ARGUMENT;
+}
+
+#endif
 
 /* Whether instances are to be cut to the leaves of the tree. */
 static bool has_movers(const fxl_scene *scene)
@@ -109,14 +155,10 @@ fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer,
         fxl_renderer_set_clipper(renderer, methods->clipper, memory, methods->clipper_bytes);
 
     if (status == FXL_OK) {
-#if defined WALK_DEPTH
-        static fxl_depth depth;
-        status = fxl_renderer_set_depth(renderer, &depth, methods->visibility, visibility,
-                                        methods->visibility_bytes);
-#else
-        status = fxl_renderer_set_visibility(renderer, methods->visibility, visibility,
-                                             methods->visibility_bytes);
-#endif
+        status = is_depth(methods->visibility)
+                     ? set_depth(methods, renderer, visibility)
+                     : fxl_renderer_set_visibility(renderer, methods->visibility, visibility,
+                                                   methods->visibility_bytes);
     }
     if (status == FXL_OK && draws_by_bsp(methods, renderer->scene)) {
         fxl_bsp_workspace *const bsp = renderer->submit_workspace;
@@ -131,8 +173,13 @@ fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer,
 fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                        const fxl_billboard_set *set)
 {
+#if defined HAS_DEPTH
+    if (depth.shader.code != NULL) {
+        return fxl_renderer_set_billboards_by_depth(renderer, billboards, set);
+    }
+#endif
 #if defined WALK_DEPTH
-    return fxl_renderer_set_billboards_by_depth(renderer, billboards, set);
+    return FXL_E_ORDER;
 #else
     return fxl_renderer_set_billboards(renderer, billboards, set);
 #endif

@@ -18,11 +18,11 @@ typedef struct {
 } walk_methods;
 
 /* Chooses the methods for a scene, where the board has set room bytes aside for them. Without
- * VISIBILITY=, a scene that has a BSP tree is drawn by it, and any other by distance, with its
- * surfaces if it has some. What the
- * methods want may be more than room: then they don't fit. False where the scene has a tree,
- * surfaces or billboards, and the board, which sets WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES or
- * WALK_WITHOUT_BILLBOARDS, has too little memory to draw by one, or with them. */
+ * VISIBILITY=, a scene that asks for a depth buffer is drawn with one, another that has a BSP tree
+ * by it, and any other by distance, with its surfaces if it has some. What the methods want may be
+ * more than room: then they don't fit. False if the scene wants a tree, surfaces, billboards or a
+ * depth buffer, and the board has too little memory for it: it sets WALK_WITHOUT_BSP,
+ * WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS or WALK_WITHOUT_DEPTH. */
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room);
 
 /* Bytes that the methods want together. */

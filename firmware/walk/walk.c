@@ -138,8 +138,8 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->billboards = walk_billboards_bytes(image);
     of->taken = of->act + of->looks + of->billboards;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
-        system_text("walk: this board has no room to draw by a BSP tree or with surfaces "
-                    "(VISIBILITY=sorted) or billboards\n");
+        system_text("walk: this board has no room to draw by a BSP tree, with surfaces or with a "
+                    "depth buffer (VISIBILITY=sorted) or billboards\n");
         return SYSTEM_EXIT_CAPACITY;
     }
     of->taken += walk_methods_bytes(&methods);

@@ -49,7 +49,9 @@ const char *session_open(session *run, const char *path)
 
 const fxl_visibility *session_visibility(const session *run)
 {
-    return run->image.surfaces.face_map ? &fxl_visibility_surfaces : &fxl_visibility_sorted;
+    return run->image.visibility == FXL_SCENE_BY_DEPTH ? &fxl_visibility_depth
+           : run->image.surfaces.face_map              ? &fxl_visibility_surfaces
+                                                       : &fxl_visibility_sorted;
 }
 
 void session_play(const session *run, uint32_t frame)

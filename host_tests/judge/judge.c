@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] [--distance D]
- *     [--clipper NAME] [--hidden NAME]
+ *     [--names NAMES.fxld] [--clipper NAME] [--hidden NAME]
  *
- * --hidden names the visibility method. Without it, a scene that has a tree is drawn by it, and
- * one that has surfaces with them.
+ * --hidden names the visibility method. Without it, a scene that asks for a depth buffer is drawn
+ * with one, else a scene that has a tree by it, and one that has surfaces with them.
+ * --names writes a dump in which each pixel is the name of its face (ref_face_name), or 0.
  * Renders every frame of a board's dump with the reference renderer in double precision, from
  * the pose in the dump. Says how many pixels differ and how far from an edge. Exit code 0: the
  * judge ran, whatever it found. Exit code 2: an input is unusable, the dump is of another path,
@@ -20,12 +21,13 @@
 #include "judge/walk.h"
 
 typedef struct {
-    const char *scene, *dump, *json, *twin;
+    const char *scene, *dump, *json, *twin, *names;
     unsigned cuts; /* the planes that the board's clipper cuts by */
     bool by_points;
     bool by_bsp;    /* the board drew in the order of the scene's BSP */
     bool flat;      /* the board drew faces in their own colours */
     int depth_bits; /* the board drew by a depth buffer of so many; else 0 */
+    bool unasked;   /* the board drew as the scene says */
     double distance;
     const named_light *light; /* in which the board drew; or null */
 } options;
@@ -34,7 +36,7 @@ typedef struct {
     ref_scene_image image;
     uint8_t *bytes; /* of the image */
     size_t size;
-    judge_dump dump, twin;
+    judge_dump dump, twin, names;
     judge_frame *frames;
     judge_walk walk;
     ref_light light;
@@ -152,7 +154,8 @@ static void say_all(report *out, const options *wanted, const session *run)
 
 static bool parse_options(int count, char **arguments, options *wanted)
 {
-    *wanted = (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL, .by_bsp = true};
+    *wanted =
+        (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;
@@ -171,6 +174,8 @@ static bool parse_options(int count, char **arguments, options *wanted)
             wanted->json = value;
         } else if (strcmp(name, "--twin") == 0) {
             wanted->twin = value;
+        } else if (strcmp(name, "--names") == 0) {
+            wanted->names = value;
         } else if (strcmp(name, "--clipper") == 0) {
             if (!ref_clipper_cuts(value, &wanted->cuts, &wanted->by_points)) {
                 return false;
@@ -179,6 +184,7 @@ static bool parse_options(int count, char **arguments, options *wanted)
             if (!ref_visibility_draws(value, &wanted->by_bsp, &wanted->flat, &wanted->depth_bits)) {
                 return false;
             }
+            wanted->unasked = false;
         } else if (strcmp(name, "--light") == 0) {
             wanted->light = find_light(value);
             if (!wanted->light) {
@@ -226,26 +232,33 @@ static int open_inputs(const options *wanted, session *run)
     return 0;
 }
 
-static int judge(const options *wanted, session *run)
+static int judge(options *wanted, session *run)
 {
     int code = open_inputs(wanted, run);
     if (code != 0) {
         return code;
     }
     const judge_scene scene = {&run->image, run->bytes, run->size};
+    if (wanted->unasked && run->image.by_depth) {
+        (void)ref_visibility_draws("depth", &wanted->by_bsp, &wanted->flat, &wanted->depth_bits);
+    }
     if (wanted->light) {
         judge_light(&run->image, wanted->light, &run->light);
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
+        (wanted->names && !judge_dump_like(&run->dump, &run->names)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
                       wanted->flat, wanted->depth_bits, wanted->distance, run->frames,
-                      wanted->twin ? &run->twin : NULL)) {
+                      wanted->twin ? &run->twin : NULL, wanted->names ? &run->names : NULL)) {
         return fail("there is not enough memory to judge %s, or the library refuses its scene",
                     wanted->dump);
     }
     if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
         return fail("%s: it cannot be written", wanted->twin);
+    }
+    if (wanted->names && !judge_dump_save(&run->names, wanted->names)) {
+        return fail("%s: it cannot be written", wanted->names);
     }
     report out = {0};
     say_all(&out, wanted, run);

@@ -31,7 +31,7 @@ typedef struct {
     int depth_bits;
     double distance;
     judge_frame *frames;
-    judge_dump *twin;
+    judge_dump *twin, *names;
     pthread_mutex_t lock;
     uint32_t next, done;
     time_t reported;
@@ -188,7 +188,15 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, 
     if (work->twin) {
         judge_dump_put(work->twin, number, pixels, &renderer->counters);
     }
-    return compare_pixels(work, renderer, pixels, number);
+    const bool compared = compare_pixels(work, renderer, pixels, number);
+    if (work->names) {
+        ref_fill_band(&band, 0);
+        renderer->draws_names = true;
+        ref_frame_draw(renderer, &band);
+        renderer->draws_names = false;
+        judge_dump_put(work->names, number, pixels, &renderer->counters);
+    }
+    return compared;
 }
 
 /* Called under the lock. Prints nothing in the first second, and then at most once a second. */
@@ -242,7 +250,7 @@ static void *run_worker(void *argument)
 
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
                   bool by_bsp, bool flat, int depth_bits, double distance, judge_frame *frames,
-                  judge_dump *twin)
+                  judge_dump *twin, judge_dump *names)
 {
     job work = {.scene = scene,
                 .image = scene->image,
@@ -255,6 +263,7 @@ bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cut
                 .distance = distance,
                 .frames = frames,
                 .twin = twin,
+                .names = names,
                 .lock = PTHREAD_MUTEX_INITIALIZER,
                 .reported = time(NULL)};
     pthread_t threads[THREADS_MAX];

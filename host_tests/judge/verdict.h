@@ -39,10 +39,11 @@ typedef struct {
  * by_points: that clipper works from points rounded in the world. by_bsp: the board drew in the
  * order of the scene's BSP. flat: it drew faces in their own colours. depth_bits: it drew by a
  * depth buffer of so many bits; else 0. twin (may be null) receives the pixels of the reference
- * renderer. Prints progress on stderr. Returns false where memory is short, or where the library
- * refuses a scene in which something moves. */
+ * renderer, names (may be null) the names of the faces that it shows. Prints progress on stderr.
+ * Returns false where memory is short, or where the library refuses a scene in which something
+ * moves. */
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
                   bool by_bsp, bool flat, int depth_bits, double distance, judge_frame *frames,
-                  judge_dump *twin);
+                  judge_dump *twin, judge_dump *names);
 
 #endif

@@ -195,7 +195,9 @@ static bool choose(const char *option, const char *name, ref_renderer *as)
 int main(int count, char **arguments)
 {
     ref_renderer as = {.by_bsp = true /* where the scene has a tree */, .cuts = REF_CUT_ALL};
+    bool unasked = true;
     for (int i = 2; i < count; i += 2) {
+        unasked = unasked && strcmp(arguments[i], "--hidden") != 0;
         if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as)) {
             count = 0;
         }
@@ -205,6 +207,9 @@ int main(int count, char **arguments)
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
+    if (code == 0 && unasked && run.image.by_depth) {
+        (void)ref_visibility_draws("depth", &as.by_bsp, &as.draws_flat, &as.depth_bits);
+    }
     run.renderer.by_bsp = as.by_bsp;
     run.renderer.draws_flat = as.draws_flat;
     run.renderer.depth_bits = as.depth_bits;

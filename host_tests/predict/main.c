@@ -81,10 +81,10 @@ static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint3
     const fxl_scene *scene = &run->image.scene;
     const uint32_t order = settings[ORDER] > 0 ? settings[ORDER] : scene->order_needed;
     if (scene->bsp_nodes != NULL || scene->beam_count > 0 || run->image.light.base != NULL ||
-        run->image.surfaces.face_map != NULL || run->image.billboards.model_map != NULL) {
-        return "a scene with a BSP tree, beams, light at run time, surfaces or billboards, of "
-               "which "
-               "no costs are known";
+        run->image.surfaces.face_map != NULL || run->image.billboards.model_map != NULL ||
+        run->image.visibility != FXL_SCENE_BY_DEFAULT) {
+        return "a scene with a BSP tree, beams, light at run time, surfaces, billboards or a depth "
+               "buffer, of which no costs are known";
     }
     uint32_t list = settings[LIST] - taken;
     list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;

@@ -20,6 +20,7 @@
 typedef struct {
     const char *scene, *dump, *json, *draw;
     uint32_t every;
+    scene_names names;
 } options;
 
 /* What the workers share. */
@@ -32,7 +33,11 @@ typedef struct {
 } work;
 
 static const char usage[] =
-    "use: raycast SCENE.fxls TWIN.fxld --json OUT.json [--every K] [--draw FOLDER]\n"
+    "use: raycast SCENE.fxls TWIN.fxld --json OUT.json [--every K] [--names all|opaque] [--draw "
+    "FOLDER]\n"
+    "  --names WHICH   the dump has names of faces (judge --names) instead of colours: of all, or "
+    "of\n"
+    "                  those through which nothing is seen\n"
     "  --every K       judge every Kth frame\n"
     "  --draw FOLDER   write what the rays see as PGM files of palette indices";
 
@@ -45,6 +50,11 @@ static options options_of(int count, char **words)
             o.json = words[++i];
         } else if (strcmp(words[i], "--draw") == 0 && more) {
             o.draw = words[++i];
+        } else if (strcmp(words[i], "--names") == 0 && more) {
+            const bool is_all = strcmp(words[++i], "all") == 0;
+            if (!is_all && strcmp(words[i], "opaque") != 0)
+                unusable("--names takes all or opaque, not %s", words[i]);
+            o.names = is_all ? SCENE_NAMES_ALL : SCENE_NAMES_OPAQUE;
         } else if (strcmp(words[i], "--every") == 0 && more) {
             char *end;
             unsigned long every = strtoul(words[++i], &end, 10);
@@ -211,7 +221,7 @@ static void draw_frames(const char *folder, const work *w)
 int main(int count, char **words)
 {
     options o = options_of(count, words);
-    scene s = scene_read(o.scene);
+    scene s = scene_read(o.scene, o.names);
     dump d = dump_read(o.dump);
     if (d.width != s.width || d.height != s.height)
         unusable("%s is %ux%u, but %s says %ux%u", o.dump, d.width, d.height, o.scene, s.width,

@@ -9,9 +9,11 @@
 
 enum {
     HEADER = 160,
+    BEAM_HEADER = 176,
     CLUSTER_HEADER = 184,
     TURN_HEADER = 208,
     LIGHT_HEADER = 232,
+    SURFACE_HEADER = 296,
     BEAM_COUNT = 164,
     VERTEX = 12,
     CORNER = 2,
@@ -23,7 +25,11 @@ enum {
     KEY = 32,
     LIGHT = 28,
     POINT_LIGHT = 20,
-    LEVEL = 256
+    LEVEL = 256,
+    TEXTURE = 16,
+    SURFACE = 8,
+    MAPPED_FACE = 36,
+    OPAQUE = 16
 };
 
 typedef struct {
@@ -37,6 +43,8 @@ typedef struct reader {
     table vertices, corners, faces, models, instances;
     play_tables play;
     light_tables light;
+    scene_names names;
+    table textures, surfaces, mapped, map; /* where faces that let through are left out */
 } reader;
 
 static double q16(const uint8_t *at)
@@ -100,6 +108,45 @@ static void open_light(reader *r)
         unusable("%s: a ramp of one level", r->path);
 }
 
+/* Of an image with surfaces: what says which faces let through. */
+static void open_surfaces(reader *r)
+{
+    if (get_u32(r->image.bytes + 236) > 0)
+        r->textures = table_at(r, 232, TEXTURE, "textures");
+    r->surfaces = table_at(r, 248, SURFACE, "surfaces");
+    r->mapped = table_at(r, 256, MAPPED_FACE, "mapped faces");
+    r->map = table_at(r, 264, 2, "face map");
+}
+
+/* Whether what is behind a face may be seen through it. */
+static bool lets_through(const reader *r, uint64_t face)
+{
+    const uint32_t number = r->map.count ? get_u16(entry_of(r, r->map, face, 2, "face")) : 0;
+    if (number == 0)
+        return false;
+    const uint8_t *mapped = entry_of(r, r->mapped, number - 1, MAPPED_FACE, "mapped face");
+    const uint8_t *surface = entry_of(r, r->surfaces, get_u16(mapped), SURFACE, "surface");
+    const uint32_t texture = get_u16(surface);
+    const bool is_blended = surface[3] & 2, has_pattern = surface[4] < OPAQUE;
+    return is_blended || has_pattern ||
+           (texture > 0 && entry_of(r, r->textures, texture - 1, TEXTURE, "texture")[11] & 2);
+}
+
+/* Whether the image's header is one that can be read. Only names can be told where there are beams
+ * or surfaces, whose colours no ray knows. */
+static bool is_known(const reader *r, uint16_t version, uint16_t header)
+{
+    const uint8_t *bytes = r->image.bytes;
+    if (r->image.size < header)
+        return false;
+    if (r->names == SCENE_COLOURS && header > HEADER && get_u32(bytes + BEAM_COUNT) != 0)
+        return false;
+    return ((version == 2 || version == 3) && header == HEADER) ||
+           (version == 3 && header == BEAM_HEADER) || (version == 4 && header == CLUSTER_HEADER) ||
+           (version == 5 && header == TURN_HEADER) || (version == 6 && header == LIGHT_HEADER) ||
+           (version == 6 && header == SURFACE_HEADER && r->names != SCENE_COLOURS);
+}
+
 static void open_image(reader *r, const char *path)
 {
     r->path = path;
@@ -108,12 +155,7 @@ static void open_image(reader *r, const char *path)
     if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
     uint16_t version = get_u16(bytes + 4), header = get_u16(bytes + 6);
-    if (!((version == 2 || version == 3) && header == HEADER) &&
-        !(version == 4 && header == CLUSTER_HEADER && get_u32(bytes + BEAM_COUNT) == 0) &&
-        !(version == 5 && header == TURN_HEADER && r->image.size >= TURN_HEADER &&
-          get_u32(bytes + BEAM_COUNT) == 0) &&
-        !(version == 6 && header == LIGHT_HEADER && r->image.size >= LIGHT_HEADER &&
-          get_u32(bytes + BEAM_COUNT) == 0))
+    if (!is_known(r, version, header))
         unusable("%s: this version of the scene image is not known", path);
     uint32_t size = get_u32(bytes + 8);
     if (size < HEADER || size > r->image.size)
@@ -130,8 +172,10 @@ static void open_image(reader *r, const char *path)
     r->play.instance_count = r->instances.count;
     if (version == 5 || (version == 6 && get_u32(bytes + CLUSTER_HEADER + 4) > 0))
         open_turns(r);
-    if (version == 6)
+    if (version == 6 && r->names == SCENE_COLOURS)
         open_light(r);
+    if (header == SURFACE_HEADER && r->names == SCENE_NAMES_OPAQUE)
+        open_surfaces(r);
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *instance)
@@ -140,10 +184,10 @@ static const uint8_t *model_of(const reader *r, const uint8_t *instance)
 }
 
 static void add_face(const reader *r, const placing *place, const uint8_t *model,
-                     const uint8_t *face, world *w)
+                     const uint8_t *face, uint8_t colour, world *w)
 {
     world_polygon *polygon = &w->polygons[w->polygon_count++];
-    *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = face[17]};
+    *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = colour};
     if (polygon->count < 3)
         unusable("%s: a face of %u vertices", r->path, polygon->count);
     vector low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
@@ -165,6 +209,13 @@ static void add_face(const reader *r, const placing *place, const uint8_t *model
                      placing_point(place, vector_times(vector_plus(low, high), 0.5)), face[17]};
 }
 
+/* 1..255, by the numbers of an instance and of a face of its model. */
+static uint8_t name_of(uint32_t instance, uint32_t face)
+{
+    const uint32_t mixed = instance * 2654435761u ^ face * 2246822519u;
+    return (uint8_t)(1 + (mixed >> 16) % 255);
+}
+
 /* Counts faces and vertices first, so that each array is allocated once. */
 static world world_of(const reader *r, uint32_t frame)
 {
@@ -179,8 +230,11 @@ static world world_of(const reader *r, uint32_t frame)
             for (uint32_t f = 0; f < get_u32(model + 12); f++) {
                 uint64_t number = (uint64_t)get_u32(model + 8) + f;
                 const uint8_t *face = entry_of(r, r->faces, number, FACE, "face");
+                if (lets_through(r, number))
+                    continue;
                 if (pass == 1)
-                    add_face(r, &places[o], model, face, &w);
+                    add_face(r, &places[o], model, face,
+                             r->names == SCENE_COLOURS ? face[17] : name_of(o, f), &w);
                 faces++;
                 corners += face[16];
             }
@@ -213,9 +267,10 @@ void scene_light(scene *s, vector eye, vector forward)
     }
 }
 
-scene scene_read(const char *path)
+scene scene_read(const char *path, scene_names names)
 {
     reader *r = allocate(1, sizeof *r);
+    r->names = names;
     open_image(r, path);
     const uint8_t *bytes = r->image.bytes;
     double turn = get_u32(bytes + 20) / 4294967296.0;
@@ -225,14 +280,14 @@ scene scene_read(const char *path)
         .height = get_u16(bytes + 18),
         .near = q16(bytes + 24) + inset,
         .far = q16(bytes + 28) - inset,
-        .background = bytes[36],
+        .background = names == SCENE_COLOURS ? bytes[36] : 0,
     };
     /* Half the field of view, pi times the turn: half the screen's width lies
      * this far to the side at a depth of one focal length. */
     s.focal = s.width / 2.0 / tan(turn * acos(-1.0));
     s.centre_x = s.width / 2.0;
     s.centre_y = s.height / 2.0;
-    if (get_u16(bytes + 38) != 0) {
+    if (bytes[38] != 0) {
         const uint8_t *centre = bytes + get_u16(bytes + 6);
         if (centre + 8 > bytes + r->image.size)
             unusable("%s: it ends before the centre of its lens", path);

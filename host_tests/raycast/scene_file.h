@@ -6,6 +6,14 @@
 #include "play.h"
 #include "world.h"
 
+/* What a pixel is: a colour; or the name of a face (reference/render.h), of all faces or of those
+ * through which nothing is seen. */
+typedef enum {
+    SCENE_COLOURS,
+    SCENE_NAMES_ALL,
+    SCENE_NAMES_OPAQUE
+} scene_names;
+
 typedef struct {
     uint32_t width, height;
     double focal;              /* pixels */
@@ -19,7 +27,7 @@ typedef struct {
 } scene;
 
 /* Reads a scene image. Does not return if the image is unusable. */
-scene scene_read(const char *path);
+scene scene_read(const char *path, scene_names names);
 
 /* Makes the world of a frame. */
 void scene_play(scene *s, uint32_t frame);

@@ -350,11 +350,41 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     return true;
 }
 
+bool ref_lets_through(const ref_drawn *drawn)
+{
+    const ref_surface *surface = drawn->look.surface;
+    return surface && (surface->blends || surface->opacity < REF_OPAQUE ||
+                       (drawn->look.texture && drawn->look.texture->is_keyed));
+}
+
+uint8_t ref_face_name(uint32_t instance, uint32_t face)
+{
+    const uint32_t mixed = instance * 2654435761u ^ face * 2246822519u;
+    return (uint8_t)(1 + (mixed >> 16) % 255);
+}
+
+/* Names are those of what is opaque. */
+static bool is_left_out(const ref_renderer *renderer, const ref_drawn *drawn)
+{
+    return renderer->draws_names && ref_lets_through(drawn);
+}
+
+static bool is_plain(const ref_renderer *renderer, const ref_drawn *drawn)
+{
+    return renderer->draws_names || !drawn->look.surface;
+}
+
+static uint8_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn)
+{
+    return renderer->draws_names ? ref_face_name(drawn->instance, drawn->face)
+                                 : drawn->polygon.colour;
+}
+
 static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, const ref_band *band,
                       const ref_span *span)
 {
-    if (!drawn->look.surface) {
-        ref_fill_span(band, span, drawn->polygon.colour);
+    if (is_plain(renderer, drawn)) {
+        ref_fill_span(band, span, plain_colour(renderer, drawn));
         return;
     }
     const uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
@@ -376,10 +406,11 @@ static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
     for (int x = span->x0; x < span->x1; x++) {
         const double nearness =
             ref_nearness(&drawn->depth, &renderer->lens, x + 0.5, span->y + 0.5);
-        const int colour = nearness < near_row[x] ? REF_CLEAR
-                           : drawn->look.surface ? ref_surface_colour(&drawn->look, &renderer->lens,
-                                                                      x, span->y, row[x])
-                                                 : drawn->polygon.colour;
+        const int colour =
+            nearness < near_row[x] ? REF_CLEAR
+            : is_plain(renderer, drawn)
+                ? plain_colour(renderer, drawn)
+                : ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
         if (colour != REF_CLEAR) {
             row[x] = (uint8_t)colour;
             near_row[x] = keeps ? nearness : near_row[x];
@@ -408,7 +439,8 @@ static void draw_by_depth(const ref_renderer *renderer, const ref_band *band)
             ref_scan scan;
             ref_span span;
             ref_scan_begin(&drawn->polygon, band, &scan);
-            while (ref_is_blended(drawn) == blended && ref_scan_next(&scan, &span)) {
+            while (ref_is_blended(drawn) == blended && !is_left_out(renderer, drawn) &&
+                   ref_scan_next(&scan, &span)) {
                 draw_near_span(renderer, drawn, band, &span, !blended);
             }
         }
@@ -428,7 +460,7 @@ void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
         ref_scan scan;
         ref_span span;
         ref_scan_begin(&drawn->polygon, band, &scan);
-        while (ref_scan_next(&scan, &span)) {
+        while (!is_left_out(renderer, drawn) && ref_scan_next(&scan, &span)) {
             draw_span(renderer, drawn, band, &span);
         }
     }

@@ -24,6 +24,7 @@ typedef struct {
     int depth_bits;                /* set before a frame: 16 or 32: by a depth buffer; else 0 */
     double *nearness;              /* of each pixel, while it draws by one */
     bool draws_flat;               /* set before a frame: faces have their own colours */
+    bool draws_names;              /* set before drawing: a pixel shows the name of its face */
     bool by_points;                /* set before a frame: the clipper works from rounded points */
     uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
 } ref_renderer;
@@ -43,6 +44,13 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose);
 
 /* Whether a polygon is blended with those beneath it. */
 bool ref_is_blended(const ref_drawn *drawn);
+
+/* Whether what is behind a polygon may be seen through it: it is blended, has a pattern of holes or
+ * a texture with a key. */
+bool ref_lets_through(const ref_drawn *drawn);
+
+/* The name of a face of an instance: 1..255, by both numbers, the same name for few of them. */
+uint8_t ref_face_name(uint32_t instance, uint32_t face);
 
 /* Draws the frame's polygons that reach a band over it. The caller clears the band first. */
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band);

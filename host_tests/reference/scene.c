@@ -236,10 +236,10 @@ static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
 static bool read_centre(const uint8_t *bytes, size_t size, ref_lens *lens)
 {
     const size_t at = ref_u16(bytes + 6);
-    if (ref_u16(bytes + 38) == 0) {
+    if (bytes[38] == 0) {
         return true;
     }
-    if (ref_u16(bytes + 38) != 1 || at + 8 > size || lens->inset != 0) {
+    if (bytes[38] != 1 || at + 8 > size || lens->inset != 0) {
         return false;
     }
     lens->centre_x = ref_i32(bytes + at) / REF_ONE;
@@ -285,6 +285,10 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_lens(bytes, stated, &image->lens)) {
         return "the scene image's lens is out of range";
     }
+    if (bytes[39] > 1) {
+        return "the scene image asks for an unknown visibility method";
+    }
+    image->by_depth = bytes[39] == 1;
     image->background = bytes[36];
     image->start = ref_pose_read(bytes + 40);
     image->motion_limits =

@@ -99,6 +99,7 @@ typedef struct {
     ref_scene scene;
     ref_lens lens;
     uint8_t background;
+    bool by_depth; /* the scene asks for a depth buffer of 16 bits */
     uint8_t palette[768];
     ref_pose start;
     ref_motion_limits motion_limits;

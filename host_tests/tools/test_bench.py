@@ -141,7 +141,7 @@ def test_the_stages_and_functions_add_up_to_the_frames(measured, plan):
 
 def test_the_plan_has_all_workloads_and_kernels(plan):
     assert list(plan.workloads) == ["w1", "w1-still", "w1-turning", "w2", "w3", "w3b", "plaza", "plaza-turned",
-                                    "c500", "e300", "f32", "f32p", "g2000"]
+                                    "plaza-textured", "c500", "e300", "f32", "f32p", "g2000"]
     assert set(plan.renderers) == RENDERERS and set(plan.variants) == VARIANTS
     assert {"multiply", "divide", "reciprocal", "root", "sine", "transform", "outcode", "project", "clip",
             "edge-setup", "span-1", "span-320", "rgb565-noise"} <= set(plan.kernels)

@@ -176,6 +176,20 @@ static tiny_image *image_with_centre(uint16_t has_centre, fxl_q16_16 x, fxl_q16_
     return image;
 }
 
+void test_the_visibility_method_that_an_image_asks_for(void)
+{
+    for (uint8_t wanted = FXL_SCENE_BY_DEFAULT; wanted <= FXL_SCENE_BY_DEPTH + 1; wanted++) {
+        tiny_image *image = tiny_image_make(false);
+        fxl_scene_image opened = {.visibility = 77};
+        *tiny_at(image, AT_VISIBILITY) = wanted;
+        tiny_seal(image);
+        const bool is_known = wanted <= FXL_SCENE_BY_DEPTH;
+        TEST_ASSERT_EQUAL(is_known ? FXL_OK : FXL_E_RESERVED,
+                          fxl_scene_open(image->words, image->size, &opened, NULL));
+        TEST_ASSERT_EQUAL_UINT8(is_known ? wanted : 77, opened.visibility);
+    }
+}
+
 void test_a_lens_with_a_moved_centre(void)
 {
     tiny_image *image = image_with_centre(1, Q16(-10), Q16(40));

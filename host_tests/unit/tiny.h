@@ -47,6 +47,7 @@ enum {
     AT_BACKGROUND = 36,
     AT_PATH_KIND = 37,
     AT_HAS_CENTRE = 38,
+    AT_VISIBILITY = 39,
     AT_START = 40,
     AT_MOTION_LIMITS = 64,
     AT_PALETTE = 80,

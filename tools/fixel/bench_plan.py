@@ -5,7 +5,7 @@ import pathlib
 import tomllib
 
 import scene as scene_tool
-from fixel import bench_turned, image, output
+from fixel import bench_textured, bench_turned, image, output
 from fixel.errors import ToolError
 
 CORES = ("m0", "m3", "m4f", "m55")
@@ -71,6 +71,9 @@ def compile_scene(workload, folder):
     compiled, _ = scene_tool.build(workload["scene"], file)
     if "turned" in workload:
         compiled = bench_turned.turned(compiled, workload["turned"])
+        save_scene(compiled, file)
+    if workload.get("textured", False):
+        compiled = bench_textured.compile_file(workload["scene"])
         save_scene(compiled, file)
     return file, compiled
 

@@ -7,7 +7,7 @@ scene links no check."""
 import itertools
 import re
 
-from fixel import c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_keys, memory_needed
+from fixel import c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_header, image_keys, memory_needed
 from fixel.c_text import braces, comment, split64, table
 from fixel.errors import ToolError
 from fixel.reading import quoted
@@ -243,6 +243,8 @@ def _view(scene, name, frames):
                                         f"{name.upper()}_CENTRE_Y)."),
                                f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
                                f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
+    if scene.visibility == image_header.BY_DEPTH:
+        made.append("\n".join([*comment("The scene is to be drawn with a depth buffer: fxl_renderer_set_depth."), ""]))
     if frames:
         made.append("\n".join([f"#define {name.upper()}_FRAMES {len(scene.path)}", "",
                                table("fxl_pose", f"{name}_path", list(map(_pose, scene.path)),

@@ -48,6 +48,7 @@ class SceneImage:
     light: image_light.Light = None                 # at run time
     surfaces: image_surface.Surfaces = None
     billboards: image_billboard.Billboards = None
+    visibility: int = image_header.BY_DEFAULT
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     names: list = field(default_factory=list, compare=False)    # of the objects, in turn; None: it has none
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
@@ -106,7 +107,7 @@ def pack(image):
     def head(crc):
         return image_header.HEAD.pack(image_header.MAGIC, version, header_size, size, crc, image.width, image.height,
                           image.fov, image.near, image.far, image.inset, image.background,
-                          image.path_kind, int(image.centre is not None), *image.start, *image.gait, *where, image.frames,
+                          image.path_kind, int(image.centre is not None) | image.visibility << 8, *image.start, *image.gait, *where, image.frames,
                           *where_more, image.tree.object if nodes else 0)
 
     blob = head(zlib.crc32(head(0)[16:] + more + body)) + more + body
@@ -134,7 +135,7 @@ def _check_path(kind, path, frames):
 
 def _centre(blob, fields):
     """The centre of a lens that is off-centre, behind the header; else None."""
-    if not fields[13]:
+    if not image_header.has_centre(fields):
         return None
     width, height, fov, inset = fields[5], fields[6], fields[7], fields[10]
     centre = image_lens.CENTRE.unpack_from(blob, fields[2])
@@ -185,7 +186,7 @@ def unpack(blob):
     billboards = image_billboard.read(looks[len(image_surface.TABLES):], models, [radius for radius, *_ in extras])
     return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
                       kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, surfaces, billboards,
-                      size=fields[3], crc=fields[4])
+                      image_header.visibility(fields), size=fields[3], crc=fields[4])
 
 
 def load(path):

@@ -19,6 +19,7 @@ BOARD_HEADER_SIZE = SURFACE_HEADER_SIZE + image_billboard.HEADER.size    # of a 
 IMAGE_MAX = 16 << 20
 
 POSES, STRIDES = 0, 1
+BY_DEFAULT, BY_DEPTH = 0, 1      # the visibility method that an image asks for
 
 HEAD = struct.Struct("<4sHHII HHI 3i BBH 3i3I 3iI 14I I 2I 2I I")
 assert HEAD.size == HEADER_SIZE
@@ -35,6 +36,16 @@ def kind_of(nodes, beams, clusters, turns, light, surfaces, billboards):
     if clusters:
         return VERSION_CLUSTERS, CLUSTER_HEADER_SIZE
     return VERSION_MORE if nodes or beams else VERSION, LIT_HEADER_SIZE if beams else HEADER_SIZE
+
+
+def has_centre(fields):
+    """1 if the lens of a header's fields is off-centre, else 0."""
+    return fields[13] & 0xFF
+
+
+def visibility(fields):
+    """The visibility method that a header's fields ask for."""
+    return fields[13] >> 8
 
 
 def read(blob):
@@ -57,15 +68,17 @@ def read(blob):
         fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
     if zlib.crc32(blob[16:size]) != crc:
         fail("crc", "the checksum does not match: the image is damaged")
-    if fields[13] > 1 or version == VERSION and any(fields[41:]) or fields[12] not in (POSES, STRIDES):
-        fail("reserved", "a reserved field of the header is not zero, or the kind of the path is unknown")
+    if has_centre(fields) > 1 or visibility(fields) > BY_DEPTH or version == VERSION and any(fields[41:]) or \
+            fields[12] not in (POSES, STRIDES):
+        fail("reserved", "a reserved field of the header is not zero, or the kind of the path or the visibility method is "
+             "unknown")
     if header_size >= SURFACE_HEADER_SIZE:
         *_, blend, first, reserved = image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)
         if reserved or not blend and first:
             fail("reserved", "a reserved field of the header is not zero")
     if version == VERSION_MORE and header_size == HEADER_SIZE and not any(fields[41:]):
         fail("version", f"version {VERSION_MORE} of a scene image without a BSP tree or beams")
-    if size - header_size < fields[13] * image_lens.CENTRE.size:
+    if size - header_size < has_centre(fields) * image_lens.CENTRE.size:
         fail("size", "the image ends before the centre of its lens")
     return fields
 

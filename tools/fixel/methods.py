@@ -3,7 +3,7 @@
 
 import pathlib
 
-from fixel import firmware
+from fixel import firmware, image_header
 
 
 DEPTH_BITS = {"depth": 16, "depth-32": 32}  # of the visibility methods with a depth buffer
@@ -13,8 +13,8 @@ WALK = "walk"   # the program whose frames the judge can draw too: only the eye 
 def add_options(parser):
     """--program, --visibility, --clipper and --rows. make knows the names, and refuses others."""
     parser.add_argument("--program", default=WALK, help="the program (default: walk)")
-    parser.add_argument("--visibility", help="the visibility method (default: the scene's BSP tree if it has one, "
-                                             "else sorted)")
+    parser.add_argument("--visibility", help="the visibility method (default: what the scene asks for, its BSP "
+                                             "tree or its surfaces if it has some, else sorted)")
     parser.add_argument("--clipper", help="the clipper (default: view)")
     parser.add_argument("--rows", help="the most rows of a band (default: what fits into the board's memory)")
 
@@ -25,6 +25,18 @@ def program(options):
     if not options.visibility and not options.clipper:
         return options.program + rows
     return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}{rows}"
+
+
+def depth_bits(options, scene):
+    """Bits of the depth buffer that a scene image is drawn with; None without one."""
+    if options.visibility:
+        return DEPTH_BITS.get(options.visibility)
+    return DEPTH_BITS["depth"] if scene.visibility == image_header.BY_DEPTH else None
+
+
+def shows_surfaces(options):
+    """Whether the choice draws a scene's surfaces, if it has some."""
+    return options.visibility in (None, "surfaces", *DEPTH_BITS)
 
 
 def judge_options(options):

@@ -47,17 +47,21 @@ class HostPrograms:
     def __init__(self, build):
         self.host = pathlib.Path(build) / "host"
 
-    def judge(self, scene, dump, report, twin, methods=()):
+    def judge(self, scene, dump, report, twin, methods=(), names=None):
         """The judge's verdict on a dump; the reference renderer's frames go to the dump twin.
 
-        methods: the options that name the clipper and the visibility method of the dump.
+        methods: the options that name the clipper and the visibility method of the dump. names: a dump that gets the
+        names of the faces that the pixels show.
         """
-        run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin, *methods])
+        run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin, *methods,
+                     *(["--names", names] if names else [])])
         return read_json(report)
 
-    def raycast(self, scene, twin, report, every=1):
-        """The ray-cast oracle's verdict on the reference frames, on one of `every`."""
-        run_program([self.host / "raycast", scene, twin, "--json", report, "--every", str(every)])
+    def raycast(self, scene, twin, report, every=1, names=None):
+        """The ray-cast oracle's verdict on the reference frames, on one of `every`. names: "all" or "opaque", where twin
+        has the names of such faces."""
+        run_program([self.host / "raycast", scene, twin, "--json", report, "--every", str(every),
+                     *(["--names", names] if names else [])])
         return read_json(report)
 
     def wire(self, scene, dump, frames=None):

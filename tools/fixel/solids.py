@@ -4,6 +4,7 @@ diameter 1, middle (0, 0, 0). Outlines run clockwise as seen from outside."""
 
 import math
 
+from fixel import island
 from fixel.errors import ToolError
 from fixel.mesh import UNIT, Mesh
 
@@ -167,6 +168,20 @@ def floor(cells=(8, 8)):
     return _mesh(points, faces)
 
 
+def torus(sides=20, rings=10):
+    """A ring of so many sides; its tube has so many sides, and a quarter of the width."""
+    points = []
+    for i in range(sides):
+        along = 2 * math.pi * i / sides
+        for k in range(rings):
+            about = 2 * math.pi * (k + 0.5) / rings
+            radius = 0.375 + 0.125 * math.cos(about)
+            points.append((radius * math.sin(along), 0.5 * math.sin(about), radius * math.cos(along)))
+    faces = [(rings * i + k, rings * ((i + 1) % sides) + k, rings * ((i + 1) % sides) + (k + 1) % rings,
+              rings * i + (k + 1) % rings) for i in range(sides) for k in range(rings)]
+    return _mesh(points, faces)
+
+
 def cylinder(sides=16):
     return prism(sides)
 
@@ -183,6 +198,7 @@ SOLIDS = {
     "tetrahedron": (tetrahedron, ()), "octahedron": (octahedron, ()),
     "icosahedron": (icosahedron, ()), "dodecahedron": (dodecahedron, ()),
     "tile": (tile, ()), "disc": (disc, ("sides",)), "floor": (floor, ("cells",)),
+    "torus": (torus, ("sides", "rings")), "island": (island.make, ("cells", "seed", "sea")),
 }
 
 

@@ -78,16 +78,25 @@ def tiled(coordinates, size):
     return result
 
 
+def _backs(faces):
+    """For each face whether it is the back of one before it."""
+    seen = set()
+    for face in faces:
+        corners = frozenset(face.corners)
+        yield corners in seen
+        seen.add(corners)
+
+
 def smooth_normals(made):
     """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
-    area."""
-    totals = {}
-    for face in made.faces:
+    area. Fronts and backs have means of their own."""
+    totals, backs = {}, list(_backs(made.faces))
+    for face, back in zip(made.faces, backs):
         area = newell([made.vertices[c] for c in face.corners])
         for c in face.corners:
-            totals[c] = tuple(p + q for p, q in zip(totals.get(c, (0, 0, 0)), area))
-    normals = {c: unit_normal(total) if any(total) else None for c, total in totals.items()}
-    return [[normals[c] or face.normal for c in face.corners] for face in made.faces]
+            totals[c, back] = tuple(p + q for p, q in zip(totals.get((c, back), (0, 0, 0)), area))
+    normals = {key: unit_normal(total) if any(total) else None for key, total in totals.items()}
+    return [[normals[c, back] or face.normal for c in face.corners] for face, back in zip(made.faces, backs)]
 
 
 # --- faces ---------------------------------------------------------------------------------------

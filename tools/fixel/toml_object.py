@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 
-from fixel import image, palette, quantity, solids, toml_billboard, toml_light, toml_model, toml_motion, toml_texture
+from fixel import image, island, palette, parts, quantity, solids, toml_billboard, toml_light, toml_model, toml_motion, \
+    toml_texture
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
@@ -14,7 +15,7 @@ from fixel.reading import quoted
 from fixel.toml_table import Table
 from fixel.turning import matrix, sine_cosine
 
-KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "inside", "position",
+KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "inside", "parts", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
         "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
@@ -77,7 +78,21 @@ def _solid_options(table):
         if len(cells) != 2 or not all(isinstance(c, int) and 1 <= c <= 200 for c in cells):
             raise ToolError(f"{table.at('cells')}: expected two whole numbers from 1 to 200")
         options["cells"] = tuple(cells)
+    if "seed" in table:
+        options["seed"] = table.whole("seed", None, 0, 65535)
+    if "sea" in table:
+        options["sea"] = float(table.number("sea", None, 0, Fraction(9, 10)))
     return options
+
+
+def _parts(table):
+    """(across, along) of the parts that an object is divided into; None for one that is not."""
+    if "parts" not in table:
+        return None
+    counts = table.rows("parts")
+    if len(counts) != 2 or not all(isinstance(c, int) and 1 <= c <= parts.MOST for c in counts):
+        raise ToolError(f"{table.at('parts')}: expected two whole numbers from 1 to {parts.MOST}")
+    return tuple(counts)
 
 
 def _ring_count(table):
@@ -164,7 +179,7 @@ class Objects:
             options = _solid_options(table)
             return (solids.make(name, options, table.where), table.where,
                     (name, *sorted(options.items())))
-        for key in ("sides", "rings", "taper", "cells"):
+        for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
             if key in table:
                 raise ToolError(f"{table.at(key)}: means nothing for a file")
         self.files[table.text(source)], name, notes = toml_model.read(table, source, self.folder, self.files, self.progress)
@@ -236,6 +251,8 @@ class Objects:
         if "colours" in table:
             bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
                           for i, c in enumerate(table.rows("colours")))
+            if table.data.get("solid") == "island":
+                bases = island.by_height(self.mesh(table)[0], bases)
         elif look.by_images and "colour" not in table:
             materials = self.mesh(table)[0].surfaces
             means = {paint: paint.picture.mean() for paint in dict.fromkeys(look.paints) if paint}
@@ -325,7 +342,9 @@ class Objects:
         if len(places) > 1:
             different = len(places) if "colour_next" in table else len({yaw for _, yaw in places})
             self._check_made(different * len(self.mesh(table)[0].faces) - self.made, where)
-        life, turned = toml_motion.read(table), _ring_is_turned(table)
+        life, turned, division = toml_motion.read(table), _ring_is_turned(table), _parts(table)
+        if division and (life or turned):
+            raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
         known, result = {}, []      # by yaw and, where copies differ, by number: the shape and its colours
         for i, (position, yaw) in enumerate(places):
             baked = 0 if turned else yaw
@@ -349,6 +368,9 @@ class Objects:
                 continue
             centre = _centre(position, rise, ends, place)
             result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
+            if division:
+                result += parts.split(result.pop(), division, table.data.get("kind") == "sorted")
+        self.count += len(result) - len(places)
         return result
 
     def _billboards(self, table, name):

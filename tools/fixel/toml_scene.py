@@ -6,8 +6,8 @@ from fractions import Fraction
 import math
 import os
 
-from fixel import clusters, default_path, image, image_beam, image_lens, light_palette, palette, quantity, toml_billboard, toml_light, \
-    toml_motion, toml_table, toml_texture
+from fixel import clusters, default_path, image, image_beam, image_header, image_lens, light_palette, palette, quantity, \
+    toml_billboard, toml_light, toml_motion, toml_table, toml_texture
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -19,6 +19,8 @@ FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
             "textures", "billboards"}
+_VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility"}
+VISIBILITIES = {image_header.BY_DEFAULT: "default", image_header.BY_DEPTH: "depth"}   # that a scene may ask for
 _PALETTE_KEYS = {"reserve", "colours", "blend"}
 
 
@@ -45,7 +47,7 @@ def _lens(top):
     screen = top.table("screen", {"width", "height"})
     width = screen.whole("width", 320, 1, image_lens.SCREEN_MAX)
     height = screen.whole("height", 240, 1, image_lens.SCREEN_MAX)
-    view = top.table("view", {"fov", "focal", "near", "far", "inset", "centre"})
+    view = top.table("view", _VIEW_KEYS)
     if "focal" in view and "fov" in view:
         raise ToolError(f"{view.where}: both fov and focal are given; keep one")
     if "focal" in view:
@@ -66,6 +68,12 @@ def _lens(top):
         raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "
                         f"below far = {far / 65536:g}")
     return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
+
+
+def _visibility(top):
+    """The visibility method that the scene asks for, in the image's integers."""
+    name = top.table("view", _VIEW_KEYS).choice("visibility", "default", list(VISIBILITIES.values()))
+    return next(number for number, known in VISIBILITIES.items() if known == name)
 
 
 def _on_screen(lens, screen):
@@ -328,7 +336,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     records = Records(indices)
     models, placed, boards = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
-    scene.centre = lens[-1]
+    scene.centre, scene.visibility = lens[-1], _visibility(top)
     scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam

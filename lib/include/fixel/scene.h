@@ -338,11 +338,18 @@ typedef struct {
                                    else 0 */
 } fxl_scene;
 
+/* The visibility method that a scene image asks for. */
+enum {
+    FXL_SCENE_BY_DEFAULT = 0, /* that of its BSP tree, or of its surfaces; else by distance */
+    FXL_SCENE_BY_DEPTH = 1    /* fxl_visibility_depth (extra/depth.h) */
+};
+
 /* A scene image: the scene and the settings beside it. */
 typedef struct {
     fxl_scene scene;
     fxl_lens lens;
     uint8_t background;
+    uint8_t visibility;     /* FXL_SCENE_BY_...: a wish, which a program may follow */
     const uint8_t *palette; /* 256 x red, green, blue */
     fxl_player start;       /* where the path begins */
     fxl_motion_limits motion_limits;

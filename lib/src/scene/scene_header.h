@@ -18,7 +18,8 @@ typedef struct {
     uint32_t fov;
     int32_t near_z, far_z, inset;
     uint8_t background, path_kind;
-    uint16_t has_centre; /* 1: a lens_centre follows the whole header; else 0 */
+    uint8_t has_centre; /* 1: a lens_centre follows the whole header; else 0 */
+    uint8_t visibility; /* FXL_SCENE_BY_... */
     fxl_pose start;
     int32_t acceleration, friction, speed_max;
     uint32_t turn;

@@ -51,7 +51,8 @@ static fxl_status check_envelope(const header *head, size_t size, const char **w
     if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
         return FXL_E_CRC;
     }
-    if (head->has_centre > 1 || head->path_kind > PATH_SEGMENTS) {
+    if (head->has_centre > 1 || head->visibility > FXL_SCENE_BY_DEPTH || /* bug: wish-known */
+        head->path_kind > PATH_SEGMENTS) {
         return FXL_E_RESERVED;
     }
     if (head->image_size - head->header_size < head->has_centre * sizeof(lens_centre)) {
@@ -98,6 +99,7 @@ static fxl_status check_settings(const header *head, fxl_scene_image *opened,
         return fxl_fault_at(fault, "lens", 0, status);
     }
     opened->background = head->background;
+    opened->visibility = head->visibility; /* bug: wish-of-image */
     opened->start.pose = head->start;
     opened->start.speed = 0;
     opened->start.clamped = 0;
