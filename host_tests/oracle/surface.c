@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* texel_divided, texel_every_16 and light_level: one pixel of a triangle as the library draws it,
- * against the exact coordinates and the exact light there. A pixel shows the texel, or the level,
- * that holds its coordinate; how far the exact coordinate is from it is the error that is seen. */
+/* texel_divided, texel_every_16, texel_every_8, texel_affine and light_level: one pixel of a
+ * triangle as the library draws it, against the exact coordinates and the exact light there. A
+ * pixel shows the texel, or the level, that holds its coordinate; how far the exact coordinate is
+ * from it is the error that is seen. */
 #include <math.h>
 
 #include "oracle/surface_sample.h"
@@ -42,6 +43,17 @@ static double distance_from(int64_t exact, int texel, int log)
     return at <= 1 ? 0 : fmin(at - 1, size - at);
 }
 
+/* Whether the coordinate changes so much in 16 columns that what v repeats takes more than 1/64
+ * texel (docs/accuracy.md, section 5.2). */
+static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
+{
+    surface_sample beside = *sample;
+    double bound;
+    beside.x += 16;
+    return fabs(ldexp((double)(surface_sample_exact(&beside, attribute, &bound) - exact), -32)) >=
+           1024;
+}
+
 static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict,
                                   uint8_t division)
 {
@@ -53,12 +65,15 @@ static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle
     if (!surface_sample_read(input, &sample)) {
         return ORACLE_SKIPPED;
     }
+    if (division == FXL_AFFINE && !surface_sample_make_affine(&sample)) {
+        return ORACLE_SKIPPED; /* drawn as texel_every_16 has it */
+    }
     const int log = (int)input->numbers[SURFACE_NUMBERS];
     int judged = 0;
     for (int attribute = 0; attribute < 2; attribute++) {
         double bound;
         const int64_t exact = surface_sample_exact(&sample, attribute, &bound);
-        if (!(bound < JUDGED_BOUND)) {
+        if (!(bound < JUDGED_BOUND) || (sample.is_affine && is_steep(&sample, attribute, exact))) {
             verdict->extras[1]++;
             continue;
         }
@@ -94,6 +109,16 @@ static oracle_outcome judge_every_16(const oracle_input *input, FILE *words,
                                      oracle_verdict *verdict)
 {
     return judge_texel(input, words, verdict, FXL_DIVIDE_16);
+}
+
+static oracle_outcome judge_every_8(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+{
+    return judge_texel(input, words, verdict, FXL_DIVIDE_8);
+}
+
+static oracle_outcome judge_affine(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+{
+    return judge_texel(input, words, verdict, FXL_AFFINE);
 }
 
 /* --- light ---------------------------------------------------------------------------------- */
@@ -228,6 +253,26 @@ const oracle_claim oracle_texel_every_16 = {
     .extras = {"beyond_own_bound", "not_judged"},
     .generate = generate_texel,
     .judge = judge_every_16,
+};
+
+const oracle_claim oracle_texel_every_8 = {
+    .id = "texel_every_8",
+    .unit = "texel",
+    .numbers = SURFACE_TEXT ", log2 of the texture's side",
+    .kinds = {"anywhere in sight"},
+    .extras = {"beyond_own_bound", "not_judged"},
+    .generate = generate_texel,
+    .judge = judge_every_8,
+};
+
+const oracle_claim oracle_texel_affine = {
+    .id = "texel_affine",
+    .unit = "texel",
+    .numbers = SURFACE_TEXT ", log2 of the texture's side",
+    .kinds = {"all corners on the screen"},
+    .extras = {"beyond_own_bound", "not_judged"},
+    .generate = generate_texel,
+    .judge = judge_affine,
 };
 
 const oracle_claim oracle_light_level = {

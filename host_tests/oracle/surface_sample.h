@@ -4,7 +4,7 @@
 #ifndef ORACLE_SURFACE_SAMPLE_H
 #define ORACLE_SURFACE_SAMPLE_H
 
-#include "oracle/setup.h"
+#include "oracle/triangle.h"
 
 enum {
     SURFACE_ATTRIBUTES = 3, /* of a corner: u, v, light, each 16.16 */
@@ -19,6 +19,10 @@ typedef struct {
     int64_t x, y;  /* the pixel */
     fxl_point corners[3];
     int64_t values[3][SURFACE_ATTRIBUTES];
+    /* Whether the corners are those of the screen (SPEC.md, section 9.3), and these as points of
+     * the view at the depth of the focal length. */
+    int is_affine;
+    oracle_view_point on_screen[3];
     /* The triangle as a scene of the library. */
     fxl_face face;
     fxl_model model;
@@ -32,6 +36,10 @@ void surface_sample_generate(oracle_random *random, oracle_input *input);
 
 /* Reads the numbers. Returns 0 where the library refuses them. */
 int surface_sample_read(const oracle_input *input, surface_sample *sample);
+
+/* Makes the sample's exact values those of FXL_AFFINE. Returns 0 where the library's screen points
+ * are not all on the screen, so that the face has its perspective. */
+int surface_sample_make_affine(surface_sample *sample);
 
 /* Draws the pixel by a surface. Returns -1 if the face does not cover it. light may be null. */
 int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,

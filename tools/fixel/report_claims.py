@@ -33,6 +33,9 @@ CLAIMS = (
     Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
     Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
           "against the exact place, given its coordinates, the camera's position and matrix."),
+    Claim("vertex_turned", 1, "of its bound", "A vertex of a turned and scaled instance in the view, against the exact "
+          "product of the camera's rows, the orientation and the scale as given, by the bound of the matrix's rounding. "
+          "Half of the orientations have rows at a corner of the tolerance."),
     Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon clipped to all six planes: "
           "distance to the exact outline, and back. Except polygons nearly parallel to a plane."),
     Claim("coverage", 0, "pixels", "Pixels that are covered wrongly, or wrongly not covered, given the "
@@ -43,8 +46,14 @@ CLAIMS = (
     Claim("texel_divided", 1 / 256, "texel", "The texel that a pixel shows, divided at each pixel: how far it is "
           "from the exact texture coordinates, given corners and matrix."),
     Claim("texel_every_16", 0.54, "texel", "The same, divided every 16 columns or more often."),
+    Claim("texel_every_8", 0.54, "texel", "The same, divided every 8 columns or more often."),
+    Claim("texel_affine", 0.04, "texel", "The texel that a pixel shows without perspective: how far it is from the exact "
+          "affine function of the three corners' points on the screen."),
     Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
           "the exact light, given the lights, the corners and their normals."),
+    Claim("depth_16", 1, "of its bound", "The face that a pixel shows with a depth buffer of 16 bits, of two that cover it: "
+          "how much farther it is than the other, by the resolution of SPEC.md, section 10.6."),
+    Claim("depth_32", 1, "of its bound", "The same with 32 bits."),
     Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
           "renderer in double. Each must lie within 1/8192 pixel of an edge."),
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "

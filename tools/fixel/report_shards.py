@@ -44,12 +44,17 @@ CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("orientation_parents", 10_000_000, 100_000),
     ("sine_cosine", 2_000_000, 100_000),
     ("vertex_unclipped", 10_000_000, 250_000),
+    ("vertex_turned", 10_000_000, 250_000),
     ("outline_clipped", 1_000_000, 10_000),
     ("coverage", 1_000_000, 10_000),
     ("watertight", 500_000, 10_000),
     ("texel_divided", 2_000_000, 50_000),
     ("texel_every_16", 2_000_000, 50_000),
-    ("light_level", 1_000_000, 50_000)))
+    ("texel_every_8", 2_000_000, 50_000),
+    ("texel_affine", 1_000_000, 50_000),
+    ("light_level", 1_000_000, 50_000),
+    ("depth_16", 2_000_000, 50_000),
+    ("depth_32", 2_000_000, 50_000)))
 STAGES = tuple(Kind("designs", *kind) for kind in (
     ("matrix", 1_000_000, 100_000),
     ("vertex", 10_000_000, 250_000),
