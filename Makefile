@@ -127,11 +127,11 @@ ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED=]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED= ONLY=]
 	@tools/setup.sh report
-	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS)
+	@$(MAKE) $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS))
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
-	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
+	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') $(if $(ONLY),--only '$(ONLY)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
 wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= SCREEN= FRAMES= OUT=]

@@ -273,6 +273,18 @@ def test_false_claim_fails(built, tmp_path, claim):
     assert "Not every claim holds" in (tmp_path / "out/report.html").read_text()
 
 
+def test_some_claims_alone(tmp_path):
+    build = build_with_oracle(tmp_path / "build", "orientation_axis")
+    done = run_report(build, tmp_path / "out", "--only", "orientation_axis depth_16", samples=100_000)
+    assert done.returncode == 1 and "FAIL: orientation_axis" in done.stdout and "depth_16 " in done.stdout
+    report = json.loads((tmp_path / "out/claims.json").read_text())
+    assert [(each["id"], each["samples"], each["holds"]) for each in report["claims"]] == \
+        [("orientation_axis", 100_000, False), ("depth_16", 20_000, True)]
+    done = run_report(build, tmp_path / "out", "--only", "depth_16", samples=100_000)
+    assert done.returncode == 0 and "fewer samples than the claims are about" in done.stdout
+    assert_one_sentence(run_report(build, tmp_path / "out", "--only", "depth"), "'depth'", "depth_16")
+
+
 def test_too_few_samples_are_a_failure_unless_asked_for():
     tally = {"max": 0.0, "sum": 0.0, "sum_of_squares": 0.0, "worst_input": "", "histogram": []}
     shards = {kind.what: [{**tally, "samples": kind.samples(report_shards.SAMPLES)}] for kind in report_shards.CLAIMS}

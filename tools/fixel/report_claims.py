@@ -107,6 +107,16 @@ def judge(shards, frames, pixels, scales, build, fewer_asked):
             found.append(_scale_claim(claim, scales))
         else:
             found.append(_oracle_claim(claim, report_shards.merge(shards[claim.id]), build))
+    return _hold_to_samples(found, fewer_asked)
+
+
+def judge_only(shards, build, fewer_asked):
+    """claims[] of those claims alone that there are shards of."""
+    return _hold_to_samples([_oracle_claim(claim, report_shards.merge(shards[claim.id]), build)
+                             for claim in CLAIMS if claim.id in shards], fewer_asked)
+
+
+def _hold_to_samples(found, fewer_asked):
     for each in found:
         each["samples_claimed"] = FEWEST[each["id"]]
         each["holds"] = each["holds"] and each["samples"] > 0 and (fewer_asked or not is_short(each))
@@ -129,8 +139,8 @@ def complaints(report):
     found = [f"{claim['id']}: the bound is {claim['bound']:g}, the measured value is {claim['measured']:,.6g} "
              f"({claim['unit']}){_why(claim)}"
              for claim in report["claims"] if not claim["holds"]]
-    third = report["third_judge"]
-    if third["pixels_unexplained"]:
+    third = report.get("third_judge")
+    if third and third["pixels_unexplained"]:
         found.append(f"the ray-cast oracle disagrees with the reference renderer on {third['pixels_unexplained']:,} pixels "
                      f"of {third['scene']}")
     return found
