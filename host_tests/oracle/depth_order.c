@@ -2,15 +2,10 @@
 /* depth_16 and depth_32: two triangles seen through one pixel, drawn with a depth buffer. Which one
  * shows, against the exact distances of both. */
 #include <math.h>
-#include <string.h>
 
-#include "oracle/triangle.h"
+#include "oracle/depth_sample.h"
 
 enum {
-    FACES = 2,
-    PIXEL = ORACLE_SETUP_NUMBERS,
-    CORNERS = PIXEL + 2,
-    NUMBERS = CORNERS + 3 * 3 * FACES,
     WIDE_BITS = 5 /* what 32 bits resolve more (SPEC.md, section 10.6) */
 };
 
@@ -41,19 +36,9 @@ static void generate_gap(oracle_random *random, int wide, oracle_input *input)
         const double z = far > near ? oracle_spread(random, near, far) : near;
         const double gap = ldexp(oracle_spread(random, 0x1p-20, 0x1p-9), wide ? -WIDE_BITS : 0);
         const int flat = oracle_below(random, 2) == 0; /* as large as few pixels */
-        int inside = 1;
-        input->count = PIXEL;
-        oracle_put(input, oracle_between(random, 0, n[0] - 1));
-        oracle_put(input, oracle_between(random, 0, n[1] - 1));
-        for (int face = 0; face < FACES; face++) {
-            double point[3], view[3][3];
-            oracle_triangle_point(input, &n[PIXEL], face ? z * (1 + gap) : z, point);
-            oracle_triangle_about(random, point, flat ? 0.5 : 20, view);
-            for (int i = 0; i < 3; i++) {
-                inside &= oracle_triangle_put_corner(input, view[i]);
-            }
-        }
-        if (inside) {
+        const double depths[DEPTH_FACES] = {z, z * (1 + gap)};
+        input->count = ORACLE_SETUP_NUMBERS;
+        if (depth_sample_put(random, depths, flat ? 0.5 : 20, input)) {
             return;
         }
     }
@@ -71,220 +56,34 @@ static void generate_32(oracle_random *random, uint64_t index, oracle_input *inp
     generate_gap(random, 1, input);
 }
 
-/* Two faces, each a model and an instance of its own, of colours 1 and 2. */
-typedef struct {
-    oracle_setup setup;
-    fxl_lens lens;
-    fxl_point corners[3 * FACES];
-    uint16_t indices[3 * FACES];
-    fxl_face faces[FACES];
-    fxl_model models[FACES];
-    fxl_instance instances[FACES];
-    fxl_scene scene;
-} depth_sample;
-
-static int read_sample(const oracle_input *input, depth_sample *sample)
-{
-    const int64_t *n = input->numbers;
-    if (input->count != NUMBERS || !oracle_setup_read(input, &sample->setup) ||
-        !oracle_setup_lens(input, &sample->lens) || n[PIXEL] < 0 ||
-        n[PIXEL] >= sample->lens.width || n[PIXEL + 1] < 0 || n[PIXEL + 1] >= sample->lens.height) {
-        return 0;
-    }
-    for (int i = CORNERS; i < NUMBERS; i++) {
-        if (n[i] < -FXL_COORDINATE_MAX || n[i] > FXL_COORDINATE_MAX) {
-            return 0;
-        }
-        (&sample->corners[(i - CORNERS) / 3].x)[(i - CORNERS) % 3] = (int32_t)n[i];
-    }
-    for (int i = 0; i < FACES; i++) {
-        sample->faces[i] = (fxl_face){oracle_triangle_normal(&sample->corners[3 * i]),
-                                      (uint32_t)(3 * i), 3, (uint8_t)(i + 1), 0};
-        sample->models[i] = (fxl_model){.first_vertex = (uint32_t)(3 * i),
-                                        .vertex_count = 3,
-                                        .first_face = (uint32_t)i,
-                                        .face_count = 1,
-                                        .kind = FXL_MODEL_CONVEX,
-                                        .radius = FXL_RADIUS_MAX};
-        sample->instances[i] = (fxl_instance){{0, 0, 0}, (uint16_t)i, 0, 0};
-    }
-    for (int i = 0; i < 3 * FACES; i++) {
-        sample->indices[i] = (uint16_t)(i % 3);
-    }
-    sample->scene = (fxl_scene){.vertices = sample->corners,
-                                .indices = sample->indices,
-                                .faces = sample->faces,
-                                .models = sample->models,
-                                .instances = sample->instances,
-                                .vertex_count = 3 * FACES,
-                                .index_count = 3 * FACES,
-                                .face_count = FACES,
-                                .model_count = FACES,
-                                .instance_count = FACES};
-    return fxl_scene_check(&sample->scene, NULL) == FXL_OK;
-}
-
-/* The colour of the pixel; 0 where neither face is drawn. */
-static int drawn(const depth_sample *sample, const int64_t pixel[2], int wide)
-{
-    static fxl_renderer renderer;
-    static fxl_depth depth;
-    static uint8_t pixels[FXL_SCREEN_MAX];
-    static uint64_t cells[FXL_DEPTH_BYTES(FXL_SCREEN_MAX, 1, 32) / 8];
-    fxl_order_entry order[2 * FACES];
-    const fxl_memory memory = {order, 2 * FACES, NULL, 0, NULL, 0};
-    const uint16_t width = sample->lens.width;
-    const fxl_band band = {pixels, width, width, (uint16_t)pixel[1], 1};
-    if (fxl_renderer_init_with(&renderer, &sample->scene, &sample->lens, &memory) != FXL_OK ||
-        fxl_renderer_set_depth(&renderer, &depth,
-                               wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth, cells,
-                               FXL_DEPTH_BYTES(width, 1, wide ? 32 : 16)) != FXL_OK) {
-        return 0;
-    }
-    fxl_fill_band(&band, 0);
-    return fxl_frame_begin(&renderer, &sample->setup.pose) == FXL_OK &&
-                   fxl_frame_draw(&renderer, &band) == FXL_OK
-               ? pixels[pixel[0]]
-               : 0;
-}
-
-/* Whether a face alone covers the pixel. */
-static int covers(const depth_sample *sample, int face, const int64_t pixel[2])
-{
-    depth_sample alone = *sample;
-    alone.instances[0] = alone.instances[face];
-    alone.scene.vertices = alone.corners;
-    alone.scene.indices = alone.indices;
-    alone.scene.faces = alone.faces;
-    alone.scene.models = alone.models;
-    alone.scene.instances = alone.instances;
-    alone.scene.instance_count = 1;
-    return drawn(&alone, pixel, 0) == face + 1;
-}
-
-/* --- exact distances ------------------------------------------------------------------------ */
-
-/* A face along the ray of the pixel: its distance is volume / weight; both are positive. */
-typedef struct {
-    mpz_t volume, weight;
-    double slack; /* what SPEC.md, sections 10.1 and 10.2, allow, relative to the distance */
-} ray_hit;
-
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-/* The plane may be off by 2^-26 of the face's size along its normal. Along the ray that is divided
- * by the cosine between both. The corners have units of 2^-46, the way those of 2^-16. */
-static double slack_of(const oracle_view_point corners[3], const oracle_vector *normal,
-                       double weight, double distance)
-{
-    const double n[3] = {mpz_get_d(normal->c[0]), mpz_get_d(normal->c[1]), mpz_get_d(normal->c[2])};
-    double size = 0;
-    for (int i = 1; i < 3; i++) {
-        const double edge[3] = {(double)(corners[i].x - corners[0].x),
-                                (double)(corners[i].y - corners[0].y),
-                                (double)(corners[i].z - corners[0].z)};
-        size = fmax(size, length_of(edge));
-    }
-    /* distance: how often the way leads to the face */
-    return 0x1p-26 * size * length_of(n) / (weight * distance) + 0x1p-27;
-}
-
-/* Returns 0 where the ray does not meet the front of the plane. */
-static int hit(const depth_sample *sample, int face, const int64_t pixel[2], ray_hit *result)
-{
-    oracle_view_point corners[3];
-    oracle_vector planes[3];
-    int64_t way[3];
-    for (int i = 0; i < 3; i++) {
-        const fxl_point *p = &sample->corners[3 * face + i];
-        const int64_t point[3] = {p->x, p->y, p->z};
-        corners[i] = oracle_transform(&sample->setup.view.camera, point);
-    }
-    oracle_vectors_init(planes, 3);
-    oracle_triangle_planes(corners, planes);
-    oracle_pixel_way(&sample->setup.view, pixel[0], pixel[1], way);
-    const int64_t first[3] = {corners[0].x, corners[0].y, corners[0].z};
-    oracle_vector_dot(result->volume, &planes[0], first);
-    oracle_vector_dot(result->weight, &planes[0], way);
-    mpz_abs(result->volume, result->volume);
-    const int there = mpz_sgn(result->weight) != 0;
-    mpz_abs(result->weight, result->weight);
-    if (there) {
-        const double weight = mpz_get_d(result->weight);
-        result->slack = slack_of(corners, &planes[0], weight, mpz_get_d(result->volume) / weight);
-    }
-    oracle_vectors_clear(planes, 3);
-    return there;
-}
-
-/* How much farther the second face is, relative to the first's distance: exact but for the last
- * division. */
-static double gap_of(const ray_hit hits[FACES])
-{
-    mpz_t first, second;
-    mpz_init(first);
-    mpz_init(second);
-    mpz_mul(first, hits[0].volume, hits[1].weight);
-    mpz_mul(second, hits[1].volume, hits[0].weight);
-    mpz_sub(second, second, first);
-    const double gap = mpz_get_d(second) / mpz_get_d(first);
-    mpz_clear(first);
-    mpz_clear(second);
-    return gap;
-}
-
 /* --- the claims ----------------------------------------------------------------------------- */
-
-static oracle_outcome judge_hits(const depth_sample *sample, const int64_t pixel[2], int wide,
-                                 const ray_hit hits[FACES], FILE *words, oracle_verdict *verdict)
-{
-    const int m = mantissa_of(&sample->setup.view.lens) + (wide ? WIDE_BITS : 0);
-    const double gap = gap_of(hits),
-                 allowed = (1 + 1.0 / 32) * ldexp(1, -m) + hits[0].slack + hits[1].slack;
-    const int nearer = gap > 0 ? 0 : 1, shown = drawn(sample, pixel, wide);
-    if (shown == 0 || !covers(sample, nearer, pixel)) {
-        return ORACLE_SKIPPED;
-    }
-    const int wrong = shown != nearer + 1;
-    verdict->value = wrong ? fabs(gap) / allowed : 0;
-    verdict->extras[0] = (uint64_t)wrong;
-    if (words) {
-        fprintf(words,
-                "the %s face is nearer, by %.9g of the distance; the %s one shows; "
-                "the resolution is %.9g\n",
-                nearer ? "second" : "first", fabs(gap), shown == 1 ? "first" : "second", allowed);
-    }
-    return ORACLE_COUNTED;
-}
 
 static oracle_outcome judge_depth(const oracle_input *input, FILE *words, oracle_verdict *verdict,
                                   int wide)
 {
     static depth_sample sample;
-    if (input->count != NUMBERS) {
+    double gap, slack;
+    if (input->count != DEPTH_NUMBERS) {
         return ORACLE_UNUSABLE;
     }
-    if (!read_sample(input, &sample)) {
+    if (!depth_sample_read(input, &sample) || !depth_sample_gap(&sample, &gap, &slack)) {
         return ORACLE_SKIPPED;
     }
-    ray_hit hits[FACES];
-    int there = 1;
-    for (int i = 0; i < FACES; i++) {
-        mpz_init(hits[i].volume);
-        mpz_init(hits[i].weight);
-        there = there && hit(&sample, i, &input->numbers[PIXEL], &hits[i]);
+    const int m = mantissa_of(&sample.setup.view.lens) + (wide ? WIDE_BITS : 0);
+    const double allowed = (1 + 1.0 / 32) * ldexp(1, -m) + slack;
+    const int nearer = gap > 0 ? 0 : 1, shown = depth_sample_drawn(&sample, wide);
+    if (shown < 0 || !depth_sample_covers(&sample, nearer)) {
+        return ORACLE_SKIPPED;
     }
-    const oracle_outcome outcome =
-        there ? judge_hits(&sample, &input->numbers[PIXEL], wide, hits, words, verdict)
-              : ORACLE_SKIPPED;
-    for (int i = 0; i < FACES; i++) {
-        mpz_clear(hits[i].volume);
-        mpz_clear(hits[i].weight);
+    verdict->value = shown != nearer ? fabs(gap) / allowed : 0;
+    verdict->extras[0] = shown != nearer;
+    if (words) {
+        fprintf(words,
+                "the %s face is nearer, by %.9g of the distance; the %s one shows; "
+                "the resolution is %.9g\n",
+                nearer ? "second" : "first", fabs(gap), shown ? "second" : "first", allowed);
     }
-    return outcome;
+    return ORACLE_COUNTED;
 }
 
 static oracle_outcome judge_16(const oracle_input *input, FILE *words, oracle_verdict *verdict)
@@ -296,8 +95,6 @@ static oracle_outcome judge_32(const oracle_input *input, FILE *words, oracle_ve
 {
     return judge_depth(input, words, verdict, 1);
 }
-
-#define DEPTH_TEXT ORACLE_SETUP_TEXT ", column row, six corners x y z"
 
 const oracle_claim oracle_depth_16 = {
     .id = "depth_16",

@@ -8,7 +8,9 @@
 
 enum {
     SURFACE_ATTRIBUTES = 3, /* of a corner: u, v, light, each 16.16 */
-    SURFACE_NUMBERS = ORACLE_SETUP_NUMBERS + 2 + 3 * (3 + SURFACE_ATTRIBUTES)
+    SURFACE_NUMBERS = ORACLE_SETUP_NUMBERS + 2 + 3 * (3 + SURFACE_ATTRIBUTES),
+    SURFACE_LIGHT_NUMBERS = SURFACE_NUMBERS + 9 + 10, /* three normals; the light */
+    SURFACE_LEVELS = 64
 };
 
 #define SURFACE_TEXT ORACLE_SETUP_TEXT ", column row, three corners x y z u v light"
@@ -49,5 +51,16 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
 /* The exact value of an attribute at the pixel, in units of 2^-32, rounded down. *bound: what
  * docs/accuracy.md, section 5.1, allows, in the unit of the attribute. */
 int64_t surface_sample_exact(const surface_sample *sample, int attribute, double *bound);
+
+/* Appends random normals and a random light near the corners. */
+void surface_sample_put_light(oracle_random *random, oracle_input *input);
+
+/* Reads the normals and the light of SURFACE_LIGHT_NUMBERS numbers, and makes the exact light of
+ * the corners, in 2^-32 level, the sample's values of light. */
+void surface_sample_light(const oracle_input *input, surface_sample *sample,
+                          fxl_direction normals[3], fxl_light_settings *settings);
+
+/* The exact level at the pixel, after surface_sample_light, and as *bound what 5.1 allows. */
+double surface_sample_exact_level(const surface_sample *sample, double *bound);
 
 #endif
