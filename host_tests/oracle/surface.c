@@ -12,35 +12,6 @@
 
 /* --- textures ------------------------------------------------------------------------------- */
 
-/* u on a texture whose columns differ, v on one whose rows differ, of 1 to 128 of them. */
-static uint8_t texels[2][128 * 128];
-
-static int shown_texel(surface_sample *sample, int attribute, int log, uint8_t division)
-{
-    const int other = log < 4 ? 0 : 4; /* as the kernel for most textures takes them */
-    const int columns = attribute == 0 ? log : other, rows = attribute == 0 ? other : log;
-    const fxl_texture texture = {.texels = texels[attribute],
-                                 .log_width = (uint8_t)columns,
-                                 .log_height = (uint8_t)rows,
-                                 .levels = 1};
-    const fxl_surface surface = {.texture = 1, .division = division, .opacity = 16};
-    for (int i = 0; i < 1 << (columns + rows); i++) {
-        texels[attribute][i] =
-            (uint8_t)(100 + (attribute == 0 ? i & ((1 << columns) - 1) : i >> columns));
-    }
-    const int shown = surface_sample_draw(sample, &texture, &surface, NULL, NULL);
-    return shown < 0 ? shown : shown - 100;
-}
-
-/* How far a coordinate, in 2^-32, is from a texel of 2^log, around. */
-static double distance_from(int64_t exact, int texel, int log)
-{
-    const double size = ldexp(1, log);
-    double at = fmod(ldexp((double)exact, -32) - texel, size);
-    at = at < 0 ? at + size : at;
-    return at <= 1 ? 0 : fmin(at - 1, size - at);
-}
-
 /* Whether the coordinate changes so much in 16 columns that what v repeats takes more than 1/64
  * texel (docs/accuracy.md, section 5.2). */
 static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
@@ -75,11 +46,11 @@ static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle
             verdict->extras[1]++;
             continue;
         }
-        const int shown = shown_texel(&sample, attribute, log, division);
+        const int shown = surface_sample_texel(&sample, attribute, log, division);
         if (shown < 0) {
             return ORACLE_SKIPPED;
         }
-        const double error = distance_from(exact, shown, log);
+        const double error = surface_texel_distance(exact, shown, log);
         judged = 1;
         verdict->value = fmax(verdict->value, error);
         verdict->extras[0] += division == FXL_DIVIDE_1 && error > bound;
@@ -130,7 +101,6 @@ static void generate_light(oracle_random *random, uint64_t index, oracle_input *
 
 static oracle_outcome judge_light(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
-    const fxl_surface surface = {.division = FXL_DIVIDE_1, .flags = FXL_SURFACE_LIT, .opacity = 16};
     fxl_light_settings settings;
     fxl_direction normals[3];
     surface_sample sample;
@@ -146,12 +116,11 @@ static oracle_outcome judge_light(const oracle_input *input, FILE *words, oracle
     if (!(bound < JUDGED_BOUND)) {
         return ORACLE_SKIPPED;
     }
-    const int shown = surface_sample_draw(&sample, NULL, &surface, normals, &settings) - 100;
+    const int shown = surface_sample_level(&sample, normals, &settings);
     if (shown < 0) {
         return ORACLE_SKIPPED;
     }
-    const double held = fmax(0.5, fmin(exact, SURFACE_LEVELS - 0.5));
-    verdict->value = fmax(0, fmax(shown - held, held - shown - 1));
+    verdict->value = surface_level_distance(exact, shown);
     verdict->extras[0] = verdict->value > bound + 2.0 / 65536;
     if (words) {
         fprintf(words, "exact level %.9g, shown %d, off by %.9g, bound %.9g\n", exact, shown,

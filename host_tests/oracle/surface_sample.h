@@ -48,6 +48,20 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
                         const fxl_surface *surface, const fxl_direction normals[3],
                         const fxl_light_settings *light);
 
+/* The texel of u (attribute 0) or of v (1) that the pixel shows, of a texture of 2^log texels that
+ * repeats; or -1. log is at most 7. */
+int surface_sample_texel(surface_sample *sample, int attribute, int log, uint8_t division);
+
+/* How far an exact coordinate, in 2^-32, is from a texel of 2^log, around. */
+double surface_texel_distance(int64_t exact, int texel, int log);
+
+/* The level of light that the pixel shows; or -1. settings: those of surface_sample_light. */
+int surface_sample_level(surface_sample *sample, const fxl_direction normals[3],
+                         const fxl_light_settings *settings);
+
+/* How far an exact level is from one that is shown. */
+double surface_level_distance(double exact, int level);
+
 /* The exact value of an attribute at the pixel, in units of 2^-32, rounded down. *bound: what
  * docs/accuracy.md, section 5.1, allows, in the unit of the attribute. */
 int64_t surface_sample_exact(const surface_sample *sample, int attribute, double *bound);

@@ -59,10 +59,14 @@ STAGES = tuple(Kind("designs", *kind) for kind in (
     ("matrix", 1_000_000, 100_000),
     ("vertex", 10_000_000, 250_000),
     ("clip", 2_000_000, 100_000),
-    ("fill", 200_000, 10_000)))
+    ("fill", 200_000, 10_000),
+    *((stage, 200_000, 10_000) for stage in (
+        "texel", "texel_16", "texel_8", "texel_affine", "light", "depth_16", "depth_32"))))
 # Of each point of the sweep.
 SWEEPS = tuple(Kind("designs", f"sweep:{name}", 100_000, 10_000) for name in (
-    "near", "depth", "fov", "coordinates", "edge_length", "plane_angle"))
+    "near", "depth", "fov", "coordinates", "edge_length", "plane_angle")) + tuple(
+    Kind("designs", f"sweep:{name}", 20_000, 2_000) for name in (
+        "texel_depth", "texel_size", "texel_face", "light_depth", "distance_16", "distance_32"))
 
 
 def shards_of(kind, total):

@@ -5,6 +5,52 @@
 #include "reference/light.h"
 #include "stages/bridge.h"
 
+/* --- what a pixel shows --------------------------------------------------------------------- */
+
+/* u on a texture whose columns differ, v on one whose rows differ, of 1 to 128 of them. */
+static uint8_t texels[2][128 * 128];
+
+int surface_sample_texel(surface_sample *sample, int attribute, int log, uint8_t division)
+{
+    const int other = log < 4 ? 0 : 4; /* as the kernel for most textures takes them */
+    const int columns = attribute == 0 ? log : other, rows = attribute == 0 ? other : log;
+    const fxl_texture texture = {.texels = texels[attribute],
+                                 .log_width = (uint8_t)columns,
+                                 .log_height = (uint8_t)rows,
+                                 .levels = 1};
+    const fxl_surface surface = {.texture = 1, .division = division, .opacity = 16};
+    for (int i = 0; i < 1 << (columns + rows); i++) {
+        texels[attribute][i] =
+            (uint8_t)(100 + (attribute == 0 ? i & ((1 << columns) - 1) : i >> columns));
+    }
+    const int shown = surface_sample_draw(sample, &texture, &surface, NULL, NULL);
+    return shown < 0 ? shown : shown - 100;
+}
+
+double surface_texel_distance(int64_t exact, int texel, int log)
+{
+    const double size = ldexp(1, log);
+    double at = fmod(ldexp((double)exact, -32) - texel, size);
+    at = at < 0 ? at + size : at;
+    return at <= 1 ? 0 : fmin(at - 1, size - at);
+}
+
+int surface_sample_level(surface_sample *sample, const fxl_direction normals[3],
+                         const fxl_light_settings *settings)
+{
+    const fxl_surface surface = {.division = FXL_DIVIDE_1, .flags = FXL_SURFACE_LIT, .opacity = 16};
+    const int shown = surface_sample_draw(sample, NULL, &surface, normals, settings);
+    return shown < 0 ? shown : shown - 100;
+}
+
+double surface_level_distance(double exact, int level)
+{
+    const double held = fmax(0.5, fmin(exact, SURFACE_LEVELS - 0.5));
+    return fmax(0, fmax(level - held, held - level - 1));
+}
+
+/* --- light ---------------------------------------------------------------------------------- */
+
 static void put_direction(oracle_random *random, oracle_input *input)
 {
     const double turn = oracle_uniform(random, 0, 6.283185307179586);
