@@ -20,7 +20,7 @@ from fixel.errors import ToolError
 
 SAMPLES = 4000
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
-STAGES = ("matrix", "vertex", "clip", "fill", "texel", "texel_16", "texel_8", "texel_affine", "light", "depth_16", "depth_32")
+STAGES = ("matrix", "vertex", "clip", "fill", "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16", "depth_buffer_32")
 PARAMETERS = ("near", "depth", "fov", "coordinates", "edge_length", "plane_angle", "texel_depth", "texel_size", "texel_face",
               "light_depth", "distance_16", "distance_32")
 DESIGNS = ("naive", "fixel", "float32")
@@ -354,7 +354,7 @@ def test_bad_numbers(option, value, word):
 @pytest.mark.parametrize("words", [["vertex", "--input", "1 2 3"], ["vertex", "--input", "x"], ["nothing"],
                                    ["sweep:nothing"], ["vertex", "--seed"], [],
                                    ["fill", "--input", "32 24 3 0 0 1 1 2"], ["texel", "--input", "320 240 1"],
-                                   ["depth_16", "--input", " ".join(["7"] * 34)]])
+                                   ["depth_buffer_16", "--input", " ".join(["7"] * 34)]])
 def test_designs_refuses(built, words):
     done = subprocess.run([built / "host/designs", *words], capture_output=True, text=True, check=False)
     assert done.returncode == 2 and done.stderr.startswith("error: designs: ") and not done.stdout

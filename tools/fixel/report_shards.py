@@ -61,7 +61,7 @@ STAGES = tuple(Kind("designs", *kind) for kind in (
     ("clip", 2_000_000, 100_000),
     ("fill", 200_000, 10_000),
     *((stage, 200_000, 10_000) for stage in (
-        "texel", "texel_16", "texel_8", "texel_affine", "light", "depth_16", "depth_32"))))
+        "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16", "depth_buffer_32"))))
 # Of each point of the sweep.
 SWEEPS = tuple(Kind("designs", f"sweep:{name}", 100_000, 10_000) for name in (
     "near", "depth", "fov", "coordinates", "edge_length", "plane_angle")) + tuple(
@@ -110,6 +110,7 @@ def run_shards(build, kinds, total, seed, processes=None):
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     by_kind = {kind.what: [] for kind in kinds}
+    assert len(by_kind) == len(kinds), "two kinds of one name"
     for (kind, _, _), result in zip(jobs, results):
         by_kind[kind.what].append(result)
     return by_kind
