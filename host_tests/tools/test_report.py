@@ -20,7 +20,8 @@ from fixel.errors import ToolError
 
 SAMPLES = 4000
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
-STAGES = ("matrix", "vertex", "clip", "fill", "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16", "depth_buffer_32")
+STAGES = ("matrix", "vertex", "clip", "fill", "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16",
+          "depth_buffer_32")
 PARAMETERS = ("near", "depth", "fov", "coordinates", "edge_length", "plane_angle", "texel_depth", "texel_size", "texel_face",
               "light_depth", "distance_16", "distance_32")
 DESIGNS = ("naive", "fixel", "float32")
