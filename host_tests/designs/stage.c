@@ -11,8 +11,8 @@
 const designs_design *const designs_all[DESIGNS_COUNT] = {&designs_naive, &designs_fixel,
                                                           &designs_float32};
 const char *const designs_stage_names[DESIGNS_STAGES] = {
-    "matrix",  "vertex",       "clip",  "fill",     "texel",   "texel_16",
-    "texel_8", "affine", "light", "depth_buffer_16", "depth_buffer_32"};
+    "matrix", "vertex",          "clip",           "fill", "texel", "texel_16", "texel_8", "affine",
+    "light",  "depth_buffer_16", "depth_buffer_32"};
 const char *const designs_stage_units[DESIGNS_STAGES] = {"2^-30",
                                                          "1/65536 pixel",
                                                          "1/65536 pixel",
