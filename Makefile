@@ -127,11 +127,11 @@ ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED=]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED= ONLY=]
 	@tools/setup.sh report
-	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS)
+	@$(MAKE) $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS))
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
-	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') \
+	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') $(if $(ONLY),--only '$(ONLY)') \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
 wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= SCREEN= FRAMES= OUT=]
@@ -196,7 +196,7 @@ size: ## print flash, RAM and stack; check that the library has no float and no 
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
 # What make predict has costs of: bench/costs.json.
-COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500
+COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500 mps3-an547
 LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BOARD_SETTINGS.$(1)))),0)
 
 predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= SCREEN= FRAMES= JSON=]
@@ -205,6 +205,7 @@ predict: ## predict flash, RAM, stack and instructions a frame before anything i
 	@$(PY) tools/predict.py --board '$(BOARD)' --core '$(BOARD_CORE.$(BOARD))' --scene '$(SCENE)' --build $(BUILD) \
 	    --band $(BOARD_BAND_BYTES.$(BOARD)) --order $(BOARD_ORDER_ENTRIES.$(BOARD)) --list $(BOARD_LIST_BYTES.$(BOARD)) \
 	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD)) --list-most $(call LIST_MOST_OF,$(BOARD)) \
+	    $(if $(filter WALK_WITHOUT_SURFACES,$(BOARD_SETTINGS.$(BOARD))),--without-surfaces) \
 	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(JSON),--json '$(JSON)')
 
 costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=]

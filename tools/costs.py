@@ -23,8 +23,10 @@ from fixel.errors import ToolError, run_main
 from fixel.table import table
 
 FRAMES = 30         # of each scene, at most
-MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml")
+LOOKS_BYTES = 65536     # more than motions, light and surfaces of a scene take
+MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "bench/costs_surfaces.toml", "bench/costs_lights.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
+STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml")
 STACK_FRAMES = 4
 
 
@@ -38,7 +40,8 @@ def measure(plan, core, size, settings, file):
     the cache."""
     scene = image.load(file)
     rows, words, cache = settings
-    names, counts = costs.count(plan.build, file, rows * scene.width, 0, 4 * words, cache, frames=FRAMES)
+    # The bench's programs have memory of their own for motions, light and surfaces, so the list has all its words.
+    names, counts = costs.count(plan.build, file, rows * scene.width, 0, 4 * words + LOOKS_BYTES, cache, 4 * words, FRAMES)
     drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
     return names, counts, np.array(drawn.instructions, dtype=float)
 
@@ -70,22 +73,31 @@ def cores(plan, names, sizes, folder):
     return result, table(rows, ["core", "scene", *sizes])
 
 
-def board_sizes(board, build, folder):
-    """What the walk takes on a board, and the deepest stack that it saw."""
-    elf, seen = methods.elf_of(board, build), []
-    sizes = fleet.sizes(elf)
-    for source in STACK_SCENES:
+def deepest_stack(board, elf, sources, room, folder):
+    """Bytes of the deepest stack that the walk saw in these scenes; None where it has room for none of them."""
+    seen = []
+    for source in sources:
         file = pathlib.Path(folder) / f"{board}-{pathlib.Path(source).stem}.fxls"
         scene_tool.build(source, file, frames=STACK_FRAMES)
-        if file.stat().st_size > sizes["scene_room"]:
+        if file.stat().st_size > room:
             continue
         try:
             seen.append(fleet.stack_seen(board, elf, file, pathlib.Path(folder)))
         except ToolError:
-            continue    # no room for the scene's order or motions
-    if not any(seen):
+            continue    # no room for the scene's order, motions or surfaces
+    return max(filter(None, seen), default=None)
+
+
+def board_sizes(board, build, folder):
+    """What the walk takes on a board, and the deepest stack that it saw: without, and with light and surfaces."""
+    elf = methods.elf_of(board, build)
+    sizes = fleet.sizes(elf)
+    plain = deepest_stack(board, elf, STACK_SCENES, sizes["scene_room"], folder)
+    looks = deepest_stack(board, elf, STACK_LOOKS, sizes["scene_room"], folder)
+    if plain is None:
         raise ToolError(f"{board}: no scene of {', '.join(STACK_SCENES)} fits", exit_code=1)
-    return {**sizes, "stack_seen": max(filter(None, seen)), "stack_reserved": fleet.stack_reserved(elf)}
+    return {**sizes, "stack_seen": plain, "stack_seen_looks": max(plain, looks or 0),
+            "stack_reserved": fleet.stack_reserved(elf)}
 
 
 def setting(text):

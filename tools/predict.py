@@ -37,6 +37,8 @@ def count(options, scene, size, board, file):
         raise costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
     if needed > options.order:
         raise costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
+    if options.without_surfaces and scene.surfaces:
+        raise costs.NoRoom("the board has no room to draw surfaces")
     return costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
                        options.frames or 0)
 
@@ -54,7 +56,7 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "why_not": None, **costs.memory(board, size), "instructions_per_frame": None,
+              "why_not": None, **costs.memory(board, size, bool(scene.surfaces or scene.light)), "instructions_per_frame": None,
               "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
@@ -96,6 +98,7 @@ def main(argv):
                        ("cache", "entries of the vertex cache")):
         parser.add_argument(f"--{name}", type=int, required=True, help=what)
     parser.add_argument("--list-most", type=int, default=0, help="bytes that limit the display list alone")
+    parser.add_argument("--without-surfaces", action="store_true", help="the board's program draws none")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     parser.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")

@@ -3,8 +3,8 @@
 """Measures every claim about accuracy, and compares Fixel with plain 16.16 and float32.
 
 Writes report.json and report.html (one self-contained page). The same seed and number of samples give the
-same report on every machine. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 the report
-could not be made.
+same report on every machine. --only measures some claims, with as many samples as you like, and writes
+claims.json. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 the report could not be made.
 """
 
 from fixel import interpreter
@@ -62,16 +62,43 @@ def gather(options, work):
     return report, shown
 
 
+def measure_only(options):
+    """A report of the claims that ONLY= names."""
+    wanted = [kind for kind in report_shards.CLAIMS if kind.what in options.only]
+    shards = report_shards.run_shards(pathlib.Path(options.build), wanted, options.samples, options.seed, options.processes)
+    return {"samples": options.samples, "seed": options.seed,
+            "claims": report_claims.judge_only(shards, options.build, options.samples < report_shards.SAMPLES)}
+
+
 def complaints(report):
     """Everything that failed, as sentences."""
     return report_claims.complaints(report) + report_stages.complaints(report["twins"])
 
 
-def print_report(report, out):
-    """For people."""
+def print_claims(report):
+    """Their table."""
     print(table([[claim["id"], claim["bound"], float(claim["measured"]), claim["unit"],
                   claim["samples"], claim["samples_claimed"], claim["holds"]] for claim in report["claims"]],
                 ["claim", "bound", "measured", "unit", "samples", "claimed for", "holds"]))
+
+
+def print_verdict(report, found, files):
+    """What failed, how to see it again, and which files hold the report."""
+    for sentence in found:
+        print(f"{coloured('FAIL', 'red')}: {sentence}")
+    for claim in report["claims"]:
+        if not claim["holds"] and "command" in claim:
+            print(f"  again: {claim['command']}")
+    short = report_claims.shortfall(report)
+    if short and not found:
+        print(f"the report was asked for fewer samples than the claims are about: {short}")
+    word = coloured("FAIL", "red") if found else coloured("pass", "green")
+    print(f"{word}: {files}")
+
+
+def print_report(report, out):
+    """For people."""
+    print_claims(report)
     print()
     print(table([[row["stage"], report_plots.NAMES[row["design"]], float(row["max"]),
                   float(row["mean"]), float(row["rms"]), row["unit"]] for row in report["stages"]],
@@ -83,17 +110,7 @@ def print_report(report, out):
     third = report["third_judge"]
     print(f"\nray-cast oracle: {third['frames_judged']} frames of {third['scene']}, "
           f"{third['pixels_unexplained']:,} pixels unexplained")
-    found = complaints(report)
-    for sentence in found:
-        print(f"{coloured('FAIL', 'red')}: {sentence}")
-    for claim in report["claims"]:
-        if not claim["holds"] and "command" in claim:
-            print(f"  again: {claim['command']}")
-    short = report_claims.shortfall(report)
-    if short and not found:
-        print(f"the report was asked for fewer samples than the claims are about: {short}")
-    word = coloured("FAIL", "red") if found else coloured("pass", "green")
-    print(f"{word}: {out}/report.html, {out}/report.json")
+    print_verdict(report, complaints(report), f"{out}/report.html, {out}/report.json")
 
 
 def write_picture(options):
@@ -112,6 +129,7 @@ def read_options(argv):
     parser.add_argument("--samples", default=str(report_shards.SAMPLES),
                         help="number of vertices; the other samples are in proportion (SAMPLES=)")
     parser.add_argument("--seed", default="1", help="seed of the random samples (SEED=)")
+    parser.add_argument("--only", default="", help="measure these claims alone, like \"texel_affine depth_16\"; no page (ONLY=)")
     parser.add_argument("--scene", help="judge only the frames of this .toml, .obj or .fxls (SCENE=)")
     parser.add_argument("--board", default="mps2-an385", help="board that counts instructions for the claim scale")
     parser.add_argument("--processes", default="0", help="processes at a time; 0: one for each core")
@@ -123,6 +141,11 @@ def read_options(argv):
     options.samples = whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
     options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
     options.processes = whole_number("--processes", options.processes, 0, 1024) or None
+    options.only = options.only.split()
+    known = [kind.what for kind in report_shards.CLAIMS]
+    for word in options.only:
+        if word not in known:
+            raise ToolError(f"ONLY names '{word}'; the claims that have samples are: {', '.join(known)}")
     return options
 
 
@@ -131,6 +154,12 @@ def main(argv):
     if options.picture:
         write_picture(options)
         return 0
+    if options.only:
+        report = measure_only(options)
+        output.write_json(pathlib.Path(options.out) / "claims.json", report)
+        print_claims(report)
+        print_verdict(report, report_claims.complaints(report), f"{options.out}/claims.json")
+        return 0 if all(claim["holds"] for claim in report["claims"]) else 1
     with output.replaced_folder(options.out, PATTERNS) as folder, \
             scratch.folder("report", options.build) as work:
         report, shown = gather(options, work)

@@ -2,9 +2,12 @@
 /* Draws with Fixel in bands. Unless the build says otherwise they have three rows, and the memory
  * is that of boards/stm32vldiscovery, which has 8 KB of RAM: 600 bytes of display list and no
  * vertex cache. The order has as many entries as the scene needs; a large sorted model needs more
- * than that board has. With DRAW_CLEARS each band is cleared first, as the walk does. */
+ * than that board has. With DRAW_CLEARS each band is cleared first, and light and surfaces are
+ * drawn, as the walk does. */
 #include "contract/system.h"
 #include "draw.h"
+#include "fixel/extra/light.h"
+#include "fixel/extra/surfaces.h"
 #include "fixel/stage/fill.h"
 #include "text.h"
 
@@ -25,9 +28,38 @@ static fxl_cached_vertex cache[DRAW_CACHE_ENTRIES];
 static fxl_cached_vertex *const cache = NULL;
 #endif
 #if DRAW_CLEARS
+#define TEXTURES_MAX 64u
 static uint8_t background;
+static fxl_light light;
+static fxl_surfaces surfaces;
+static fxl_surface_set surface_set;
+static fxl_texture textures[TEXTURES_MAX];
 #endif
 static uint32_t order_used;
+
+#if DRAW_CLEARS
+/* The looks of the scene's faces. */
+static fxl_status open_looks(const fxl_scene_image *image)
+{
+    const bool is_lit = image->light.base != NULL;
+    fxl_light_settings settings;
+    fxl_status status = FXL_OK;
+    if (is_lit) {
+        fxl_light_settings_of(&image->light, &settings);
+        status = fxl_renderer_set_light(&renderer, &light, &settings);
+    }
+    if (status == FXL_OK && image->surfaces.face_map != NULL) {
+        status = fxl_surfaces_open(image, textures, TEXTURES_MAX, &surface_set, NULL);
+        if (status == FXL_OK) {
+            status = fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set);
+        }
+        if (status == FXL_OK && is_lit) {
+            status = fxl_renderer_light_surfaces(&renderer, &light);
+        }
+    }
+    return status;
+}
+#endif
 
 int draw_open(const fxl_scene_image *image)
 {
@@ -41,9 +73,15 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: order entries needed", "", ": ", order_used);
         return SYSTEM_EXIT_CAPACITY;
     }
-    return fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) == FXL_OK
-               ? SYSTEM_EXIT_DONE
-               : SYSTEM_EXIT_RENDER;
+    if (fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) != FXL_OK) {
+        return SYSTEM_EXIT_RENDER;
+    }
+#if DRAW_CLEARS
+    if (open_looks(image) != FXL_OK) {
+        return SYSTEM_EXIT_RENDER;
+    }
+#endif
+    return SYSTEM_EXIT_DONE;
 }
 
 bool draw_frame(const fxl_pose *pose, const fxl_band *whole)

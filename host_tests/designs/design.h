@@ -14,6 +14,8 @@
 #define DESIGNS_DESIGN_H
 
 #include "designs/input.h"
+#include "oracle/depth_sample.h"
+#include "oracle/surface_sample.h"
 
 /* A screen position in units of 1/65536 pixel. */
 typedef struct {
@@ -26,6 +28,17 @@ typedef struct {
     int width, height;
 } designs_bitmap;
 
+/* A triangle with a surface, and one pixel of it. */
+typedef struct {
+    surface_sample sample;
+    fxl_direction normals[3];
+    fxl_light_settings light; /* its levels are SURFACE_LEVELS */
+} designs_surface;
+
+enum {
+    DESIGNS_TEXEL_LOG = 7 /* of the texture's side */
+};
+
 typedef struct {
     const char *name;
     /* right, up and forward of a pose, in units of 2^-30 */
@@ -36,6 +49,13 @@ typedef struct {
     designs_screen (*clip)(const designs_input *input);
     /* the bitmap is clear before */
     void (*fill)(const fxl_screen_polygon *outline, const designs_bitmap *bitmap);
+    /* the column of the texture that the pixel shows; FXL_DIVIDE_16 and so on */
+    int (*texel)(designs_surface *face, uint8_t division);
+    /* the level of light that the pixel shows */
+    int (*level)(designs_surface *face);
+    /* which of two faces the pixel shows, drawn in turn with a depth buffer of 16 or, where wide,
+     * 32 bits */
+    int (*nearer)(const depth_sample *faces, bool wide);
 } designs_design;
 
 extern const designs_design designs_naive, designs_fixel, designs_float32;

@@ -10,6 +10,10 @@ $(BUILD)/host/objects/designs/%.o: host_tests/designs/%.c
 	$(HOST_SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 
-$(BUILD)/host/designs: $(DESIGNS_OBJECTS) $(BUILD)/host/libfixel.a
+# Triangles with surfaces, and what is exact of them.
+DESIGNS_ORACLE := $(addprefix $(BUILD)/host/objects/,$(addprefix oracle/,random.o setup.o triangle.o \
+    triangle_random.o surface_sample.o surface_shown.o depth_sample.o) stages/bridge.o)
+
+$(BUILD)/host/designs: $(DESIGNS_OBJECTS) $(DESIGNS_ORACLE) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(HOST_SAY)
-	$(HOSTCC) $^ -lm -o $@
+	$(HOSTCC) $^ -lgmp -lm -o $@

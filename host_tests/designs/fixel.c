@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The library, by its public functions. A call that it refuses counts as the
  * end of 16.16, so that it cannot pass for precise. */
-#include "designs/design.h"
+#include "designs/surface.h"
 
 static const designs_screen refused = {0x1p31, 0x1p31};
 
@@ -64,4 +64,20 @@ static void fixel_fill(const fxl_screen_polygon *outline, const designs_bitmap *
     }
 }
 
-const designs_design designs_fixel = {"fixel", fixel_matrix, fixel_vertex, fixel_clip, fixel_fill};
+static int fixel_texel(designs_surface *face, uint8_t division)
+{
+    return surface_sample_texel(&face->sample, 0, DESIGNS_TEXEL_LOG, division);
+}
+
+static int fixel_level(designs_surface *face)
+{
+    return surface_sample_level(&face->sample, face->normals, &face->light);
+}
+
+static int fixel_nearer(const depth_sample *faces, bool wide)
+{
+    return depth_sample_drawn(faces, wide);
+}
+
+const designs_design designs_fixel = {"fixel",    fixel_matrix, fixel_vertex, fixel_clip,
+                                      fixel_fill, fixel_texel,  fixel_level,  fixel_nearer};

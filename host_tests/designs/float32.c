@@ -4,35 +4,13 @@
 
 #include "designs/cover.h"
 #include "designs/exact.h"
-
-typedef struct {
-    float x, y, z;
-} vector;
-
-static float q16(int32_t value)
-{
-    return (float)value * 0x1p-16f;
-}
+#include "designs/float32.h"
+#include "designs/surface.h"
 
 /* A correctly rounded sine, so that no library's sinf decides. */
 static float sine(fxl_angle angle)
 {
     return (float)exact_sine(angle);
-}
-
-static float dot(const vector *a, const vector *b)
-{
-    return a->x * b->x + a->y * b->y + a->z * b->z;
-}
-
-static vector vector_of(const fxl_point *point)
-{
-    return (vector){q16(point->x), q16(point->y), q16(point->z)};
-}
-
-static vector row_of(const fxl_direction *row)
-{
-    return (vector){(float)row->x * 0x1p-30f, (float)row->y * 0x1p-30f, (float)row->z * 0x1p-30f};
 }
 
 static void float32_matrix(const fxl_pose *pose, double entries[9])
@@ -66,15 +44,8 @@ static double held(float pixels)
 
 static designs_screen show(const designs_input *input, const vector *point)
 {
-    const fxl_camera *camera = &input->camera;
-    vector eye = vector_of(&camera->position);
-    vector from_eye = {point->x - eye.x, point->y - eye.y, point->z - eye.z};
-    vector right = row_of(&camera->axes.right), up = row_of(&camera->axes.up);
-    vector forward = row_of(&camera->axes.forward);
-    float reciprocal = 1.0f / dot(&forward, &from_eye), focal = q16(input->lens.focal);
-    float centre_x = (float)input->lens.width * 0.5f, centre_y = (float)input->lens.height * 0.5f;
-    return (designs_screen){held(dot(&right, &from_eye) * reciprocal * focal + centre_x),
-                            held(centre_y - dot(&up, &from_eye) * reciprocal * focal)};
+    float32_point shown = float32_project(&input->camera, &input->lens, point);
+    return (designs_screen){held(shown.x), held(shown.y)};
 }
 
 static designs_screen float32_vertex(const designs_input *input)
@@ -155,5 +126,6 @@ static void float32_fill(const fxl_screen_polygon *outline, const designs_bitmap
     designs_cover_end(bitmap);
 }
 
-const designs_design designs_float32 = {"float32", float32_matrix, float32_vertex, float32_clip,
-                                        float32_fill};
+const designs_design designs_float32 = {"float32",     float32_matrix, float32_vertex,
+                                        float32_clip,  float32_fill,   float32_texel,
+                                        float32_level, float32_nearer};

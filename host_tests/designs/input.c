@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#include "designs/input.h"
+#include "designs/surface.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 enum {
-    NUMBERS_MAX = 3 + 2 * FXL_POLYGON_CAPACITY
+    NUMBERS_MAX = ORACLE_NUMBERS_MAX > 3 + 2 * FXL_POLYGON_CAPACITY ? ORACLE_NUMBERS_MAX
+                                                                    : 3 + 2 * FXL_POLYGON_CAPACITY
 };
 
 /* The numbers of an input, in the order of their text. */
@@ -52,6 +53,12 @@ static void put_view(numbers *list, const designs_input *input)
 static numbers list_input(enum designs_stage stage, const designs_input *input)
 {
     numbers list = {.count = 0};
+    if (stage >= DESIGNS_TEXEL) {
+        for (int i = 0; i < input->face.count; i++) {
+            put(&list, input->face.numbers[i]);
+        }
+        return list;
+    }
     switch (stage) {
     case DESIGNS_MATRIX:
         put(&list, input->pose.yaw);
@@ -170,10 +177,19 @@ static void take_outline(numbers *list, designs_input *input, bool *sound)
 
 bool designs_read_input(enum designs_stage stage, const char *text, designs_input *input)
 {
-    static const int counts[DESIGNS_STAGES] = {3, 21, 25, 0};
+    static const int counts[DESIGNS_TEXEL] = {3, 21, 25, 0};
     numbers list;
     *input = (designs_input){.plane = 0};
-    if (!parse(text, &list) || (stage != DESIGNS_FILL && list.count != counts[stage])) {
+    if (!parse(text, &list)) {
+        return false;
+    }
+    if (stage >= DESIGNS_TEXEL) {
+        for (int i = 0; i < list.count && i < ORACLE_NUMBERS_MAX; i++) {
+            oracle_put(&input->face, list.values[i]);
+        }
+        return designs_is_surface(stage, &input->face);
+    }
+    if ((stage != DESIGNS_FILL && list.count != counts[stage])) {
         return false;
     }
     bool sound = true;

@@ -3,48 +3,13 @@
  * 16 bits after the point, every product and quotient drops the rest. */
 #include "designs/cover.h"
 #include "designs/exact.h"
-
-typedef int32_t fixed;
-
-/* Kinder than the wrap of a real port. */
-static fixed held(int64_t value)
-{
-    return (fixed)(value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : value);
-}
-
-static fixed multiply(fixed a, fixed b)
-{
-    return held(((int64_t)a * b) >> 16);
-}
-
-static fixed divide(fixed a, fixed b)
-{
-    return b == 0 ? (a < 0 ? INT32_MIN : INT32_MAX) : held((int64_t)a * 65536 / b);
-}
+#include "designs/naive.h"
+#include "designs/surface.h"
 
 /* A 16.16 sine from a perfect table, cut. */
 static fixed sine(fxl_angle angle)
 {
     return (fixed)(exact_sine(angle) * 65536.0);
-}
-
-typedef struct {
-    fixed x, y, z;
-} vector;
-
-static fixed dot(const vector *a, const vector *b)
-{
-    return held((int64_t)multiply(a->x, b->x) + multiply(a->y, b->y) + multiply(a->z, b->z));
-}
-
-static vector vector_of(const fxl_point *point)
-{
-    return (vector){point->x, point->y, point->z};
-}
-
-static vector row_of(const fxl_direction *row)
-{
-    return (vector){row->x >> 14, row->y >> 14, row->z >> 14};
 }
 
 static void naive_matrix(const fxl_pose *pose, double entries[9])
@@ -66,19 +31,10 @@ static void naive_matrix(const fxl_pose *pose, double entries[9])
     }
 }
 
-/* TransformPoint and ProjectPolygon of Listing 65.3. */
 static designs_screen show(const designs_input *input, const vector *point)
 {
-    const fxl_camera *camera = &input->camera;
-    vector eye = vector_of(&camera->position);
-    vector from_eye = {held((int64_t)point->x - eye.x), held((int64_t)point->y - eye.y),
-                       held((int64_t)point->z - eye.z)};
-    vector right = row_of(&camera->axes.right), up = row_of(&camera->axes.up);
-    vector forward = row_of(&camera->axes.forward);
-    fixed reciprocal = divide(65536, dot(&forward, &from_eye));
-    fixed x = multiply(multiply(dot(&right, &from_eye), reciprocal), input->lens.focal);
-    fixed y = multiply(multiply(dot(&up, &from_eye), reciprocal), input->lens.focal);
-    return (designs_screen){input->lens.width * 32768.0 + x, input->lens.height * 32768.0 - y};
+    naive_point shown = naive_project(&input->camera, &input->lens, point);
+    return (designs_screen){shown.x, shown.y};
 }
 
 static designs_screen naive_vertex(const designs_input *input)
@@ -160,4 +116,5 @@ static void naive_fill(const fxl_screen_polygon *outline, const designs_bitmap *
     designs_cover_end(bitmap);
 }
 
-const designs_design designs_naive = {"naive", naive_matrix, naive_vertex, naive_clip, naive_fill};
+const designs_design designs_naive = {"naive",    naive_matrix, naive_vertex, naive_clip,
+                                      naive_fill, naive_texel,  naive_level,  naive_nearer};

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "designs/exact.h"
+#include "designs/surface.h"
 
 const designs_plan designs_whole = {
     .near = {1.0 / 256, 8},
@@ -13,6 +14,9 @@ const designs_plan designs_whole = {
     .reach = 8191,
     .edge = {1.0 / 16, 8192},
     .angle = {0, 90},
+    .far = 16384,
+    .face = 20,
+    .texels = {1, 8000},
 };
 
 /* A place of the view, or a direction in it. */
@@ -237,7 +241,10 @@ void designs_sample(enum designs_stage stage, const designs_plan *plan, designs_
         while (!try_clip(plan, random, input)) {
         }
         break;
-    default:
+    case DESIGNS_FILL:
         sample_outline(random, input);
+        break;
+    default:
+        designs_sample_surface(stage, plan, random, input);
     }
 }

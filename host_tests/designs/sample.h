@@ -19,6 +19,10 @@ typedef struct {
     double reach;        /* and every vertex within +-reach */
     designs_range edge;  /* from a crossing to either end */
     designs_range angle; /* between edge and plane; any where low is 0 */
+    /* of surfaces and depth */
+    double far;           /* the far plane */
+    double face;          /* a face's longest edge, in depths of its pixel */
+    designs_range texels; /* the largest texture coordinate */
 } designs_plan;
 
 /* The whole of what the library's contract allows on a usual screen. */

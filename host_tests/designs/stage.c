@@ -6,18 +6,40 @@
 #include <string.h>
 
 #include "designs/exact.h"
+#include "designs/surface.h"
 
 const designs_design *const designs_all[DESIGNS_COUNT] = {&designs_naive, &designs_fixel,
                                                           &designs_float32};
-const char *const designs_stage_names[DESIGNS_STAGES] = {"matrix", "vertex", "clip", "fill"};
-const char *const designs_stage_units[DESIGNS_STAGES] = {"2^-30", "1/65536 pixel", "1/65536 pixel",
-                                                         "pixels"};
+const char *const designs_stage_names[DESIGNS_STAGES] = {
+    "matrix", "vertex",          "clip",           "fill", "texel", "texel_16", "texel_8", "affine",
+    "light",  "depth_buffer_16", "depth_buffer_32"};
+const char *const designs_stage_units[DESIGNS_STAGES] = {"2^-30",
+                                                         "1/65536 pixel",
+                                                         "1/65536 pixel",
+                                                         "pixels",
+                                                         "texels",
+                                                         "texels",
+                                                         "texels",
+                                                         "texels",
+                                                         "levels",
+                                                         "1/65536 of the distance",
+                                                         "1/65536 of the distance"};
 const char *const designs_stage_measures[DESIGNS_STAGES] = {
     "largest error of the nine entries of the camera's matrix, given the angles",
     "larger error in x and y of an unclipped vertex on the screen, given its 16.16 "
     "coordinates, the camera's position and matrix, and the focal length",
     "distance on the screen of a clipped vertex from the exact image of its edge, given the same",
     "pixels of an outline that are wrongly in or out, given its 16.16 vertices on the screen",
+    "how far the exact coordinate is from the texel that a pixel shows, around a texture of 128 "
+    "texels, given the corners, their coordinates and the camera's matrix; divided at each pixel",
+    "the same, divided every 16 pixels; Fixel divides more often where half a texel could be lost",
+    "the same, divided every 8 pixels; Fixel divides more often where half a texel could be lost",
+    "the same without perspective, given the corners' 16.16 points on the screen",
+    "how far the exact level is from the level of light of 64 that a pixel shows, with a sun, a "
+    "lamp "
+    "and fog at the corners, divided at each pixel",
+    "how much farther the shown one of two faces is than the other, with a depth buffer of 16 bits",
+    "the same with 32 bits",
 };
 
 static uint8_t exact_pixels[FXL_SCREEN_MAX * FXL_SCREEN_MAX];
@@ -77,6 +99,10 @@ void designs_errors(enum designs_stage stage, const designs_input *input,
     }
     if (stage == DESIGNS_FILL) {
         measure_fill(input, errors);
+        return;
+    }
+    if (stage >= DESIGNS_TEXEL) {
+        designs_surface_errors(stage, input, errors);
         return;
     }
     for (int i = 0; i < DESIGNS_COUNT; i++) {
@@ -139,7 +165,7 @@ void designs_explain(enum designs_stage stage, const designs_input *input)
     designs_errors(stage, input, errors);
     for (int i = 0; i < DESIGNS_COUNT; i++) {
         printf("%-8s off by %.6g %s\n", designs_all[i]->name, errors[i],
-               stage == DESIGNS_MATRIX ? "units of 2^-30" : "pixels");
+               stage == DESIGNS_MATRIX ? "units of 2^-30" : designs_stage_units[stage]);
     }
 }
 
@@ -190,6 +216,44 @@ static void set_angle(designs_plan *plan, double value)
     plan->angle = (designs_range){value, value};
 }
 
+/* Small faces not far from the origin, so that what is swept shows and not the rest. */
+static void set_near_surface(designs_plan *plan)
+{
+    plan->near = (designs_range){1.0 / 16, 1.0 / 16};
+    plan->depth = (designs_range){1, 16};
+    plan->fov = (designs_range){60, 60};
+    plan->eye = 256;
+    plan->face = 2;
+    plan->texels = (designs_range){256, 256};
+}
+
+static void set_texel_depth(designs_plan *plan, double value)
+{
+    set_near_surface(plan);
+    plan->depth = (designs_range){value, 1.25 * value};
+}
+
+static void set_texels(designs_plan *plan, double value)
+{
+    set_near_surface(plan);
+    plan->texels = (designs_range){value, value};
+}
+
+static void set_face(designs_plan *plan, double value)
+{
+    set_near_surface(plan);
+    plan->face = value;
+}
+
+/* Near and far planes as of a room or a street. */
+static void set_distance(designs_plan *plan, double value)
+{
+    set_near_surface(plan);
+    plan->near = (designs_range){0.25, 0.25};
+    plan->far = 2048;
+    plan->depth = (designs_range){value, 1.25 * value};
+}
+
 const designs_sweep designs_sweeps[DESIGNS_SWEEPS] = {
     {"near",
      "near plane (world units)",
@@ -227,4 +291,40 @@ const designs_sweep designs_sweeps[DESIGNS_SWEEPS] = {
      9,
      {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 90},
      set_angle},
+    {"texel_depth",
+     "depth of the pixel (world units)",
+     DESIGNS_TEXEL,
+     8,
+     {0.25, 1, 4, 16, 64, 256, 1024, 4096},
+     set_texel_depth},
+    {"texel_size",
+     "largest texture coordinate (texels)",
+     DESIGNS_TEXEL,
+     8,
+     {1, 4, 16, 64, 256, 1024, 4096, 16383},
+     set_texels},
+    {"texel_face",
+     "longest edge of a face (depths of the pixel)",
+     DESIGNS_TEXEL_16,
+     8,
+     {0.25, 0.5, 1, 2, 4, 8, 16, 32},
+     set_face},
+    {"light_depth",
+     "depth of the pixel (world units)",
+     DESIGNS_LIGHT,
+     8,
+     {0.25, 1, 4, 16, 64, 256, 1024, 4096},
+     set_texel_depth},
+    {"distance_16",
+     "distance of the faces (world units)",
+     DESIGNS_DEPTH_16,
+     8,
+     {0.3125, 1, 4, 16, 64, 256, 512, 1024},
+     set_distance},
+    {"distance_32",
+     "distance of the faces (world units)",
+     DESIGNS_DEPTH_32,
+     8,
+     {0.3125, 1, 4, 16, 64, 256, 512, 1024},
+     set_distance},
 };

@@ -34,7 +34,7 @@ typedef struct {
 } designs_sweep;
 
 enum {
-    DESIGNS_SWEEPS = 6
+    DESIGNS_SWEEPS = 12
 };
 
 extern const designs_sweep designs_sweeps[DESIGNS_SWEEPS];

@@ -18,12 +18,27 @@
 #include "oracle/tally.h"
 
 static const oracle_claim *const claims[] = {
-    &oracle_matrix_entry,        &oracle_matrix_entry_instance, &oracle_orientation_angles,
-    &oracle_orientation_axis,    &oracle_orientation_look_at,   &oracle_orientation_product,
-    &oracle_orientation_parents, &oracle_sine_cosine,           &oracle_vertex_unclipped,
-    &oracle_outline_clipped,     &oracle_outline_near_parallel, &oracle_coverage,
-    &oracle_watertight,          &oracle_texel_divided,         &oracle_texel_every_16,
+    &oracle_matrix_entry,
+    &oracle_matrix_entry_instance,
+    &oracle_orientation_angles,
+    &oracle_orientation_axis,
+    &oracle_orientation_look_at,
+    &oracle_orientation_product,
+    &oracle_orientation_parents,
+    &oracle_sine_cosine,
+    &oracle_vertex_unclipped,
+    &oracle_outline_clipped,
+    &oracle_outline_near_parallel,
+    &oracle_coverage,
+    &oracle_watertight,
+    &oracle_texel_divided,
+    &oracle_texel_every_16,
+    &oracle_texel_every_8,
+    &oracle_texel_affine,
     &oracle_light_level,
+    &oracle_vertex_turned,
+    &oracle_depth_16,
+    &oracle_depth_32,
 };
 
 enum {

@@ -11,7 +11,7 @@ HOST_TOOLS += $(BUILD)/host/oracle
 $(BUILD)/host/objects/oracle/%.o: host_tests/oracle/%.c
 	$(MAKE_FOLDER)
 	$(HOST_SAY)
-	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include \
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib -Ilib/include \
 	    -MMD -MP -c $< -o $@
 
 $(ORACLE_LIBRARY): $(BUILD)/host/objects/oracle/tie.o

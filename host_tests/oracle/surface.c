@@ -1,45 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* texel_divided, texel_every_16 and light_level: one pixel of a triangle as the library draws it,
- * against the exact coordinates and the exact light there. A pixel shows the texel, or the level,
- * that holds its coordinate; how far the exact coordinate is from it is the error that is seen. */
+/* texel_divided, texel_every_16, texel_every_8, texel_affine and light_level: one pixel of a
+ * triangle as the library draws it, against the exact coordinates and the exact light there. A
+ * pixel shows the texel, or the level, that holds its coordinate; how far the exact coordinate is
+ * from it is the error that is seen. */
 #include <math.h>
 
 #include "oracle/surface_sample.h"
-#include "reference/light.h"
-#include "stages/bridge.h"
 
 /* Where docs/accuracy.md, section 5.1, allows more, a sample is not judged. */
 #define JUDGED_BOUND (1.0 / 256)
 
 /* --- textures ------------------------------------------------------------------------------- */
 
-/* u on a texture whose columns differ, v on one whose rows differ, of 1 to 128 of them. */
-static uint8_t texels[2][128 * 128];
-
-static int shown_texel(surface_sample *sample, int attribute, int log, uint8_t division)
+/* Whether the coordinate changes so much in 16 columns that what v repeats takes more than 1/64
+ * texel (docs/accuracy.md, section 5.2). */
+static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
 {
-    const int other = log < 4 ? 0 : 4; /* as the kernel for most textures takes them */
-    const int columns = attribute == 0 ? log : other, rows = attribute == 0 ? other : log;
-    const fxl_texture texture = {.texels = texels[attribute],
-                                 .log_width = (uint8_t)columns,
-                                 .log_height = (uint8_t)rows,
-                                 .levels = 1};
-    const fxl_surface surface = {.texture = 1, .division = division, .opacity = 16};
-    for (int i = 0; i < 1 << (columns + rows); i++) {
-        texels[attribute][i] =
-            (uint8_t)(100 + (attribute == 0 ? i & ((1 << columns) - 1) : i >> columns));
-    }
-    const int shown = surface_sample_draw(sample, &texture, &surface, NULL, NULL);
-    return shown < 0 ? shown : shown - 100;
-}
-
-/* How far a coordinate, in 2^-32, is from a texel of 2^log, around. */
-static double distance_from(int64_t exact, int texel, int log)
-{
-    const double size = ldexp(1, log);
-    double at = fmod(ldexp((double)exact, -32) - texel, size);
-    at = at < 0 ? at + size : at;
-    return at <= 1 ? 0 : fmin(at - 1, size - at);
+    surface_sample beside = *sample;
+    double bound;
+    beside.x += 16;
+    return fabs(ldexp((double)(surface_sample_exact(&beside, attribute, &bound) - exact), -32)) >=
+           1024;
 }
 
 static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict,
@@ -53,20 +34,23 @@ static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle
     if (!surface_sample_read(input, &sample)) {
         return ORACLE_SKIPPED;
     }
+    if (division == FXL_AFFINE && !surface_sample_make_affine(&sample)) {
+        return ORACLE_SKIPPED; /* drawn as texel_every_16 has it */
+    }
     const int log = (int)input->numbers[SURFACE_NUMBERS];
     int judged = 0;
     for (int attribute = 0; attribute < 2; attribute++) {
         double bound;
         const int64_t exact = surface_sample_exact(&sample, attribute, &bound);
-        if (!(bound < JUDGED_BOUND)) {
+        if (!(bound < JUDGED_BOUND) || (sample.is_affine && is_steep(&sample, attribute, exact))) {
             verdict->extras[1]++;
             continue;
         }
-        const int shown = shown_texel(&sample, attribute, log, division);
+        const int shown = surface_sample_texel(&sample, attribute, log, division);
         if (shown < 0) {
             return ORACLE_SKIPPED;
         }
-        const double error = distance_from(exact, shown, log);
+        const double error = surface_texel_distance(exact, shown, log);
         judged = 1;
         verdict->value = fmax(verdict->value, error);
         verdict->extras[0] += division == FXL_DIVIDE_1 && error > bound;
@@ -96,110 +80,47 @@ static oracle_outcome judge_every_16(const oracle_input *input, FILE *words,
     return judge_texel(input, words, verdict, FXL_DIVIDE_16);
 }
 
-/* --- light ---------------------------------------------------------------------------------- */
-
-enum {
-    LEVELS = 64,
-    LIGHT_NUMBERS = SURFACE_NUMBERS + 9 + 10 /* three normals; the light */
-};
-
-static void put_direction(oracle_random *random, oracle_input *input)
+static oracle_outcome judge_every_8(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
-    const double turn = oracle_uniform(random, 0, 6.283185307179586);
-    const double up = oracle_uniform(random, -1, 1), level = sqrt(1 - up * up);
-    oracle_put(input, (int64_t)floor(level * cos(turn) * FXL_Q2_30_ONE + 0.5));
-    oracle_put(input, (int64_t)floor(up * FXL_Q2_30_ONE + 0.5));
-    oracle_put(input, (int64_t)floor(level * sin(turn) * FXL_Q2_30_ONE + 0.5));
+    return judge_texel(input, words, verdict, FXL_DIVIDE_8);
 }
+
+static oracle_outcome judge_affine(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+{
+    return judge_texel(input, words, verdict, FXL_AFFINE);
+}
+
+/* --- light ---------------------------------------------------------------------------------- */
 
 static void generate_light(oracle_random *random, uint64_t index, oracle_input *input)
 {
     (void)index;
     surface_sample_generate(random, input);
-    const int64_t *corner = &input->numbers[ORACLE_SETUP_NUMBERS + 2];
-    const double depth = oracle_spread(random, 65536, 1000 * 65536);
-    for (int i = 0; i < 4; i++) { /* the normals, and the way of the directional light */
-        put_direction(random, input);
-    }
-    oracle_put(input, oracle_between(random, 0, FXL_Q2_30_ONE / 4)); /* ambient */
-    oracle_put(input, oracle_between(random, 0, FXL_Q2_30_ONE));     /* strength */
-    for (int k = 0; k < 3; k++) {
-        const double at = (double)corner[k] + oracle_signed_spread(random, 1, depth);
-        oracle_put(input, (int64_t)fmax(fmin(at, FXL_COORDINATE_MAX), -FXL_COORDINATE_MAX));
-    }
-    oracle_put(input, (int64_t)fmin(2 * depth, FXL_COORDINATE_MAX)); /* range */
-    oracle_put(input, oracle_below(random, 2)
-                          ? 0
-                          : (int64_t)oracle_spread(random, 65536, depth * 4 + 65537));
-}
-
-/* The settings of the library and of the reference: from 10 numbers, a direction first. */
-static void read_light(const int64_t *n, fxl_light_settings *settings, ref_light *light)
-{
-    static uint8_t ramp[256 * LEVELS];
-    *settings = (fxl_light_settings){.ramp = ramp, .levels = LEVELS, .point_count = 1};
-    for (int i = 0; i < 256 * LEVELS; i++) {
-        ramp[i] = (uint8_t)(100 + i / 256);
-    }
-    settings->direction = (fxl_direction){(int32_t)n[0], (int32_t)n[1], (int32_t)n[2]};
-    settings->ambient = (int32_t)n[3];
-    settings->strength = (int32_t)n[4];
-    settings->points[0].position = (fxl_point){(int32_t)n[5], (int32_t)n[6], (int32_t)n[7]};
-    settings->points[0].range = (int32_t)n[8];
-    settings->points[0].strength = FXL_Q2_30_ONE;
-    settings->fog_far = (int32_t)n[9];
-    light->ambient = ldexp((double)n[3], -30);
-    light->strength = ldexp((double)n[4], -30);
-    light->direction =
-        (ref_point){ldexp((double)n[0], -30), ldexp((double)n[1], -30), ldexp((double)n[2], -30)};
-    light->point_count = 1;
-    light->points[0].position = bridge_point(&settings->points[0].position);
-    light->points[0].range = ldexp((double)n[8], -16);
-    light->points[0].strength = 1;
-    light->fog_near = 0;
-    light->fog_far = ldexp((double)n[9], -16);
-    light->levels = LEVELS;
+    surface_sample_put_light(random, input);
 }
 
 static oracle_outcome judge_light(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
-    static ref_light light;
-    const fxl_surface surface = {.division = FXL_DIVIDE_1, .flags = FXL_SURFACE_LIT, .opacity = 16};
     fxl_light_settings settings;
     fxl_direction normals[3];
     surface_sample sample;
-    if (input->count != LIGHT_NUMBERS) {
+    if (input->count != SURFACE_LIGHT_NUMBERS) {
         return ORACLE_UNUSABLE;
     }
     if (!surface_sample_read(input, &sample)) {
         return ORACLE_SKIPPED;
     }
-    read_light(&input->numbers[SURFACE_NUMBERS + 9], &settings, &light);
-    const ref_camera camera = bridge_camera(&sample.setup.view.camera);
-    for (int i = 0; i < 3; i++) {
-        const int64_t *n = &input->numbers[SURFACE_NUMBERS + 3 * i];
-        const ref_point normal = {ldexp((double)n[0], -30), ldexp((double)n[1], -30),
-                                  ldexp((double)n[2], -30)};
-        normals[i] = (fxl_direction){(int32_t)n[0], (int32_t)n[1], (int32_t)n[2]};
-        const double level =
-            ref_light_brightness(&light, &camera, bridge_point(&sample.corners[i]), normal) *
-                (LEVELS - 1) +
-            0.5;
-        sample.values[i][2] = (int64_t)floor(ldexp(level, 32) + 0.5);
-    }
+    surface_sample_light(input, &sample, normals, &settings);
     double bound;
-    /* Values in 2^-32: so is the result in 2^-48, and the bound in 2^-16. */
-    const double exact = ldexp((double)(surface_sample_exact(&sample, 2, &bound) >> 16), -32);
-    bound *= 0x1p-16;
+    const double exact = surface_sample_exact_level(&sample, &bound);
     if (!(bound < JUDGED_BOUND)) {
         return ORACLE_SKIPPED;
     }
-    const int shown = surface_sample_draw(&sample, NULL, &surface, normals, &settings) - 100;
+    const int shown = surface_sample_level(&sample, normals, &settings);
     if (shown < 0) {
         return ORACLE_SKIPPED;
     }
-    const double held = fmax(0.5, fmin(exact, LEVELS - 0.5));
-    verdict->value = fmax(0, fmax(shown - held, held - shown - 1));
+    verdict->value = surface_level_distance(exact, shown);
     verdict->extras[0] = verdict->value > bound + 2.0 / 65536;
     if (words) {
         fprintf(words, "exact level %.9g, shown %d, off by %.9g, bound %.9g\n", exact, shown,
@@ -228,6 +149,26 @@ const oracle_claim oracle_texel_every_16 = {
     .extras = {"beyond_own_bound", "not_judged"},
     .generate = generate_texel,
     .judge = judge_every_16,
+};
+
+const oracle_claim oracle_texel_every_8 = {
+    .id = "texel_every_8",
+    .unit = "texel",
+    .numbers = SURFACE_TEXT ", log2 of the texture's side",
+    .kinds = {"anywhere in sight"},
+    .extras = {"beyond_own_bound", "not_judged"},
+    .generate = generate_texel,
+    .judge = judge_every_8,
+};
+
+const oracle_claim oracle_texel_affine = {
+    .id = "texel_affine",
+    .unit = "texel",
+    .numbers = SURFACE_TEXT ", log2 of the texture's side",
+    .kinds = {"all corners on the screen"},
+    .extras = {"beyond_own_bound", "not_judged"},
+    .generate = generate_texel,
+    .judge = judge_affine,
 };
 
 const oracle_claim oracle_light_level = {

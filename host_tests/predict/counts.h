@@ -33,7 +33,23 @@
     X(rows) \
     X(pixels) \
     X(bands) \
-    X(cleared)
+    X(cleared) \
+    X(brightnesses) \
+    X(lamps) \
+    X(surfaces_found) \
+    X(surfaces_listed) \
+    X(surfaces_read) \
+    X(surfaces_painted) \
+    X(painted_edges) \
+    X(painted_rows) \
+    X(segment_rows) \
+    X(segments) \
+    X(segment_pixels) \
+    X(lit_segments) \
+    X(lit_segment_pixels) \
+    X(slow_rows) \
+    X(slow_pixels) \
+    X(divided_pixels)
 
 typedef struct {
 #define X(name) double name;

@@ -41,7 +41,9 @@ static const char *why_no_room(const fxl_scene_image *image, const uint32_t sett
     if (settings[ORDER] > 0 && image->scene.order_needed > settings[ORDER]) {
         return "the order has too few entries";
     }
-    return taken > settings[LIST] ? "the display list's memory is too small for the motions" : NULL;
+    return taken > settings[LIST]
+               ? "the display list's memory is too small for the motions, light and surfaces"
+               : NULL;
 }
 
 static bool parse(int count, char **words, uint32_t settings[SETTINGS])
@@ -75,21 +77,34 @@ static uint32_t motion_bytes(const fxl_scene_image *image)
                          40 * (scene->instance_count - scene->first_turned));
 }
 
+/* The same for light and surfaces, with their records as an Armv6-M or Armv7-M has them. */
+static uint32_t look_bytes(const fxl_scene_image *image)
+{
+    enum {
+        LIGHT = 132,
+        SURFACES = 76,
+        TEXTURE = 16
+    };
+    return (image->light.base != NULL ? aligned(LIGHT) : 0) +
+           (image->surfaces.face_map != NULL
+                ? aligned(SURFACES + TEXTURE * image->surfaces.texture_count)
+                : 0);
+}
+
 /* The renderer as the walk sets it up. Null, or what is wrong. */
 static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint32_t taken)
 {
     const fxl_scene *scene = &run->image.scene;
     const uint32_t order = settings[ORDER] > 0 ? settings[ORDER] : scene->order_needed;
-    if (scene->bsp_nodes != NULL || scene->beam_count > 0 || run->image.light.base != NULL ||
-        run->image.surfaces.face_map != NULL || run->image.billboards.model_map != NULL ||
-        run->image.visibility != FXL_SCENE_BY_DEFAULT) {
-        return "a scene with a BSP tree, beams, light at run time, surfaces, billboards or a depth "
-               "buffer, of which no costs are known";
+    if (scene->bsp_nodes != NULL || scene->beam_count > 0 ||
+        run->image.billboards.model_map != NULL || run->image.visibility != FXL_SCENE_BY_DEFAULT) {
+        return "a scene with a BSP tree, beams, billboards or a depth buffer, of which no costs "
+               "are known";
     }
     uint32_t list = settings[LIST] - taken;
     list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;
     const session_settings methods = {.clipper = &fxl_clipper_view,
-                                      .visibility = &fxl_visibility_sorted,
+                                      .visibility = session_visibility(run),
                                       .display_list_words = list / 4,
                                       .cache_entries = settings[CACHE]};
     session_reserve(run, &methods);
@@ -144,7 +159,7 @@ int main(int count, char **arguments)
                              "CACHE_ENTRIES LIST_MOST FRAMES");
     }
     const char *wrong = session_open(&run, arguments[1]);
-    const uint32_t taken = wrong == NULL ? motion_bytes(&run.image) : 0;
+    const uint32_t taken = wrong == NULL ? motion_bytes(&run.image) + look_bytes(&run.image) : 0;
     const char *no_room = wrong == NULL ? why_no_room(&run.image, settings, taken) : NULL;
     if (no_room != NULL) {
         fail(arguments[1], no_room);

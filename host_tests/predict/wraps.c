@@ -11,6 +11,9 @@
 #include "src/scene/turn_code.h"
 #include "src/view/turned_view.h"
 
+#include "extra/light/light_level.h"
+#include "extra/surfaces/segments.h"
+#include "extra/surfaces/surface_polygon.h"
 #include "fixel/stage/fill.h"
 #include "fixel/stage/project.h"
 
@@ -213,4 +216,83 @@ WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
     counted.bands += 1;
     counted.cleared += (double)band->rows * band->width;
     __real_fxl_fill_band(band, colour);
+}
+
+/* --- light and surfaces --------------------------------------------------------------------- */
+
+WRAPPED(fxl_q2_30, fxl_light_brightness,
+        (const fxl_light_settings *settings, const fxl_camera *camera, const fxl_lit_place *place))
+{
+    counted.brightnesses += 1;
+    counted.lamps += settings->point_count;
+    return __real_fxl_light_brightness(settings, camera, place);
+}
+
+WRAPPED(void, fxl_gradients_find,
+        (const fxl_gradient_corners *face, const fxl_view *view, fxl_gradients *gradients))
+{
+    counted.surfaces_found += 1;
+    __real_fxl_gradients_find(face, view, gradients);
+}
+
+WRAPPED(bool, fxl_surface_polygon_append,
+        (fxl_display_list * list, const fxl_screen_polygon *screen, fxl_rows rows,
+         const fxl_surface_polygon *polygon))
+{
+    const uint32_t used = list->used;
+    const bool done = __real_fxl_surface_polygon_append(list, screen, rows, polygon);
+    counted.surfaces_listed += 1;
+    counted.list_words += list->used - used;
+    return done;
+}
+
+WRAPPED(uint32_t, fxl_surface_polygon_read,
+        (const fxl_display_list_record *record, fxl_surface_polygon *polygon))
+{
+    counted.surfaces_read += 1;
+    return __real_fxl_surface_polygon_read(record, polygon);
+}
+
+WRAPPED(void, fxl_paint_polygon,
+        (const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
+         const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row, void *with))
+{
+    const double top = band->first_row, bottom = top + band->rows;
+    counted.surfaces_painted += 1;
+    counted.painted_edges += count;
+    counted.painted_rows += rows_between(points, count, top, bottom);
+    __real_fxl_paint_polygon(paint, points, count, band, scan, paint_row, with);
+}
+
+/* Of all that fxl_paint_segments paints; a row that is painted otherwise takes the rest. */
+static double by_segments;
+
+WRAPPED(void, fxl_paint_segments,
+        (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const double segments = (x1 + 15) / 16 - x0 / 16;
+    counted.segment_rows += 1;
+    by_segments += x1 - x0;
+    if (face->ramp != NULL) {
+        counted.lit_segments += segments;
+        counted.lit_segment_pixels += x1 - x0;
+    } else {
+        counted.segments += segments;
+        counted.segment_pixels += x1 - x0;
+    }
+    __real_fxl_paint_segments(face, row, x0, x1);
+}
+
+WRAPPED(void, fxl_paint_pixels,
+        (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const double before = by_segments;
+    counted.slow_rows += 1;
+    __real_fxl_paint_pixels(paint, row, x0, x1);
+    const double rest = x1 - x0 - (by_segments - before);
+    if (paint->division == FXL_DIVIDE_1 && paint->gradients->count > 0) {
+        counted.divided_pixels += rest;
+    } else {
+        counted.slow_pixels += rest;
+    }
 }

@@ -394,6 +394,22 @@ def test_names_of_objects_become_enumerations(tmp_path):
     assert text.count("_INSTANCE_") == 3 and "enum {" in text
 
 
+def test_names_of_textures_and_of_their_objects_become_enumerations(tmp_path):
+    made, _ = scene_tool.export(str(ROOT / "host_tests" / "tools" / "surfaces.toml"), str(tmp_path / "scene.h"), "s")
+    looks = {name: sorted({face.mapped.surface for face in made.models[item.model].faces if face.mapped})
+             for name, item in zip(made.names, made.objects)}
+    wanted = {"S_SURFACE_ROOM": looks["room"][0], "S_SURFACE_CRATE": looks["crate"][0],
+              "S_SURFACES_OF_CRATE": len(looks["crate"]), "S_SURFACE_PANE": looks["pane"][0]}
+    for name in ("bricks", "grille"):
+        numbers = [i for i, own in enumerate(made.surfaces.texture_names) if own == name]
+        wanted[f"S_TEXTURE_{name.upper()}"] = numbers[0]
+        assert all(made.surfaces.textures[i].log_height == {"bricks": 5, "grille": 4}[name] for i in numbers) and numbers
+    assert len(looks["crate"]) == 4 and len(made.surfaces.texture_names) == len(made.surfaces.textures)
+    checks = "".join(f"    if ({name} != {value}) {{ return {i}; }}\n" for i, (name, value) in enumerate(wanted.items(), 1))
+    source = f'#include "scene.h"\nint main(void)\n{{\n{checks}    return 0;\n}}\n'
+    assert subprocess.run([compiled(tmp_path, source)], check=False).returncode == 0
+
+
 def test_a_tree_takes_the_names_of_what_it_swallows(tmp_path):
     scene, _ = scene_tool.compile_scene(str(ROOT / "scenes" / "knot.toml"), None, None, "all")
     assert len(scene.names) == len(scene.objects) and scene.names[scene.tree.object] is None

@@ -102,3 +102,19 @@ def test_no_pixel_of_a_surface_exceeds_its_own_bound(build, claim):
     found = json.loads(oracle(build, claim, "--samples", 20_000, "--seed", 9, "--shard", 0))
     assert found["beyond_own_bound"] == 0
     assert found["samples"] == 20_000 > 10 * found["skipped"]
+
+
+@pytest.mark.parametrize("claim, least", (("depth_16", 0.5), ("depth_32", 0.1)))
+def test_depth_is_judged_where_it_is_nearly_wrong(build, claim, least):
+    """Pairs of faces that a buffer cannot tell apart are among the samples, close to the bound."""
+    found = json.loads(oracle(build, claim, "--samples", 20_000, "--seed", 9, "--shard", 0))
+    assert found["farther_one_shown"] > 1000 and least < found["max"] <= BOUNDS[claim]
+
+
+def test_rows_at_the_corner_of_the_tolerance_are_among_the_samples(build):
+    found = json.loads(oracle(build, "vertex_turned", "--samples", 20_000, "--seed", 9, "--shard", 0))
+    corner = next(kind for kind in found["kinds"] if "corner" in kind["kind"])
+    numbers = [int(word) for word in corner["worst_input"].split()]
+    x, y = numbers[9:12], numbers[12:15]
+    off = max(abs(sum(a * a for a in x) - 2 ** 60), abs(sum(a * a for a in y) - 2 ** 60), abs(sum(a * b for a, b in zip(x, y))))
+    assert corner["samples"] == 10_000 and off > 2 ** 31     # of 2^32

@@ -17,6 +17,9 @@ from fixel import bench_plan, costs, dump, emulator, fleet, flash
 
 SCENES = ("scenes/spin.toml", "scenes/knot.toml", "examples/game/game.toml")
 BOARDS = ("microbit", "mps2-an385")
+# With surfaces and with light at run time.
+LOOKS = (("mps2-an385", "scenes/room.toml"), ("mps2-an385", "scenes/lit.toml"), ("microbit", "scenes/lit.toml"))
+MEASURED = (*((board, scene) for board in BOARDS for scene in SCENES), *LOOKS)
 FRAMES = 12
 WITHIN = 0.15
 
@@ -25,7 +28,7 @@ def options_of(board):
     """The options that make gives tools/predict.py for a board."""
     lines = dry_run("predict", f"BOARD={board}", "SCENE=x").stdout.replace("\\\n", " ")
     command = next(line for line in lines.splitlines() if "tools/predict.py" in line)
-    words = re.findall(r"(--[a-z-]+) (?:'([^']*)'|(\S+))", command)
+    words = re.findall(r"(--[a-z-]+) (?:'([^']*)'|([^-\s]\S*))", command)
     return {name: quoted or plain for name, quoted, plain in words if name not in ("--scene", "--build", "--board")}
 
 
@@ -41,29 +44,28 @@ def predicted(board, scene, *more):
 def drawn(tmp_path_factory):
     """{(board, scene): (instructions of a mean frame, deepest stack)} as the boards have them; None without room."""
     found, folder = {}, tmp_path_factory.mktemp("drawn")
-    for board in BOARDS:
+    for board, source in MEASURED:
         elf = built(f"{board}/walk.elf")
-        for source in SCENES:
-            image, flashed, file = (folder / f"{board}.{suffix}" for suffix in ("fxls", "bin", "fxld"))
-            scene_tool.build(str(ROOT / source), image)
-            if image.stat().st_size > fleet.sizes(elf)["scene_room"]:
-                found[board, source] = None
-                continue
-            flash.flash(board, elf, image, flashed)
-            done = emulator.run(board, flashed, elf, file, FRAMES)
-            frames = dump.read_dump(file).frames
-            found[board, source] = (numpy.mean([frame.instructions for frame in frames]),
-                                    int(fleet.STACK.search(done.output)[1]))
+        image, flashed, file = (folder / f"{board}.{suffix}" for suffix in ("fxls", "bin", "fxld"))
+        scene_tool.build(str(ROOT / source), image)
+        if image.stat().st_size > fleet.sizes(elf)["scene_room"]:
+            found[board, source] = None
+            continue
+        flash.flash(board, elf, image, flashed)
+        done = emulator.run(board, flashed, elf, file, FRAMES)
+        frames = dump.read_dump(file).frames
+        found[board, source] = (numpy.mean([frame.instructions for frame in frames]),
+                                int(fleet.STACK.search(done.output)[1]))
     return found
 
 
 def test_the_scenes_are_not_in_the_fit():
     fitted = costs_tool.scenes_of(bench_plan.Plan("build"))
-    assert not set(SCENES) & set(fitted) and all((ROOT / scene).exists() for scene in (*SCENES, *fitted))
+    judged = {scene for _, scene in MEASURED}
+    assert not judged & set(fitted) and all((ROOT / scene).exists() for scene in (*judged, *fitted))
 
 
-@pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("board", BOARDS)
+@pytest.mark.parametrize("board, scene", MEASURED)
 def test_instructions_within_15_per_cent(drawn, board, scene):
     result = predicted(board, ROOT / scene, "--frames", FRAMES)
     assert drawn[board, scene] is not None and result["why_not"] is None
@@ -84,6 +86,10 @@ def test_a_board_without_room():
     result = predicted("microbit", ROOT / "scenes/w3.toml")
     assert "order entries" in result["why_not"] and result["instructions_per_frame"] is None
     assert "scene partition" in predicted("stm32vldiscovery", ROOT / "scenes/f32.toml")["why_not"]
+    done = dry_run("predict", "BOARD=stm32vldiscovery", "SCENE=x").stdout
+    assert "--without-surfaces" in done and "--without-surfaces" not in dry_run("predict", "BOARD=microbit", "SCENE=x").stdout
+    assert "no room to draw surfaces" in predicted("stm32vldiscovery", ROOT / "host_tests/fuzz/scenes/surfaces.toml",
+                                                   "--without-surfaces")["why_not"]
     assert "too small for the motions" in predicted("stm32vldiscovery", ROOT / "scenes/spin.toml")["why_not"]
 
 
@@ -103,8 +109,7 @@ def test_boards_and_scenes_without_costs(tmp_path):
     assert_one_sentence(done, "mps2-an505", "no costs of its core and flags", "FXL_SMALL", "microbit")
     words = [word for pair in options_of("mps2-an385").items() for word in pair]
     scene_tool.build(str(ROOT / "scenes/knot.toml"), tmp_path / "tree.fxls", layers="all")
-    for scene in (ROOT / "scenes/beam.toml", ROOT / "host_tests/tools/surfaces.toml", ROOT / "host_tests/fuzz/scenes/light.toml",
-                  tmp_path / "tree.fxls"):
+    for scene in (ROOT / "scenes/beam.toml", tmp_path / "tree.fxls"):
         done = run_cli("predict", "--board", "mps2-an385", "--scene", scene, *words)
         assert_one_sentence(done, "of which no costs are known")
 
@@ -120,7 +125,8 @@ def test_every_count_has_a_cost_and_a_name():
 def test_every_count_counts(tmp_path):
     """A function that nobody calls any more would count nothing, in silence."""
     total = 0
-    for number, source in enumerate(("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml")):
+    for number, source in enumerate(("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml",
+                                  "bench/costs_surfaces.toml", "bench/costs_lights.toml")):
         image = tmp_path / f"{number}.fxls"
         scene_tool.build(str(ROOT / source), image, 12 if number < 2 else None)
         names, counts = costs.count(made("build/host/predict").parents[1], image, 2560, 0, 4096 + 4096 * (number == 1), 8)
@@ -146,5 +152,6 @@ def test_the_parts_add_up():
 
 def test_the_core_of_flags():
     assert costs.core_of("-mcpu=cortex-m7 -mthumb") == "m3" and costs.core_of("-mcpu=cortex-m0 -mthumb") == "m0"
-    assert costs.core_of("-mcpu=cortex-m3 -Os") is None and costs.core_of("-mcpu=cortex-m55") is None
+    assert costs.core_of("-mcpu=cortex-m55 -mfloat-abi=soft") == "m3"
+    assert costs.core_of("-mcpu=cortex-m3 -Os") is None and costs.core_of("-mcpu=cortex-m55 -mfloat-abi=hard") is None
     assert pathlib.Path(costs.FILE).name == "costs.json"

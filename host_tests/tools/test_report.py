@@ -20,8 +20,10 @@ from fixel.errors import ToolError
 
 SAMPLES = 4000
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
-STAGES = ("matrix", "vertex", "clip", "fill")
-PARAMETERS = ("near", "depth", "fov", "coordinates", "edge_length", "plane_angle")
+STAGES = ("matrix", "vertex", "clip", "fill", "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16",
+          "depth_buffer_32")
+PARAMETERS = ("near", "depth", "fov", "coordinates", "edge_length", "plane_angle", "texel_depth", "texel_size", "texel_face",
+              "light_depth", "distance_16", "distance_32")
 DESIGNS = ("naive", "fixel", "float32")
 # An oracle whose every claim but the one named in it holds exactly.
 ORACLE = """#!/usr/bin/env python3
@@ -94,8 +96,9 @@ def test_every_claim_is_measured(result):
     _, report, done = result
     assert [claim["id"] for claim in report["claims"]] == [
         "matrix_entry", "matrix_entry_instance", "orientation_angles", "orientation_axis", "orientation_look_at",
-        "orientation_product", "orientation_parents", "sine_cosine", "vertex_unclipped", "outline_clipped", "coverage", "watertight",
-        "texel_divided", "texel_every_16", "light_level", "frame", "scale"]
+        "orientation_product", "orientation_parents", "sine_cosine", "vertex_unclipped", "vertex_turned",
+        "outline_clipped", "coverage", "watertight", "texel_divided", "texel_every_16", "texel_every_8", "texel_affine",
+        "light_level", "depth_16", "depth_32", "frame", "scale"]
     for claim in report["claims"]:
         assert claim["holds"] is True and claim["samples"] > 0 and claim["unit"]
         assert claim["measured"] <= claim["bound"]
@@ -272,6 +275,18 @@ def test_false_claim_fails(built, tmp_path, claim):
     assert "Not every claim holds" in (tmp_path / "out/report.html").read_text()
 
 
+def test_some_claims_alone(tmp_path):
+    build = build_with_oracle(tmp_path / "build", "orientation_axis")
+    done = run_report(build, tmp_path / "out", "--only", "orientation_axis depth_16", samples=100_000)
+    assert done.returncode == 1 and "FAIL: orientation_axis" in done.stdout and "depth_16 " in done.stdout
+    report = json.loads((tmp_path / "out/claims.json").read_text())
+    assert [(each["id"], each["samples"], each["holds"]) for each in report["claims"]] == \
+        [("orientation_axis", 100_000, False), ("depth_16", 20_000, True)]
+    done = run_report(build, tmp_path / "out", "--only", "depth_16", samples=100_000)
+    assert done.returncode == 0 and "fewer samples than the claims are about" in done.stdout
+    assert_one_sentence(run_report(build, tmp_path / "out", "--only", "depth"), "'depth'", "depth_16")
+
+
 def test_too_few_samples_are_a_failure_unless_asked_for():
     tally = {"max": 0.0, "sum": 0.0, "sum_of_squares": 0.0, "worst_input": "", "histogram": []}
     shards = {kind.what: [{**tally, "samples": kind.samples(report_shards.SAMPLES)}] for kind in report_shards.CLAIMS}
@@ -339,7 +354,8 @@ def test_bad_numbers(option, value, word):
 
 @pytest.mark.parametrize("words", [["vertex", "--input", "1 2 3"], ["vertex", "--input", "x"], ["nothing"],
                                    ["sweep:nothing"], ["vertex", "--seed"], [],
-                                   ["fill", "--input", "32 24 3 0 0 1 1 2"]])
+                                   ["fill", "--input", "32 24 3 0 0 1 1 2"], ["texel", "--input", "320 240 1"],
+                                   ["depth_buffer_16", "--input", " ".join(["7"] * 34)]])
 def test_designs_refuses(built, words):
     done = subprocess.run([built / "host/designs", *words], capture_output=True, text=True, check=False)
     assert done.returncode == 2 and done.stderr.startswith("error: designs: ") and not done.stdout

@@ -35,7 +35,15 @@ NAMES = {
     "spilled_faces": "a face that a band looks at, beside the list", "row_searches": "a polygon whose rows are found",
     "polygons": "a polygon that is scanned", "polygons_drawn": "of these, one with rows in the band",
     "trapezoids": "a trapezoid", "edges": "an edge of a polygon", "rows": "a row of a polygon",
-    "pixels": "a pixel of a polygon", "bands": "a band", "cleared": "a pixel that is cleared"}
+    "pixels": "a pixel of a polygon", "bands": "a band", "cleared": "a pixel that is cleared",
+    "brightnesses": "the light of a face or of a corner", "lamps": "a lamp of it",
+    "surfaces_found": "a face whose surface is found", "surfaces_listed": "a polygon with a surface for the display list",
+    "surfaces_read": "a polygon with a surface that a band draws from the list",
+    "surfaces_painted": "a polygon with a surface that is painted", "painted_edges": "an edge of it",
+    "painted_rows": "a row of it", "segment_rows": "a row of it by the kernel", "segments": "16 columns of a texture",
+    "segment_pixels": "a pixel of a texture", "lit_segments": "16 columns of a lit texture",
+    "lit_segment_pixels": "a pixel of a lit texture", "slow_rows": "a row of a surface beside the kernel",
+    "slow_pixels": "a pixel of a surface beside the kernel", "divided_pixels": "a pixel that is divided by itself"}
 
 
 class NoRoom(ToolError):
@@ -51,13 +59,15 @@ def load():
 
 
 def core_of(flags):
-    """The core of bench/costs.json that has the code of one with these compiler's flags, or None. A Cortex-M4 and M7
-    have the code of an M3 (lib/lib.mk)."""
+    """The core of bench/costs.json that has the code of one with these compiler's flags, or None. A Cortex-M4, M7, M33,
+    and an M55 that passes no floats in registers have the code of an M3 (lib/kernels/family.h)."""
     words = flags.split()
     if any(word.startswith(("-O", "-DFXL_")) for word in words):
         return None
     cores = {"-mcpu=cortex-m0": "m0", "-mcpu=cortex-m0plus": "m0", "-mcpu=cortex-m3": "m3", "-mcpu=cortex-m4": "m3",
-             "-mcpu=cortex-m7": "m3"}
+             "-mcpu=cortex-m7": "m3", "-mcpu=cortex-m33": "m3", "-mcpu=cortex-m55": "m3"}
+    if "-mcpu=cortex-m55" in words and "-mfloat-abi=soft" not in words:
+        return None     # its vectors take other instructions
     return next((cores[word] for word in words if word in cores), None)
 
 
@@ -105,10 +115,11 @@ def instructions(costs, names, counts):
 
 # --- the three that are not instructions ----------------------------------------------
 
-def memory(board, image_bytes):
+def memory(board, image_bytes, has_looks=False):
     """Bytes of flash and RAM on a board of bench/costs.json: what the program and a scene image take, and what there
-    is. The stack is a part of the RAM; seen is the deepest that the fit's scenes went."""
+    is. The stack is a part of the RAM; seen is the deepest that the fit's scenes went: with light or surfaces, has_looks,
+    or without."""
     return {"flash": {"program": board["flash_bytes"], "scene": image_bytes, "scene_room": board["scene_room"],
                       "of": board["flash_size"]},
             "ram": {"program": board["ram_bytes"], "of": board["ram_size"]},
-            "stack": {"seen": board["stack_seen"], "reserved": board["stack_reserved"]}}
+            "stack": {"seen": board["stack_seen_looks" if has_looks else "stack_seen"], "reserved": board["stack_reserved"]}}

@@ -71,6 +71,7 @@ class Surfaces:
     normals: list = field(default_factory=list)     # (x, y, z) in 2.30
     blend_first: int = 0        # palette index
     blend: list = field(default_factory=list)       # for each colour from that on 256 palette indices
+    texture_names: list = field(default_factory=list, compare=False)    # of the textures, in turn; an image has none
 
 
 def level_size(texture, level):

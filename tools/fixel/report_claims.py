@@ -33,6 +33,9 @@ CLAIMS = (
     Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
     Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
           "against the exact place, given its coordinates, the camera's position and matrix."),
+    Claim("vertex_turned", 1, "of its bound", "A vertex of a turned and scaled instance in the view, against the exact "
+          "product of the camera's rows, the orientation and the scale as given, by the bound of the matrix's rounding. "
+          "Half of the orientations have rows at a corner of the tolerance."),
     Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon clipped to all six planes: "
           "distance to the exact outline, and back. Except polygons nearly parallel to a plane."),
     Claim("coverage", 0, "pixels", "Pixels that are covered wrongly, or wrongly not covered, given the "
@@ -43,8 +46,14 @@ CLAIMS = (
     Claim("texel_divided", 1 / 256, "texel", "The texel that a pixel shows, divided at each pixel: how far it is "
           "from the exact texture coordinates, given corners and matrix."),
     Claim("texel_every_16", 0.54, "texel", "The same, divided every 16 columns or more often."),
+    Claim("texel_every_8", 0.54, "texel", "The same, divided every 8 columns or more often."),
+    Claim("texel_affine", 0.04, "texel", "The texel that a pixel shows without perspective: how far it is from the exact "
+          "affine function of the three corners' points on the screen."),
     Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
           "the exact light, given the lights, the corners and their normals."),
+    Claim("depth_16", 1, "of its bound", "The face that a pixel shows with a depth buffer of 16 bits, of two that cover it: "
+          "how much farther it is than the other, by the resolution of SPEC.md, section 10.6."),
+    Claim("depth_32", 1, "of its bound", "The same with 32 bits."),
     Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
           "renderer in double. Each must lie within 1/8192 pixel of an edge."),
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "
@@ -98,6 +107,16 @@ def judge(shards, frames, pixels, scales, build, fewer_asked):
             found.append(_scale_claim(claim, scales))
         else:
             found.append(_oracle_claim(claim, report_shards.merge(shards[claim.id]), build))
+    return _hold_to_samples(found, fewer_asked)
+
+
+def judge_only(shards, build, fewer_asked):
+    """claims[] of those claims alone that there are shards of."""
+    return _hold_to_samples([_oracle_claim(claim, report_shards.merge(shards[claim.id]), build)
+                             for claim in CLAIMS if claim.id in shards], fewer_asked)
+
+
+def _hold_to_samples(found, fewer_asked):
     for each in found:
         each["samples_claimed"] = FEWEST[each["id"]]
         each["holds"] = each["holds"] and each["samples"] > 0 and (fewer_asked or not is_short(each))
@@ -120,8 +139,8 @@ def complaints(report):
     found = [f"{claim['id']}: the bound is {claim['bound']:g}, the measured value is {claim['measured']:,.6g} "
              f"({claim['unit']}){_why(claim)}"
              for claim in report["claims"] if not claim["holds"]]
-    third = report["third_judge"]
-    if third["pixels_unexplained"]:
+    third = report.get("third_judge")
+    if third and third["pixels_unexplained"]:
         found.append(f"the ray-cast oracle disagrees with the reference renderer on {third['pixels_unexplained']:,} pixels "
                      f"of {third['scene']}")
     return found

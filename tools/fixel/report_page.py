@@ -13,7 +13,13 @@ TEMPLATES = pathlib.Path(__file__).resolve().parents[1] / "templates"
 TITLES = {"matrix": "Camera matrix", "vertex": "Vertex: transform and project", "clip": "Clip",
           "fill": "Fill", "near": "Near plane", "depth": "Depth", "fov": "Field of view",
           "coordinates": "Size of the coordinates", "edge_length": "Length of a clipped edge",
-          "plane_angle": "Angle to the clip plane"}
+          "plane_angle": "Angle to the clip plane", "texel": "Texel, divided at each pixel",
+          "texel_16": "Texel, divided every 16 pixels", "texel_8": "Texel, divided every 8 pixels",
+          "affine": "Texel without perspective", "light": "Level of light",
+          "depth_buffer_16": "Depth buffer of 16 bits", "depth_buffer_32": "Depth buffer of 32 bits",
+          "texel_depth": "Texel by depth", "texel_size": "Texel by size of the coordinates",
+          "texel_face": "Texel by size of the face", "light_depth": "Level of light by depth",
+          "distance_16": "Resolution of 16 bits by distance", "distance_32": "Resolution of 32 bits by distance"}
 NOTES = {
     "near": "Vertices at any depth from the near plane on. The worst lies near the plane or very far.",
     "depth": "The plain port is inexact near the eye because of its 16 fractional bits, and far away because of "
@@ -26,6 +32,16 @@ NOTES = {
                    "fraction.",
     "plane_angle": "If the edge is nearly parallel to the plane, the intersection moves along the edge, not "
                    "off it.",
+    "texel_depth": "Coordinates up to 256 texels, faces up to twice as long as their pixel is deep, around a texture of "
+                   "128 texels: so 63.5 is any texel.",
+    "texel_size": "Depths from 1 to 16. Fixel keeps 30 bits of what a face's texture is on the screen, so its error "
+                  "grows with the coordinates, as docs/accuracy.md, section 5.1, states.",
+    "texel_face": "Divided every 16 pixels, coordinates up to 256 texels. The others interpolate between divisions "
+                  "that may lie off the face. Fixel divides more often where half a texel could be lost.",
+    "light_depth": "A sun, a lamp and fog, at corners up to twice as far from each other as their pixel is deep.",
+    "distance_16": "The near plane is at 1/4, the far plane at 2,048. The others keep near/z, of which little is left far "
+                   "away. Fixel keeps it with an exponent: its resolution is a share of the distance.",
+    "distance_32": "The same planes. The plain port keeps 1/z in 16.16, float32 keeps it as a float.",
 }
 
 

@@ -22,6 +22,9 @@ PIXEL = 65536           # units
 LOWEST = 2.0 ** -6      # a histogram's first bin holds everything up to this
 SHARE_FLOOR = 0.6       # of one sample
 UNITS = {"2^-30": "$2^{-30}$"}
+# Of a sweep's errors: what a line marks, and the least that is told from 0.
+MARKS = {"1/65536 pixel": (PIXEL, "1 pixel", 0.1), "texels": (1, "1 texel", 1e-4), "levels": (1, "1 level", 1e-4),
+         "1/65536 of the distance": (PIXEL / 100, "1 % of the distance", 1e-3)}
 TICK_GAP = 1 / 12       # of a plot's width, between two labels
 
 
@@ -85,7 +88,8 @@ def histogram(stage, entries, name):
         axes.set_yscale("log")
         axes.set_ylim(floor, 3)
         axes.set_ylabel("share of samples")
-        axes.set_xlabel(f"error, in {unit if whole else 'units of ' + UNITS.get(unit, unit)}")
+        plural = whole or unit in ("texels", "levels")
+        axes.set_xlabel(f"error, in {unit if plural else 'units of ' + UNITS.get(unit, unit)}")
         _power_ticks(axes, by_design.values(), lowest, whole)
         if unit == "1/65536 pixel":
             _mark_pixel(axes, 16, "1 pixel")
@@ -124,15 +128,17 @@ def _legend(axes):
 
 def sweep(entries, name):
     """Largest and mean error over one parameter, for each design."""
+    unit = entries[0]["unit"]
+    mark, words, least = MARKS[unit]
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(5.2, 2.9))
         axes = figure.subplots()
         for entry in sorted(entries, key=lambda each: ORDER.index(each["design"])):
             values = [point["value"] for point in entry["points"]]
             colour = COLOURS[entry["design"]]
-            axes.plot(values, [point["max"] for point in entry["points"]], color=colour, linewidth=1.7,
+            axes.plot(values, [max(least, point["max"]) for point in entry["points"]], color=colour, linewidth=1.7,
                       marker="o", markersize=3.2, label=NAMES[entry["design"]])
-            axes.plot(values, [point["mean"] for point in entry["points"]], color=colour, linewidth=1,
+            axes.plot(values, [max(least, point["mean"]) for point in entry["points"]], color=colour, linewidth=1,
                       linestyle=(0, (2, 2)), alpha=0.75)
         if entries[0]["parameter"] != "fov":
             axes.set_xscale("log")
@@ -140,10 +146,10 @@ def sweep(entries, name):
         axes.set_yscale("log")
         axes.minorticks_off()
         axes.set_xlabel(entries[0]["label"])
-        axes.set_ylabel("error, 1/65536 pixel")
-        axes.set_ylim(bottom=0.1, top=max(4 * PIXEL, 2 * axes.get_ylim()[1]))
-        axes.axhline(PIXEL, color=SOFT, linewidth=0.9, linestyle=(0, (4, 3)))
-        axes.annotate("1 pixel", (1, PIXEL), xycoords=("axes fraction", "data"), xytext=(0, 2),
+        axes.set_ylabel(f"error, {unit}")
+        axes.set_ylim(bottom=least, top=max(4 * mark, 2 * axes.get_ylim()[1]))
+        axes.axhline(mark, color=SOFT, linewidth=0.9, linestyle=(0, (4, 3)))
+        axes.annotate(words, (1, mark), xycoords=("axes fraction", "data"), xytext=(0, 2),
                       textcoords="offset points", ha="right", fontsize=8, color=SOFT)
         _legend(axes)
         return as_svg(figure, name)

@@ -44,20 +44,29 @@ CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("orientation_parents", 10_000_000, 100_000),
     ("sine_cosine", 2_000_000, 100_000),
     ("vertex_unclipped", 10_000_000, 250_000),
+    ("vertex_turned", 10_000_000, 250_000),
     ("outline_clipped", 1_000_000, 10_000),
     ("coverage", 1_000_000, 10_000),
     ("watertight", 500_000, 10_000),
     ("texel_divided", 2_000_000, 50_000),
     ("texel_every_16", 2_000_000, 50_000),
-    ("light_level", 1_000_000, 50_000)))
+    ("texel_every_8", 2_000_000, 50_000),
+    ("texel_affine", 1_000_000, 50_000),
+    ("light_level", 1_000_000, 50_000),
+    ("depth_16", 2_000_000, 50_000),
+    ("depth_32", 2_000_000, 50_000)))
 STAGES = tuple(Kind("designs", *kind) for kind in (
     ("matrix", 1_000_000, 100_000),
     ("vertex", 10_000_000, 250_000),
     ("clip", 2_000_000, 100_000),
-    ("fill", 200_000, 10_000)))
+    ("fill", 200_000, 10_000),
+    *((stage, 200_000, 10_000) for stage in (
+        "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16", "depth_buffer_32"))))
 # Of each point of the sweep.
 SWEEPS = tuple(Kind("designs", f"sweep:{name}", 100_000, 10_000) for name in (
-    "near", "depth", "fov", "coordinates", "edge_length", "plane_angle"))
+    "near", "depth", "fov", "coordinates", "edge_length", "plane_angle")) + tuple(
+    Kind("designs", f"sweep:{name}", 20_000, 2_000) for name in (
+        "texel_depth", "texel_size", "texel_face", "light_depth", "distance_16", "distance_32"))
 
 
 def shards_of(kind, total):
@@ -101,6 +110,7 @@ def run_shards(build, kinds, total, seed, processes=None):
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     by_kind = {kind.what: [] for kind in kinds}
+    assert len(by_kind) == len(kinds), "two kinds of one name"
     for (kind, _, _), result in zip(jobs, results):
         by_kind[kind.what].append(result)
     return by_kind

@@ -4,7 +4,7 @@
 A face's texture coordinates must be affine over it (docs/formats.md, section 1.12): a face of a file whose
 coordinates are not is cut into triangles."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations
 from math import floor
@@ -26,6 +26,7 @@ class Paint:
     picture: object         # texture.Picture
     bits: int
     clamp: bool
+    name: str = field(default="", compare=False)    # for a program that is exported
 
 
 @dataclass(frozen=True)
@@ -215,6 +216,7 @@ class Records:
             key = look.paint, entries
             if key not in self.textures:
                 self.made.textures.append(_texture(look.paint, entries))
+                self.made.texture_names.append(look.paint.name)
                 self.textures[key] = len(self.made.textures)
             self.known[same] = self.textures[key], look.colours     # which keeps the id its own
         return self.known[same][0]

@@ -79,7 +79,8 @@ def read(table, mesh_of):
     if len(surfaces.of_face) > FACES_MAX:
         raise ToolError(f"{table.at('images')}: {len(surfaces.of_face):,} faces are more than the limit of {FACES_MAX:,} for "
                         "textures; simplify the model, or leave images away")
-    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), row[3], False)
+    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), row[3], False,
+                                                              material.name)
               for material in surfaces.materials]
     opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
     return (tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),
