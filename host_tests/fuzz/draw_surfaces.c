@@ -74,7 +74,7 @@ static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
     texture->format = spoilt(in, texture->format);
     texture->log_width = spoilt(in, texture->log_width);
     texture->log_height = spoilt(in, texture->log_height);
-    texture->reserved = spoilt(in, 0);
+    texture->key_565 = spoilt(in, 0);
     if (fuzz_below(in, 32) == 0) {
         texture->texels = NULL;
     }
