@@ -33,7 +33,8 @@ static inline uint32_t fxl_texel_place(const fxl_texture_level *level, int32_t i
 static inline uint8_t fxl_texel_index(const fxl_texture_level *level, uint32_t place)
 {
     if (level->colours != NULL) {
-        return level->colours[level->texels[place >> 1] >> (4u * (place & 1u)) & 15u];
+        const uint32_t two = level->texels[place >> 1];
+        return level->colours[two >> (4u * (place & 1u)) & 15u];
     }
     return level->texels[place];
 }
