@@ -145,7 +145,7 @@ static void check_against_palette(void)
                         indexed[y * WIDTH + x] != 22;
         }
     }
-    TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 4, textured);
+    TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 6, textured);
 }
 
 /* --- texels ------------------------------------------------------------------------------ */
