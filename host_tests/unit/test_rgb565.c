@@ -485,3 +485,26 @@ void test_flat_frames_need_no_surfaces(void)
         TEST_ASSERT_EQUAL_HEX16(palette[indexed[i]], pixels[i]);
     }
 }
+
+/* The same bits on the host and on every board. */
+void test_a_frame_of_all_is_as_it_was(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(5)];
+    static fxl_light light;
+    const fxl_light_settings settings = {
+        .ambient = Q30(0.125),
+        .point_count = 1,
+        .ramp = ramp,
+        .levels = 5,
+        .points = {{{Q16(-1), Q16(1), Q16(3)}, Q16(9), FXL_Q2_30_ONE}}};
+    surface[0].flags = FXL_SURFACE_LIT;
+    surface[1].flags = FXL_SURFACE_BLEND;
+    surface[1].opacity = 13;
+    face_map[1] = 2;
+    begin();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_rgb565(&renderer, &frame, palette, 0x1234));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&renderer, &light));
+    draw(pixels);
+    TEST_ASSERT_EQUAL_HEX32(0x7A11BC5B, unit_crc32((const uint8_t *)pixels, sizeof pixels));
+}
