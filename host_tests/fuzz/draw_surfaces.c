@@ -286,6 +286,7 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
         }
         draw_twice(&renderer, in);
         draw_twice_by_depth(&renderer, in);
+        draw_rgb565(&renderer, &made->set, &light, in);
         misuse(&renderer, made, scene);
         DEMAND(fxl_renderer_set_surfaces(&renderer, NULL, NULL) == FXL_OK);
     }

@@ -36,7 +36,7 @@ static inline uint16_t fxl_add_565(uint32_t a, uint32_t b)
 static inline uint32_t fxl_mix_channel_565(uint32_t colour, uint32_t dark, uint32_t part,
                                            uint32_t channel)
 {
-    const uint32_t lowest = channel & (0u - channel);
+    const uint32_t lowest = channel & ~(channel - 1u);
     const uint32_t sum = (colour & channel) * part + (dark & channel) * (256u - part);
     return (sum + 128u * lowest) >> 8 & channel; /* bug: mix-rounds */
 }

@@ -26,8 +26,8 @@ static uint32_t raster_workspace_size(const fxl_lens *lens)
 static void draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     fxl_rgb565_raster *raster = (fxl_rgb565_raster *)workspace->raster_workspace;
-    if (raster->opened != band) {
-        (void)fxl_refuse(workspace, FXL_E_ORDER); /* bug: band-of-bytes */
+    if (raster->opened != band) { /* bug: band-of-bytes */
+        (void)fxl_refuse(workspace, FXL_E_ORDER);
         return;
     }
     raster->palette = ((const fxl_rgb565_frame *)renderer->submit_workspace)->palette;
