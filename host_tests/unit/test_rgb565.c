@@ -41,7 +41,7 @@ static const fxl_model models[] = {{.first_vertex = 0,
                                     .radius = Q16(16)}};
 static const fxl_instance instances[] = {
     {{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 0, 0}, {{0, 0, 0}, 2, 0, 0}};
-static const fxl_direction normals[] = {{0, 0, -FXL_Q2_30_ONE}};
+static const fxl_direction normals[] = {{0, 0, -FXL_Q2_30_ONE}, {0, 0, FXL_Q2_30_ONE}};
 static const fxl_pose eye = {{Q16(0.3), Q16(0.2), 0}, 1 << 26, 0, 1 << 27};
 
 static uint8_t texels[16 * 16 + 8 * 8];
@@ -105,7 +105,7 @@ void setUp(void)
                             .texture_count = 1,
                             .surface_count = 2,
                             .face_count = 2,
-                            .normal_count = 1};
+                            .normal_count = 2};
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     config.background = BACKGROUND;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
@@ -400,6 +400,33 @@ void test_light_is_smooth_between_two_levels(void)
         }
     }
     TEST_ASSERT_GREATER_THAN(8, shades);
+}
+
+/* At the corner that the map has not, light would be twice that of full light. */
+void test_light_beyond_the_corners_is_held(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
+    static fxl_light light;
+    const fxl_light_settings settings = {
+        .direction = {0, 0, FXL_Q2_30_ONE}, .strength = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};
+    uint32_t full = 0;
+    face_map[0] = 0;
+    face_map[1] = 2;
+    surface[1].flags = FXL_SURFACE_LIT;
+    mapped[1].normals[1] = 1;
+    palette[21] = FXL_RGB565(255, 255, 255);
+    begin();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&renderer, &light));
+    draw(pixels);
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const channels colour = split(pixels[i]);
+        if (pixels[i] != palette[0] && pixels[i] != palette[BACKGROUND]) {
+            TEST_ASSERT_INT_WITHIN((63 + 31) / 2, colour.channel[1] * 31, colour.channel[0] * 63);
+            full += pixels[i] == palette[21];
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(40, full);
 }
 
 /* --- what is refused ----------------------------------------------------------------------- */
