@@ -156,6 +156,7 @@ pictures: ## renew the pictures of the documents (needs make run and make report
 	@$(PY) tools/first_program.py --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
 	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --crowd --out docs/world.png
 	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --crate --out docs/crate.png
+	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png

@@ -20,7 +20,11 @@ def main(argv):
     parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/examples/hud.c)")
     parser.add_argument("--crowd", action="store_true", help="examples/crowd")
     parser.add_argument("--crate", action="store_true", help="examples/crate")
+    parser.add_argument("--neon", action="store_true", help="examples/neon")
     options = parser.parse_args(argv)
+    if options.neon:
+        output.write_file(options.out, picture.png_bytes(picture.rgb565_image(first_program.draw_neon(options.library))))
+        return 0
     draw = (first_program.draw_hud if options.hud else first_program.draw_crowd if options.crowd else
             first_program.draw_crate if options.crate else first_program.draw)
     pixels, palette = draw(options.library)

@@ -2,16 +2,21 @@
 /* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its
  * picture: the pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the
  * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first. With
- * EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. */
+ * EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. EXAMPLE_PIXEL is the
+ * type of its pixels, if that is not a byte. */
 #define main example_main
 #include EXAMPLE
 #undef main
 
+#ifndef EXAMPLE_PIXEL
+#define EXAMPLE_PIXEL uint8_t
+#endif
+
 #ifdef EXAMPLE_FRAMES
-int show(const uint8_t *frame)
+int show(const EXAMPLE_PIXEL *shown_frame)
 {
     static int shown;
-    (void)frame;
+    (void)shown_frame;
     return ++shown == EXAMPLE_FRAMES;
 }
 #endif
@@ -41,7 +46,7 @@ int main(int argc, char **argv)
     if (example_main() != 0) {
         system_exit(SYSTEM_EXIT_RENDER);
     }
-    uint32_t crc = crc32_of(pixels[0], sizeof pixels);
+    uint32_t crc = crc32_of((const uint8_t *)pixels[0], sizeof pixels);
     for (int digit = 11; digit >= 4; digit--, crc >>= 4) {
         text[digit] = "0123456789abcdef"[crc & 15u];
     }

@@ -27,6 +27,13 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose);
 void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose);
 
+/* Frames of 16 bits a pixel of a renderer's scene, with the surfaces that it has and with some that
+ * only such frames have: whole, in bands, and in another workspace. The renderer's light has a
+ * ramp.
+ */
+void draw_rgb565(fxl_renderer *renderer, const fxl_surface_set *from, const fxl_light *light,
+                 fuzz_input *in);
+
 /* Faces that a frame looks at. */
 uint64_t draw_model_view(const fxl_scene *scene);
 

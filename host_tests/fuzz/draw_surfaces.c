@@ -74,7 +74,7 @@ static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
     texture->format = spoilt(in, texture->format);
     texture->log_width = spoilt(in, texture->log_width);
     texture->log_height = spoilt(in, texture->log_height);
-    texture->reserved = spoilt(in, 0);
+    texture->key_565 = spoilt(in, 0);
     if (fuzz_below(in, 32) == 0) {
         texture->texels = NULL;
     }
@@ -286,6 +286,7 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
         }
         draw_twice(&renderer, in);
         draw_twice_by_depth(&renderer, in);
+        draw_rgb565(&renderer, &made->set, &light, in);
         misuse(&renderer, made, scene);
         DEMAND(fxl_renderer_set_surfaces(&renderer, NULL, NULL) == FXL_OK);
     }

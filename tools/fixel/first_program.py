@@ -15,6 +15,9 @@ PROGRAM = ROOT / "examples" / "cube" / "main.c"
 CROWD = ROOT / "examples" / "crowd" / "main.c"
 CRATE = ROOT / "examples" / "crate" / "main.c"
 CRATE_FRAMES = 28   # of which the last shows three sides
+NEON = ROOT / "examples" / "neon" / "main.c"
+NEON_FRAMES = 60
+NEON_FLAGS = [f"-DEXAMPLE_FRAMES={NEON_FRAMES}", "-DEXAMPLE_PIXEL=uint16_t"]
 FRAME = ROOT / "host_tests" / "examples" / "frame.c"
 HUD = ROOT / "host_tests" / "examples" / "hud.c"
 HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
@@ -45,6 +48,12 @@ def draw_crate(library):
     return _with_palette(library, CRATE, f"-DEXAMPLE_FRAMES={CRATE_FRAMES}")
 
 
+def draw_neon(library):
+    """A picture of examples/neon: an array of RGB565."""
+    rows, _, _ = _run(library, NEON, 0, *NEON_FLAGS, row_bytes=2 * WIDTH)
+    return rows.view("<u2")
+
+
 def draw_hud(library):
     """The first program's picture with text and sprites over it (host_tests/examples/hud.c)."""
     pixels, palette = draw(library, HUD)
@@ -57,7 +66,7 @@ def _with_palette(library, program, *flags):
     return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
 
 
-def _run(library, program, more, *flags):
+def _run(library, program, more, *flags, row_bytes=WIDTH):
     """What a program draws, the `more` bytes before it, and the scene's palette. flags: for the compiler."""
     if not pathlib.Path(library).exists():
         raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
@@ -69,7 +78,7 @@ def _run(library, program, more, *flags):
         if done.returncode != 0:
             raise ToolError(f"{program} cannot be compiled with {library}: {done.stderr.strip()}")
         ran = children.run([f"{folder}/frame"])
-    if ran.returncode != 0 or len(ran.stdout) != more + WIDTH * HEIGHT:
+    if ran.returncode != 0 or len(ran.stdout) != more + row_bytes * HEIGHT:
         raise ToolError(f"{program} drew nothing: it ended with {ran.returncode}", exit_code=1)
-    pixels = numpy.frombuffer(ran.stdout[more:], dtype=numpy.uint8).reshape(HEIGHT, WIDTH)
+    pixels = numpy.frombuffer(ran.stdout[more:], dtype=numpy.uint8).reshape(HEIGHT, row_bytes)
     return pixels, ran.stdout[:more], numpy.array(scene.palette, dtype=numpy.uint8)

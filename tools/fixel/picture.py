@@ -24,6 +24,14 @@ def palette_image(pixels, palette):
     return image
 
 
+def rgb565_image(pixels):
+    """A picture of RGB565: each channel's largest value is 255, rounded to nearest."""
+    red, green, blue = pixels >> 11, pixels >> 5 & 63, pixels & 31
+    channels = [(2 * 255 * channel.astype(numpy.int32) + most) // (2 * most)
+                for channel, most in ((red, 31), (green, 63), (blue, 31))]
+    return Image.fromarray(numpy.stack(channels, axis=-1).astype(numpy.uint8))
+
+
 def animation_bytes(frames, palette, milliseconds=FRAME_MS):
     """An endless GIF of frames (arrays of palette indices)."""
     images = [palette_image(pixels, palette) for pixels in frames]

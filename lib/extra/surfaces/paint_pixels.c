@@ -1,33 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "attribute.h"
-#include "paint.h"
 #include "segments.h"
-
-/* Which pixels of a square of 4 x 4 an opacity draws: those whose number is below it. Neighbours in
- * number are far apart, so the pattern is even at every opacity. */
-static const uint8_t stipple[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-
-/* --- texels --------------------------------------------------------------------------------- */
-
-static inline uint32_t limited(int32_t coordinate, uint32_t last)
-{
-    return coordinate < 0 ? 0 : (uint32_t)coordinate > last ? last : (uint32_t)coordinate;
-}
-
-/* The texel in column i and row j, repeated or clamped. */
-static inline uint8_t texel(const fxl_texture_level *level, int32_t i, int32_t j)
-{
-    uint32_t column = (uint32_t)i & level->columns_less_1, row = (uint32_t)j & level->rows_less_1;
-    if (level->flags & FXL_TEXTURE_CLAMP) {
-        column = limited(i, level->columns_less_1);
-        row = limited(j, level->rows_less_1);
-    }
-    const uint32_t place = (row << level->log_width) + column;
-    if (level->colours != NULL) {
-        return level->colours[level->texels[place >> 1] >> (4u * (place & 1u)) & 15u];
-    }
-    return level->texels[place];
-}
+#include "texel_place.h"
 
 /* --- pixels --------------------------------------------------------------------------------- */
 
@@ -42,61 +15,29 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
                                const int32_t values[FXL_ATTRIBUTES])
 {
     uint8_t colour = paint->colour;
-    if (paint->opacity < 16 && stipple[4 * (row->y & 3) + (x & 3)] >= paint->opacity) {
+    if (fxl_is_stippled_away(paint->opacity, x, row->y)) {
         return;
     }
     if (paint->level.texels != NULL) {
-        colour = texel(&paint->level, values[FXL_ATTRIBUTE_U] >> 16, values[FXL_ATTRIBUTE_V] >> 16);
+        const uint32_t place = fxl_texel_place(&paint->level, values[FXL_ATTRIBUTE_U] >> 16,
+                                               values[FXL_ATTRIBUTE_V] >> 16);
+        colour = fxl_texel_index(&paint->level, place);
         if ((paint->level.flags & FXL_TEXTURE_KEYED) && colour == paint->level.key) {
             return;
         }
     }
     if (paint->ramp != NULL) {
         const int32_t light = values[paint->gradients->count - 1];
-        const uint32_t level = limited(light >> 16, paint->levels_less_1); /* bug: light-limit */
+        const uint32_t level =
+            fxl_limited(light >> 16, paint->levels_less_1); /* bug: light-limit */
         colour = paint->ramp[256u * level + colour];
     }
     row->pixels[x] = paint->blend == NULL ? colour : blended(paint, colour, row->pixels[x]);
 }
 
-/* The first number's upper word, x pixels on. */
-static inline int32_t value_at(int64_t first, const fxl_gradient *gradient, int32_t x)
-{
-    return (int32_t)((first + gradient->along * x) >> 32);
-}
+#include "paint_row.h"
 
-static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x, uint32_t weight,
-                      int32_t values[FXL_ATTRIBUTES])
-{
-    const fxl_gradients *gradients = paint->gradients;
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight);
-    for (uint32_t i = 0; i < gradients->count; i++) {
-        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
-                                     &reciprocal, gradients->shifts[i]);
-    }
-}
-
-static uint32_t weight_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
-{
-    const int32_t weight = value_at(row->weight, &paint->gradients->weight, x);
-    return weight < 1 ? 1 : (uint32_t)weight;
-}
-
-static void divide_each(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
-{
-    int32_t values[FXL_ATTRIBUTES];
-    for (int32_t x = x0; x < x1; x++) {
-        divide_at(paint, row, x, weight_at(paint, row, x), values);
-        paint_pixel(paint, row, x, values);
-    }
-}
-
-/* --- segments ------------------------------------------------------------------------------- */
-
-/* Neighbouring pixels whose attributes are linear: those of the first one, and the steps. */
-typedef struct {
-    uint32_t values[FXL_ATTRIBUTES], steps[FXL_ATTRIBUTES];
-} linear_pixels;
+/* --- neighbouring pixels -------------------------------------------------------------------- */
 
 /* Opaque texels of 8 bits, repeated: with or without a key, lit or not. Any pixel may be a byte of
  * the tables to the compiler, so the loop has copies of all that it needs. */
@@ -117,7 +58,7 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *o
         uint32_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
         if (colour != key) {
             if (lit) {
-                colour = ramp[256u * limited((int32_t)light >> 16, last_level) + colour];
+                colour = ramp[256u * fxl_limited((int32_t)light >> 16, last_level) + colour];
             }
             *pixel = (uint8_t)colour;
         }
@@ -135,7 +76,7 @@ static void paint_levels(const fxl_paint *paint, const linear_pixels *of, uint8_
     const uint32_t last_level = paint->levels_less_1, step = of->steps[0];
     uint32_t light = of->values[0];
     for (; pixel != end; pixel++) {
-        *pixel = ramp[256u * limited((int32_t)light >> 16, last_level)];
+        *pixel = ramp[256u * fxl_limited((int32_t)light >> 16, last_level)];
         light += step;
     }
 }
@@ -145,7 +86,6 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 {
     uint8_t *pixel = row->pixels + x0;
     const uint8_t *end = row->pixels + x1;
-    int32_t values[FXL_ATTRIBUTES];
     if (!FXL_IS_SMALL && paint->opacity == 16 && paint->blend == NULL) {
         if (paint->level.texels == NULL && paint->ramp != NULL) {
             paint_levels(paint, of, pixel, end);
@@ -161,77 +101,7 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
             return;
         }
     }
-    for (int32_t x = x0; x < x1; x++) {
-        for (uint32_t i = 0; i < paint->gradients->count; i++) {
-            values[i] = (int32_t)(of->values[i] + (uint32_t)(x - x0) * of->steps[i]);
-        }
-        paint_pixel(paint, row, x, values);
-    }
-}
-
-/* A column and its attributes: where one segment ends the next one begins. */
-typedef struct {
-    int32_t column; /* -1: none */
-    int32_t values[FXL_ATTRIBUTES];
-} divided_column;
-
-/* The columns first..first + 2^log - 1, divided at both ends. False where that is not exact enough:
- * nothing is painted. A step is rounded down by less than a unit, so the last pixel is off by less
- * than 16 units of 1/65536. */
-static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
-                          unsigned log, int32_t x0, int32_t x1, divided_column *at)
-{
-    const fxl_gradients *gradients = paint->gradients;
-    const int32_t last = first + (1 << log);
-    const uint32_t weight_0 = weight_at(paint, row, first), weight_1 = weight_at(paint, row, last);
-    const uint32_t least = gradients->weight_min[log == 4 ? 0 : 1];
-    const uint32_t skipped = (uint32_t)(x0 - first); /* bug: span-skip */
-    int32_t ends[FXL_ATTRIBUTES];
-    linear_pixels linear = {{0}, {0}};
-    if (weight_0 < least || weight_1 < least) {
-        return false;
-    }
-    if (at->column != first) {
-        divide_at(paint, row, first, weight_0, at->values);
-    }
-    divide_at(paint, row, last, weight_1, ends);
-    at->column = last;
-    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
-        const int32_t change = (int32_t)((uint32_t)ends[i] - (uint32_t)at->values[i]);
-        linear.steps[i] = (uint32_t)(change >> log);
-        linear.values[i] = (uint32_t)at->values[i] + skipped * linear.steps[i];
-        at->values[i] = ends[i];
-    }
-    paint_linear(paint, row, x0, x1, &linear);
-    return true;
-}
-
-static inline int32_t smaller(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-/* At most eight columns, of one segment of eight. */
-static void paint_eight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
-                        divided_column *at)
-{
-    if (paint->division == FXL_DIVIDE_1 || !paint_segment(paint, row, x0 & ~7, 3, x0, x1, at)) {
-        divide_each(paint, row, x0, x1);
-    }
-}
-
-/* Columns of one segment of 16, at most. */
-static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
-                          divided_column *at)
-{
-    if (paint->division == FXL_DIVIDE_16 && paint_segment(paint, row, x0 & ~15, 4, x0, x1, at)) {
-        return;
-    }
-    const int32_t middle = smaller((x0 & ~7) + 8, x1);
-    paint_eight(paint, row, x0, middle, at);
-    if (middle < x1) {
-        paint_eight(paint, row, middle, x1, at);
-    }
+    paint_each_linear(paint, row, x0, x1, of);
 }
 
 /* --- the kernel ----------------------------------------------------------------------------- */

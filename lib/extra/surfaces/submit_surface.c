@@ -63,13 +63,20 @@ static void find(const void *what, const fxl_model_view *model_view, const fxl_f
     }
 }
 
+/* Whether the renderer's method draws such surfaces. */
+static bool draws(const fxl_renderer *renderer, const fxl_surfaces *surfaces)
+{
+    return renderer->visibility->backend->draws_surfaces &&
+           (surfaces->painter != NULL || fxl_surface_backend_of(renderer)->draws_565);
+}
+
 static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
                    const fxl_shader *shader)
 {
     const fxl_surface_set *set = ((const fxl_surfaces *)(const void *)shader)->set;
     const fxl_scene *scene = on->renderer->scene;
     const uint32_t mapped = set->face_map[face - scene->faces];
-    if (mapped != 0 && on->renderer->visibility->backend->draws_surfaces) {
+    if (mapped != 0 && draws(on->renderer, (const fxl_surfaces *)(const void *)shader)) {
         const uint32_t used = on->renderer->frame.display_list.used;
         return fxl_count_outcome(
             on, fxl_submit_surface_polygons(model_view, face, on, find, &set->faces[mapped - 1]),
@@ -91,20 +98,16 @@ static uint8_t own_colour(const fxl_shader *shader, const fxl_renderer *renderer
     return colour;
 }
 
-fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
-                                     const fxl_surface_set *set)
+fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                               const fxl_surface_set *set, fxl_surfaces_checker *check,
+                               const fxl_surface_painter *painter)
 {
     static const fxl_shader_code code = {reaches, submit, NULL, own_colour, false};
-    static const fxl_surface_painter painter = {fxl_surface_paint_of, fxl_paint_polygon,
-                                                fxl_paint_pixels};
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
     fxl_status status = FXL_OK;
     if (renderer->scene == NULL) {
         status = FXL_E_ORDER;
     } else if (set != NULL) {
-        status = surfaces == NULL ? FXL_E_ARGUMENT : fxl_surfaces_check(set, renderer->scene, NULL);
+        status = surfaces == NULL ? FXL_E_ARGUMENT : check(set, renderer->scene, NULL);
     }
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
@@ -114,10 +117,25 @@ fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfa
         return FXL_OK;
     }
     surfaces->set = set;
-    surfaces->painter = &painter;
+    surfaces->painter = painter;
     surfaces->light = NULL;
     surfaces->light_code = NULL;
     surfaces->shader.code = &code;
     fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
-    return fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
+    return FXL_OK;
+}
+
+fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                                     const fxl_surface_set *set)
+{
+    static const fxl_surface_painter painter = {fxl_surface_paint_of, fxl_paint_polygon,
+                                                fxl_paint_pixels};
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_status status =
+        fxl_surfaces_attach(renderer, surfaces, set, fxl_surfaces_check, &painter);
+    return status != FXL_OK || set == NULL
+               ? status
+               : fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
 }

@@ -44,6 +44,7 @@ typedef struct {
     /* With find_depth: the same method far to near. */
     const fxl_visibility *far_to_near;
     uint8_t depth_bits; /* with find_depth: 16 or 32 a pixel */
+    bool draws_565;     /* bands have 16 bits a pixel */
 } fxl_surface_backend;
 
 static inline const fxl_surface_backend *fxl_surface_backend_of(const fxl_renderer *renderer)
@@ -94,6 +95,16 @@ typedef struct fxl_surface_painter {
                     const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row, void *with);
     void (*pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
 } fxl_surface_painter;
+
+/* fxl_surfaces_check, or fxl_surfaces_check_rgb565. */
+typedef fxl_status fxl_surfaces_checker(const fxl_surface_set *set, const fxl_scene *scene,
+                                        fxl_scene_fault *fault);
+
+/* fxl_renderer_set_surfaces without its visibility method. painter: null if the surfaces are for
+ * frames of 16 bits a pixel alone. */
+fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                               const fxl_surface_set *set, fxl_surfaces_checker *check,
+                               const fxl_surface_painter *painter);
 
 /* The surfaces of a renderer that has some; or null. */
 const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer);

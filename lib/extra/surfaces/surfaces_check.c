@@ -1,10 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 #include "../../src/math/unit_vector.h"
 #include "../../src/scene/fault.h"
-#include "fixel/extra/surfaces.h"
+#include "fixel/extra/rgb565.h"
 
-static fxl_status check_texture(const fxl_texture *texture)
+/* What frames of 16 bits a pixel have beyond those of a palette. */
+typedef struct {
+    uint8_t last_format, surface_flags;
+    bool is_565;
+} frame_kind;
+
+static const frame_kind of_palette = {FXL_TEXTURE_4, FXL_SURFACE_LIT | FXL_SURFACE_BLEND, false};
+static const frame_kind of_565 = {FXL_TEXTURE_565,
+                                  FXL_SURFACE_LIT | FXL_SURFACE_BLEND | FXL_SURFACE_ADD, true};
+
+static fxl_status check_texture(const fxl_texture *texture, const frame_kind *kind)
 {
+    const bool is_565 = texture->format == FXL_TEXTURE_565;
     const uint32_t smallest = texture->format == FXL_TEXTURE_4 ? 1 : 0;
     const uint32_t larger =
         texture->log_width > texture->log_height ? texture->log_width : texture->log_height;
@@ -12,18 +23,20 @@ static fxl_status check_texture(const fxl_texture *texture)
         (texture->format == FXL_TEXTURE_4) != (texture->colours != NULL)) {
         return FXL_E_ARGUMENT;
     }
-    if (texture->format > FXL_TEXTURE_4 ||
-        texture->flags > (FXL_TEXTURE_CLAMP | FXL_TEXTURE_KEYED) || texture->reserved != 0) {
+    if (texture->format > kind->last_format || (is_565 && texture->key != 0) ||
+        texture->flags > (FXL_TEXTURE_CLAMP | FXL_TEXTURE_KEYED) ||
+        (!is_565 && texture->key_565 != 0)) {
         return FXL_E_RESERVED;
     }
     if (texture->log_width > FXL_TEXTURE_LOG_MAX || texture->log_height > FXL_TEXTURE_LOG_MAX ||
         texture->log_width < smallest || texture->levels < 1 || texture->levels > larger + 1) {
         return FXL_E_RANGE;
     }
-    return FXL_OK;
+    return is_565 && ((uintptr_t)texture->texels & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
 }
 
-static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface)
+static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface,
+                                const frame_kind *kind)
 {
     if (surface->texture > set->texture_count) {
         return FXL_E_INDEX;
@@ -31,11 +44,13 @@ static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *s
     if (surface->opacity < 1 || surface->opacity > 16) {
         return FXL_E_RANGE;
     }
-    if ((surface->flags & FXL_SURFACE_BLEND) && set->blend == NULL) {
+    if (!kind->is_565 && (surface->flags & FXL_SURFACE_BLEND) && set->blend == NULL) {
         return FXL_E_ARGUMENT;
     }
+    const uint32_t both = FXL_SURFACE_BLEND | FXL_SURFACE_ADD;
     const bool plain = surface->division <= FXL_AFFINE &&
-                       surface->flags <= (FXL_SURFACE_LIT | FXL_SURFACE_BLEND) &&
+                       (surface->flags & ~(uint32_t)kind->surface_flags) == 0 &&
+                       (surface->flags & both) != both && /* bug: both-blends */
                        (surface->reserved[0] | surface->reserved[1] | surface->reserved[2]) == 0;
     return plain ? FXL_OK : FXL_E_RESERVED;
 }
@@ -112,8 +127,8 @@ static fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene
     return FXL_OK;
 }
 
-fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
-                              fxl_scene_fault *fault)
+static fxl_status check(const fxl_surface_set *set, const fxl_scene *scene, const frame_kind *kind,
+                        fxl_scene_fault *fault)
 {
     if (set == NULL || scene == NULL || set->face_map == NULL ||
         (set->textures == NULL && set->texture_count != 0) || set->surfaces == NULL ||
@@ -126,13 +141,13 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_COUNT);
     }
     for (uint32_t i = 0; i < set->texture_count; i++) {
-        const fxl_status status = check_texture(&set->textures[i]);
+        const fxl_status status = check_texture(&set->textures[i], kind);
         if (status != FXL_OK) {
             return fxl_fault_at(fault, "texture", i, status);
         }
     }
     for (uint32_t i = 0; i < set->surface_count; i++) {
-        const fxl_status status = check_surface(set, &set->surfaces[i]);
+        const fxl_status status = check_surface(set, &set->surfaces[i], kind);
         if (status != FXL_OK) {
             return fxl_fault_at(fault, "surface", i, status);
         }
@@ -143,4 +158,16 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
         }
     }
     return check_faces(set, scene, fault);
+}
+
+fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
+                              fxl_scene_fault *fault)
+{
+    return check(set, scene, &of_palette, fault);
+}
+
+fxl_status fxl_surfaces_check_rgb565(const fxl_surface_set *set, const fxl_scene *scene,
+                                     fxl_scene_fault *fault)
+{
+    return check(set, scene, &of_565, fault);
 }

@@ -61,7 +61,7 @@ static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, f
     to->flags = from->flags;
     to->key = from->key;
     to->levels = from->levels;
-    to->reserved = from->reserved;
+    to->key_565 = from->reserved; /* 0, or it is refused */
 }
 
 fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,

@@ -82,8 +82,9 @@ void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_tex
     const uint32_t least = fxl_level_least(texture);
     uint32_t log_width = texture->log_width, log_height = texture->log_height;
     const uint8_t *texels = texture->texels;
+    const bool is_565 = texture->format == FXL_TEXTURE_565;
     for (uint32_t i = 0; i < number; i++) {
-        texels += (1u << (log_width + log_height)) >> least;
+        texels += (is_565 ? 2u : 1u) << (log_width + log_height) >> least; /* bug: level-565 */
         log_width = fxl_level_log(texture->log_width, i + 1, least);
         log_height = fxl_level_log(texture->log_height, i + 1, 0);
     }
@@ -92,6 +93,6 @@ void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_tex
     level->columns_less_1 = (1u << log_width) - 1u;
     level->rows_less_1 = (1u << log_height) - 1u;
     level->log_width = (uint8_t)log_width;
-    level->flags = texture->flags;
+    level->flags = (uint8_t)(texture->flags | (is_565 ? FXL_LEVEL_565 : 0u));
     level->key = texture->key;
 }

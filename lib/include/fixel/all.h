@@ -19,6 +19,7 @@
 #include "fixel/extra/pixels.h"
 #include "fixel/extra/player.h"
 #include "fixel/extra/pump.h"
+#include "fixel/extra/rgb565.h"
 #include "fixel/extra/spans.h"
 #include "fixel/extra/surfaces.h"
 #include "fixel/extra/wire.h"

@@ -25,9 +25,11 @@ typedef struct {
 } fxl_texel;
 
 enum {
-    FXL_TEXTURE_8 = 0, /* a byte a texel: its palette index */
-    FXL_TEXTURE_4 = 1 /* two texels a byte, the left one in the lower bits: an index into `colours`;
-                         log_width is at least 1 */
+    FXL_TEXTURE_8 = 0,  /* a byte a texel: its palette index */
+    FXL_TEXTURE_4 = 1,  /* two texels a byte, the left one in the lower bits: an index into
+                           `colours`; log_width is at least 1 */
+    FXL_TEXTURE_565 = 2 /* two bytes a texel: an array of uint16_t, RGB565 in the core's byte order.
+                           In frames of 16 bits a pixel alone: fixel/extra/rgb565.h */
 };
 
 enum {
@@ -43,11 +45,11 @@ typedef struct {
     const uint8_t *texels;
     const uint8_t *colours; /* FXL_TEXTURE_4: 16 palette indices; else null */
     uint8_t log_width, log_height;
-    uint8_t format; /* FXL_TEXTURE_8, FXL_TEXTURE_4 */
-    uint8_t flags;  /* FXL_TEXTURE_CLAMP, FXL_TEXTURE_KEYED */
-    uint8_t key;    /* palette index */
-    uint8_t levels; /* 1..9 */
-    uint16_t reserved;
+    uint8_t format;   /* FXL_TEXTURE_8, FXL_TEXTURE_4, FXL_TEXTURE_565 */
+    uint8_t flags;    /* FXL_TEXTURE_CLAMP, FXL_TEXTURE_KEYED */
+    uint8_t key;      /* palette index */
+    uint8_t levels;   /* 1..9 */
+    uint16_t key_565; /* FXL_TEXTURE_565: the key; else 0 */
 } fxl_texture;
 
 /* How often texture coordinates and light are divided exactly. Between two divisions they are
@@ -61,16 +63,19 @@ enum {
 };
 
 enum {
-    FXL_SURFACE_LIT = 1u << 0,  /* light is found at the three corners, and is linear over the face:
-                                   fxl_renderer_light_surfaces */
-    FXL_SURFACE_BLEND = 1u << 1 /* colours are blended with those beneath, by the set's table */
+    FXL_SURFACE_LIT = 1u << 0, /* light is found at the three corners, and is linear over the face:
+                                  fxl_renderer_light_surfaces */
+    FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath, by the set's table; in
+                                    a frame of 16 bits a pixel half and half, without a table */
+    FXL_SURFACE_ADD = 1u << 2 /* colours are added to those beneath: in such a frame alone, and not
+                                 together with FXL_SURFACE_BLEND */
 };
 
 /* What faces look like. */
 struct fxl_surface {
     uint16_t texture; /* its number, counted from 1; 0: the face's own colour */
     uint8_t division; /* FXL_DIVIDE_16 and so on */
-    uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND */
+    uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND, FXL_SURFACE_ADD */
     uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
     uint8_t reserved[3];
 };
@@ -117,7 +122,8 @@ typedef struct {
  * that is FXL_SURFACE_BLEND has a table. Requires a checked scene and tables as long as their
  * counts; fault may be null.
  * FXL_E_ARGUMENT, FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL, FXL_E_DEGENERATE (corners on
- * one line), FXL_E_RESERVED: *fault written. On FXL_OK *fault is untouched. */
+ * one line), FXL_E_RESERVED (also a texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD, which
+ * are for fxl_surfaces_check_rgb565): *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
                               fxl_scene_fault *fault);
 

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""examples/neon: a wall of bricks, glass and a lamp in 16 bits a pixel, as docs/extras/rgb565.md shows it."""
+
+import subprocess
+
+import numpy
+from conftest import CHECKOUT
+from PIL import Image
+
+from fixel import first_program, picture
+
+
+def test_the_picture_is_that_of_the_document(build):
+    pixels = first_program.draw_neon(build / "host" / "libfixel.a")
+    shown = numpy.array(Image.open(CHECKOUT / "docs" / "neon.png").convert("RGB"))
+    assert len(numpy.unique(pixels)) > 256  # more than a palette has
+    assert numpy.array_equal(numpy.array(picture.rgb565_image(pixels)), shown)
+
+
+def test_a_channel_of_a_picture_is_rounded_to_nearest():
+    image = numpy.array(picture.rgb565_image(numpy.array([[0xFFFF, 0, 1 << 11 | 1 << 5 | 1, 16 << 11 | 32 << 5 | 16]], "<u2")))
+    assert image.tolist() == [[[255, 255, 255], [0, 0, 0], [8, 4, 8], [132, 130, 132]]]
+
+
+def test_it_compiles_for_a_small_core(tmp_path):
+    subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-std=c11", "-Wall", "-Wextra", "-Werror", "-c",
+                    f"-I{CHECKOUT / 'lib' / 'include'}", str(first_program.NEON)], cwd=tmp_path, check=True)
+
+
+def test_it_is_as_short_as_it_says():
+    lines = first_program.NEON.read_text(encoding="utf-8").splitlines()
+    assert len([line for line in lines if line.strip() and not line.startswith("/*")]) == 68

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Colours of 16 bits between two others. Internal. */
+#ifndef FXL_RGB565_COLOUR_H
+#define FXL_RGB565_COLOUR_H
+
+#include <stdint.h>
+
+/* The channels of a colour, where they are. */
+#define FXL_RED_565   0xF800u
+#define FXL_GREEN_565 0x07E0u
+#define FXL_BLUE_565  0x001Fu
+
+/* (a + b) / 2 of each channel, rounded down: bits that both have, and half of the others, whose
+ * lowest of each channel must not fall into the next. */
+static inline uint16_t fxl_half_565(uint32_t a, uint32_t b)
+{
+    return (uint16_t)((a & b) + (((a ^ b) & 0xF7DEu) >> 1)); /* bug: half-carry */
+}
+
+/* One channel of a + b, or the largest value. Both are of 16 bits, so the sum is below 2^17. */
+static inline uint32_t fxl_add_channel_565(uint32_t a, uint32_t b, uint32_t channel)
+{
+    const uint32_t sum = (a & channel) + (b & channel);
+    return sum > channel ? channel : sum & channel; /* bug: add-saturates */
+}
+
+static inline uint16_t fxl_add_565(uint32_t a, uint32_t b)
+{
+    return (uint16_t)(fxl_add_channel_565(a, b, FXL_RED_565) |
+                      fxl_add_channel_565(a, b, FXL_GREEN_565) |
+                      fxl_add_channel_565(a, b, FXL_BLUE_565));
+}
+
+/* One channel of dark + (colour - dark) * part / 256, rounded to nearest, halves upward. Channels
+ * are below 2^16 and parts at most 2^8, so the sum is below 2^24 + 2^18. */
+static inline uint32_t fxl_mix_channel_565(uint32_t colour, uint32_t dark, uint32_t part,
+                                           uint32_t channel)
+{
+    const uint32_t lowest = channel & ~(channel - 1u);
+    const uint32_t sum = (colour & channel) * part + (dark & channel) * (256u - part);
+    return (sum + 128u * lowest) >> 8 & channel; /* bug: mix-rounds */
+}
+
+/* Requires part <= 256. */
+static inline uint16_t fxl_mix_565(uint32_t colour, uint32_t dark, uint32_t part)
+{
+    return (uint16_t)(fxl_mix_channel_565(colour, dark, part, FXL_RED_565) |
+                      fxl_mix_channel_565(colour, dark, part, FXL_GREEN_565) |
+                      fxl_mix_channel_565(colour, dark, part, FXL_BLUE_565));
+}
+
+#endif

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/* A row of a face, in segments of the screen's columns. The file that includes this has defined
+ * before it what a pixel shows,
+ *
+ *   static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+ *                                  const int32_t values[FXL_ATTRIBUTES]);
+ *
+ * and defines after it how neighbouring pixels are painted, paint_linear. So there is one text for
+ * all sizes of a pixel, and no call for each. Internal. */
+#ifndef FXL_PAINT_ROW_H
+#define FXL_PAINT_ROW_H
+
+#include "attribute.h"
+#include "paint.h"
+
+/* Neighbouring pixels whose attributes are linear: those of the first one, and the steps. */
+typedef struct {
+    uint32_t values[FXL_ATTRIBUTES], steps[FXL_ATTRIBUTES];
+} linear_pixels;
+
+/* The pixels x0 <= x < x1. */
+static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                         const linear_pixels *of);
+
+/* The same, pixel by pixel. */
+static inline void paint_each_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                                     int32_t x1, const linear_pixels *of)
+{
+    int32_t values[FXL_ATTRIBUTES];
+    for (int32_t x = x0; x < x1; x++) {
+        for (uint32_t i = 0; i < paint->gradients->count; i++) {
+            values[i] = (int32_t)(of->values[i] + (uint32_t)(x - x0) * of->steps[i]);
+        }
+        paint_pixel(paint, row, x, values);
+    }
+}
+
+/* The first number's upper word, x pixels on. */
+static inline int32_t value_at(int64_t first, const fxl_gradient *gradient, int32_t x)
+{
+    return (int32_t)((first + gradient->along * x) >> 32);
+}
+
+static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x, uint32_t weight,
+                      int32_t values[FXL_ATTRIBUTES])
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight);
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
+                                     &reciprocal, gradients->shifts[i]);
+    }
+}
+
+static uint32_t weight_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
+{
+    const int32_t weight = value_at(row->weight, &paint->gradients->weight, x);
+    return weight < 1 ? 1 : (uint32_t)weight;
+}
+
+static void divide_each(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    int32_t values[FXL_ATTRIBUTES];
+    for (int32_t x = x0; x < x1; x++) {
+        divide_at(paint, row, x, weight_at(paint, row, x), values);
+        paint_pixel(paint, row, x, values);
+    }
+}
+
+/* --- segments ------------------------------------------------------------------------------- */
+
+/* A column and its attributes: where one segment ends the next one begins. */
+typedef struct {
+    int32_t column; /* -1: none */
+    int32_t values[FXL_ATTRIBUTES];
+} divided_column;
+
+/* The columns first..first + 2^log - 1, divided at both ends. False where that is not exact enough:
+ * nothing is painted. A step is rounded down by less than a unit, so the last pixel is off by less
+ * than 16 units of 1/65536. */
+static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
+                          unsigned log, int32_t x0, int32_t x1, divided_column *at)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const int32_t last = first + (1 << log);
+    const uint32_t weight_0 = weight_at(paint, row, first), weight_1 = weight_at(paint, row, last);
+    const uint32_t least = gradients->weight_min[log == 4 ? 0 : 1];
+    const uint32_t skipped = (uint32_t)(x0 - first); /* bug: span-skip */
+    int32_t ends[FXL_ATTRIBUTES];
+    linear_pixels linear = {{0}, {0}};
+    if (weight_0 < least || weight_1 < least) {
+        return false;
+    }
+    if (at->column != first) {
+        divide_at(paint, row, first, weight_0, at->values);
+    }
+    divide_at(paint, row, last, weight_1, ends);
+    at->column = last;
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
+        const int32_t change = (int32_t)((uint32_t)ends[i] - (uint32_t)at->values[i]);
+        linear.steps[i] = (uint32_t)(change >> log);
+        linear.values[i] = (uint32_t)at->values[i] + skipped * linear.steps[i];
+        at->values[i] = ends[i];
+    }
+    paint_linear(paint, row, x0, x1, &linear);
+    return true;
+}
+
+static inline int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* At most eight columns, of one segment of eight. */
+static void paint_eight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                        divided_column *at)
+{
+    if (paint->division == FXL_DIVIDE_1 || !paint_segment(paint, row, x0 & ~7, 3, x0, x1, at)) {
+        divide_each(paint, row, x0, x1);
+    }
+}
+
+/* Columns of one segment of 16, at most. */
+static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                          divided_column *at)
+{
+    if (paint->division == FXL_DIVIDE_16 && paint_segment(paint, row, x0 & ~15, 4, x0, x1, at)) {
+        return;
+    }
+    const int32_t middle = smaller((x0 & ~7) + 8, x1);
+    paint_eight(paint, row, x0, middle, at);
+    if (middle < x1) {
+        paint_eight(paint, row, middle, x1, at);
+    }
+}
+
+#endif

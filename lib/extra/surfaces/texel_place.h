@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* Where a texel is, and which pixels an opacity draws. Internal. */
+#ifndef FXL_TEXEL_PLACE_H
+#define FXL_TEXEL_PLACE_H
+
+#include "paint.h"
+
+/* Whether an opacity draws a pixel: of a square of 4 x 4 those whose number is below it. Neighbours
+ * in number are far apart, so the pattern is even at every opacity. */
+static inline bool fxl_is_stippled_away(uint32_t opacity, int32_t x, int32_t y)
+{
+    static const uint8_t stipple[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+    return opacity < 16 && stipple[4 * (y & 3) + (x & 3)] >= opacity;
+}
+
+static inline uint32_t fxl_limited(int32_t coordinate, uint32_t last)
+{
+    return coordinate < 0 ? 0 : (uint32_t)coordinate > last ? last : (uint32_t)coordinate;
+}
+
+/* The number of the texel in column i and row j, repeated or clamped. */
+static inline uint32_t fxl_texel_place(const fxl_texture_level *level, int32_t i, int32_t j)
+{
+    uint32_t column = (uint32_t)i & level->columns_less_1, row = (uint32_t)j & level->rows_less_1;
+    if (level->flags & FXL_TEXTURE_CLAMP) {
+        column = fxl_limited(i, level->columns_less_1);
+        row = fxl_limited(j, level->rows_less_1);
+    }
+    return (row << level->log_width) + column;
+}
+
+/* A texel of 8 or 4 bits: its palette index. */
+static inline uint8_t fxl_texel_index(const fxl_texture_level *level, uint32_t place)
+{
+    if (level->colours != NULL) {
+        const uint32_t two = level->texels[place >> 1];
+        return level->colours[two >> (4u * (place & 1u)) & 15u];
+    }
+    return level->texels[place];
+}
+
+#endif
