@@ -54,6 +54,42 @@ void test_texels_are_those_of_a_palette(void)
     }
 }
 
+/* Opaque faces have a loop of their own. */
+void test_opacity_changes_no_colour(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(9)];
+    static fxl_light light;
+    const fxl_light_settings settings = {
+        .point_count = 1,
+        .ramp = ramp,
+        .levels = 9,
+        .points = {{{Q16(-2), Q16(1), Q16(4)}, Q16(7), FXL_Q2_30_ONE}}};
+    walls.surface[0].flags = FXL_SURFACE_LIT;
+    walls.mapped[0].normals[1] = 1; /* so light goes beyond the ramp at both ends */
+    for (uint32_t lit = 0; lit < 2; lit++) {
+        uint32_t drawn = 0, other = 0;
+        walls.surface[0].opacity = 16;
+        walls_begin();
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_light_surfaces(&walls.renderer, lit ? &light : NULL));
+        walls_draw(walls.pixels);
+        walls.surface[0].opacity = 15; /* one pixel of 16 shows what is behind */
+        walls_draw(walls.again);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint32_t x = i % WIDTH, y = i / WIDTH;
+            if (x % 4 == 0 && y % 4 == 3) {
+                other += walls.pixels[i] != walls.again[i];
+            } else {
+                TEST_ASSERT_EQUAL_HEX16(walls.again[i], walls.pixels[i]);
+                drawn += walls.pixels[i] != walls.palette[BACKGROUND];
+            }
+        }
+        TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 4, drawn);
+        TEST_ASSERT_GREATER_THAN(10, other);
+    }
+}
+
 void test_the_second_level_is_found(void)
 {
     walls_make_texture(FXL_TEXTURE_8);
