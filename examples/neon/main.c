@@ -49,11 +49,11 @@ int main(void)
     fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 16, .point_count = 1, .ramp = ramp, .levels = 2};
     for (int i = 0; i < 1024; i++) { /* bricks of two rows, each of a red of its own, that runs from side to side */
         const int x = (i + i / 512 * 16) % 32, y = i / 32 % 16, mortar = y == 0 || x == 0, grain = (x * 7 + y * 13) % 9;
-        bricks[0][i] = mortar ? FXL_RGB565(150u, 146u, 138u) : FXL_RGB565(168u + (unsigned)(x + grain), 70u + (unsigned)(2 * y + grain), 48u + (unsigned)x);
+        bricks[i / 32][i % 32] = mortar ? FXL_RGB565(150u, 146u, 138u) : FXL_RGB565(168u + (unsigned)(x + grain), 70u + (unsigned)(2 * y + grain), 48u + (unsigned)x);
     }
     for (int i = 0; i < 4096; i++) { /* brightest in the middle */
         const int x = i % 64 - 32, y = i / 64 - 32, far = x * x + y * y, near = far < 1024 ? (1024 - far) / 4 : 0;
-        glow[0][i] = FXL_RGB565((unsigned)(near * near / 257), (unsigned)(near * near / 420), (unsigned)(near * near / 1100));
+        glow[i / 64][i % 64] = FXL_RGB565((unsigned)(near * near / 257), (unsigned)(near * near / 420), (unsigned)(near * near / 1100));
     }
     for (int i = 0; i < WALL; i++) { put_face(i, i % COLUMNS * 3 - 12, 9 - i / COLUMNS * 3, 3, 0, 64); }
     put_face(PANE, -3, 2, 4, 1, 1);

@@ -23,7 +23,7 @@ def test_a_channel_of_a_picture_is_rounded_to_nearest():
 
 
 def test_it_compiles_for_a_small_core(tmp_path):
-    subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-std=c11", "-Wall", "-Wextra", "-Werror", "-c",
+    subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", "-c",
                     f"-I{CHECKOUT / 'lib' / 'include'}", str(first_program.NEON)], cwd=tmp_path, check=True)
 
 

@@ -59,10 +59,46 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 
 #include "../surfaces/paint_row.h"
 
-static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
-                         const linear_pixels *of)
+/* Opaque texels of 16 bits, repeated and without a key: paint_pixel's colours. The compiler cannot
+ * tell pixels from what the loop reads, so it has copies. */
+static inline void paint_repeated(const fxl_paint_565 *of, const linear_pixels *linear,
+                                  uint16_t *pixel, const uint16_t *end, bool lit)
 {
-    paint_each_linear(paint, row, x0, x1, of);
+    const fxl_paint_565 copy = *of;
+    const fxl_texture_level *level = &of->paint.level;
+    const uint16_t *texels = (const uint16_t *)(const void *)level->texels;
+    const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
+    const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
+    uint32_t u = linear->values[FXL_ATTRIBUTE_U], v = linear->values[FXL_ATTRIBUTE_V];
+    uint32_t light = linear->values[FXL_ATTRIBUTES - 1]; /* light follows u and v */
+    const uint32_t u_step = linear->steps[FXL_ATTRIBUTE_U];
+    const uint32_t v_step = linear->steps[FXL_ATTRIBUTE_V];
+    const uint32_t light_step = linear->steps[FXL_ATTRIBUTES - 1];
+    for (; pixel != end; pixel++) {
+        const uint16_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
+        *pixel =
+            lit ? fxl_mix_565(colour, copy.dark, part_of_light(&copy, (int32_t)light)) : colour;
+        u += u_step;
+        v += v_step;
+        light += light_step;
+    }
+}
+
+static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                         const linear_pixels *linear)
+{
+    const fxl_paint_565 *of = (const fxl_paint_565 *)(const void *)paint;
+    const bool blends = (of->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
+    if (FXL_IS_SMALL || paint->opacity < 16 || blends || paint->level.flags != FXL_LEVEL_565) {
+        paint_each_linear(paint, row, x0, x1, linear);
+        return;
+    }
+    uint16_t *pixels = (uint16_t *)(void *)row->pixels;
+    if (of->part_of_level != 0) {
+        paint_repeated(of, linear, pixels + x0, pixels + x1, true);
+    } else {
+        paint_repeated(of, linear, pixels + x0, pixels + x1, false);
+    }
 }
 
 void fxl_paint_row_rgb565(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#include "rgb565_scene.h"
+
+rgb565_walls walls;
+
+static const fxl_point vertices[] = {
+    {Q16(-4), Q16(3), Q16(6)},  {Q16(4), Q16(3), Q16(6)},   {Q16(4), Q16(-3), Q16(6)},
+    {Q16(-4), Q16(-3), Q16(6)}, {Q16(-2), Q16(4), Q16(5)},  {Q16(1), Q16(2), Q16(5)},
+    {Q16(1), Q16(-2), Q16(5)},  {Q16(-2), Q16(-3), Q16(5)}, {Q16(-9), Q16(1), Q16(12)},
+    {Q16(9), Q16(1), Q16(12)},  {Q16(9), Q16(-1), Q16(12)}, {Q16(-9), Q16(-1), Q16(12)}};
+static const uint16_t indices[] = {0, 1, 2, 3};
+static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 20, 0},
+                                 {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 21, 0},
+                                 {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 22, 0}};
+static const fxl_model models[] = {{.first_vertex = 0,
+                                    .vertex_count = 4,
+                                    .first_face = 0,
+                                    .face_count = 1,
+                                    .kind = FXL_MODEL_CONVEX,
+                                    .radius = Q16(8)},
+                                   {.first_vertex = 4,
+                                    .vertex_count = 4,
+                                    .first_face = 1,
+                                    .face_count = 1,
+                                    .kind = FXL_MODEL_CONVEX,
+                                    .radius = Q16(7)},
+                                   {.first_vertex = 8,
+                                    .vertex_count = 4,
+                                    .first_face = 2,
+                                    .face_count = 1,
+                                    .kind = FXL_MODEL_CONVEX,
+                                    .radius = Q16(16)}};
+static const fxl_instance instances[] = {
+    {{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 0, 0}, {{0, 0, 0}, 2, 0, 0}};
+static const fxl_direction normals[] = {{0, 0, -FXL_Q2_30_ONE}, {0, 0, FXL_Q2_30_ONE}};
+const fxl_pose walls_eye = {{Q16(0.3), Q16(0.2), 0}, 1 << 26, 0, 1 << 27};
+
+static FXL_ALIGN_8 uint8_t memory[3000];
+
+void walls_make_texture(uint8_t format)
+{
+    walls.texture = (fxl_texture){
+        .texels = walls.texels, .log_width = 4, .log_height = 4, .format = format, .levels = 2};
+    if (format == FXL_TEXTURE_565) {
+        walls.texture.texels = (const uint8_t *)(const void *)walls.texels_565;
+    }
+}
+
+void walls_make(void)
+{
+    walls.scene = (fxl_scene){.vertices = vertices,
+                              .indices = indices,
+                              .faces = faces,
+                              .models = models,
+                              .instances = instances,
+                              .vertex_count = 12,
+                              .index_count = 4,
+                              .face_count = 3,
+                              .model_count = 3,
+                              .instance_count = 3};
+    for (uint32_t i = 0; i < 256; i++) {
+        walls.palette[i] = (uint16_t)(i * 40503u + 11);
+    }
+    for (uint32_t i = 0; i < sizeof walls.texels; i++) {
+        walls.texels[i] = (uint8_t)(i * 7 + (i >> 4) * 3);
+        walls.texels_565[i] = walls.palette[walls.texels[i]];
+    }
+    walls_make_texture(FXL_TEXTURE_565);
+    walls.surface[0] = (fxl_surface){.texture = 1, .opacity = 16};
+    walls.surface[1] = (fxl_surface){.opacity = 16};
+    for (uint16_t i = 0; i < 2; i++) {
+        walls.mapped[i] = (fxl_mapped_face){.surface = i,
+                                            .corners = {0, 1, 2},
+                                            .texels = {{0, 0}, {Q16(40), 0}, {Q16(40), Q16(24)}}};
+    }
+    walls.face_map[0] = 1;
+    walls.face_map[1] = walls.face_map[2] = 0;
+    walls.set = (fxl_surface_set){.textures = &walls.texture,
+                                  .surfaces = walls.surface,
+                                  .faces = walls.mapped,
+                                  .face_map = walls.face_map,
+                                  .normals = normals,
+                                  .texture_count = 1,
+                                  .surface_count = 2,
+                                  .face_count = 2,
+                                  .normal_count = 2};
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    config.background = BACKGROUND;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&walls.scene, NULL));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_init(&walls.renderer, &walls.scene, &config, memory, sizeof memory));
+}
+
+void walls_begin(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, 0));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_surfaces_rgb565(&walls.renderer, &walls.surfaces, &walls.set));
+}
+
+void walls_draw(uint16_t *to)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render_rgb565(&walls.renderer, &walls_eye, to, WIDTH));
+}

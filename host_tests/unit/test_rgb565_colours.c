@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+/* The colours of frames of 16 bits a pixel: light and blending, channel by channel. */
+#include "rgb565_scene.h"
+
+void setUp(void)
+{
+    walls_make();
+}
+
+void tearDown(void)
+{
+}
+
+/* --- colours ------------------------------------------------------------------------------ */
+
+typedef struct {
+    int channel[3];
+} channels;
+
+static channels split(uint16_t colour)
+{
+    return (channels){{colour >> 11, colour >> 5 & 63, colour & 31}};
+}
+
+static const int most[3] = {31, 63, 31};
+
+/* A face of a colour of its own over a background, for many of both. */
+static void check_blend(uint8_t flags, int (*rule)(int above, int beneath, int largest))
+{
+    walls.face_map[0] = 0;
+    walls.face_map[1] = 2;
+    walls.surface[1].flags = flags;
+    walls_begin();
+    for (uint32_t round = 0; round < 300; round++) {
+        const uint16_t above = (uint16_t)unit_random(), beneath = (uint16_t)(unit_random() >> 16);
+        walls.palette[20] = walls.palette[22] = walls.palette[BACKGROUND] = beneath;
+        walls.palette[21] = above;
+        uint32_t blended = 0;
+        uint16_t expected = 0;
+        const channels a = split(above), b = split(beneath);
+        for (int i = 0; i < 3; i++) {
+            expected = (uint16_t)(expected << (i == 1 ? 6 : 5) |
+                                  rule(a.channel[i], b.channel[i], most[i]));
+        }
+        walls_draw(walls.pixels);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            blended += walls.pixels[i] != beneath;
+            TEST_ASSERT_TRUE(walls.pixels[i] == beneath || walls.pixels[i] == expected);
+        }
+        TEST_ASSERT_TRUE(expected == beneath || blended > WIDTH * HEIGHT / 9);
+    }
+}
+
+static int half(int above, int beneath, int largest)
+{
+    (void)largest;
+    return (above + beneath) / 2;
+}
+
+static int sum(int above, int beneath, int largest)
+{
+    return above + beneath > largest ? largest : above + beneath;
+}
+
+void test_half_of_each_channel(void)
+{
+    check_blend(FXL_SURFACE_BLEND, half);
+}
+
+void test_channels_are_added_up_to_the_largest(void)
+{
+    check_blend(FXL_SURFACE_ADD, sum);
+}
+
+void test_light_takes_a_part_of_each_channel(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(64)];
+    static fxl_light light;
+    const uint16_t dark = 0x8A35;
+    walls.face_map[0] = 0;
+    walls.face_map[1] = 2;
+    walls.surface[1].flags = FXL_SURFACE_LIT;
+    walls_begin();
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, dark));
+    for (uint32_t round = 0; round < 300; round++) {
+        /* brightness = sixteenths / 16: the light of a corner is exact then, but for half a unit */
+        const int sixteenths = unit_between(0, 16), levels = unit_between(2, 64);
+        const fxl_light_settings settings = {
+            .ambient = FXL_Q2_30_ONE / 16 * sixteenths, .ramp = ramp, .levels = (uint8_t)levels};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+        walls.palette[0] = walls.palette[BACKGROUND]; /* what flat faces are by this ramp */
+        walls.palette[21] = (uint16_t)unit_random();
+        const channels a = split(walls.palette[21]), d = split(dark);
+        uint32_t lit = 0;
+        walls_draw(walls.pixels);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const channels seen = split(walls.pixels[i]);
+            if (walls.pixels[i] == walls.palette[BACKGROUND]) {
+                continue;
+            }
+            lit++;
+            for (int k = 0; k < 3; k++) {
+                /* half for the channel's rounding, and 1.63 / 256 at most for the part's */
+                const double exact =
+                    d.channel[k] + (a.channel[k] - d.channel[k]) * sixteenths / 16.0;
+                TEST_ASSERT_NEAR(exact, seen.channel[k], 0.5 + 63 * 1.63 / 256);
+                TEST_ASSERT_TRUE(sixteenths % 16 != 0 || seen.channel[k] == exact);
+            }
+        }
+        TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 9, lit);
+    }
+}
+
+/* Light between the corners is not of the ramp's few levels alone. */
+void test_light_is_smooth_between_two_levels(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
+    static fxl_light light;
+    const fxl_light_settings settings = {
+        .point_count = 1,
+        .ramp = ramp,
+        .levels = 2,
+        .points = {{{Q16(-2), Q16(4), Q16(4.5)}, Q16(8), FXL_Q2_30_ONE}}};
+    bool seen[64] = {false};
+    int shades = 0;
+    walls.face_map[0] = 0;
+    walls.face_map[1] = 2;
+    walls.surface[1].flags = FXL_SURFACE_LIT;
+    walls.palette[21] = FXL_RGB565(255, 255, 255);
+    walls_begin();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+    walls_draw(walls.pixels);
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const channels colour = split(walls.pixels[i]);
+        if (walls.pixels[i] != walls.palette[0] && walls.pixels[i] != walls.palette[BACKGROUND]) {
+            /* white stays grey: half a step of each channel */
+            TEST_ASSERT_INT_WITHIN((63 + 31) / 2, colour.channel[1] * 31, colour.channel[0] * 63);
+            shades += !seen[colour.channel[1]];
+            seen[colour.channel[1]] = true;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(8, shades);
+}
+
+/* At the corner that the map has not, light would be twice that of full light. */
+void test_light_beyond_the_corners_is_held(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
+    static fxl_light light;
+    const fxl_light_settings settings = {
+        .direction = {0, 0, FXL_Q2_30_ONE}, .strength = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};
+    uint32_t full = 0;
+    walls.face_map[0] = 0;
+    walls.face_map[1] = 2;
+    walls.surface[1].flags = FXL_SURFACE_LIT;
+    walls.mapped[1].normals[1] = 1;
+    walls.palette[21] = FXL_RGB565(255, 255, 255);
+    walls_begin();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+    walls_draw(walls.pixels);
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const channels colour = split(walls.pixels[i]);
+        if (walls.pixels[i] != walls.palette[0] && walls.pixels[i] != walls.palette[BACKGROUND]) {
+            TEST_ASSERT_INT_WITHIN((63 + 31) / 2, colour.channel[1] * 31, colour.channel[0] * 63);
+            full += walls.pixels[i] == walls.palette[21];
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(40, full);
+}
+
+/* The same bits on the host and on every board. */
+void test_a_frame_of_all_is_as_it_was(void)
+{
+    static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(5)];
+    static fxl_light light;
+    const fxl_light_settings settings = {
+        .ambient = Q30(0.125),
+        .point_count = 1,
+        .ramp = ramp,
+        .levels = 5,
+        .points = {{{Q16(-1), Q16(1), Q16(3)}, Q16(9), FXL_Q2_30_ONE}}};
+    walls.surface[0].flags = FXL_SURFACE_LIT;
+    walls.surface[1].flags = FXL_SURFACE_BLEND;
+    walls.surface[1].opacity = 13;
+    walls.face_map[1] = 2;
+    walls_begin();
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, 0x1234));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+    walls_draw(walls.pixels);
+    TEST_ASSERT_EQUAL_HEX32(0x7A11BC5B,
+                            unit_crc32((const uint8_t *)walls.pixels, sizeof walls.pixels));
+}
