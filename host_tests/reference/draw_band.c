@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/* Pixels of a band: the drawn polygons far to near, or by depth. */
+#include "reference/depth.h"
+#include "reference/fill.h"
+#include "reference/render.h"
+#include "reference/scan.h"
+
+bool ref_lets_through(const ref_drawn *drawn)
+{
+    const ref_surface *surface = drawn->look.surface;
+    return surface && (surface->blends || surface->opacity < REF_OPAQUE ||
+                       (drawn->look.texture && drawn->look.texture->is_keyed));
+}
+
+uint8_t ref_face_name(uint32_t instance, uint32_t face)
+{
+    const uint32_t mixed = instance * 2654435761u ^ face * 2246822519u;
+    return (uint8_t)(1 + (mixed >> 16) % 255);
+}
+
+/* Names are those of what is opaque. */
+static bool is_left_out(const ref_renderer *renderer, const ref_drawn *drawn)
+{
+    return renderer->draws_names && ref_lets_through(drawn);
+}
+
+static bool is_plain(const ref_renderer *renderer, const ref_drawn *drawn)
+{
+    return renderer->draws_names || !drawn->look.surface;
+}
+
+static uint8_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn)
+{
+    return renderer->draws_names ? ref_face_name(drawn->instance, drawn->face)
+                                 : drawn->polygon.colour;
+}
+
+static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, const ref_band *band,
+                      const ref_span *span)
+{
+    if (is_plain(renderer, drawn)) {
+        ref_fill_span(band, span, plain_colour(renderer, drawn));
+        return;
+    }
+    const uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
+    for (int x = span->x0; x < span->x1; x++) {
+        const int colour = ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
+        if (colour != REF_CLEAR) {
+            const ref_span pixel = {span->y, x, x + 1};
+            ref_fill_span(band, &pixel, (uint8_t)colour);
+        }
+    }
+}
+
+/* Pixels of a span that are as near as what was drawn there, or nearer. */
+static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
+                           const ref_band *band, const ref_span *span, bool keeps)
+{
+    uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
+    double *near_row = renderer->nearness + (ptrdiff_t)span->y * renderer->lens.width;
+    for (int x = span->x0; x < span->x1; x++) {
+        const double nearness =
+            ref_nearness(&drawn->depth, &renderer->lens, x + 0.5, span->y + 0.5);
+        const int colour =
+            nearness < near_row[x] ? REF_CLEAR
+            : is_plain(renderer, drawn)
+                ? plain_colour(renderer, drawn)
+                : ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
+        if (colour != REF_CLEAR) {
+            row[x] = (uint8_t)colour;
+            near_row[x] = keeps ? nearness : near_row[x];
+        }
+    }
+}
+
+bool ref_is_blended(const ref_drawn *drawn)
+{
+    return drawn->look.surface && drawn->look.surface->blends;
+}
+
+/* What is opaque; then what is blended, over what is behind it. */
+static void draw_by_depth(const ref_renderer *renderer, const ref_band *band)
+{
+    const ref_rows rows = {band->first_row, band->first_row + band->rows};
+    for (int y = rows.first; y < rows.end; y++) {
+        for (int x = 0; x < renderer->lens.width; x++) {
+            renderer->nearness[y * renderer->lens.width + x] = 0;
+        }
+    }
+    for (int blended = 0; blended < 2; blended++) {
+        const ref_drawn *drawn;
+        for (size_t place = 0;
+             (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
+            ref_scan scan;
+            ref_span span;
+            ref_scan_begin(&drawn->polygon, band, &scan);
+            while (ref_is_blended(drawn) == blended && !is_left_out(renderer, drawn) &&
+                   ref_scan_next(&scan, &span)) {
+                draw_near_span(renderer, drawn, band, &span, !blended);
+            }
+        }
+    }
+}
+
+void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
+{
+    if (renderer->depth_bits != 0) {
+        draw_by_depth(renderer, band);
+        return;
+    }
+    ref_rows rows = {band->first_row, band->first_row + band->rows};
+    const ref_drawn *drawn;
+    for (size_t place = 0;
+         (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
+        ref_scan scan;
+        ref_span span;
+        ref_scan_begin(&drawn->polygon, band, &scan);
+        while (!is_left_out(renderer, drawn) && ref_scan_next(&scan, &span)) {
+            draw_span(renderer, drawn, band, &span);
+        }
+    }
+}
