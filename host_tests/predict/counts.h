@@ -48,7 +48,9 @@
     X(lit_segments) \
     X(lit_segment_pixels) \
     X(slow_rows) \
+    X(slow_segments) \
     X(slow_pixels) \
+    X(loop_pixels) \
     X(divided_pixels)
 
 typedef struct {

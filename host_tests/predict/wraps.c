@@ -264,15 +264,22 @@ WRAPPED(void, fxl_paint_polygon,
     __real_fxl_paint_polygon(paint, points, count, band, scan, paint_row, with);
 }
 
-/* Of all that fxl_paint_segments paints; a row that is painted otherwise takes the rest. */
-static double by_segments;
+/* Pixels and 16 columns of all that fxl_paint_segments paints; a row that is painted otherwise
+ * takes the rest. */
+static double by_segments, columns_by_segments;
+
+static double sixteens(int32_t x0, int32_t x1)
+{
+    return (x1 + 15) / 16 - x0 / 16;
+}
 
 WRAPPED(void, fxl_paint_segments,
         (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
-    const double segments = (x1 + 15) / 16 - x0 / 16;
+    const double segments = sixteens(x0, x1);
     counted.segment_rows += 1;
     by_segments += x1 - x0;
+    columns_by_segments += segments;
     if (face->ramp != NULL) {
         counted.lit_segments += segments;
         counted.lit_segment_pixels += x1 - x0;
@@ -283,15 +290,30 @@ WRAPPED(void, fxl_paint_segments,
     __real_fxl_paint_segments(face, row, x0, x1);
 }
 
+/* Opaque pixels that paint_pixels.c paints by a loop of their own: repeated texels of 8 bits, and
+ * the face's own colour, lit. */
+static bool has_loop(const fxl_paint *paint)
+{
+    if (paint->opacity != 16 || paint->blend != NULL) {
+        return false;
+    }
+    return paint->level.texels == NULL
+               ? paint->ramp != NULL
+               : paint->level.colours == NULL && (paint->level.flags & FXL_TEXTURE_CLAMP) == 0;
+}
+
 WRAPPED(void, fxl_paint_pixels,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
-    const double before = by_segments;
-    counted.slow_rows += 1;
+    const double before = by_segments, columns_before = columns_by_segments;
     __real_fxl_paint_pixels(paint, row, x0, x1);
+    counted.slow_rows += 1;
+    counted.slow_segments += sixteens(x0, x1) - (columns_by_segments - columns_before);
     const double rest = x1 - x0 - (by_segments - before);
     if (paint->division == FXL_DIVIDE_1 && paint->gradients->count > 0) {
         counted.divided_pixels += rest;
+    } else if (has_loop(paint)) {
+        counted.loop_pixels += rest;
     } else {
         counted.slow_pixels += rest;
     }

@@ -42,8 +42,10 @@ NAMES = {
     "surfaces_painted": "a polygon with a surface that is painted", "painted_edges": "an edge of it",
     "painted_rows": "a row of it", "segment_rows": "a row of it by the kernel", "segments": "16 columns of a texture",
     "segment_pixels": "a pixel of a texture", "lit_segments": "16 columns of a lit texture",
-    "lit_segment_pixels": "a pixel of a lit texture", "slow_rows": "a row of a surface beside the kernel",
-    "slow_pixels": "a pixel of a surface beside the kernel", "divided_pixels": "a pixel that is divided by itself"}
+    "lit_segment_pixels": "a pixel of a lit texture", "slow_rows": "a row of a surface not all by the kernel",
+    "slow_segments": "16 columns of it beside the kernel",
+    "slow_pixels": "a pixel of a surface beside kernel and loops", "loop_pixels": "a pixel of a surface by a loop of C",
+    "divided_pixels": "a pixel that is divided by itself"}
 
 
 class NoRoom(ToolError):
