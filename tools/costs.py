@@ -25,7 +25,7 @@ from fixel.table import table
 FRAMES = 30         # of each scene, at most
 LOOKS_BYTES = 65536     # more than motions, light and surfaces of a scene take
 MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "bench/costs_surfaces.toml", "bench/costs_rooms.toml",
-        "bench/costs_lights.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml")
+        "bench/costs_lights.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml", "scenes/landscape.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
 STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml")
 STACK_FRAMES = 4

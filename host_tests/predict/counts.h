@@ -36,6 +36,7 @@
     X(cleared) \
     X(brightnesses) \
     X(lamps) \
+    X(in_fog) \
     X(surfaces_found) \
     X(surfaces_listed) \
     X(surfaces_read) \

@@ -220,11 +220,37 @@ WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
 
 /* --- light and surfaces --------------------------------------------------------------------- */
 
+/* A lamp that lights a face takes a root and two divisions; one out of range, or behind, none. */
+static bool reaches(const fxl_point_light *lamp, const fxl_lit_place *place)
+{
+    const double x = lamp->position.x - place->middle.x / 2.0;
+    const double y = lamp->position.y - place->middle.y / 2.0;
+    const double z = lamp->position.z - place->middle.z / 2.0;
+    const double range = lamp->range;
+    return x * x + y * y + z * z < range * range &&
+           place->normal.x * x + place->normal.y * y + place->normal.z * z > 0;
+}
+
+/* Fog takes a division between its two distances. */
+static bool is_in_fog(const fxl_light_settings *settings, const fxl_camera *camera,
+                      const fxl_lit_place *place)
+{
+    const fxl_direction *forward = &camera->axes.forward;
+    const double depth = (forward->x * (place->middle.x / 2.0 - camera->position.x) +
+                          forward->y * (place->middle.y / 2.0 - camera->position.y) +
+                          forward->z * (place->middle.z / 2.0 - camera->position.z)) /
+                         FXL_Q2_30_ONE;
+    return settings->fog_far != 0 && depth > settings->fog_near && depth < settings->fog_far;
+}
+
 WRAPPED(fxl_q2_30, fxl_light_brightness,
         (const fxl_light_settings *settings, const fxl_camera *camera, const fxl_lit_place *place))
 {
     counted.brightnesses += 1;
-    counted.lamps += settings->point_count;
+    for (uint32_t i = 0; i < settings->point_count; i++) {
+        counted.lamps += reaches(&settings->points[i], place);
+    }
+    counted.in_fog += is_in_fog(settings, camera, place);
     return __real_fxl_light_brightness(settings, camera, place);
 }
 
@@ -264,30 +290,9 @@ WRAPPED(void, fxl_paint_polygon,
     __real_fxl_paint_polygon(paint, points, count, band, scan, paint_row, with);
 }
 
-/* Pixels and 16 columns of all that fxl_paint_segments paints; a row that is painted otherwise
- * takes the rest. */
-static double by_segments, columns_by_segments;
-
 static double sixteens(int32_t x0, int32_t x1)
 {
     return (x1 + 15) / 16 - x0 / 16;
-}
-
-WRAPPED(void, fxl_paint_segments,
-        (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
-{
-    const double segments = sixteens(x0, x1);
-    counted.segment_rows += 1;
-    by_segments += x1 - x0;
-    columns_by_segments += segments;
-    if (face->ramp != NULL) {
-        counted.lit_segments += segments;
-        counted.lit_segment_pixels += x1 - x0;
-    } else {
-        counted.segments += segments;
-        counted.segment_pixels += x1 - x0;
-    }
-    __real_fxl_paint_segments(face, row, x0, x1);
 }
 
 /* Opaque pixels that paint_pixels.c paints by a loop of their own: repeated texels of 8 bits, and
@@ -302,19 +307,68 @@ static bool has_loop(const fxl_paint *paint)
                : paint->level.colours == NULL && (paint->level.flags & FXL_TEXTURE_CLAMP) == 0;
 }
 
+/* Whether the weight is at least the least one for a division at the ends of these columns alone:
+ * the rule of SPEC's segments. */
+static bool suffices(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
+                     int32_t columns)
+{
+    const int64_t along = paint->gradients->weight.along;
+    const int64_t a = (row->weight + along * first) >> 32,
+                  b = (row->weight + along * (first + columns)) >> 32;
+    const int64_t least = paint->gradients->weight_min[columns == 16 ? 0 : 1];
+    return (a < b ? a : b) >= least;
+}
+
+/* The pixels x0 <= x < x1 of a row, which the kernel does not paint: how often they are divided. */
+static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    while (x0 < x1) {
+        const bool of_16 = paint->division == FXL_DIVIDE_16 && suffices(paint, row, x0 & ~15, 16);
+        const bool linear =
+            of_16 || (paint->division != FXL_DIVIDE_1 && suffices(paint, row, x0 & ~7, 8));
+        const int32_t size = of_16 ? 16 : 8, border = (x0 & ~(size - 1)) + size;
+        const int32_t end = border < x1 ? border : x1;
+        counted.slow_segments += linear;
+        if (!linear) {
+            counted.divided_pixels += end - x0;
+        } else if (has_loop(paint)) {
+            counted.loop_pixels += end - x0;
+        } else {
+            counted.slow_pixels += end - x0;
+        }
+        x0 = end;
+    }
+}
+
+/* Within fxl_paint_pixels: the column up to which is counted, and what it was given. */
+static int32_t counted_to;
+static const fxl_paint *slow_paint;
+
+WRAPPED(void, fxl_paint_segments,
+        (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    if (slow_paint != NULL) {
+        count_slow(slow_paint, row, counted_to, x0);
+        counted_to = x1;
+    }
+    counted.segment_rows += 1;
+    if (face->ramp != NULL) {
+        counted.lit_segments += sixteens(x0, x1);
+        counted.lit_segment_pixels += x1 - x0;
+    } else {
+        counted.segments += sixteens(x0, x1);
+        counted.segment_pixels += x1 - x0;
+    }
+    __real_fxl_paint_segments(face, row, x0, x1);
+}
+
 WRAPPED(void, fxl_paint_pixels,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
-    const double before = by_segments, columns_before = columns_by_segments;
-    __real_fxl_paint_pixels(paint, row, x0, x1);
     counted.slow_rows += 1;
-    counted.slow_segments += sixteens(x0, x1) - (columns_by_segments - columns_before);
-    const double rest = x1 - x0 - (by_segments - before);
-    if (paint->division == FXL_DIVIDE_1 && paint->gradients->count > 0) {
-        counted.divided_pixels += rest;
-    } else if (has_loop(paint)) {
-        counted.loop_pixels += rest;
-    } else {
-        counted.slow_pixels += rest;
-    }
+    counted_to = x0;
+    slow_paint = paint;
+    __real_fxl_paint_pixels(paint, row, x0, x1);
+    slow_paint = NULL;
+    count_slow(paint, row, counted_to, x1);
 }

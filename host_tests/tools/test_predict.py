@@ -22,7 +22,6 @@ LOOKS = (("mps2-an385", "scenes/room.toml"), ("mps2-an385", "scenes/lit.toml"), 
 MEASURED = (*((board, scene) for board in BOARDS for scene in SCENES), *LOOKS)
 FRAMES = 12
 WITHIN = 0.15
-WITHIN_OF_TEXTURES = 0.3    # as docs/scenes.md says: what a row of a texture costs depends on more than the counts
 
 
 def options_of(board):
@@ -71,7 +70,7 @@ def test_instructions_are_as_near_as_the_document_says(drawn, board, scene):
     result = predicted(board, ROOT / scene, "--frames", FRAMES)
     assert drawn[board, scene] is not None and result["why_not"] is None
     taken, stack = drawn[board, scene]
-    assert abs(result["instructions_per_frame"]["mean"] / taken - 1) <= (WITHIN_OF_TEXTURES if "room" in scene else WITHIN)
+    assert abs(result["instructions_per_frame"]["mean"] / taken - 1) <= WITHIN
     assert stack <= 1.15 * result["stack"]["seen"] and stack <= result["stack"]["reserved"]
 
 

@@ -36,14 +36,15 @@ NAMES = {
     "polygons": "a polygon that is scanned", "polygons_drawn": "of these, one with rows in the band",
     "trapezoids": "a trapezoid", "edges": "an edge of a polygon", "rows": "a row of a polygon",
     "pixels": "a pixel of a polygon", "bands": "a band", "cleared": "a pixel that is cleared",
-    "brightnesses": "the light of a face or of a corner", "lamps": "a lamp of it",
+    "brightnesses": "the light of a face or of a corner", "lamps": "a lamp that reaches it",
+    "in_fog": "a face or corner within the fog",
     "surfaces_found": "a face whose surface is found", "surfaces_listed": "a polygon with a surface for the display list",
     "surfaces_read": "a polygon with a surface that a band draws from the list",
     "surfaces_painted": "a polygon with a surface that is painted", "painted_edges": "an edge of it",
     "painted_rows": "a row of it", "segment_rows": "a row of it by the kernel", "segments": "16 columns of a texture",
     "segment_pixels": "a pixel of a texture", "lit_segments": "16 columns of a lit texture",
     "lit_segment_pixels": "a pixel of a lit texture", "slow_rows": "a row of a surface not all by the kernel",
-    "slow_segments": "16 columns of it beside the kernel",
+    "slow_segments": "8 or 16 columns of it beside the kernel",
     "slow_pixels": "a pixel of a surface beside kernel and loops", "loop_pixels": "a pixel of a surface by a loop of C",
     "divided_pixels": "a pixel that is divided by itself"}
 
