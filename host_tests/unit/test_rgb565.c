@@ -264,7 +264,7 @@ void test_bands_of_the_wrong_kind_are_refused(void)
     /* a band of bytes stays as it is */
     const uint32_t refused = walls.renderer.workspace.counters.refused_calls;
     memset(walls.indexed, 0x5A, sizeof walls.indexed);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &bytes));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&walls.renderer, &bytes));
     TEST_ASSERT_EQUAL(refused + 1, walls.renderer.workspace.counters.refused_calls);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, walls.indexed, sizeof walls.indexed);
 }

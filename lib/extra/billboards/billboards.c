@@ -170,9 +170,11 @@ static bool draw_list(const fxl_traversal *on)
     return true;
 }
 
-static void draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
 {
     (void)fxl_draw_band_by(renderer, workspace, band, draw_list);
+    return FXL_OK;
 }
 
 /* --- setting ---------------------------------------------------------------------------- */

@@ -19,9 +19,11 @@ static uint32_t workspace_size(const fxl_lens *lens)
     return FXL_DEPTH_BYTES(lens->width, 1, FXL_DEPTH_BITS);
 }
 
-static void draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
 {
     fxl_depth_draw_parts(renderer, workspace, band, FXL_DEPTH_BITS / 8);
+    return FXL_OK;
 }
 
 static bool draw_polygon(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,

@@ -22,16 +22,17 @@ static uint32_t raster_workspace_size(const fxl_lens *lens)
     return (uint32_t)sizeof(fxl_rgb565_raster);
 }
 
-/* A band that fxl_frame_draw was given has a byte a pixel: nothing is drawn. */
-static void draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+/* A band that fxl_frame_draw was given has a byte a pixel: it is refused. */
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
 {
     fxl_rgb565_raster *raster = (fxl_rgb565_raster *)workspace->raster_workspace;
     if (raster->opened != band) { /* bug: band-of-bytes */
-        (void)fxl_refuse(workspace, FXL_E_ORDER);
-        return;
+        return fxl_refuse(workspace, FXL_E_ORDER);
     }
     raster->palette = ((const fxl_rgb565_frame *)renderer->submit_workspace)->palette;
     (void)fxl_draw_band_by(renderer, workspace, band, fxl_surface_draw_list);
+    return FXL_OK;
 }
 
 /* Two pixels are one aligned word, but for the first and the last one. */

@@ -2,8 +2,8 @@
 #include "../../src/math/arith.h"
 #include "../../src/draw/submit.h"
 
-void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
-                         const fxl_band *band)
+fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band)
 {
     const uint32_t end = (uint32_t)band->first_row + band->rows;
     fxl_band part = *band;
@@ -23,4 +23,5 @@ void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
             rows = (uint16_t)((part.rows + 1) / 2);
         }
     }
+    return FXL_OK;
 }

@@ -11,9 +11,11 @@ static void paint(const fxl_renderer *renderer, fxl_workspace *workspace,
     fxl_paint_polygon(&how, points, count, band, &workspace->work.scan, NULL, NULL);
 }
 
-static void draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
 {
     (void)fxl_draw_band_by(renderer, workspace, band, fxl_surface_draw_list);
+    return FXL_OK;
 }
 
 static const fxl_surface_backend backend = {.backend = {.draw_band = draw_band,

@@ -211,8 +211,8 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
  * (fxl_fill_band): those of the display list that reach it, then the rest of the scene
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. Faces that the list had no room for are counted by the first band alone.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is
- * not of this screen): band untouched; counted in refused_calls. */
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun, or frames of 16 bits a pixel), FXL_E_RANGE (a band
+ * that is not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
 /* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER

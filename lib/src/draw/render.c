@@ -302,10 +302,9 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
     }
     const fxl_raster_backend *backend = renderer->visibility->backend;
     if (backend->draw_band != NULL) {
-        backend->draw_band(renderer, workspace, band);
-    } else {
-        (void)fxl_draw_band(renderer, workspace, band);
+        return backend->draw_band(renderer, workspace, band);
     }
+    (void)fxl_draw_band(renderer, workspace, band);
     return FXL_OK;
 }
 

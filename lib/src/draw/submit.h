@@ -84,9 +84,9 @@ bool fxl_draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uin
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
 /* fxl_raster_backend.draw_band: where the workspace is full the band is drawn again in halves,
- * and so on; counted in split_bands. Requires a workspace for any one row. */
-void fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
-                         const fxl_band *band);
+ * and so on; counted in split_bands. Requires a workspace for any one row. Returns FXL_OK. */
+fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band);
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {

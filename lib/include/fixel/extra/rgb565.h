@@ -41,11 +41,11 @@ typedef struct {
 /* Has a renderer draw frames of 16 bits a pixel, far to near. palette has 256 entries: what a
  * face's colour, and a texel of 8 or 4 bits, is. dark: what the lowest level of light leaves of a
  * colour of a lit surface, black or that of fog. The renderer keeps both pointers. From then on it
- * draws by fxl_frame_draw_rgb565 and fxl_render_rgb565. fxl_frame_draw draws nothing then and
- * counts in refused_calls, until another visibility method is set. Surfaces that were set before
- * stay. A frame must begin anew, and workspaces of other cores must be initialised again.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_ALIGNMENT (frame):
- * nothing is changed but refused_calls. */
+ * draws by fxl_frame_draw_rgb565 and fxl_render_rgb565. fxl_frame_draw and fxl_render answer
+ * FXL_E_ORDER, the latter after it has cleared the pixels, until another visibility method is set.
+ * Surfaces that were set before stay. A frame must begin anew, and workspaces of other cores must
+ * be initialised again. FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised),
+ * FXL_E_ALIGNMENT (frame): nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *frame,
                                    const uint16_t *palette, uint16_t dark);
 

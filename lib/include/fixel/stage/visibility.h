@@ -21,10 +21,11 @@ typedef struct fxl_traversal fxl_traversal; /* lib/src/draw/submit.h, which is i
 typedef struct {
     /* The least size of its workspace, in bytes. Null: it needs none. */
     uint32_t (*workspace_size)(const fxl_lens *lens);
-    /* Draws a band, in parts if the workspace is too small for the whole. Null: the renderer draws
-     * the band at once. */
-    void (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
-                      const fxl_band *band);
+    /* Draws a band, in parts if the workspace is too small for the whole. Returns FXL_OK, or a
+     * status that it has counted in refused_calls, with the band untouched. Null: the renderer
+     * draws the band at once. */
+    fxl_status (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                            const fxl_band *band);
     /* Begins a band of which nothing was drawn. Null: there is nothing to begin. */
     void (*begin_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
                        const fxl_band *band);
