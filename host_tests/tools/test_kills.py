@@ -2,6 +2,7 @@
 """A few kills of commands at random moments, and that `make kills` sees what a command leaves."""
 
 import os
+import signal
 import subprocess
 
 import pytest
@@ -53,6 +54,23 @@ def test_a_process_that_is_left(campaign, monkeypatch):
         process.kill()
         process.wait()
     assert campaign.left() == []
+
+
+@pytest.mark.parametrize("number", kill_campaign.SIGNALS)
+def test_a_signal_that_the_caller_ignores(campaign, monkeypatch, number):
+    """A campaign in the background, or under nohup, kills as any other."""
+    monkeypatch.setattr(campaign, "words", lambda command, scene: ["sleep", "600"])
+    ignored = [each for each in kill_campaign.SIGNALS if each != signal.SIGKILL]
+    before = [signal.signal(each, signal.SIG_IGN) for each in ignored]
+    try:
+        process = campaign.start("run")
+    finally:
+        for each, handler in zip(ignored, before):
+            signal.signal(each, handler)
+    while campaign.marked().get(process.pid) != "sleep 600 ":
+        assert process.poll() is None
+    process.send_signal(number)
+    assert process.wait() == -number
 
 
 @pytest.mark.parametrize("name", ["tmp/.fixel-board-0", "build/.fixel-run-0", "out/.fixel-results-0", "out/run/.hidden",

@@ -22,6 +22,7 @@ from fixel.errors import ToolError
 
 TOOLS = pathlib.Path(__file__).resolve().parents[1]
 MARK = "FIXEL_KILLS"            # in the environment of all that is started
+HEEDING = ("env", "--default-signal=HUP,INT,TERM")  # nohup, and a shell in the background, have some ignored
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
 AFTER_END = 1.1                 # of a command's own time: some signals come when it has ended
 VIEWED = 1.5                    # of the time until a window is live
@@ -82,7 +83,7 @@ class Campaign:
 
     def start(self, command, scene="new"):
         with self.log.open("wb") as log:
-            return children.start(self.words(command, scene), stdin=subprocess.DEVNULL, stdout=log,
+            return children.start([*HEEDING, *self.words(command, scene)], stdin=subprocess.DEVNULL, stdout=log,
                                   stderr=subprocess.STDOUT, env=self.environment)
 
     def wait(self, command, process, wanted=lambda: False):
