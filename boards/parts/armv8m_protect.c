@@ -51,6 +51,23 @@ static uint32_t first_of_flash(void)
     return base < CORTEXM_NULL_BYTES ? CORTEXM_NULL_BYTES : base;
 }
 
+/* The RAM, and what is above it in its eighth of the address space: where a flash of the scene's own
+ * is in its midst, that is read only. */
+static void set_ram_regions(void)
+{
+    const uint32_t first = (uint32_t)(uintptr_t)fxl_stack_limit;
+    const uint32_t flash = (uint32_t)(uintptr_t)fxl_scene_flash_base;
+    const uint32_t flash_end = flash + (uint32_t)(uintptr_t)fxl_scene_flash_size;
+
+    if (flash == flash_end) {
+        set_region(1, first, SRAM_LAST, RBAR_READ_WRITE | RBAR_XN, NORMAL);
+        return;
+    }
+    set_region(1, first, flash - 1u, RBAR_READ_WRITE | RBAR_XN, NORMAL);
+    set_region(5, flash, flash_end - 1u, RBAR_READ_ONLY | RBAR_XN, NORMAL);
+    set_region(6, flash_end, SRAM_LAST, RBAR_READ_WRITE | RBAR_XN, NORMAL);
+}
+
 bool cortexm_protect(void)
 {
     const uint32_t flash_end =
@@ -63,8 +80,7 @@ bool cortexm_protect(void)
     }
     MPU_MAIR0 = MAIR0_ATTRIBUTES;
     set_region(0, first_of_flash(), flash_end - 1u, RBAR_READ_ONLY, NORMAL);
-    set_region(1, (uint32_t)(uintptr_t)fxl_stack_limit, SRAM_LAST, RBAR_READ_WRITE | RBAR_XN,
-               NORMAL);
+    set_ram_regions();
     set_region(2, DEVICE_BASE, DEVICE_LAST, RBAR_READ_WRITE | RBAR_XN, DEVICE);
     set_region(3, EXTERNAL_BASE, EXTERNAL_LAST, RBAR_READ_WRITE | RBAR_XN, NORMAL);
     set_region(4, OTHER_BASE, OTHER_LAST, RBAR_READ_WRITE | RBAR_XN, DEVICE);

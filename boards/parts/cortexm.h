@@ -46,6 +46,7 @@ extern uint32_t fxl_bss_start[], fxl_bss_end[];
 extern uint32_t fxl_stack_guard[], fxl_stack_limit[], fxl_stack_top[];
 extern uint32_t fxl_handler_stack_top[];
 extern uint8_t fxl_flash_base[], fxl_flash_size[], fxl_scene_base[], fxl_scene_size[];
+extern uint8_t fxl_scene_flash_base[], fxl_scene_flash_size[]; /* size 0: it is in the other flash */
 
 typedef void (*cortexm_vector)(void);
 

@@ -19,10 +19,13 @@ enum {
     LR = 14
 };
 
+static bool is_in(uint32_t address, const uint8_t *base, const uint8_t *size)
+{
+    return address - (uint32_t)(uintptr_t)base < (uint32_t)(uintptr_t)size;
+}
+
 int cortexm_access_code(uint32_t address, bool is_write, int otherwise)
 {
-    const uint32_t flash_offset = address - (uint32_t)(uintptr_t)fxl_flash_base;
-
     if (address >= (uint32_t)(uintptr_t)fxl_stack_guard &&
         address < (uint32_t)(uintptr_t)fxl_stack_limit) {
         return SYSTEM_EXIT_STACK;
@@ -30,7 +33,8 @@ int cortexm_access_code(uint32_t address, bool is_write, int otherwise)
     if (address < CORTEXM_NULL_BYTES) {
         return SYSTEM_EXIT_NULL;
     }
-    if (is_write && flash_offset < (uint32_t)(uintptr_t)fxl_flash_size) {
+    if (is_write && (is_in(address, fxl_flash_base, fxl_flash_size) ||
+                     is_in(address, fxl_scene_flash_base, fxl_scene_flash_size))) {
         return SYSTEM_EXIT_FLASH;
     }
     return otherwise;
@@ -69,7 +73,8 @@ static bool is_code(uint32_t address)
     const uint32_t base = (uint32_t)(uintptr_t)fxl_flash_base;
 
     return address >= base + (address < CORTEXM_NULL_BYTES ? CORTEXM_NULL_BYTES : 0) &&
-           address < (uint32_t)(uintptr_t)fxl_scene_base;
+           address < (uint32_t)(uintptr_t)fxl_scene_base &&
+           is_in(address, fxl_flash_base, fxl_flash_size);
 }
 
 /* Returns the lowest word of the stack that is a return address: odd, into the code, behind a

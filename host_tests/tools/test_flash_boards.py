@@ -37,7 +37,7 @@ def test_flash_and_boot(board, scene, of_the_host, tmp_path):
     image = tmp_path / "flash.bin"
     result = flash.flash(board, walk(board), scene, image)
     program = firmware.load(walk(board))
-    assert result.verified == image.stat().st_size == (program.flash_size or scene.stat().st_size)
+    assert result.verified == image.stat().st_size == (program.image_size or scene.stat().st_size)
     emulator.run(board, image, walk(board), tmp_path / "board.fxld", FRAMES)
     drawn = dump.read_dump(tmp_path / "board.fxld")
     assert [frame.pixels.tobytes() for frame in drawn.frames] == \
@@ -66,9 +66,12 @@ def test_the_program_of_every_other_board_is_refused(board, scene, tmp_path):
 @pytest.mark.parametrize("board", EMULATED)
 def test_the_map_of_the_flash(board):
     program = firmware.load(walk(board))
-    assert sum(program.sectors) == program.flash_size
-    assert program.scene_base - program.flash_base in flash.sector_starts(program)
-    assert program.scene_base + program.scene_size <= program.flash_base + program.flash_size
+    assert sum(program.sectors) == program.image_size
+    first, last = program.offset(program.scene_base), program.offset(program.scene_base + program.scene_size - 1)
+    assert first in flash.sector_starts(program) and last - first == program.scene_size - 1
+    assert [program.offset(program.address(offset)) for offset in (0, first, last)] == [0, first, last]
+    for base, size, _ in program.banks:
+        assert program.offset(base - 1) is None and program.offset(base + size) is None
 
 
 @pytest.mark.parametrize("board", EMULATED)
@@ -81,7 +84,7 @@ def test_a_byte_of_the_image_that_went_bad(board, scene, tmp_path):
     for address, words in ((program.segments[0][0] + 1000, "does not hold"),
                            (program.scene_base + 300, "the scene image was refused")):
         bad = bytearray(good)
-        bad[address - program.flash_base] ^= 0x10
+        bad[program.offset(address)] ^= 0x10
         image.write_bytes(bad)
         with pytest.raises(ToolError, match=words):
             emulator.run(board, image, walk(board), tmp_path / "board.fxld", FRAMES)

@@ -58,11 +58,11 @@ def check_image(program, image):
                         f"run 'make flash BOARD={program.board}'") from error
     if program.hosted:
         return
-    if len(data) != program.flash_size:
+    if len(data) != program.image_size:
         raise ToolError(f"{image} is not a flash image of board {program.board}: "
-                        f"{len(data)} bytes, {program.flash_size} expected")
+                        f"{len(data)} bytes, {program.image_size} expected")
     for address, content in program.segments:
-        offset = address - program.flash_base
+        offset = program.offset(address)
         if data[offset:offset + len(content)] != content:
             raise ToolError(f"{image} does not hold {program.path}: "
                             f"run 'make flash BOARD={program.board}'")

@@ -20,6 +20,7 @@ from fixel.errors import ToolError
 
 HOST = "host"
 SYMBOLS = ("fxl_flash_base", "fxl_flash_size", "fxl_flash_sector", "fxl_scene_base", "fxl_scene_size")
+SECOND = ("fxl_scene_flash_base", "fxl_scene_flash_size")   # a flash for scenes alone; 0, 0: there is none
 SECTORS_MAX = 1 << 16  # of a flash; more is a mistake
 # What pyelftools lets through where a file is damaged.
 DAMAGE = (ELFError, ConstructError, struct.error, ArithmeticError, AttributeError, LookupError, MemoryError,
@@ -41,6 +42,8 @@ class Program:
     flash_size: int = 0
     scene_base: int = 0
     scene_size: int = 0
+    scene_flash_base: int = 0   # of a second flash, for scenes alone
+    scene_flash_size: int = 0   # 0: there is none
     sectors: tuple[int, ...] = ()  # the size of each of the flash, from the lowest on
     window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
     keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
@@ -48,6 +51,25 @@ class Program:
     @property
     def hosted(self):
         return self.board == HOST
+
+    @property
+    def banks(self):
+        """(address, size, offset in the image) of each flash: the image has one after the other."""
+        first = (self.flash_base, self.flash_size, 0)
+        return (first, (self.scene_flash_base, self.scene_flash_size, self.flash_size)) if self.scene_flash_size else (first,)
+
+    @property
+    def image_size(self):
+        """Bytes of all flash."""
+        return self.flash_size + self.scene_flash_size
+
+    def offset(self, address):
+        """Where the image has an address; None where no flash has it."""
+        return next((address - base + offset for base, size, offset in self.banks if base <= address < base + size), None)
+
+    def address(self, offset):
+        """What a place of the image has as its address."""
+        return next(base + offset - start for base, size, start in self.banks if start <= offset < start + size)
 
 
 def read_note(elf, path):
@@ -91,7 +113,10 @@ def read_map(elf, path):
         if not symbols:
             raise ToolError(f"{path} has no symbol {name}: its board's memory.ld does not define it")
         found[name.removeprefix("fxl_")] = symbols[0]["st_value"]
-    found["sectors"] = read_sectors(elf, path, found["flash_size"], found.pop("flash_sector"))
+    for name in SECOND:
+        symbols = table.get_symbol_by_name(name)
+        found[name.removeprefix("fxl_")] = symbols[0]["st_value"] if symbols else 0
+    found["sectors"] = read_sectors(elf, path, found["flash_size"] + found["scene_flash_size"], found.pop("flash_sector"))
     return found
 
 

@@ -83,7 +83,7 @@ def check_program(program):
 
 def check_partition(program):
     """Refuses a map on which erasing the scene would erase something else."""
-    if program.scene_base - program.flash_base not in sector_starts(program):
+    if program.offset(program.scene_base) not in sector_starts(program):
         raise ToolError(f"{program.path}: the scene partition at {program.scene_base:#x} does not begin with a "
                         "sector of the flash; its board's memory.ld must place it so")
 
@@ -103,7 +103,7 @@ def program_flash(program, scene, old):
     """Erases the sectors that are touched and programs them: (image, sizes of
     these sectors)."""
     data = bytearray(old)
-    pieces = [(address - program.flash_base, content)
+    pieces = [(program.offset(address), content)
               for address, content in (*program.segments, (program.scene_base, scene))]
     touched = [(start, end) for start, end in itertools.pairwise(sector_starts(program))
                if any(offset < end and offset + len(content) > start for offset, content in pieces)]
@@ -120,7 +120,7 @@ def verify(program, image, data):
     if seen == data:
         return len(data)
     at = next((i for i, (a, b) in enumerate(zip(seen, data)) if a != b), min(len(seen), len(data)))
-    raise ToolError(f"verification failed at {program.flash_base + at:#x}: "
+    raise ToolError(f"verification failed at {program.address(at):#x}: "
                     "the board does not read what was written; the old image is unchanged", exit_code=1)
 
 
@@ -139,7 +139,9 @@ def prepare(board, elf, scene):
 def parts_of(program, scene):
     low = min(address for address, _ in program.segments)
     high = max(address + len(content) for address, content in program.segments)
-    return (Part("program", low, high - low, program.scene_base - program.flash_base),
+    room = (program.scene_base if program.offset(program.scene_base) < program.flash_size
+            else program.flash_base + program.flash_size) - program.flash_base
+    return (Part("program", low, high - low, room),
             Part("scene", program.scene_base, len(scene), program.scene_size))
 
 

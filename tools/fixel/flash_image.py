@@ -19,12 +19,12 @@ def read_old(program, image):
     try:
         old = output.target_of(image).read_bytes()
     except FileNotFoundError:
-        return ERASED * program.flash_size
+        return ERASED * program.image_size
     except OSError as error:
         raise ToolError(f"cannot read {image}: {error.strerror}") from error
-    if len(old) != program.flash_size:
+    if len(old) != program.image_size:
         raise ToolError(f"{image} is not a flash image of board {program.board}, or a damaged one: {len(old)} "
-                        f"bytes, {program.flash_size} expected; delete it to begin with erased flash")
+                        f"bytes, {program.image_size} expected; delete it to begin with erased flash")
     return old
 
 

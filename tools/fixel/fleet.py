@@ -61,7 +61,7 @@ def sizes(elf_path):
         raise ToolError(f"{elf_path} has no symbol {missing[0]}: linker/sections.ld defines it")
     start, free, end = (found[name][0]["st_value"] for name in RAM_SYMBOLS)
     used = sum(len(content) for _, content in program.segments)
-    return {"flash_bytes": used, "flash_size": program.flash_size,
+    return {"flash_bytes": used, "flash_size": program.image_size,
             "scene_room": program.scene_size, "ram_bytes": free - start, "ram_size": end - start,
             "ram_free": end - free}
 

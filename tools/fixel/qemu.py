@@ -31,9 +31,11 @@ def command(program, *options):
 
 
 def loader(program, image):
-    """The flash as an image file has it."""
-    return ["-device",
-            f"loader,file={escape(pathlib.Path(image).resolve())},addr={program.flash_base:#x},force-raw=on"]
+    """The flash as an image file has it. A second flash gets the whole file too, so placed that its part of it is where
+    it belongs: below there must be nothing, and QEMU drops the rest."""
+    file = escape(pathlib.Path(image).resolve())
+    return [word for base, _, offset in program.banks
+            for word in ("-device", f"loader,file={file},addr={base - offset:#x},force-raw=on")]
 
 
 def semihosting(arguments):
@@ -78,10 +80,11 @@ def read_memory(program, image, timeout=30.0):
             process, machine = start_stopped(program, loader(program, image), folder, words, timeout)
             try:
                 # As the core sees it: not every bus behind it is the system's.
-                machine.execute("memsave", timeout, val=program.flash_base, size=program.flash_size,
-                                filename=str(folder / "memory.bin"))
+                files = [folder / f"memory-{number}.bin" for number in range(len(program.banks))]
+                for file, (base, size, _) in zip(files, program.banks):
+                    machine.execute("memsave", timeout, val=base, size=size, filename=str(file))
                 machine.quit()
-                return (folder / "memory.bin").read_bytes()
+                return b"".join(file.read_bytes() for file in files)
             finally:
                 machine.close()
                 execute.kill(process)
