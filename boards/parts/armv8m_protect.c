@@ -51,8 +51,8 @@ static uint32_t first_of_flash(void)
     return base < CORTEXM_NULL_BYTES ? CORTEXM_NULL_BYTES : base;
 }
 
-/* The RAM, and what is above it in its eighth of the address space: where a flash of the scene's own
- * is in its midst, that is read only. */
+/* The RAM, and what is above it in its eighth of the address space: where a flash of the scene's
+ * own is in its midst, that is read only. */
 static void set_ram_regions(void)
 {
     const uint32_t first = (uint32_t)(uintptr_t)fxl_stack_limit;
