@@ -164,6 +164,8 @@ pictures: ## renew the pictures of the documents (needs make run and make report
 	@$(PY) tools/pictures.py --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
 	@$(MAKE) run SCENE=scenes/room.toml SCREEN=320x240 OUT=$(BUILD)/room
 	@$(PY) tools/pictures.py --run $(BUILD)/room --frames 4,18,31 --out docs/room.png
+	@$(MAKE) run SCENE=scenes/grove.toml SCREEN=320x240 OUT=$(BUILD)/grove
+	@$(PY) tools/pictures.py --run $(BUILD)/grove --frames 4,22,44 --out docs/grove.png
 	@$(MAKE) run SCENE=scenes/spin.toml OUT=$(BUILD)/spin
 	@$(PY) tools/pictures.py --run $(BUILD)/spin --frames 5,25,70 --out docs/spin.png
 	@$(MAKE) run PROGRAM=game OUT=$(BUILD)/game
