@@ -6,6 +6,8 @@
         SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
     scene.py export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
         SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
+    scene.py texture IMAGE -o OUT.h [--name NAME] [--size WxH] [--levels N] [--clamp]
+        an image as a texture of a program's RGB565 frames
     scene.py info OUT.fxls [--json]"""
 
 from fixel import interpreter
@@ -19,7 +21,7 @@ import re
 import sys
 import time
 
-from fixel import c_scene, framing, image, image_header, image_lens, image_surface, model_file, output, path, toml_scene, tree
+from fixel import c_scene, c_texture, framing, image, image_header, image_lens, image_surface, model_file, output, path, texture, toml_scene, tree
 from fixel.errors import ToolError, run_main
 from fixel.reading import quoted
 
@@ -105,6 +107,21 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None):
         packed(compiled, scene)
     output.write_file(out, c_scene.header(compiled, name, os.path.basename(scene), frames is not None))
     return compiled, notes
+
+
+def make_texture(arguments):
+    """Writes an image as a texture in C."""
+    sides = re.fullmatch(r"([0-9]{1,3})x([0-9]{1,3})", arguments.size) if arguments.size else None
+    size = tuple(map(int, sides.groups())) if sides else None
+    if arguments.size and (size is None or not all(map(texture.is_side, size))):
+        raise ToolError(f"--size is {quoted(arguments.size)}; it must be like 64x32, both powers of two from 1 to "
+                        f"{texture.SIDE_MAX}")
+    if not 1 <= arguments.levels <= image_surface.LEVELS_MAX:
+        raise ToolError(f"--levels is {arguments.levels}; it must be from 1 to {image_surface.LEVELS_MAX}")
+    name = arguments.name or os.path.splitext(os.path.basename(arguments.image))[0]
+    text, texels = c_texture.header(arguments.image, name, size, arguments.levels, arguments.clamp)
+    output.write_file(arguments.out, text)
+    print(f"{arguments.out}: {name}_texture, {2 * texels:,} bytes of texels")
 
 
 def plant(compiled, layers, name):
@@ -206,6 +223,13 @@ def arguments_of(argv):
         command.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
         command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, "
                              "or all, or most")
+    drawing = commands.add_parser("texture", help="write an image as a texture of RGB565, in C")
+    drawing.add_argument("image")
+    drawing.add_argument("-o", "--out", required=True)
+    drawing.add_argument("--name", help="what the header's names begin with; without, the file's name")
+    drawing.add_argument("--size", help="width and height to scale it to, like 64x64")
+    drawing.add_argument("--levels", type=whole, default=1, help="with smaller pictures for what is far, so many in all")
+    drawing.add_argument("--clamp", action="store_true", help="beyond its edge it shows the texel of the edge")
     telling = commands.add_parser("info", help="say what is in a scene image")
     telling.add_argument("image")
     telling.add_argument("--json", action="store_true")
@@ -216,6 +240,9 @@ def main(argv):
     arguments = arguments_of(argv)
     if arguments.command == "info":
         info(arguments.image, arguments.json)
+        return 0
+    if arguments.command == "texture":
+        make_texture(arguments)
         return 0
     screen = parse_screen(arguments.screen) if arguments.screen else None
     if arguments.command == "export":

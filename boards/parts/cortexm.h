@@ -46,7 +46,8 @@ extern uint32_t fxl_bss_start[], fxl_bss_end[];
 extern uint32_t fxl_stack_guard[], fxl_stack_limit[], fxl_stack_top[];
 extern uint32_t fxl_handler_stack_top[];
 extern uint8_t fxl_flash_base[], fxl_flash_size[], fxl_scene_base[], fxl_scene_size[];
-extern uint8_t fxl_scene_flash_base[], fxl_scene_flash_size[]; /* size 0: it is in the other flash */
+/* Of a second flash; size 0: there is none. Weak, as the compiler takes no other address for 0. */
+extern __attribute__((weak)) uint8_t fxl_scene_flash_base[], fxl_scene_flash_size[];
 
 typedef void (*cortexm_vector)(void);
 

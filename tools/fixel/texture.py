@@ -99,13 +99,19 @@ def _halved(rows, least):
     return result
 
 
+def levels_of(rows, count, least=1):
+    """Rows of (red, green, blue) or CLEAR, and smaller pictures of them: so many levels, or as many as there are. least: the
+    least width of a level."""
+    levels = [rows]
+    while len(levels) < min(count, max(len(rows), len(rows[0])).bit_length()):
+        levels.append(_halved(levels[-1], least))
+    return levels
+
+
 def with_levels(picture, count, most, least):
     """The picture with so many levels, and at most so many colours: its own ones, and others for the smaller levels.
     least: the least width of a level."""
-    levels = [picture.rows()]
-    while len(levels) < min(count, max(picture.width, picture.height).bit_length()):
-        levels.append(_halved(levels[-1], least))
-    return from_pixels(levels, most, picture.colours)
+    return from_pixels(levels_of(picture.rows(), count, least), most, picture.colours)
 
 
 def read(path, name, most, any_side=False, key=None):

@@ -27,6 +27,10 @@ class Texture:
         self.pictures = {}      # made of it for textures (toml_images.py)
         self.height, self.width = pixels.shape[:2]
 
+    def scaled(self, width, height):
+        """Its pixels in another size, each the mean of what it covers."""
+        return np.asarray(Image.fromarray(self.pixels).resize((width, height), Image.Resampling.BOX))
+
     def _mean_of_triangles(self, corners):
         """The mean colour of what lies in each triangle, of (count, 3 corners, 2) coordinates; the image repeats."""
         first, along = corners[:, None, 0], corners[:, None, 1:] - corners[:, None, :1]
