@@ -119,6 +119,8 @@ void test_the_ends_of_a_valid_lens(void)
         TEST_ASSERT_FALSE(is_valid_with(ends[i].member, ends[i].least - 1));
         TEST_ASSERT_FALSE(is_valid_with(ends[i].member, ends[i].most + 1));
     }
+    TEST_ASSERT_FALSE(is_valid_with(2, INT32_MIN));
+    TEST_ASSERT_FALSE(is_valid_with(2, INT32_MAX));
     fxl_lens lens = unit_lens(320, 240);
     lens.inset = FXL_INSET_MAX;
     TEST_ASSERT_TRUE(fxl_lens_is_valid(&lens));

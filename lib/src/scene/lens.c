@@ -53,6 +53,14 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
 #define FOCAL_LEAST 0x2240
 #define FOCAL_MOST  0x5B800
 
+/* One comparison for both ends: a focal length below the least wraps to 2^31 - 2^24 or more, and
+ * the span is below 2^29. */
+static bool focal_in_range(fxl_q16_16 focal, uint16_t width)
+{
+    return (uint32_t)focal - (uint32_t)width * FOCAL_LEAST <=
+           (uint32_t)width * (FOCAL_MOST - FOCAL_LEAST);
+}
+
 static bool centre_in_range(const fxl_lens *lens)
 {
     return lens->off_centre != NULL ? lens->off_centre->is_valid(lens)
@@ -64,6 +72,5 @@ bool fxl_lens_is_valid(const fxl_lens *lens)
 {
     return screen_in_range(lens->width, lens->height) &&
            depth_in_range(lens->near_z, lens->far_z, lens->inset) &&
-           lens->focal >= (int32_t)lens->width * FOCAL_LEAST &&
-           lens->focal <= (int32_t)lens->width * FOCAL_MOST && centre_in_range(lens);
+           focal_in_range(lens->focal, lens->width) && centre_in_range(lens);
 }
