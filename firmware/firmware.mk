@@ -130,7 +130,7 @@ PROGRAM_OBJECTS_OF = $(PROGRAM_SOURCES.$(2):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 
 # What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
-# walk-<visibility>-<clipper>, that differs in one object.
+# walk-<visibility>-<clipper>, that differs in two objects.
 CLIPPERS := view world normalised once half-spaces triangles near left
 VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces depth depth-32
 ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
@@ -142,7 +142,11 @@ endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
 WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$(CLIPPER))) \
     $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%))) \
-    $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH)
+    $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH) $(if $(filter tree%,$(VISIBILITY)),-DWALK_TREE) \
+    $(if $(filter surfaces,$(VISIBILITY)),-DWALK_SURFACES)
+WALK_METHODS_FILES := methods surfaces
+# A board's memory.ld may ask for it: a program with surfaces is larger.
+WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
 
 # With ROWS=, its bands have so many rows at most: another program too, that differs in another object.
 ifneq ($(ROWS),)
@@ -158,7 +162,7 @@ PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$
 
 # How a board's programs are linked, and what it takes beside the objects.
 BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
-    -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map)
+    -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map) $(LINK_OF_FILE)
 BOARD_LINK_SCRIPTS = boards/$(1)/memory.ld $(wildcard linker/*.ld)
 
 define FIRMWARE_LINK
@@ -181,12 +185,13 @@ endef
 
 # The objects that differ stand in place of the program's own.
 define CHOICE_RULES
-$(call WALK_OF,$(1)): $(filter-out $(if $(WALK_METHODS),%/methods.o) $(if $(WALK_ROWS),%/walk/walk.o),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
-    $(WALK_METHODS:%=$(FIRMWARE_OUT)/$(1)/methods%.o) $(WALK_ROWS:%=$(FIRMWARE_OUT)/$(1)/walk%.o)
+$(call WALK_OF,$(1)): $(filter-out $(if $(WALK_METHODS),$(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))) $(if $(WALK_ROWS),%/walk/walk.o),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
+    $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) $(WALK_ROWS:%=$(FIRMWARE_OUT)/$(1)/walk%.o)
+$(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK)
 endef
 
 define METHODS_RULES
-$(FIRMWARE_OUT)/$(1)/methods$(WALK_METHODS).o: firmware/walk/methods.c firmware/firmware.mk boards/$(1)/board.mk
+$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES))): $(FIRMWARE_OUT)/$(1)/%$(WALK_METHODS).o: firmware/walk/%.c firmware/firmware.mk boards/$(1)/board.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include $(BOARD_SETTINGS.$(1):%=-D%))
 endef
 

@@ -8,11 +8,11 @@ BOARD_QEMU := -M stm32vldiscovery
 BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 
 # How 8192 bytes are shared out: 1280 for the program's stack and 320 for the
-# handlers' (memory.ld), 2536 for the renderer, 200 that are free, and these: eight rows of 128, or one
-# of the widest screen; the 174 objects of the plaza; a list of 15 polygons of four
-# vertices, in which every frame of scenes/tiny.toml fits; no vertices are kept.
+# handlers' (memory.ld), 2536 for the renderer, 152 that are free, and these: eight rows of 128, or one
+# of the widest screen; the 174 objects of the plaza, or the 178 faces of scenes/landscape.toml; a list of
+# 15 polygons of four vertices, in which every frame of scenes/tiny.toml fits; no vertices are kept.
 BOARD_BAND_BYTES := 1024
-BOARD_ORDER_ENTRIES := 174
+BOARD_ORDER_ENTRIES := 178
 BOARD_LIST_BYTES := 600
 BOARD_CACHE_ENTRIES := 0
 
@@ -28,8 +28,9 @@ BOARD_UNIT_OMIT := test_depth test_depth_surfaces test_billboards test_pick test
 # Speed is the library's: the program is small so that it fits into its 64 KiB.
 BOARD_OWN_FLAGS := -Os
 
-# A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces would take
-# 16 KiB of flash, and billboards 4 KiB.
+# A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
+# 16 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 16 KiB less (memory.ld). Billboards
+# would take 4 KiB.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH
 
 BOARD_SOURCES := boards/stm32vldiscovery/board.c \

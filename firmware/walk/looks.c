@@ -2,6 +2,7 @@
 #include "looks.h"
 
 #include "fixel/all.h"
+#include "surfaces.h"
 
 static uint32_t aligned(size_t bytes)
 {
@@ -18,59 +19,9 @@ static uint32_t light_bytes(const fxl_scene_image *image)
     return image->light.base != NULL ? aligned(sizeof(fxl_light)) : 0;
 }
 
-#if defined WALK_WITHOUT_SURFACES
-
-static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
-{
-    (void)surfaces;
-    return 0;
-}
-
-static fxl_status open_surfaces(const fxl_scene_image *image, fxl_renderer *renderer,
-                                uint8_t *memory, const fxl_light *light)
-{
-    (void)image;
-    (void)renderer;
-    (void)memory;
-    (void)light;
-    return FXL_OK;
-}
-
-#else
-
-/* What surfaces want; a record of each texture follows. */
-typedef struct {
-    fxl_surfaces surfaces;
-    fxl_surface_set set;
-} surface_memory;
-
-static uint32_t surface_bytes(const fxl_scene_surfaces *surfaces)
-{
-    return surfaces->face_map != NULL
-               ? aligned(sizeof(surface_memory) + surfaces->texture_count * sizeof(fxl_texture))
-               : 0;
-}
-
-static fxl_status open_surfaces(const fxl_scene_image *image, fxl_renderer *renderer,
-                                uint8_t *memory, const fxl_light *light)
-{
-    surface_memory *const own = (surface_memory *)(void *)memory;
-    const uint32_t count = image->surfaces.texture_count;
-    fxl_texture *textures = (fxl_texture *)(void *)(own + 1);
-    fxl_status status = fxl_surfaces_open(image, textures, count, &own->set, NULL);
-
-    if (status == FXL_OK) {
-        status = fxl_renderer_set_surfaces(renderer, &own->surfaces, &own->set);
-    }
-    return status == FXL_OK && light != NULL ? fxl_renderer_light_surfaces(renderer, light)
-                                             : status;
-}
-
-#endif
-
 uint32_t walk_looks_bytes(const fxl_scene_image *image)
 {
-    return beam_bytes(&image->scene) + light_bytes(image) + surface_bytes(&image->surfaces);
+    return beam_bytes(&image->scene) + light_bytes(image) + walk_surface_bytes(&image->surfaces);
 }
 
 fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer, uint8_t *memory)
@@ -91,7 +42,7 @@ fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer,
         status = fxl_renderer_set_light(renderer, light, &settings);
     }
     if (status == FXL_OK && image->surfaces.face_map != NULL) {
-        status = open_surfaces(image, renderer, lights + light_bytes(image), light);
+        status = walk_surfaces_open(image, renderer, lights + light_bytes(image), light);
     }
     return status;
 }

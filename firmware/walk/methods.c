@@ -45,7 +45,7 @@ static const fxl_visibility *visibility_of(const fxl_scene_image *image)
 
 static bool draws_by_bsp(const walk_methods *methods, const fxl_scene *scene)
 {
-#if defined WALK_WITHOUT_BSP && !defined WALK_VISIBILITY
+#if defined WALK_WITHOUT_BSP && !defined WALK_TREE
     (void)methods;
     (void)scene;
     return false;

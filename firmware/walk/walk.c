@@ -13,6 +13,7 @@
 #include "looks.h"
 #include "methods.h"
 #include "path.h"
+#include "surfaces.h"
 
 /* A row of the widest screen must fit. */
 _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than one row");
@@ -140,6 +141,9 @@ static int share_list(const fxl_scene_image *image, shares *of)
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree, with surfaces or with a "
                     "depth buffer (VISIBILITY=sorted) or billboards\n");
+        if (image->surfaces.face_map != NULL && walk_surface_bytes(&image->surfaces) == 0) {
+            system_text("walk: VISIBILITY=surfaces builds a program that draws surfaces\n");
+        }
         return SYSTEM_EXIT_CAPACITY;
     }
     of->taken += walk_methods_bytes(&methods);

@@ -10,7 +10,7 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make
 
 import scene as scene_tool
-from fixel import methods
+from fixel import fleet, methods
 from test_run import walk
 
 KNOT = str(CHECKOUT / "scenes/knot.toml")   # beams that no order by distance draws right
@@ -141,7 +141,20 @@ def test_a_board_without_room_for_a_tree_surfaces_or_depth_says_so(build, tmp_pa
         scene.write_text(pathlib.Path(KNOT).read_text().replace("[view]", '[view]\nvisibility = "depth"'))
     done = walk(tmp_path / "out", board="stm32vldiscovery", scene=planted if scene == "planted" else scene, frames=None)
     assert done.returncode == 13 and "no room to draw by a BSP tree, with surfaces or with a depth buffer" in done.stderr
+    assert ("VISIBILITY=surfaces builds a program" in done.stderr) == (scene == CHECKOUT / "scenes/room.toml")
     assert not (tmp_path / "out").exists()
+
+
+def test_a_board_of_8_kb_draws_surfaces_where_asked(build, tmp_path):
+    """The program with surfaces is larger, and scenes have less flash (boards/stm32vldiscovery/memory.ld)."""
+    landscape = tmp_path / "landscape.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes/landscape.toml"), str(landscape), 2)
+    summary = chosen(tmp_path / "out", landscape, "--visibility", "surfaces", board="stm32vldiscovery")
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
+    # Most of the 300 faces or so that are seen do not fit the list, so each band of three rows walks the scene.
+    assert summary["polygons"]["spilled"] > summary["polygons"]["drawn"] // 2
+    elf = build / "boards/stm32vldiscovery/walk-surfaces-view.elf"
+    assert fleet.sizes(elf)["scene_room"] == 48 * 1024
 
 
 @pytest.mark.parametrize("words", [["--hidden"], ["--hidden", "nonsense"], ["--clipper", "nonsense"], ["more", "words"]])
