@@ -42,13 +42,13 @@ BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb56
 BENCH_LIB := $(LIB_NAMES:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
-BENCH_OBJECTS.fixel := draw_fixel looks $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel := draw_fixel looks surfaces $(BENCH_FRAMES)
 # The library by -Os; for few bytes, as make lib SIZE=1 makes it; in bands, with the memory of a
 # small board; with each frame converted.
-BENCH_OBJECTS.fixel-os := draw_fixel looks frames path $(LIB_NAMES:%=os/lib/%)
-BENCH_OBJECTS.fixel-small := draw_fixel looks frames path $(LIB_NAMES:%=small/lib/%)
+BENCH_OBJECTS.fixel-os := draw_fixel looks surfaces frames path $(LIB_NAMES:%=os/lib/%)
+BENCH_OBJECTS.fixel-small := draw_fixel looks surfaces frames path $(LIB_NAMES:%=small/lib/%)
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
-BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks surfaces $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
@@ -90,7 +90,7 @@ BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
-$(foreach part,path looks,
+$(foreach part,path looks surfaces,
 $(BENCH_OUT)/$(1)/$(part).o: firmware/walk/$(part).c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 )
