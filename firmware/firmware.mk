@@ -130,7 +130,7 @@ PROGRAM_OBJECTS_OF = $(PROGRAM_SOURCES.$(2):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 
 # What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
-# walk-<visibility>-<clipper>, that differs in two objects.
+# walk-<visibility>-<clipper>, that differs in three objects: board.mk may set memory by VISIBILITY.
 CLIPPERS := view world normalised once half-spaces triangles near left
 VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces depth depth-32
 ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
@@ -148,16 +148,17 @@ WALK_METHODS_FILES := methods surfaces
 # A board's memory.ld may ask for it: a program with surfaces is larger.
 WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
 
-# With ROWS=, its bands have so many rows at most: another program too, that differs in another object.
+# With ROWS=, its bands have so many rows at most: another program too.
 ifneq ($(ROWS),)
 ifeq ($(filter $(ROWS),$(shell seq 1024)),)
 $(error ROWS=$(ROWS) is no number of rows from 1 to 1024)
 endif
 endif
 WALK_ROWS := $(ROWS:%=-rows-%)
+WALK_CHOICE := $(WALK_METHODS)$(WALK_ROWS)
 
 # The program of a board with what was chosen.
-WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_METHODS)$(WALK_ROWS))
+WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
@@ -185,19 +186,18 @@ endef
 
 # The objects that differ stand in place of the program's own.
 define CHOICE_RULES
-$(call WALK_OF,$(1)): $(filter-out $(if $(WALK_METHODS),$(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))) $(if $(WALK_ROWS),%/walk/walk.o),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
-    $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) $(WALK_ROWS:%=$(FIRMWARE_OUT)/$(1)/walk%.o)
+$(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),$(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
+    $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o \
+    $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES))))
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK)
+
+$(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(ROWS:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 endef
 
 define METHODS_RULES
 $(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES))): $(FIRMWARE_OUT)/$(1)/%$(WALK_METHODS).o: firmware/walk/%.c firmware/firmware.mk boards/$(1)/board.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include $(BOARD_SETTINGS.$(1):%=-D%))
-endef
-
-define ROWS_RULES
-$(FIRMWARE_OUT)/$(1)/walk$(WALK_ROWS).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -DWALK_ROWS_MAX=$(ROWS) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 endef
 
 define HOSTED_RULES
@@ -223,9 +223,8 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
 
 $(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program)))))
-$(if $(WALK_METHODS)$(WALK_ROWS),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
+$(if $(WALK_CHOICE),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
-$(if $(WALK_ROWS),$(foreach board,$(BOARDS),$(eval $(call ROWS_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 

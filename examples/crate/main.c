@@ -1,4 +1,4 @@
-/* A crate of planks that turns by a lamp: 48 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
+/* A crate of planks that turns by a lamp: 49 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
 #include <fixel.h>
 #include <fixel/extra/orientation.h>
 #include <fixel/extra/surfaces.h>

@@ -37,11 +37,11 @@ extern const fxl_visibility fxl_visibility_depth_32; /* 32 bits a pixel */
  * 8. Bands that it has no room for are drawn in parts, each of which counts in split_bands; the
  * pixels are the same. The renderer keeps both pointers. Any scene is drawn: faces of one colour,
  * lit ones, turned ones, pieces of light beams; and faces with surfaces, if these were set
- * before. Not with a BSP tree or billboards, which are methods of their own. The depth ends where
- * another visibility method is set. A frame must begin anew. In memory of its own
- * (fxl_workspace_init) each core may draw another band. FXL_E_ARGUMENT (also another method),
- * FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_CAPACITY (size): nothing
- * is changed but refused_calls. */
+ * before. Not with a BSP tree, which is a method of its own; billboards come after it
+ * (fxl_renderer_set_billboards_by_depth). The depth ends where another visibility method is set. A
+ * frame must begin anew. In memory of its own (fxl_workspace_init) each core may draw another band.
+ * FXL_E_ARGUMENT (also another method), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never
+ * initialised), FXL_E_CAPACITY (size): nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_depth(fxl_renderer *renderer, fxl_depth *depth,
                                   const fxl_visibility *method, void *memory, uint32_t size);
 
