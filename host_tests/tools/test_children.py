@@ -109,6 +109,19 @@ def test_a_signal_within_a_destructor_counts(tmp_path, ending, machine):
     assert words == ("interrupted\n" if ending == signal.SIGINT else f"ended by {ending.name}\n")
 
 
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_a_signal_just_before_a_wait_counts(tmp_path, ending):
+    """It sets Python's mark, and does not interrupt the wait: so does _thread.interrupt_main."""
+    body = f"""
+        import _thread
+        threading.Timer(0.2, _thread.interrupt_main, [{int(ending)}]).start()
+        time.sleep(600)
+    """
+    done = subprocess.run(tool(tmp_path, body), stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == 128 + ending
+    assert "Traceback" not in done.stderr
+
+
 def test_an_ignored_signal_stays_ignored(tmp_path):
     body = """
         import os, signal

@@ -20,6 +20,7 @@ from fixel import children, scratch
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ONCE_MORE = 0.01    # seconds
+BEAT = 0.5          # seconds
 
 
 class ToolError(Exception):
@@ -50,17 +51,23 @@ def _heed_lost(unraisable):
         return
     number = unraisable.exc_value.number
     signal.signal(signal.SIGALRM, lambda _, frame: _end_once_more(number, frame))
-    signal.setitimer(signal.ITIMER_REAL, ONCE_MORE)
+    signal.setitimer(signal.ITIMER_REAL, ONCE_MORE, BEAT)
 
 
 def _end_once_more(number, frame):
     """What is raised within _heed_lost would be lost too: on a busy machine it may take longer than ONCE_MORE."""
     while frame is not None:
         if frame.f_code is _heed_lost.__code__:
-            signal.setitimer(signal.ITIMER_REAL, ONCE_MORE)
+            signal.setitimer(signal.ITIMER_REAL, ONCE_MORE, BEAT)
             return
         frame = frame.f_back
+    signal.signal(signal.SIGALRM, _tick)
     _end(number, None)
+
+
+def _tick(_number, _frame):
+    """Python asks for signals before a system call and where one interrupts it. One that comes between the two is
+    heeded when the call ends, perhaps after minutes; so each wait is interrupted now and then, and goes on."""
 
 
 def _begin():
@@ -72,6 +79,8 @@ def _begin():
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _end)
     sys.unraisablehook = _heed_lost
+    signal.signal(signal.SIGALRM, _tick)
+    signal.setitimer(signal.ITIMER_REAL, BEAT, BEAT)
     scratch.remove_left_over()
 
 
