@@ -220,7 +220,7 @@ def test_bytes_of_the_map_are_those_of_the_program(flags):
 def test_by_flto_the_library_is_one_file_and_the_memory_functions_stay_outside():
     apart, together = (link_map.measure(CHECKOUT / "build/bench/m3/size" / flags / "fixel.map")
                        for flags in ("small", "small-flto"))
-    assert len(together["files"]) == 1 and ".ltrans" in next(iter(together["files"]))
+    assert list(together["files"]) == ["ltrans0"]       # not the linker's name of it, which is new with each link
     assert together["run_time"] == apart["run_time"] > 0
     assert together["code"] + together["constants"] < apart["code"] + apart["constants"]
 

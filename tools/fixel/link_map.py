@@ -16,6 +16,8 @@ RAM = (".data", ".bss")
 RUN_TIME = re.compile(r"/lib(gcc|c|m|g)(_nano)?\.a\(|/memory_functions\.o$")
 # A function of the compiler's arithmetic: a member of its archive.
 HELPER = re.compile(r"/libgcc\.a\((\w+)\.o\)$")
+# What -flto makes of all files: a temporary one, whose name is new with each link.
+TOGETHER = re.compile(r"^\w+\.(ltrans\d+)\.ltrans$")
 
 
 def measure(path):
@@ -31,7 +33,7 @@ def measure(path):
             if RUN_TIME.search(file):
                 kind = "run_time"
             else:
-                files[pathlib.PurePath(file).stem] += size
+                files[TOGETHER.sub(r"\1", pathlib.PurePath(file).stem)] += size
             total[kind] += size
         if _is(name, RAM):
             total["ram"] += size
