@@ -122,6 +122,19 @@ def test_a_signal_just_before_a_wait_counts(tmp_path, ending):
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("last", ["sys.exit(3)", "raise SystemExit(3)", "return 3"])
+def test_nothing_interrupts_a_tool_that_ends(tmp_path, last):
+    """Python's own end may take long: then it has no handlers any more."""
+    body = f"""
+        class Slow:
+            def __del__(self, sleep=time.sleep):
+                sleep(1.5)
+        pathlib.slow = Slow()       # a module's: destroyed at the very end
+        {last}
+    """
+    assert subprocess.run(tool(tmp_path, body), check=False).returncode == 3
+
+
 def test_an_ignored_signal_stays_ignored(tmp_path):
     body = """
         import os, signal

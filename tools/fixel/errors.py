@@ -84,6 +84,14 @@ def _begin():
     scratch.remove_left_over()
 
 
+def _finish():
+    """Whoever is impatient now would leave something behind. Python, as it ends, gives up each handler: a timer
+    that still ran would kill it."""
+    for number in (*ENDINGS, signal.SIGALRM):
+        signal.signal(number, signal.SIG_IGN)
+    signal.setitimer(signal.ITIMER_REAL, 0)
+
+
 def run_main(main):
     """Runs a tool's main(argv) -> exit code and turns ToolError into a sentence."""
     try:
@@ -96,6 +104,6 @@ def run_main(main):
         number = getattr(error, "number", signal.SIGINT)
         print("interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}", file=sys.stderr)
         code = 128 + number
-    for number in (*ENDINGS, signal.SIGALRM):   # whoever is impatient now would leave something behind
-        signal.signal(number, signal.SIG_IGN)
+    finally:    # --help leaves by SystemExit
+        _finish()
     sys.exit(code)
