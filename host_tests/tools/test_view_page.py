@@ -31,6 +31,10 @@ KEYS = {"ArrowUp": ("z", 1), "ArrowRight": ("yaw", 1), "ArrowLeft": ("yaw", -1),
 # Other keys that mean the same: bits of fixel/extra/player.h.
 SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32}
 
+# Pixels of a frame that may show another texel or level than the reference does: within their bounds of
+# docs/extras/surfaces.md, which `make run` judges.
+SURFACES = {"landscape": 20, "gallery": 1000, "car": 50, "room": 1000}
+
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
@@ -242,6 +246,33 @@ def test_a_port_in_use_is_refused(window, board, scene, build, tmp_path):
     assert_one_sentence(refused, f"port {port} of 127.0.0.1", "PORT=")
     assert not left(programs)
     wait_for_frames(window[2], 1)
+
+
+# --- other scenes ---------------------------------------------------------------------
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_a_scene_with_surfaces_is_walked_beside_the_reference(name, chromium, build, tmp_path):
+    """build/view/<scene>.png is how it looked."""
+    ready("mps2-an385", build)
+    image = tmp_path / f"{name}.fxls"
+    scene_tool.build(str(ROOT / "scenes" / f"{name}.toml"), str(image), None, (160, 120))
+    with browser.viewing("mps2-an385", image, build) as (_, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(0)
+        page.wait_for_function("() => document.getElementById('board-rate').textContent !== '–'")
+        show_beside(page, "1", "double")
+        first, _ = canvases(page, "fixed", "other")
+        page.keyboard.down("ArrowRight")
+        wait_for_frames(page, 10)
+        page.keyboard.up("ArrowRight")
+        wait_for_frames(page, 5)
+        fixed, double = canvases(page, "fixed", "other")
+        assert (fixed != first).any(axis=2).mean() > 0.01
+        assert len(numpy.unique(fixed.reshape(-1, 3), axis=0)) > 10
+        assert fixed.shape == double.shape and (fixed != double).any(axis=2).sum() <= SURFACES[name]
+        (build / "view").mkdir(exist_ok=True)
+        page.screenshot(path=str(build / "view" / f"{name}.png"))
+        assert page.complaints == []
 
 
 # --- the recording ------------------------------------------------------------------
