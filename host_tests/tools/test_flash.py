@@ -218,7 +218,7 @@ def test_a_scene_that_just_fits(elf, scene, image):
 
 
 def test_a_scene_that_is_not_there(elf, image, tmp_path):
-    assert "cannot read" in refuse(image, BOARD, elf, tmp_path / "none.fxls")
+    assert "cannot be read" in refuse(image, BOARD, elf, tmp_path / "none.fxls")
 
 
 def test_an_image_of_another_size(elf, scene, image):

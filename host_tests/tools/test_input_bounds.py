@@ -20,7 +20,9 @@ from conftest import CHECKOUT, TOOLS, environment
 from model_files import TETRAHEDRON, glb, gltf, png, stl
 from test_checkers import sealed
 from test_model_files import big_png, grid
-from fixel import gltf as gltf_reader, image, obj, toml_table
+import scene as scene_tool
+from fixel import flash, gltf as gltf_reader, image, obj, toml_table
+from fixel.errors import ToolError
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\n'
@@ -230,6 +232,15 @@ def test_a_file_of_more_bytes_than_the_limit_is_not_read(tmp_path, name, most):
         file.truncate(1 << 30)
     code, said = run_bounded(tmp_path, "build", tmp_path / name, "-o", tmp_path / "out.fxls", size=0)
     assert code == 2 and f"the limit of {most:,}" in said
+
+
+def test_an_image_of_more_bytes_than_the_limit_is_not_flashed(tmp_path):
+    file = tmp_path / "scene.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes/tiny.toml"), str(file))
+    with file.open("r+b") as image:
+        image.truncate(8 << 30)
+    with pytest.raises(ToolError, match="the limit of"):
+        flash.read_scene(file)
 
 
 def waves(cells):

@@ -296,6 +296,11 @@ def test_a_tree_leaves_surfaces_out_and_says_so(tmp_path):
 def test_what_is_wrong_is_named(tmp_path):
     (tmp_path / "bad.png").write_bytes(b"\x89PNG\r\n\x1a\nno picture")
     Image.new("RGB", (3, 4)).save(tmp_path / "odd.png")
+    # Pillow's reader of this format raises what none of the others does.
+    Image.new("RGB", (8, 8)).save(tmp_path / "odd.dds")
+    blob = bytearray((tmp_path / "odd.dds").read_bytes())
+    blob[80:84] = struct.pack("<I", 1)      # the pixel format's flags
+    (tmp_path / "odd.dds").write_bytes(blob)
     own = '[[textures]]\nname = "t"\n'
     for text, parts in (
             (own, ["file, pattern", "none is given"]),
@@ -310,7 +315,8 @@ def test_what_is_wrong_is_named(tmp_path):
             (own + 'pattern = "checker"\nlevels = 10\n', ["levels = 10"]),
             (own + 'pattern = "checker"\nwrap = "mirror"\n', ["wrap", '"mirror"']),
             (own + 'file = "gone.png"\n', ["there is no file", "gone.png"]),
-            (own + 'file = "bad.png"\n', ["bad.png", "not a picture"]),
+            (own + 'file = "bad.png"\n', ["bad.png", "cannot be read", "PNG"]),
+            (own + 'file = "odd.dds"\n', ["odd.dds", "cannot be read", "PNG"]),
             (own + 'file = "odd.png"\n', ["odd.png", "3 x 4", "powers of two"]),
             (own + 'file = "odd.png"\nsize = [4, 4]\n', ["size", "belongs to a pattern"]),
             (TEXTURE + TEXTURE, ['there is a texture "t" already']),

@@ -12,9 +12,10 @@ import pathlib
 import struct
 import zlib
 
-from fixel import firmware, output, qemu
+from fixel import firmware, output, qemu, reading
 from fixel.errors import ToolError
 from fixel.flash_image import ERASED, read_old, replace
+from fixel.image_header import IMAGE_MAX
 
 SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
 SCENE_VERSIONS = (2, 3, 4, 5, 6, 7)
@@ -47,11 +48,11 @@ def read_scene(path):
     undamaged, of our version. What is in it, the board's loader checks."""
     try:
         found = output.not_a_file(path)
-        if found:
-            raise ToolError(f"cannot read {path}: it is {found}; name a scene image")
-        data = pathlib.Path(path).read_bytes()
     except OSError as error:
         raise ToolError(f"cannot read {path}: {error.strerror}") from error
+    if found:
+        raise ToolError(f"cannot read {path}: it is {found}; name a scene image")
+    data = reading.read_whole(path, IMAGE_MAX, "make it with tools/scene.py")
     if len(data) < SCENE_HEADER_SIZE or data[:4] != b"FXLS":
         raise ToolError(f"{path} is not a scene image: make one with tools/scene.py")
     _, version, header_size, size, crc = SCENE_HEAD.unpack_from(data)

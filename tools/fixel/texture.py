@@ -3,9 +3,7 @@
 
 from dataclasses import dataclass
 
-from PIL import Image, UnidentifiedImageError
-
-from fixel import palette, reading
+from fixel import palette, reading, texture_image
 from fixel.errors import ToolError
 from fixel.reading import quoted
 
@@ -117,18 +115,15 @@ def with_levels(picture, count, most, least):
 def read(path, name, most, any_side=False, key=None):
     """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
     pixels of the colour key. any_side: its sides need not be powers of two."""
-    reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
-    try:
-        with Image.open(path) as file:
-            if any_side and max(file.size) > SIDE_MAX:
-                raise ToolError(f"{name}: a picture of {file.width} x {file.height}; a side is at most {SIDE_MAX}, so scale it")
-            if not any_side and not (is_side(file.width) and is_side(file.height)):
-                raise ToolError(f"{name}: a picture of {file.width} x {file.height}; the sides of a texture are powers of "
-                                f"two up to {SIDE_MAX}, so scale it")
-            data = file.convert("RGBA").tobytes()
-            width, height = file.size
-    except (UnidentifiedImageError, OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
-        raise ToolError(f"{name}: not a picture that can be read: {reading.shortened(str(error))}") from error
+    blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
+    rows = texture_image.decode(blob, name).pixels
+    height, width = rows.shape[:2]
+    if any_side and max(width, height) > SIDE_MAX:
+        raise ToolError(f"{name}: a picture of {width} x {height}; a side is at most {SIDE_MAX}, so scale it")
+    if not any_side and not (is_side(width) and is_side(height)):
+        raise ToolError(f"{name}: a picture of {width} x {height}; the sides of a texture are powers of "
+                        f"two up to {SIDE_MAX}, so scale it")
+    data = rows.tobytes()
     pixels = [tuple(data[i:i + 3]) if data[i + 3] >= 128 and tuple(data[i:i + 3]) != key else CLEAR
               for i in range(0, len(data), 4)]
     return from_pixels([[pixels[i:i + width] for i in range(0, width * height, width)]], most)
