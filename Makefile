@@ -73,6 +73,11 @@ FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
 METHODS_OPTIONS := --program '$(PROGRAM)' $(if $(VISIBILITY),--visibility '$(VISIBILITY)') $(if $(CLIPPER),--clipper '$(CLIPPER)') $(if $(ROWS),--rows '$(ROWS)')
 
+# The record of a display's wires is what run reads.
+ifneq ($(and $(DRIVER),$(filter view flash boot gdb screen,$(MAKECMDGOALS))),)
+$(error DRIVER= is for make run alone, which reads what the driver of the display sends)
+endif
+
 # --- commands ----------------------------------------------------------------
 
 .PHONY: FORCE help test-programs set-up-lib $(COMMANDS)
@@ -86,11 +91,11 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= OUT=]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS)
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(DRIVER),--driver '$(DRIVER)')
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
@@ -142,11 +147,11 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 
 PICTURE ?= $(BUILD)/screen/$(BOARD).png
 
-screen: ## save what a board's screen shows after the last frame [BOARD= SCENE= SCREEN= FRAMES= DEVICE= PICTURE=]
+screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
-	@$(MAKE) $(BOARD_WALK.$(BOARD))
+	@$(MAKE) $(WALK)
 	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(DEVICE),--device '$(DEVICE)')
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(DEVICE),--device '$(DEVICE)')
 
 pictures: ## renew the pictures of the documents (needs make run and make report)
 	@tools/setup.sh test

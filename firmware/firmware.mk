@@ -17,6 +17,8 @@
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
+#   BOARD_PROGRAM_OMIT      programs of PROGRAM= that do not fit it
+#   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without); 0: there is no room for one
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
 # Makes, for each board:
@@ -38,6 +40,7 @@ CORE_OUT := $(BUILD)/core
 
 empty :=
 space := $(empty) $(empty)
+, := ,
 define newline
 
 
@@ -47,7 +50,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS UNIT_OMIT OPENOCD HOSTED BENCH PROGRAM_OMIT
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS UNIT_OMIT OPENOCD HOSTED BENCH PROGRAM_OMIT DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -154,8 +157,21 @@ ifeq ($(filter $(ROWS),$(shell seq 1024)),)
 $(error ROWS=$(ROWS) is no number of rows from 1 to 1024)
 endif
 endif
-WALK_ROWS := $(ROWS:%=-rows-%)
-WALK_CHOICE := $(WALK_METHODS)$(WALK_ROWS)
+# With DRIVER=, its frames go through that driver of the library too, and what it sends is recorded:
+# boards/parts/driver_panel.c, in bands of eight rows where ROWS= is not given.
+DRIVERS_OF_COLOUR := st7789 ili9341 st7735
+DRIVERS_OF_PAGES := ssd1306 sh1106
+ifneq ($(filter-out $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES),$(DRIVER)),)
+$(error there is no DRIVER "$(DRIVER)"; the drivers are: $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES))
+endif
+ifneq ($(filter-out $(shell seq 8 8 1024),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(ROWS))),)
+$(error DRIVER=$(DRIVER) takes pages of eight rows: ROWS=$(ROWS) must be a multiple of 8)
+endif
+ifeq ($(if $(DRIVER),$(BOARD_DRIVER_ROWS.$(BOARD))),0)
+$(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter 0,$(BOARD_DRIVER_ROWS.$(board))),,$(board))))
+endif
+WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
+WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
 
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))
@@ -188,11 +204,22 @@ endef
 define CHOICE_RULES
 $(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),$(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
     $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o \
-    $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES))))
-$(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK)
+    $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) \
+    $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(FIRMWARE_OUT)/$(1)/$(call BOARD_WIRES_OF,$(1)).o)
+$(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(ROWS:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_ROWS_MAX:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
+endef
+
+# The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
+# driver_panel.c, which asks the board.
+BOARD_WIRES_OF = $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires)
+DRIVER_DEFINES := -DDRIVER_NAME=fxl_$(DRIVER) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,16)
+
+define DRIVER_RULES
+$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(DRIVER_DEFINES) -DDRIVER_ROWS=$(or $(BOARD_DRIVER_ROWS.$(1)),8) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
 endef
 
 define METHODS_RULES
@@ -204,7 +231,7 @@ define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
-	$$(call FIRMWARE_LINK,$(HOSTCC) $$(filter %.o,$$^))
+	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^))
 endef
 
 define TARGET_RULES
@@ -225,6 +252,7 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
 $(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program)))))
 $(if $(WALK_CHOICE),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
+$(if $(DRIVER),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 

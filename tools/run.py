@@ -20,7 +20,7 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel import close_faces, dump, emulator, firmware, flash, methods, output, picture, scratch
+from fixel import close_faces, dump, emulator, firmware, flash, methods, output, picture, scratch, wires
 from fixel import image as scene_image
 from fixel.errors import ToolError, run_main
 from fixel.programs import HostPrograms
@@ -59,8 +59,8 @@ def make_scene_image(scene, folder, frames, screen=None):
     return image
 
 
-def walk(board, build, scene_image, folder, frames, name=methods.WALK):
-    """The dump that a board leaves after a program has run, and the board's core."""
+def walk(board, build, scene_image, folder, frames, name=methods.WALK, record=None):
+    """The dump that a board leaves after a program has run, and the board's core. record: where the wires' is to be."""
     elf = methods.elf_of(board, build, name)
     program = firmware.load(elf, board)
     # The host has no flash: the scene image itself is what it boots from.
@@ -68,7 +68,7 @@ def walk(board, build, scene_image, folder, frames, name=methods.WALK):
     flash.flash(board, elf, scene_image, image)
     file = folder / f"{board}.fxld"
     with Progress(f"drawing on {board} ({program.cpu})") as progress:
-        emulator.run(board, image, elf, file, frames, BOARD_TIMEOUT, progress)
+        emulator.run(board, image, elf, file, frames, BOARD_TIMEOUT, progress, record=record)
     return file, program.cpu
 
 
@@ -140,7 +140,16 @@ def summarise(options, cpu, drawn, equal):
             "frames_empty": sum(frame.counters["drawn"] == 0 for frame in drawn.frames),
             "instructions_per_frame": instruction_figures(drawn.frames),
             "frame_sha256": [frame.sha256 for frame in drawn.frames],
-            "host_frames_equal": equal}
+            "host_frames_equal": equal, "driver": options.driver}
+
+
+def compare_wires(options, record, drawn):
+    """What came over the wires of DRIVER=, beside what was drawn: for summary.json."""
+    if not options.driver:
+        return {"wires_frames_equal": None, "wires_frame_sha256": None}
+    with Progress(f"reading the wires of an {options.driver}") as progress:
+        equal, hashes = wires.compare(record, options.driver, drawn, progress)
+    return {"wires_frames_equal": equal, "wires_frame_sha256": hashes}
 
 
 def write_pictures(folder, drawn, twin):
@@ -186,7 +195,10 @@ def print_summary(summary, out):
             ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
             ["instructions a frame", "not counted on this board" if counts["min"] is None else
              f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
-            ["equal to host", summary["host_frames_equal"]]]
+            ["equal to host", summary["host_frames_equal"]],
+            *([[f"from the wires of an {summary['driver']}",
+                f"{summary['wires_frames_equal']} of {summary['frames']} frames as they were drawn"]]
+              if summary["driver"] else [])]
     print(table(rows))
     good = passes(summary)
     empty = summary["frames_empty"]
@@ -198,7 +210,8 @@ def print_summary(summary, out):
 
 def passes(summary):
     """Whether the run is what it should be."""
-    return summary["host_frames_equal"] and not summary["pixels_unexplained"]
+    return summary["host_frames_equal"] and not summary["pixels_unexplained"] \
+        and summary["wires_frames_equal"] in (None, summary["frames"])
 
 
 def judge(options, image, drawn, file, work):
@@ -243,20 +256,25 @@ def run(options, folder):
         image = make_scene_image(options.scene, work, options.frames, options.screen)
         say_what_depth_confuses(image, options)
         name = methods.program(options)
-        file, cpu = walk(options.board, options.build, image, work, options.frames, name)
+        record = work / wires.NAME if options.driver else None
+        if options.driver:
+            scene = scene_image.load(image)
+            wires.check_size(options.driver, scene.width, scene.height)
+        file, cpu = walk(options.board, options.build, image, work, options.frames, name, record)
         drawn = dump.read_dump(file)
         if not drawn.frames:
             raise ToolError(f"{options.scene}: the path has no frames")
         hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames, name) \
             if options.board != firmware.HOST else (file, cpu)
         equal = frames_equal(drawn, dump.read_dump(hosted))
+        sent = compare_wires(options, record, drawn)
         verdicts, twin = UNJUDGED, drawn
         if options.program == methods.WALK:
             verdicts, twin = judge(options, image, drawn, file, work)
             shutil.move(work / "double.fxld", folder / "double.fxld")
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
-    return summarise(options, cpu, drawn, equal) | verdicts
+    return summarise(options, cpu, drawn, equal) | sent | verdicts
 
 
 def frame_count(text):
@@ -273,6 +291,7 @@ def main(argv):
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     methods.add_options(parser)
+    parser.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")
     parser.add_argument("--out", default="build/run", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)

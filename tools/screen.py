@@ -24,7 +24,7 @@ DEVICE = "screen"       # what an added display is called
 
 def photograph(options, folder):
     """The picture, and how many frames were drawn."""
-    elf = methods.elf_of(options.board, options.build)
+    elf = methods.elf_of(options.board, options.build, methods.program(options))
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")
@@ -44,6 +44,7 @@ def main(argv):
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
+    methods.add_options(parser)
     parser.add_argument("--device", help="a display to add to the board, in the words of QEMU's -device")
     parser.add_argument("--out", required=True, type=pathlib.Path, help="the picture (.png)")
     parser.add_argument("--build", default="build", help="folder that make builds in")

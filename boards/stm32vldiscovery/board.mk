@@ -20,6 +20,8 @@ BOARD_CACHE_ENTRIES := 0
 
 # The game would take 6 KiB of flash more than there is.
 BOARD_PROGRAM_OMIT := game
+# The driver of a display would take 2 KiB of each that there are not.
+BOARD_DRIVER_ROWS := 0
 
 # They take 8 to 30 KiB of memory and stack, test_scene a little less; the last a megabyte.
 BOARD_UNIT_OMIT := test_depth test_depth_surfaces test_billboards test_pick test_off_centre_frames test_hud test_outlined test_first_program test_display test_pump test_reach test_world test_world_rules test_world_bsp test_light test_order_model test_clusters test_culling test_visibility test_pieces test_clip_view_bounds test_watertight test_render test_clipper test_clip_once \

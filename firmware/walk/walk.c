@@ -18,7 +18,13 @@
 /* A row of the widest screen must fit. */
 _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than one row");
 
-static uint8_t band_pixels[WALK_BAND_BYTES];
+/* Where the build limits the rows of a band, no more memory than they take. */
+#if defined WALK_ROWS_MAX && WALK_ROWS_MAX * FXL_SCREEN_MAX < WALK_BAND_BYTES
+#define BAND_BYTES (WALK_ROWS_MAX * FXL_SCREEN_MAX)
+#else
+#define BAND_BYTES WALK_BAND_BYTES
+#endif
+static uint8_t band_pixels[BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
 static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* methods and beams take of it */
@@ -216,7 +222,7 @@ static int open_renderer(fxl_scene_image *image)
 /* How many rows of a band fit into its memory, or fewer if the build says so. */
 static uint32_t band_rows(uint16_t width)
 {
-    const uint32_t most = (uint32_t)WALK_BAND_BYTES / width;
+    const uint32_t most = (uint32_t)BAND_BYTES / width;
 
 #ifdef WALK_ROWS_MAX
     return most < WALK_ROWS_MAX ? most : WALK_ROWS_MAX;

@@ -2,7 +2,6 @@
 """docs/displays.md is true to the letter: its driver is compiled and shows frames, and what comes over
 the wires is read back as the display would."""
 
-import dataclasses
 import re
 import subprocess
 
@@ -10,7 +9,8 @@ import numpy
 import pytest
 
 from conftest import CHECKOUT
-from fixel import grey
+from fixel import controllers, grey, wires
+from fixel.wires import rgb565
 
 PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
 MOCK = CHECKOUT / "host_tests" / "displays"
@@ -93,82 +93,12 @@ def fixture_show(request, tmp_path_factory):
     return run
 
 
-@dataclasses.dataclass
-class Display:
-    """What an ST7789 makes of the wires: the part of its commands that the driver uses."""
-    memory: numpy.ndarray
-    window: list            # columns, rows: first, last
-    asleep: bool = True
-    on: bool = False
-    inverted: bool = False
-    format: int = 0x66      # after reset: 18 bits
-    access: int = 0
-    awake_for: int = 0      # milliseconds
-    rested: int = 0         # since the reset
-
-    def take(self, command, data):
-        if command == 0x01:
-            self.asleep, self.on, self.inverted, self.awake_for, self.rested = True, False, False, 0, 0
-        elif command == 0x11:
-            assert self.rested >= 120
-            self.asleep = False
-        elif command == 0x20:
-            self.inverted = False
-        elif command == 0x21:
-            self.inverted = True
-        elif command == 0x29:
-            assert not self.asleep and self.awake_for >= 120
-            self.on = True
-        elif command in (0x2A, 0x2B):
-            first, last = numpy.frombuffer(data, ">u2").tolist()
-            assert first <= last < (WIDTH, HEIGHT)[command - 0x2A]
-            self.window[command - 0x2A] = (first, last)
-        elif command == 0x2C:
-            self.write(numpy.frombuffer(data, ">u2"))
-        elif command == 0x36:
-            self.access, = data
-        elif command == 0x3A:
-            self.format, = data
-        else:
-            raise AssertionError(f"unknown command {command:#x}")
-
-    def write(self, pixels):
-        (left, right), (top, bottom) = self.window
-        assert self.format == 0x55
-        shape = (bottom - top + 1, right - left + 1)
-        assert pixels.size == shape[0] * shape[1]   # a driver that sends the window, whole and once
-        self.memory[top:bottom + 1, left:right + 1] = pixels.reshape(shape)
-
-
 def read_wires(file):
-    """The display after all that came."""
-    display = Display(numpy.full((HEIGHT, WIDTH), 0xDEAD, numpy.uint16), [(0, WIDTH - 1), (0, HEIGHT - 1)])
-    data, offset, command, arguments = file.read_bytes(), 0, None, b""
-    while offset < len(data):
-        kind, size = chr(data[offset]), int.from_bytes(data[offset + 1:offset + 5], "little")
-        piece, offset = data[offset + 5:offset + 5 + size], offset + 5 + size
-        if kind == "D":
-            assert command is not None
-            arguments += piece
-            continue
-        if command is not None:
-            display.take(command, arguments)
-            command, arguments = None, b""
-        if kind == "P":
-            time = int.from_bytes(piece, "little")
-            display.awake_for += 0 if display.asleep else time
-            display.rested += time if display.asleep else 0
-        else:
-            assert size == 1
-            command = piece[0]
-    if command is not None:
-        display.take(command, arguments)
+    """The display after all that came: a controller of 240 x 320 that was turned."""
+    display = controllers.MODELS["ili9341"]()
+    with open(file, "rb") as record:
+        assert not list(wires.read(record, display)), "the mock notes no frames"
     return display
-
-
-def rgb565(palette):
-    red, green, blue = (palette[:, axis].astype(numpy.uint16) for axis in range(3))
-    return (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
 
 
 def random_frames(width, height):
@@ -181,9 +111,9 @@ def random_frames(width, height):
                                                  (1, 1, 1)])
 def test_the_display_shows_the_last_frame(show, width, height, rows):
     palette, frames = random_frames(width, height)
-    done, wires, is_ili9341 = show(palette, frames, rows)
+    done, record, is_ili9341 = show(palette, frames, rows)
     assert done.returncode == 0, done.stderr.decode()
-    display = read_wires(wires)
+    display = read_wires(record)
     left, top = (WIDTH - width) // 2, (HEIGHT - height) // 2
     expected = numpy.zeros((HEIGHT, WIDTH), numpy.uint16)
     expected[top:top + height, left:left + width] = rgb565(palette)[frames[1]]
@@ -194,7 +124,7 @@ def test_the_display_shows_the_last_frame(show, width, height, rows):
 
 def test_a_frame_that_is_too_large_is_not_for_it(show):
     palette, frames = random_frames(321, 10)
-    done, wires, _ = show(palette, frames, 10)
+    done, _, _ = show(palette, frames, 10)
     assert done.returncode == 1     # it is the board's only panel: nobody can show that
 
 
@@ -218,31 +148,15 @@ def test_a_pump_with_one_buffer_is_caught(tmp_path):
     assert (read_wires(tmp_path / "wires.bin").memory != rgb565(palette)[frames[1]]).any()
 
 
-TWO_BYTES = {0x20, 0x81, 0x8D, 0xA8, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB}     # commands with an argument
-
-
 def read_messages(data):
     """(64 x 128 pixels, whether it is on) of an SSD1306 after these messages."""
-    memory, page, column, on = numpy.full((8, 128), 0xA5, numpy.uint8), 0, 0, False
+    display = controllers.MODELS["ssd1306"]()
     while data:
         size, data = data[0], data[1:]
         message, data = data[:size], data[size:]
-        if message[0] == 0x40:
-            memory[page, column:column + size - 1] = list(message[1:])
-            column += size - 1
-            continue
-        assert message[0] == 0x00
-        commands = iter(message[1:])
-        for command in commands:
-            if command in TWO_BYTES:
-                next(commands)
-            elif command < 0x20:
-                column = column & 0xF0 | command if command < 0x10 else column & 15 | (command & 15) << 4
-            elif 0xB0 <= command < 0xB8:
-                page = command & 7
-            elif command & 0xFE == 0xAE:
-                on = command == 0xAF
-    return (memory[:, None, :] >> numpy.arange(8)[None, :, None] & 1).reshape(64, 128), on
+        assert message[0] in (0x00, 0x40)
+        (display.take_data if message[0] == 0x40 else display.take_command)(message[1:])
+    return display.picture(), display.on
 
 
 def build_oled(folder):

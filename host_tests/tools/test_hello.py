@@ -15,7 +15,8 @@ import scene as scene_tool
 from board_programs import BOARD, ROOT, built
 from conftest import run_make
 from fixel import emulator
-from test_displays import read_wires, rgb565
+from fixel.wires import rgb565
+from test_displays import read_wires
 
 PAGE = (ROOT / "docs" / "hello.md").read_text(encoding="utf-8")
 README = (ROOT / "README.md").read_text(encoding="utf-8")

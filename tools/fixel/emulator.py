@@ -11,7 +11,7 @@ import os
 import pathlib
 import re
 
-from fixel import dump_file, firmware, output, qemu, qmp, scratch
+from fixel import dump_file, firmware, output, qemu, qmp, scratch, wires
 from fixel.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
 from fixel.errors import ToolError
 from fixel.execute import OUTPUT_MAX, execute
@@ -93,13 +93,24 @@ def power_on(program, image, frames, timeout, live, extra, directory, watch):
     return emulate(program, walk_options(program, image, frames, live, extra), directory, timeout, watch)
 
 
-def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=False, extra=()):
-    """Powers a board on from its flash image and fetches its frame dump.
+def put_in_place(part, target):
+    """A whole file of a run that succeeded."""
+    try:
+        os.replace(part, target)
+    except FileNotFoundError as error:
+        raise ToolError(f"the board was done but left no {part.name}", exit_code=1) from error
+    except OSError as error:
+        raise ToolError(f"cannot write {target}: {error.strerror}") from error
+
+
+def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=False, extra=(), record=None):
+    """Powers a board on from its flash image and fetches its frame dump, and the record of its display's wires
+    where one is wanted.
 
     frames: how many, None or 0 for the whole path. timeout: seconds of CPU
     time, or of sleep, without anything new in the dump after which the board counts as hung.
     progress(done, total) is called as frames come. extra: more words for the
-    program. Answers a RunResult, or raises ToolError and leaves the dump as it
+    program. record: where the wires' is to be. Answers a RunResult, or raises ToolError and leaves the dump as it
     was before.
     """
     image, dump = pathlib.Path(image), output.target_of(dump)
@@ -117,10 +128,9 @@ def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=
         dump_file.check(part, done)
         if progress:
             progress(done, done)
-        try:
-            os.replace(part, dump)
-        except OSError as error:
-            raise ToolError(f"cannot write {dump}: {error.strerror}") from error
+        put_in_place(part, dump)
+        if record:
+            put_in_place(directory / wires.NAME, record)
     return RunResult(program.board, program.cpu, done, ending.seconds, ending.output)
 
 

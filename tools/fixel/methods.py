@@ -16,12 +16,13 @@ def add_options(parser):
     parser.add_argument("--visibility", help="the visibility method (default: what the scene asks for, its BSP "
                                              "tree or its surfaces if it has some, else sorted)")
     parser.add_argument("--clipper", help="the clipper (default: view)")
+    parser.set_defaults(driver=None)    # tools/run.py alone takes one
     parser.add_argument("--rows", help="the most rows of a band (default: what fits into the board's memory)")
 
 
 def program(options):
     """The name of the program of a choice; firmware/firmware.mk says the same."""
-    rows = f"-rows-{options.rows}" if options.rows else ""
+    rows = (f"-rows-{options.rows}" if options.rows else "") + (f"-on-{options.driver}" if options.driver else "")
     if not options.visibility and not options.clipper:
         return options.program + rows
     return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}{rows}"

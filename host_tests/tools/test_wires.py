@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""Frames through a driver of the library (make run DRIVER=): recorded at the wires, and read back by a controller."""
+
+import io
+import json
+import struct
+
+import numpy
+import pytest
+from board_programs import made
+from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
+
+from fixel import controllers, dump, wires
+from fixel.errors import ToolError
+
+
+def run_driver(out, driver, screen, board="host", frames=6, **changes):
+    """make run of a few frames of scenes/tiny.toml."""
+    for each in {board, "host"}:
+        made(f"build/boards/{each}/walk-on-{driver}{'' if each == 'host' else '.elf'}", f"BOARD={board}", f"DRIVER={driver}")
+    return run_cli("run", "--board", board, "--scene", "scenes/tiny.toml", "--screen", screen, "--frames", frames,
+                   "--driver", driver, "--out", out, **changes)
+
+
+@pytest.mark.parametrize("driver, screen", [("st7789", "320x240"), ("st7789", "240x320"), ("ili9341", "101x37"),
+                                            ("st7735", "160x128"), ("st7735", "128x160"), ("ssd1306", "128x32"),
+                                            ("sh1106", "128x64"), ("sh1106", "77x41")])
+def test_every_driver_shows_frames_of_every_shape(tmp_path, driver, screen):
+    done = run_driver(tmp_path / "out", driver, screen)
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["driver"] == driver and summary["wires_frames_equal"] == 6
+    assert len(set(summary["wires_frame_sha256"])) > 1, "the eye moves"
+    assert f"from the wires of an {driver}" in done.stdout and "6 of 6 frames as they were drawn" in done.stdout
+
+
+def test_a_board_of_16_kib_sends_row_by_row(tmp_path):
+    done = run_driver(tmp_path / "out", "st7789", "320x240", "microbit", 3)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["wires_frames_equal"] == 3
+
+
+def test_frames_that_are_larger_than_the_glass_are_refused_before_anything_is_drawn(tmp_path):
+    done = run_driver(tmp_path / "out", "ssd1306", "129x64")
+    assert_one_sentence(done, "frames of 129x64 do not fit the 128x64 of DRIVER=ssd1306", "SCREEN=128x64")
+    assert not (tmp_path / "out" / "summary.json").exists()
+
+
+def test_what_make_refuses():
+    for settings, sentence in ((["run", "DRIVER=hd44780"], 'there is no DRIVER "hd44780"; the drivers are: st7789'),
+                               (["run", "DRIVER=ssd1306", "ROWS=12"], "ROWS=12 must be a multiple of 8"),
+                               (["run", "DRIVER=ssd1306", "BOARD=stm32vldiscovery"],
+                                "DRIVER=ssd1306 needs more memory than BOARD=stm32vldiscovery has"),
+                               (["view", "DRIVER=ssd1306"], "DRIVER= is for make run alone")):
+        done = run_make(*settings)
+        assert done.returncode == 2 and sentence in done.stderr, done.stderr
+
+
+# --- what reads a record -----------------------------------------------------------
+
+
+def record(*parts):
+    """The bytes of (kind, bytes) parts."""
+    return b"".join(kind + struct.pack("<I", len(data)) + data for kind, data in parts)
+
+
+def command(code, *data):
+    return [(b"C", bytes([code])), *([(b"D", bytes(data))] if data else [])]
+
+
+def pause(milliseconds):
+    return [(b"P", struct.pack("<I", milliseconds))]
+
+
+AWAKE = [*command(0x01), *pause(150), *command(0x11), *pause(120), *command(0x3A, 0x55), *command(0x36, 0x20)]
+DOT = [*command(0x2A, 0, 5, 0, 5), *command(0x2B, 0, 7, 0, 7), *command(0x2C, 0xF8, 0x00)]  # column 5, row 7
+END = (b"F", struct.pack("<I", 0))
+
+
+def read(data, name="ili9341"):
+    return list(wires.read(io.BytesIO(data), controllers.MODELS[name]()))
+
+
+def test_a_record_becomes_a_picture():
+    shown, = read(record(*AWAKE, *command(0x29), *DOT, END))
+    assert shown.shape == (240, 320) and shown[7, 5] == 0xF800
+    assert (shown != controllers.UNWRITTEN).sum() == 1
+
+
+@pytest.mark.parametrize("data, sentence", [
+    (record(*AWAKE, *DOT, END), "never turned on"),
+    (record(*AWAKE, *command(0x29), END)[:-1], "cut off"),
+    (record(*AWAKE, *command(0x29), END)[:-8], "cut off"),
+    (record(*command(0x01), *command(0x11), END), "woken too early"),
+    (record(*command(0x01), *pause(150), *command(0x11), *command(0x29), END), "turned on too early"),
+    (record(*AWAKE, *command(0x2A, 0, 5, 1, 64), END), "beyond its memory"),
+    (record(*AWAKE, *command(0x2A, 0, 5), END), "four bytes an axis"),
+    (record(*AWAKE, *command(0x2A, 0, 5, 0, 6), *command(0x2B, 0, 7, 0, 7), *command(0x2C, 1, 2), END), "whole and once"),
+    (record(*AWAKE, *command(0x3A, 0x66), *DOT, END), "16 bits"),
+    (record(*AWAKE, *command(0x3A), END), "0 bytes of data"),
+    (record(*AWAKE, *command(0x77), END), "no command 0x77"),
+    (record((b"C", b"\x01\x11"), END), "2 bytes come as one command"),
+    (record((b"D", b"\x01"), END), "without a command"),
+    (record((b"X", b"\x01"), END), "unknown part"),
+    (record(*AWAKE, *command(0x29), (b"F", struct.pack("<I", 1))), "comes another than 0"),
+])
+def test_wires_that_break_a_rule_are_told(data, sentence):
+    with pytest.raises(ToolError, match=sentence):
+        read(data)
+
+
+@pytest.mark.parametrize("data, sentence", [
+    (record((b"C", b"\xAE"), END), "never turned on"),
+    (record((b"C", b"\xAF\x81"), END), "lacks its argument"),
+    (record((b"C", b"\xAF\x99"), END), "no command 0x99"),
+    (record((b"C", b"\xAF\xB0\x0F\x17"), (b"D", b"\1\2"), END), "behind the last column"),
+])
+def test_pages_that_break_a_rule_are_told(data, sentence):
+    with pytest.raises(ToolError, match=sentence):
+        read(data, "ssd1306")
+
+
+def test_one_wrong_pixel_is_a_frame_that_differs(tmp_path):
+    frames = random_frames(2, 240, 320)
+    palette = numpy.random.default_rng(5).integers(0, 256, (256, 3), dtype=numpy.uint8)
+    file = tmp_path / "frames.fxld"
+    file.write_bytes(dump_bytes(frames, palette.tobytes()))
+    whole = [*command(0x2A, 0, 0, 1, 63), *command(0x2B, 0, 0, 0, 239)]
+    parts = [*AWAKE, *command(0x29)]
+    for number, frame in enumerate(frames):
+        sent = wires.rgb565(palette)[frame].astype(">u2")
+        sent[200, 100] ^= number    # of the second frame one bit is wrong
+        parts += [*whole, (b"C", b"\x2C"), (b"D", sent.tobytes()), (b"F", struct.pack("<I", number))]
+    (tmp_path / "wires.bin").write_bytes(record(*parts))
+    equal, hashes = wires.compare(tmp_path / "wires.bin", "ili9341", dump.read_dump(file))
+    assert equal == 1 and len(hashes) == 2
+    (tmp_path / "wires.bin").write_bytes(record(*parts[:-1]))
+    with pytest.raises(ToolError, match="1 frames come, and 2 were drawn"):
+        wires.compare(tmp_path / "wires.bin", "ili9341", dump.read_dump(file))
+
+
+def test_a_run_whose_wires_differ_fails(tmp_path, monkeypatch):
+    """A driver that shows another frame than was drawn ends in FAIL, and exit code 1."""
+    import run as run_tool
+    made("build/boards/host/walk-on-sh1106", "BOARD=host", "DRIVER=sh1106")
+    monkeypatch.setattr(wires, "shown", lambda driver, pixels, palette: numpy.zeros((64, 128), numpy.uint16))
+    code = run_tool.main(["--board", "host", "--scene", "scenes/tiny.toml", "--screen", "128x64", "--frames", "4",
+                          "--driver", "sh1106", "--out", str(tmp_path / "out")])
+    assert code == 1
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["wires_frames_equal"] < 4
