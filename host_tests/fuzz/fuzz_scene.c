@@ -81,6 +81,14 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
     draw_scene(&opened->scene, lens, pose, &choice, in);
 }
 
+static void demand_turns_in_range(const fxl_scene *scene)
+{
+    for (uint32_t j = scene->first_turned; j < scene->instance_count; j++) {
+        DEMAND(fxl_turn_check(&scene->turns[j - scene->first_turned], &scene->instances[j].centre,
+                              scene->models[scene->instances[j].model].radius) == FXL_OK);
+    }
+}
+
 /* The frames that the loader passed must all be playable: the player asserts it. */
 static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *player)
 {
@@ -96,10 +104,42 @@ static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *pla
     DEMAND(status == (scene->instance_count <= MOVED ? FXL_OK : FXL_E_CAPACITY));
     for (uint32_t i = 0; status == FXL_OK && i < 8; i++) {
         fxl_motion_play(player, i < 4 ? i : (uint32_t)fuzz_bits(in, 4));
-        for (uint32_t j = scene->first_turned; j < scene->instance_count; j++) {
-            DEMAND(fxl_turn_check(&scene->turns[j - scene->first_turned],
-                                  &scene->instances[j].centre,
-                                  scene->models[scene->instances[j].model].radius) == FXL_OK);
+        demand_turns_in_range(scene);
+    }
+}
+
+/* Motions of which one number is another, checked by hand: they are refused, and the check says
+ * which, or all that they do is in range. */
+static void play_others(const fxl_scene_image *opened, fuzz_input in)
+{
+    static fxl_instance instances[MOVED];
+    static fxl_turn turns[MOVED];
+    static fxl_motion motions[MOVED];
+    const fxl_motion_memory memory = {instances, MOVED, turns, MOVED};
+    const uint32_t count = opened->motion.motion_count;
+    fxl_scene scene = opened->scene;
+    fxl_motion_set set = opened->motion;
+    fxl_scene_fault fault = {NULL, 0};
+    fxl_motion_player player;
+    DEMAND(fxl_motion_check(NULL, &scene, &fault) == FXL_E_ARGUMENT && fault.what != NULL);
+    DEMAND(fxl_motion_check(&set, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_motion_check(&set, &scene, NULL) == FXL_OK);
+    if (count == 0 || scene.instance_count > MOVED) {
+        return;
+    }
+    memcpy(motions, set.motions, count * sizeof motions[0]);
+    uint8_t *bytes = (uint8_t *)&motions[fuzz_below(&in, count)];
+    const int32_t number = fuzz_any(&in);
+    memcpy(bytes + 4u * fuzz_below(&in, sizeof motions[0] / 4u), &number, 4);
+    set.motions = motions;
+    fault.what = NULL;
+    const fxl_status status = fxl_motion_check(&set, &scene, &fault);
+    DEMAND((status == FXL_OK) == (fault.what == NULL));
+    if (status == FXL_OK) {
+        DEMAND(fxl_motion_begin(&player, &set, &scene, &memory) == FXL_OK);
+        for (uint32_t i = 0; i < 4; i++) {
+            fxl_motion_play(&player, i < 2 ? i : (uint32_t)fuzz_bits(&in, 4));
+            demand_turns_in_range(&scene);
         }
     }
 }
@@ -108,6 +148,7 @@ static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *pla
 static void walk(fxl_scene_image *opened, fuzz_input *in)
 {
     fxl_motion_player player;
+    play_others(opened, *in);
     play(opened, in, &player);
     fxl_player viewer = opened->start;
     uint32_t frames = 0;

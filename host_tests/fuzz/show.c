@@ -102,6 +102,35 @@ static void fuzz_formats(fuzz_input *in)
     DEMAND(fxl_pixels_convert(&pixels, &band, NULL, 0) == FXL_E_ARGUMENT);
 }
 
+/* The parts of a format of the caller's own: each stays in its range, and writes nothing else. */
+static void fuzz_parts(fuzz_input in)
+{
+    uint16_t table[FXL_PALETTE_COLOURS], colours[FXL_PALETTE_COLOURS], row[WIDEST + 2];
+    uint8_t pixels[WIDEST + 3];
+    const uint32_t highest = 1u + fuzz_below(&in, 255), from = fuzz_below(&in, 4),
+                   to = fuzz_below(&in, 2), count = fuzz_below(&in, WIDEST),
+                   run = 1u + fuzz_below(&in, 9);
+    for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
+        colours[i] = (uint16_t)(i * 257u + run);
+    }
+    for (uint32_t i = 0; i < sizeof pixels; i++) {
+        pixels[i] = (uint8_t)(i % run == 0 ? fuzz_bits(&in, 1) : pixels[i - 1]);
+    }
+    memset(row, GUARD, sizeof row);
+    fxl_row_to_16(pixels + from, count, colours, row + to);
+    for (uint32_t i = 0; i < WIDEST + 2; i++) {
+        const bool is_inside = i >= to && i < to + count;
+        DEMAND(row[i] == (is_inside ? colours[pixels[from + i - to]] : GUARD * 257u));
+    }
+    fxl_grey_table(table, palette, highest);
+    for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
+        const uint32_t luma = fxl_luma(palette + 3u * i), x = (uint32_t)fuzz_any(&in);
+        const uint32_t level = fxl_grey_level(table[i], x, (uint32_t)fuzz_any(&in));
+        DEMAND(level == highest * luma / 255u || level == highest * luma / 255u + 1u);
+        DEMAND(level <= highest);
+    }
+}
+
 static fxl_status send_elsewhere(fuzz_input *in, fxl_pump *pump, uint8_t *lent)
 {
     const fxl_band rows = {lent, (uint16_t)(WIDTH + (fuzz_below(in, 16) == 1)),
@@ -229,6 +258,7 @@ void fuzz_show(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
     for (uint32_t i = 0; i < sizeof palette; i++) {
         palette[i] = (uint8_t)(i * 37u);
     }
+    fuzz_parts(*in);
     demand_refusals(in);
     fuzz_formats(in);
     fuzz_pump(in, renderer, eye);

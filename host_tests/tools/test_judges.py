@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Every scene of the project, walked on the emulated board, before the reference renderer and the ray-cast oracle."""
+"""The plain scenes, those whose instances turn among them, walked on the emulated board, before the reference renderer and the ray-cast oracle."""
 
 import json
 import pathlib
 import zlib
 
 import pytest
+from board_programs import made
 from conftest import CHECKOUT, run_cli
 
 import scene as scene_tool
 from fixel.programs import HostPrograms
 
 # What the scene may cost in pixels that differ from double, of a million.
-SCENES = {"plaza": 10, "w1": 10, "w3": 10, "tiny": 10, "cube": 10}
+SCENES = {"plaza": 10, "plaza-turned": 10, "spin": 10, "w1": 10, "w3": 10, "tiny": 10, "cube": 10}
 MODELS = CHECKOUT.parent / "shared" / "models"
 # The ray-cast oracle takes every nth frame.
-EVERY = {"plaza": 5, "w1": 3}
+EVERY = {"plaza": 5, "plaza-turned": 5, "spin": 5, "w1": 3}
 
 
 def walked(folder, scene, frames=None):
@@ -49,12 +50,26 @@ def test_the_board_draws_what_the_host_draws_and_double_explains_the_rest(scene)
     assert summary["polygons"]["drawn"] > 0
 
 
+# Instances that reach into each other: by the distance of their centres some pixels show a face that lies behind.
+WRONG_BY_ORDER = {"spin": 500}  # of a million
+
+
 def test_the_third_judge_agrees_with_the_twin(scene, tmp_path):
     name, image, _, out = scene
     verdict = HostPrograms("build").raycast(image, out / "double.fxld", tmp_path / "rays.json",
                                             EVERY.get(name, 1))
     assert verdict["frames_judged"] > 0
-    assert verdict["pixels_unexplained"] == 0
+    assert verdict["pixels_unexplained"] * 1e6 <= WRONG_BY_ORDER.get(name, 0) * verdict["pixels"]
+
+
+def test_with_a_depth_buffer_nothing_of_what_turns_is_in_the_wrong_order(folder):
+    for name in ("mps2-an385/walk-depth-view.elf", "host/walk-depth-view"):
+        made(f"build/boards/{name}", f"BOARD={name.split('/')[0]}", "VISIBILITY=depth")
+    done = run_cli("run", "--board", "mps2-an385", "--scene", "scenes/spin.toml", "--visibility", "depth", "--frames", 12,
+                   "--out", folder / "depth")
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((folder / "depth" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["order_wrong_pixels"] == 0 and summary["order_judged_pixels"] == summary["pixels"]
 
 
 def test_the_third_judge_sees_a_mirrored_picture(folder, tmp_path):

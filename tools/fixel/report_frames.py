@@ -11,8 +11,8 @@ from fixel.emulator import run as run_board
 from fixel.programs import read_json, run_program
 from fixel.progress import Progress
 
-SCENES = ("scenes/plaza.toml", "scenes/w1.toml", "scenes/w3.toml", "scenes/tiny.toml",
-          "scenes/cube.toml")
+SCENES = ("scenes/plaza.toml", "scenes/plaza-turned.toml", "scenes/spin.toml", "scenes/w1.toml", "scenes/w3.toml",
+          "scenes/tiny.toml", "scenes/cube.toml")
 # Models that others made; a checkout of the project alone does without.
 MODELS = ("../shared/models/spot.obj", "../shared/models/teapot.obj")
 VIEWS = 60                      # of a scene with a single one
