@@ -4,16 +4,18 @@ ToolError with a short message. The seed is fixed; FUZZ_EXAMPLES (make fuzz) ask
 seed."""
 
 import copy
+import io
 import os
 import pathlib
 import re
 import tempfile
 
 from hypothesis import HealthCheck, given, seed, settings, strategies as st
+from PIL import Image
 
 import scene as scene_tool
 from conftest import CHECKOUT
-from fixel import image, toml_object, toml_scene
+from fixel import image, texture_image, toml_billboard, toml_light, toml_motion, toml_object, toml_scene, toml_texture
 from fixel.errors import ToolError
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
@@ -152,10 +154,18 @@ def test_any_materials(lines, picture):
 # --- TOML --------------------------------------------------------------------------
 
 def _keys():
-    """Every key that a scene may have."""
-    source = (CHECKOUT / "tools" / "fixel" / "toml_scene.py").read_text(encoding="utf-8")
-    groups = re.findall(r"\{(\"[a-z_]+\"(?:, \"[a-z_]+\")+)\}", source)
-    return sorted({*toml_object.KEYS, *toml_scene.TOP_KEYS, *re.findall("[a-z_]+", " ".join(groups)), "count", "step"})
+    """Every key that a table of a scene may have: the sets of names in what reads scenes, and the names of the sets."""
+    found = {"count", "step"}
+    for source in sorted((CHECKOUT / "tools" / "fixel").glob("toml_*.py")):
+        text = source.read_text(encoding="utf-8")
+        found.update(*(re.findall("[a-z_]+", names) for names in re.findall(r"\{((?:\s*\"[a-z_]+\",?)+)", text)))
+    return sorted(found)
+
+
+def test_the_keys_are_those_of_all_that_reads_scenes():
+    assert {*toml_object.KEYS, *toml_scene.TOP_KEYS, *toml_texture.KEYS, *toml_motion.KEYS, *toml_light.KEYS,
+            *toml_billboard.OBJECT_KEYS, "pattern", "wrap", "key", "anchor", "yaw", "offset", "facing", "fog", "visibility",
+            "reserve"} <= set(_keys())
 
 
 SCALARS = st.sampled_from([
@@ -163,6 +173,7 @@ SCALARS = st.sampled_from([
     "1e-99999999999999999999", "nan", "inf", "-inf", "0x" + "f" * 5000, "9" * 5000, "1979-05-27", "true", "false",
     '""', '"1/3"', '"1/0"', '"box"', '"floor"', '"sphere"', '"red"', '"#fff"', '"3/512 turn"', '"origin"', '"convex"',
     '"open"', '"model.obj"', '"/dev/zero"', '"\\u0000"', '"\\u001b[31m"', '"forward"', '"smooth"',
+    '"t"', '"b"', '"t.png"', '"bricks"', '"tree"', '"planar"', '"repeat"', '"half"', '"depth"', '"circle"', "[32, 32]", "[4, 4096]",
     '"' + "x" * 5000 + '"', "[1, 2, 3]", "[0, 0, 0]", "[1, 0, 0]", "[20, 20]", "[1000, 1000, 1000]", "[]", "{}", "[[]]"])
 KEYS = st.sampled_from(_keys())
 VALUES = st.recursive(SCALARS, lambda inner: st.one_of(
@@ -171,11 +182,20 @@ VALUES = st.recursive(SCALARS, lambda inner: st.one_of(
         lambda pairs: "{" + ", ".join(f"{key} = {value}" for key, value in pairs.items()) + "}")), max_leaves=8)
 TABLES = st.sampled_from(["[screen]", "[view]", "[light]", "[[objects]]", "[path]", "[path.orbit]", "[path.gait]",
                           "[path.start]", "[[beams]]", "[glow]", "[[path.keys]]", "[[path.steps]]", "[objects.ring]",
-                          "[objects.repeat]", "[palette]"])
+                          "[objects.repeat]", "[palette]", "[[textures]]", "[[billboards]]", "[objects.spin]", "[objects.motion]",
+                          "[[objects.motion.keys]]", "[[light.points]]", "[light.fog]"])
 KNOWN = st.sampled_from([
     '[[objects]]\nsolid = "box"\n', '[[objects]]\nsolid = "floor"\ncells = [3, 3]\n', "[path]\nkeys = [{ position = [0, 0, 0] }]\n",
     "[path]\norbit = { radius = 4 }\n", '[path]\nsteps = [{ keys = ["forward"], frames = 9 }]\n',
-    "[[beams]]\ndirection = [1, -1, 0]\nwindow = [[0, 0, 0], [0, 1, 0], [0, 1, 1]]\n"])
+    "[[beams]]\ndirection = [1, -1, 0]\nwindow = [[0, 0, 0], [0, 1, 0], [0, 1, 1]]\n",
+    '[[textures]]\nname = "t"\npattern = "bricks"\nsize = [8, 8]\n[[objects]]\nsolid = "box"\ntexture = "t"\n',
+    '[[textures]]\nname = "t"\nfile = "t.png"\n[[objects]]\nsolid = "box"\ntexture = "t"\n',
+    '[[billboards]]\nname = "b"\npattern = "tree"\npixels = [8, 8]\nsize = [1, 1]\n[[objects]]\nbillboard = "b"\n',
+    '[[billboards]]\nname = "b"\nfile = "t.png"\nsize = [1, 1]\n[[objects]]\nbillboard = "b"\n',
+    '[[objects]]\nname = "car"\nsolid = "box"\nspin = { yaw = 5 }\n[[objects]]\nsolid = "box"\nparent = "car"\n',
+    '[[objects]]\nsolid = "box"\nmotion = { circle = 3, degrees = 4 }\n',
+    '[light]\nlevels = 8\npoints = [{ position = [0, 1, 0], range = 4 }]\nfog = { near = 2, far = 9 }\n[[objects]]\nsolid = "box"\n'])
+PICTURE = png([[(1, 2, 3), (40, 50, 60)], [(200, 1, 9), (255, 255, 255)]])
 
 
 @st.composite
@@ -191,7 +211,58 @@ def toml_files(draw):
 @fuzzed
 @given(toml_files())
 def test_any_toml_file(data):
-    check("scene.toml", data)
+    check("scene.toml", data, ("t.png", PICTURE))
+
+
+# What a table of each kind must have, and keys that it takes.
+ROWS = {
+    '[[textures]]\nname = "t"\n': (["file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"],
+                                  '[[objects]]\nsolid = "box"\ntexture = "t"\n'),
+    '[[billboards]]\nname = "b"\n': (["file", "pattern", "pixels", "colours", "most_colours", "bits", "key", "size", "anchor"],
+                                    '[[objects]]\nbillboard = "b"\nposition = [0, 0, 5]\n'),
+    '[[objects]]\nsolid = "box"\n[objects.spin]\n': (["axis", "degrees", "start", "yaw", "pitch", "roll"], ""),
+    '[[objects]]\nsolid = "box"\n[objects.motion]\n': (["circle", "by", "keys", "degrees", "start", "facing", "frames", "back",
+                                                      "repeats"], ""),
+    "[light]\n": (sorted(toml_light.KEYS), '[[objects]]\nsolid = "box"\n'),
+    '[[textures]]\nname = "t"\npattern = "crate"\nsize = [4, 4]\n[[objects]]\nsolid = "box"\n':
+        (sorted(toml_texture.KEYS | toml_motion.KEYS), ""),
+}
+
+
+@fuzzed
+@given(st.sampled_from(sorted(ROWS)), st.data())
+def test_any_table_of_what_is_drawn_with(table, data):
+    keys, after = ROWS[table]
+    pairs = data.draw(st.dictionaries(st.sampled_from(keys), VALUES, max_size=4))
+    text = table + "".join(f"{key} = {value}\n" for key, value in pairs.items()) + after
+    check("scene.toml", text.encode(), ("t.png", PICTURE))
+
+
+def _pictures():
+    """A small picture in each format that is read, and one that is not."""
+    found = [PICTURE]
+    for name in (*texture_image.FORMATS, "DDS"):
+        file = io.BytesIO()
+        try:
+            Image.new("RGB", (4, 4), (9, 99, 199)).save(file, name)
+        except (KeyError, OSError):
+            continue    # Pillow writes no such file
+        found.append(file.getvalue())
+    return found
+
+
+@fuzzed
+@given(st.sampled_from(_pictures()), st.randoms(use_true_random=False), st.integers(0, 6), st.integers(0, 60),
+       st.sampled_from(["textures", "billboards"]))
+def test_any_picture(picture, chance, changes, cut, table):
+    blob = bytearray(picture[:max(1, len(picture) - cut)])
+    for _ in range(changes):
+        blob[chance.randrange(len(blob))] = chance.randrange(256)
+    name = table[0]
+    use = 'solid = "box"\ntexture = "t"' if table == "textures" else 'billboard = "b"'
+    size = "size = [1, 1]\n" if table == "billboards" else ""
+    check("scene.toml", f'[[{table}]]\nname = "{name}"\nfile = "t.png"\n{size}[[objects]]\n{use}\n'.encode(),
+          ("t.png", bytes(blob)))
 
 
 @fuzzed

@@ -16,7 +16,7 @@ from fixel.image_surface import Mapped, Surface, Surfaces, Texture
 from fixel.mesh import UNIT, cross, dot, minus, newell, transform, unit_normal
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
-DIVISIONS = {"16": image_surface.DIVIDE_16, "8": image_surface.DIVIDE_8, "1": image_surface.DIVIDE_1,
+DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_surface.DIVIDE_1,
              "affine": image_surface.AFFINE}
 
 

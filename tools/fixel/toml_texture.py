@@ -91,7 +91,7 @@ class Wish:
         names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
         images = toml_images.read(table, mesh_of)
         self.paints = images[0] if images else tuple(self._known(name, table, known) for name in names) or (None,)
-        self.division = surfaces.DIVISIONS[str(table.data["division"])] if self._has_division(table) else 0
+        self.division = self._division(table)
         self.opacities = images[1] if images else (table.whole("opacity", 16, 1, 16),)
         self.blends = table.switch("blend", False)
         self.smooth = table.switch("smooth", False)
@@ -127,12 +127,13 @@ class Wish:
         return known[name]
 
     @staticmethod
-    def _has_division(table):
-        if "division" not in table:
-            return False
-        if str(table.data["division"]) not in surfaces.DIVISIONS:
-            raise ToolError(f"{table.at('division')}: 16, 8, 1 or \"affine\", found {quoted(table.data['division'])}")
-        return True
+    def _division(table):
+        """How often the texture coordinates are divided; 0 where nothing is said."""
+        value = table.data.get("division", 0)
+        known = isinstance(value, (int, str)) and not isinstance(value, bool) and value in surfaces.DIVISIONS
+        if "division" in table and not known:
+            raise ToolError(f"{table.at('division')}: 16, 8, 1 or \"affine\", found {quoted(value)}")
+        return surfaces.DIVISIONS[value] if known else 0
 
     @staticmethod
     def _goes_by_file(table):
