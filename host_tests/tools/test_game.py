@@ -3,13 +3,14 @@
 
 import hashlib
 import json
+import subprocess
 
 import pytest
 from board_programs import EVERY_BOARD, made
 from conftest import CHECKOUT, run_cli, run_make
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, flash, wires
+from fixel import controllers, dump, emulator, firmware, flash, wires
 
 SCENE = "examples/game/game.toml"
 SMALL = "128x64"
@@ -82,6 +83,76 @@ def test_every_board_plays_the_same_game_and_sends_it(tmp_path, image, board, sc
     equal, hashes = wires.compare(record, driver, drawn)
     assert equal == len(hashes) == FRAMES
     assert hashlib.sha256("".join(hashes).encode()).hexdigest() == sha256
+
+
+# Plays the scene file's path to examples/game/on_display.c; what is sent goes to stdout as a record of wires.
+ON_DISPLAY = """
+#include <stdio.h>
+#include "game/on_display.h"
+static _Alignas(8) unsigned char bytes[1 << 18];
+static fxl_scene_image image;
+static uint32_t frame, stride, played;
+static void put(int kind, const uint8_t *data, size_t size)
+{
+    const uint32_t count = (uint32_t)size;
+    putchar(kind);
+    fwrite(&count, 4, 1, stdout);
+    fwrite(data, 1, size, stdout);
+}
+static bool send(void *user, bool is_data, const uint8_t *data, size_t size)
+{
+    (void)user;
+    put(is_data ? 'D' : 'C', data, size);
+    return true;
+}
+static bool start(void *user, const uint8_t *data, size_t size) { return send(user, true, data, size); }
+static bool wait(void *user) { (void)user; return true; }
+static void pause(void *user, uint32_t time) { (void)user; put('P', (const uint8_t *)&time, 4); }
+static bool next_keys(uint32_t *keys)
+{
+    if (frame > 0) {
+        const uint32_t last = frame - 1;
+        put('F', (const uint8_t *)&last, 4);
+    }
+    if (played == image.segments[stride].frames) {
+        stride++;
+        played = 0;
+    }
+    if (frame == image.frame_count) { return false; }
+    played++;
+    frame++;
+    *keys = image.segments[stride].keys;
+    return true;
+}
+int main(int argc, char **argv)
+{
+    const fxl_display_driver *const driver = argc > 1 ? &fxl_ssd1306 : &fxl_ili9341;
+    const fxl_display_config module = fxl_display_config_default(driver, argc > 1 ? 0 : 1);
+    const fxl_display_port port = {NULL, send, start, wait, pause};
+    const size_t size = fread(bytes, 1, sizeof bytes, stdin);
+    (void)argv;
+    return fxl_scene_open(bytes, size, &image, NULL) ||
+           game_on_display(bytes, size, &module, &port, next_keys);
+}
+"""
+
+
+@pytest.mark.parametrize("screen", SHA256)
+def test_the_example_draws_it_on_a_display(tmp_path, image, build, screen):
+    """With neither board nor walk: the bands of the pump are drawn into, and sent."""
+    driver, sha256 = WIRES[screen]
+    (tmp_path / "main.c").write_text(ON_DISPLAY, encoding="utf-8")
+    examples = CHECKOUT / "examples"
+    done = subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-fsanitize=address,undefined", f"-I{examples}",
+                           f"-I{CHECKOUT / 'lib/include'}", "main.c", examples / "game/game.c", examples / "game/on_display.c",
+                           build / "host/libfixel.a", "-o", "play"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    with (tmp_path / "wires.bin").open("wb") as record, image(screen).open("rb") as scene:
+        subprocess.run([tmp_path / "play", *(["small"] if screen == SMALL else [])], stdin=scene, stdout=record, check=True)
+    with (tmp_path / "wires.bin").open("rb") as record:
+        hashes = [hashlib.sha256(shown.astype("<u2").tobytes()).hexdigest()
+                  for shown in wires.read(record, controllers.MODELS[driver]())]
+    assert len(hashes) == FRAMES and hashlib.sha256("".join(hashes).encode()).hexdigest() == sha256
 
 
 def test_bands_of_three_rows_play_the_same_game(tmp_path):
