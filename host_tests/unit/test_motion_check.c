@@ -188,6 +188,24 @@ void test_no_frame_leaves_the_world(void)
     expect(FXL_E_RANGE, "motion", 0);
 }
 
+/* A circle adds to x and to z, each by itself, and not to y. */
+void test_the_circle_of_a_motion_reaches_along_x_and_z(void)
+{
+    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_TURN_SLACK;
+    make();
+    fxl_q16_16 *const extents[] = {&motions[0].extent.x, &motions[0].extent.y,
+                                   &motions[0].extent.z};
+    for (int axis = 0; axis < 3; axis++) {
+        make();
+        motions[0].radius = FXL_UNITS(30);
+        *extents[axis] = room - (axis == 1 ? 0 : FXL_UNITS(30));
+        expect_fine();
+        motions[0].radius = FXL_UNITS(30);
+        *extents[axis] = room - (axis == 1 ? 0 : FXL_UNITS(30)) + 1;
+        expect(FXL_E_RANGE, "motion", 0);
+    }
+}
+
 /* With a parent the places add up, times the parent's scale. */
 void test_a_chain_stays_in_the_world(void)
 {

@@ -331,6 +331,9 @@ void test_sprites_and_fonts_that_are_none_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_measure_text("x", &style, &size));
     font.count = 225;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_measure_text("x", &style, &size));
+    font.count = 224; /* up to the last byte that a character can be */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_measure_text("x", &style, &size));
+    size = (fxl_text_size){1, 2};
     font.count = 31; /* without the question mark */
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_text(&band, 1, FIRST, "x", &style));
     font.unknown = 31;

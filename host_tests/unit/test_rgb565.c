@@ -143,6 +143,36 @@ void test_indices_take_their_colour_of_the_palette(void)
     TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
 }
 
+/* Indices have a key of their own, whose colour other indices may have too. */
+void test_an_index_of_the_key_is_not_drawn(void)
+{
+    static uint16_t shown[HEIGHT * WIDTH];
+    walls_make_texture(FXL_TEXTURE_8);
+    walls.palette[walls.texels[34]] = walls.palette[walls.texels[33]];
+    walls_begin();
+    walls_draw(walls.again);
+    walls.texture.flags = FXL_TEXTURE_KEYED;
+    walls.texture.key = walls.texels[33];
+    walls_draw(walls.pixels);
+    for (uint32_t i = 0; i < sizeof walls.texels / sizeof walls.texels[0]; i++) {
+        walls.texels_565[i] = walls.texels[i] == walls.texture.key ? 1 : 2;
+    }
+    walls_make_texture(FXL_TEXTURE_565);
+    memcpy(shown, walls.again, sizeof shown);
+    walls_draw(walls.again); /* 1 where the key is, 2 where another texel is */
+    uint32_t holes = 0, texels = 0;
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        if (walls.again[i] == 1) {
+            holes += walls.pixels[i] != shown[i];
+        } else {
+            texels += walls.again[i] == 2;
+            TEST_ASSERT_EQUAL_HEX16(shown[i], walls.pixels[i]);
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(2, holes);
+    TEST_ASSERT_GREATER_THAN(100, texels);
+}
+
 /* --- bands ------------------------------------------------------------------------------- */
 
 void test_bands_and_lists_change_no_pixel(void)

@@ -101,3 +101,16 @@ bool unit_near(double a, double b, double bound)
 {
     return fabs(a - b) <= bound;
 }
+
+uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record)
+{
+    char text[] = "0x00000000";
+    if (hash == on_record) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < 8; i++) {
+        text[9 - i] = "0123456789ABCDEF"[hash >> 4 * i & 15];
+    }
+    TEST_MESSAGE(text);
+    return 1;
+}

@@ -55,6 +55,9 @@ fxl_lens unit_any_lens(void);
 /* CRC-32 of IEEE 802.3. */
 uint32_t unit_crc32(const uint8_t *bytes, uint32_t size);
 
+/* 1, and a message with the hash, where it is not the one on record; else 0. */
+uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record);
+
 /* |a - b| <= bound, in double; Unity's own floats are off on the target. */
 #define TEST_ASSERT_NEAR(a, b, bound) \
     TEST_ASSERT_TRUE_MESSAGE(unit_near((double)(a), (double)(b), (double)(bound)), \

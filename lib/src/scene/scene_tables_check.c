@@ -107,7 +107,7 @@ static bool is_needed(const header *head, size_t number)
                         : head->header_size == TURN_HEADER_SIZE    ? TURN_TABLE
                         : head->header_size == CLUSTER_HEADER_SIZE ? CLUSTER_TABLE
                                                                    : BEAM_TABLE;
-    return number <= PATH_TABLE || number == last || number == RAMP_TABLE;
+    return number <= PATH_TABLE || number == last;
 }
 
 /* The lit colours are there if beams are. */

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/* Frames by depth buffers are the same, bit for bit, on every core: hashes on record, as in
+ * test_surface_hashes.c. */
+#include "depth_scene.h"
+#include "unit.h"
+
+enum {
+    FRAMES = 25 /* of each kind */
+};
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* What a kind of frames has. */
+enum {
+    CODES_32 = 1,
+    TEXTURE = 2,
+    STIPPLE = 4,
+    FAR = 8, /* a far plane at 2,000 units, and an eye that may be far away */
+    EARLY = 16
+};
+
+static fxl_pose any_eye(uint32_t with)
+{
+    fxl_pose eye = depth_scene_eye;
+    const fxl_point aside = unit_point(with & FAR ? Q16(40) : Q16(1));
+    eye.position.x += aside.x;
+    eye.position.y += aside.y / 2;
+    eye.position.z -= with & FAR && aside.z < 0 ? -aside.z : aside.z / 2;
+    eye.yaw += (uint32_t)unit_between(-(1 << 27), 1 << 27);
+    eye.pitch += (uint32_t)unit_between(-(1 << 26), 1 << 26);
+    eye.roll = unit_random();
+    return eye;
+}
+
+static uint32_t hash_of(uint32_t with)
+{
+    const fxl_visibility *method =
+        with & CODES_32 ? &fxl_visibility_depth_32 : &fxl_visibility_depth;
+    uint32_t hash = 0;
+    for (uint32_t i = 0; i < FRAMES; i++) {
+        depth_scene *made = depth_scene_make();
+        if (with & FAR) {
+            made->config.far_z = Q16(2000);
+        } else if (with & EARLY) {
+            made->config.near_z = unit_between(Q16(0.05), Q16(1));
+        }
+        made->texture.flags = (uint8_t)unit_between(0, 3);
+        made->surface.opacity = (uint8_t)(with & STIPPLE ? unit_between(1, 15) : 16);
+        made->surface.division = (uint8_t)(i % 4);
+        depth_scene_start(made);
+        if (with & TEXTURE) {
+            made->face_map[i % DEPTH_SCENE_QUADS] = 1;
+            TEST_ASSERT_EQUAL(
+                FXL_OK, fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&made->renderer, &made->depth, method,
+                                                         made->cells, sizeof made->cells));
+        const fxl_pose eye = any_eye(with);
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_render(&made->renderer, &eye, made->frame, DEPTH_SCENE_WIDTH));
+        hash = 31u * hash + unit_crc32(made->frame, sizeof made->frame);
+    }
+    return hash;
+}
+
+void test_pixels_are_those_on_record(void)
+{
+    static const struct {
+        uint32_t with, hash;
+    } record[] = {
+        {0, 0x42F06E3C},
+        {CODES_32, 0x2FD86CBD},
+        {FAR, 0x90909417},
+        {CODES_32 | FAR, 0x0A773FFB},
+        {EARLY, 0x2188224F},
+        {TEXTURE, 0x9F659790},
+        {CODES_32 | TEXTURE | EARLY, 0x4AAC3083},
+        {TEXTURE | STIPPLE, 0x38FDE8CA},
+        {CODES_32 | TEXTURE | STIPPLE | FAR, 0xDCE4474C},
+    };
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {
+        wrong += unit_tell_hash(hash_of(record[i].with), record[i].hash);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, wrong);
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/* The depth test of a run of pixels, against its definition: random runs, most of whose codes are
+ * near their cells. */
+#include "kernels/depth_run.h"
+
+#include "unit.h"
+
+enum {
+    MOST = 23
+};
+
+static uint16_t cells[MOST + 1], kept[MOST + 1];
+
+static bool is_visible(uint32_t code, uint32_t i, uint32_t step)
+{
+    return (code + i * step) >> 16 > cells[i];
+}
+
+/* Cells at most 1 from the codes; at_equals: as many as that, and one that is decided otherwise at
+ * the end. */
+static void make_cells(uint32_t code, uint32_t step, bool visible, uint32_t ends)
+{
+    for (uint32_t i = 0; i <= MOST; i++) {
+        const uint32_t of_pixel = (code + i * step) >> 16;
+        const bool wanted = (i < ends) == visible;
+        const uint32_t near = (uint32_t)unit_between(0, 2);
+        cells[i] =
+            (uint16_t)(wanted ? (of_pixel > near ? of_pixel - 1 - near : 0)
+                              : (of_pixel + near > UINT16_MAX ? UINT16_MAX : of_pixel + near));
+    }
+}
+
+void test_runs_end_where_the_definition_says(void)
+{
+    uint32_t equals = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const bool visible = unit_random() % 2;
+        const uint32_t count = (uint32_t)unit_between(0, MOST), code = unit_random() | 1u << 20,
+                       step = (uint32_t)unit_between(-(1 << 18), 1 << 18);
+        make_cells(code, step, visible, (uint32_t)unit_between(0, MOST));
+        memcpy(kept, cells, sizeof kept);
+        uint32_t wanted = 0;
+        while (wanted < count && is_visible(code, wanted, step) == visible) {
+            equals += cells[wanted] == (code + wanted * step) >> 16;
+            if (visible) {
+                kept[wanted] = (uint16_t)((code + wanted * step) >> 16);
+            }
+            wanted++;
+        }
+        TEST_ASSERT_EQUAL_UINT32(wanted, visible ? fxl_depth_keep_visible(cells, count, code, step)
+                                                 : fxl_depth_skip_hidden(cells, count, code, step));
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(kept, cells, MOST + 1);
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT, equals);
+}

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* Frames of 16 bits a pixel are the same, bit for bit, on every core: hashes on record, as in
+ * test_surface_hashes.c. */
+#include "rgb565_scene.h"
+
+enum {
+    ROUNDS = 12, /* of each kind */
+    LEVELS = 9
+};
+
+static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)];
+static fxl_light light;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* What a kind of frames has. */
+enum {
+    LIT = 1,
+    BLEND = 2,
+    ADD = 4,
+    STIPPLE = 8,
+    INDICES = 16,
+    KEY = 32
+};
+
+static void make_wall(uint8_t division, uint32_t with)
+{
+    walls_make();
+    walls_make_texture(with & INDICES ? FXL_TEXTURE_8 : FXL_TEXTURE_565);
+    walls.texture.flags = (uint8_t)(unit_between(0, 1) | (with & KEY ? FXL_TEXTURE_KEYED : 0));
+    if (with & KEY) {
+        walls.texture.key = with & INDICES ? walls.texels[7] : 0;
+        walls.texture.key_565 = with & INDICES ? 0 : walls.texels_565[7];
+    }
+    for (int k = 0; k < 3; k++) {
+        walls.mapped[0].texels[k].u += unit_between(-Q16(30), Q16(30));
+        walls.mapped[0].texels[k].v += unit_between(-Q16(30), Q16(30));
+    }
+    walls.surface[0].division = division;
+    walls.surface[0].opacity = (uint8_t)(with & STIPPLE ? unit_between(1, 15) : 16);
+    walls.surface[0].flags = with & LIT ? FXL_SURFACE_LIT : 0;
+    walls.surface[1].flags = (uint8_t)(with & BLEND ? FXL_SURFACE_BLEND
+                                       : with & ADD ? FXL_SURFACE_ADD
+                                                    : 0);
+    walls.face_map[1] = 2;
+    walls.mapped[0].normals[1] = 1;
+}
+
+static uint32_t hash_of(uint8_t division, uint32_t with)
+{
+    uint32_t hash = 0;
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        const fxl_light_settings settings = {
+            .ambient = FXL_Q2_30_ONE / 8,
+            .point_count = 1,
+            .ramp = ramp,
+            .levels = LEVELS,
+            .points = {{{unit_between(-Q16(3), Q16(3)), Q16(1), Q16(4)}, Q16(7), FXL_Q2_30_ONE}}};
+        make_wall(division, with);
+        walls_begin();
+        if (with & LIT) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+        }
+        walls_draw(walls.pixels);
+        for (uint32_t p = 0; p < WIDTH * HEIGHT; p++) { /* in one order of bytes */
+            const uint8_t bytes[2] = {(uint8_t)walls.pixels[p], (uint8_t)(walls.pixels[p] >> 8)};
+            hash = 31u * hash + 257u * bytes[1] + bytes[0];
+        }
+    }
+    return hash;
+}
+
+void test_pixels_are_those_on_record(void)
+{
+    static const struct {
+        uint8_t division;
+        uint8_t with;
+        uint32_t hash;
+    } record[] = {
+        {FXL_DIVIDE_16, 0, 0x903A7C08},
+        {FXL_DIVIDE_8, ADD, 0xDC04D7DF},
+        {FXL_DIVIDE_1, BLEND, 0xB864ED7E},
+        {FXL_AFFINE, LIT, 0x2DB21C54},
+        {FXL_DIVIDE_16, LIT | ADD, 0xB4AD5C7E},
+        {FXL_DIVIDE_16, STIPPLE | BLEND, 0xA77AADE6},
+        {FXL_DIVIDE_8, LIT | STIPPLE, 0x2A602E58},
+        {FXL_DIVIDE_16, INDICES, 0xE0B1A71B},
+        {FXL_DIVIDE_1, INDICES | LIT, 0x32C9E690},
+        {FXL_DIVIDE_16, INDICES | KEY, 0x97000324},
+        {FXL_DIVIDE_8, KEY, 0x5B9A2B5A},
+        {FXL_DIVIDE_16, KEY | LIT, 0x368ADD1F},
+    };
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {
+        const uint32_t hash = hash_of(record[i].division, record[i].with);
+        wrong += unit_tell_hash(hash, record[i].hash);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, wrong);
+}
