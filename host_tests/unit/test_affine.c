@@ -59,6 +59,10 @@ void test_a_corner_beyond_any_side_leaves_all_as_they_are(void)
     for (int i = 0; i < 50; i++) {
         setUp();
         TEST_ASSERT_TRUE(becomes_affine(corners_with(5, 25)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(0, 15))); /* on the border */
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(WIDTH, 15)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(20, 0)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(20, HEIGHT)));
         TEST_ASSERT_TRUE(becomes_affine(corners_with(0.01, 15)));
         TEST_ASSERT_TRUE(becomes_affine(corners_with(WIDTH - 0.01, 15)));
         TEST_ASSERT_TRUE(becomes_affine(corners_with(20, 0.01)));

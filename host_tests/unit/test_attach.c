@@ -113,6 +113,10 @@ void test_what_is_out_of_range_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&edge, &still, &one, &still));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&outside, &still, &zero, &still));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &far, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &small, &far, &still)); /* it would lie within */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &small, &(fxl_point){0, -(1 << 30), 0}, &still));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &small, &(fxl_point){1 << 30, 0, 0}, &still));
+    TEST_ASSERT_EQUAL(FXL_OK, attach(&zero, &small, &(fxl_point){(1 << 30) - 1, 0, 0}, &still));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &none, &zero, &still));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, attach(&zero, &still, &zero, &beyond));
     TEST_ASSERT_EQUAL(FXL_E_TURN, attach(&zero, &bad, &zero, &still));

@@ -145,6 +145,40 @@ void test_an_edge_is_set_and_steps_to_where_it_is(void)
     }
 }
 
+/* An edge is set at its first row where it holds down to the last, or is left alone. There, and
+ * wherever it is set, its first pixel is ceil(x - 1/2). */
+void test_an_edge_is_set_where_it_holds(void)
+{
+    uint32_t set = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const uint32_t height = (uint32_t)unit_between(65536, FXL_EDGE_HEIGHT_MAX);
+        const fxl_screen_point top = {unit_between(-Q16(9), Q16(9)), unit_between(0, Q16(2))};
+        const fxl_screen_point bottom = {top.x + unit_between(-Q16(90), Q16(90)),
+                                         top.y + (int32_t)height};
+        const uint32_t surely = (uint32_t)((UINT64_C(1) << 31) / height);
+        const uint32_t lasts[] = {1, 63, surely - 1, 2 * surely + 2, 1023};
+        for (size_t k = 0; k < sizeof lasts / sizeof lasts[0]; k++) {
+            const uint32_t last = lasts[k];
+            const fxl_edge before = {1, 2, 3, 4};
+            fxl_edge edge = before;
+            if (!fxl_edge_set_near(&top, &bottom, last, &edge)) {
+                TEST_ASSERT_GREATER_OR_EQUAL_UINT32(surely, last);
+                TEST_ASSERT_EQUAL_MEMORY(&before, &edge, sizeof edge);
+                continue;
+            }
+            set++;
+            TEST_ASSERT_LESS_OR_EQUAL_UINT32(2 * surely + 1, last);
+            const uint32_t row = last < height >> 16 ? last : (height >> 16) - 1;
+            const int64_t y = fxl_centre_of(fxl_first_centre_from(top.y) + (int32_t)row);
+            const int64_t sum =
+                (int64_t)(top.x - 32768) * height + (bottom.x - top.x) * (y - top.y);
+            fxl_edge_advance(&edge, row);
+            TEST_ASSERT_EQUAL_INT64(floor_of(sum - 1, 65536 * (int64_t)height) + 1, edge.x);
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT, set);
+}
+
 /* Upright edges through centres: the fraction on each row misses the next pixel by
  * the least, and an edge walked for more rows than it is good for reaches it. */
 void test_upright_edges_stay_where_they_are(void)

@@ -101,6 +101,12 @@ void test_spheres(void)
     expect(FXL_E_RANGE, "cluster", 0);
     made->clusters[0].centre.x += 1;
     expect(FXL_E_RANGE, "cluster", 0);
+    for (int i = 0; i < 8; i++) { /* the corners of the cube; and of a face */
+        made->clusters[2].centre = (fxl_point){i & 1 ? Q16(1) : Q16(-1), i & 2 ? Q16(1) : Q16(-1),
+                                               i & 4 ? Q16(1) : Q16(-1)};
+        made->clusters[2].radius = Q16(4);
+        expect(FXL_OK, NULL, 0);
+    }
     made->clusters[2].centre.z = Q16(-1) - 1;
     expect(FXL_E_RANGE, "cluster", 2);
     made->clusters[2].radius = -1;
@@ -145,6 +151,17 @@ void test_cutoffs(void)
     made->clusters[1].cutoff = 0xFFFFFFFFu;
     expect(FXL_E_CLUSTER, "cluster", 1);
     made->clusters[0].cutoff = 15; /* less than rounding takes */
+    expect(FXL_E_CLUSTER, "cluster", 0);
+}
+
+/* Numbers with which both sides of the condition are the same: 142846884^2. */
+void test_a_cutoff_on_the_border(void)
+{
+    made->clusters[0].axis = (fxl_direction){-142846884, 930745171, 515974513};
+    made->clusters[0].cutoff = 4218951879u;
+    expect(FXL_OK, NULL, 0);
+    made->clusters[0].axis = (fxl_direction){-142846884, 930745171, 515974513};
+    made->clusters[0].cutoff = 4218951878u;
     expect(FXL_E_CLUSTER, "cluster", 0);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The depth test of a run of pixels, against its definition: random runs, most of whose codes are
  * near their cells. */
+#include "extra/depth/depth_cells.h"
 #include "kernels/depth_run.h"
 
 #include "unit.h"
@@ -52,4 +53,21 @@ void test_runs_end_where_the_definition_says(void)
         TEST_ASSERT_EQUAL_HEX16_ARRAY(kept, cells, MOST + 1);
     }
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT, equals);
+}
+
+/* Which of two at the same nearness is visible: the first, or with or_equal the second. */
+void test_ties(void)
+{
+    static const uint16_t narrow[] = {7, 8, 9};
+    static const uint32_t wide[] = {0x80000, 0x80001, 0x80002};
+    for (int32_t x = 0; x < 3; x++) {
+        const fxl_depth_rule rules[] = {{.wide = false},
+                                        {.wide = true},
+                                        {.wide = false, .or_equal = true},
+                                        {.wide = true, .or_equal = true}};
+        TEST_ASSERT_EQUAL(x < 1, fxl_depth_passes(narrow, x, 0x8FFFF, rules[0]));
+        TEST_ASSERT_EQUAL(x < 1, fxl_depth_passes(wide, x, 0x80001, rules[1]));
+        TEST_ASSERT_EQUAL(x <= 1, fxl_depth_passes(narrow, x, 0x8FFFF, rules[2]));
+        TEST_ASSERT_EQUAL(x <= 1, fxl_depth_passes(wide, x, 0x80001, rules[3]));
+    }
 }

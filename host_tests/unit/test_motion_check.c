@@ -80,6 +80,12 @@ void test_missing_tables_are_refused(void)
     expect(FXL_E_ARGUMENT, "motion table", 0);
     set.keys = NULL;
     expect(FXL_E_ARGUMENT, "motion table", 0);
+    set.motions = NULL; /* a single one */
+    set.motion_count = 1;
+    expect(FXL_E_ARGUMENT, "motion table", 0);
+    set.keys = NULL;
+    set.key_count = 1;
+    expect(FXL_E_ARGUMENT, "motion table", 0);
     scene.first_turned = 1;
     expect(FXL_E_COUNT, "motion table", 0);
     scene.turns = NULL;

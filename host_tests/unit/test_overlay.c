@@ -308,6 +308,10 @@ void test_bands_that_are_none_are_refused(void)
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         expect_refused_by_all(FXL_E_RANGE, &bad[i]);
     }
+    uint8_t pixel = 5;
+    const fxl_band least = {&pixel, 1, 1, FXL_SCREEN_MAX - 1, 1}; /* the last row there is */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_rectangle(&least, -3, FXL_SCREEN_MAX - 1, 9, 9, 7));
+    TEST_ASSERT_EQUAL_UINT8(7, pixel);
     const fxl_band none = {NULL, WIDTH, STRIDE, 0, 1};
     expect_refused_by_all(FXL_E_ARGUMENT, &none);
     expect_refused_by_all(FXL_E_ARGUMENT, NULL);

@@ -311,4 +311,7 @@ void test_the_memory_of_a_pump(void)
     }
     const fxl_pump_config bare = {NULL, 37, HEIGHT, 3};
     TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(37, 3, 0), fxl_pump_memory_size(&bare));
+    const fxl_pump_config least = {NULL, 1, 1, 1}, most = {NULL, 1024, 1024, 1024};
+    TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(1, 1, 0), fxl_pump_memory_size(&least));
+    TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(1024, 1024, 0), fxl_pump_memory_size(&most));
 }

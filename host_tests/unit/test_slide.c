@@ -110,6 +110,22 @@ void test_a_sphere_goes_round_an_edge(void)
     TEST_ASSERT_TRUE(sphere.centre.z > Q16(2.5) && slide.contacts > 0);
 }
 
+/* Past edges that lie along the other axes: they push across themselves alone. */
+void test_an_edge_pushes_across_itself(void)
+{
+    fxl_sphere sphere = {{Q16(-4), Q16(1.25), Q16(0.25)}, Q16(0.5)};
+    const fxl_point along_x = {Q16(7), 0, 0}, along_z = {0, 0, Q16(7)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &along_x, NULL));
+    TEST_ASSERT_INT32_WITHIN(16, Q16(1.5), sphere.centre.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.25), sphere.centre.z);
+    TEST_ASSERT_TRUE(sphere.centre.x > Q16(2.5));
+    sphere.centre = (fxl_point){Q16(0.25), Q16(1.25), Q16(-4)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &along_z, NULL));
+    TEST_ASSERT_INT32_WITHIN(16, Q16(1.5), sphere.centre.y);
+    TEST_ASSERT_EQUAL_INT32(Q16(0.25), sphere.centre.x);
+    TEST_ASSERT_TRUE(sphere.centre.z > Q16(2.5));
+}
+
 /* The promise, at random: free after every call, and no cube between start and end of any step of
  * a walk of small moves; a large move is cut into such steps by itself. */
 void test_no_sphere_is_ever_within_a_face(void)
