@@ -7,10 +7,10 @@
 A mutant is killed where a unit test of the host fails with it, and survives where all pass. One that no
 compiler takes, or that leaves the machine code as it was, is no mistake and is not counted. fixel.mutate
 says which mistakes there are. Mutants are compiled and run in copies under --build, never in the checkout.
-The library of each is a shared object, so that only the mutated sources are compiled and no test is linked
-anew. A test is run where the program that make links of it holds the mutated source. Tests that take more
-than --slow seconds of CPU time are left out. Writes all mutants as JSON. Exit: 0 done, 1 a test fails without a mutant, or fewer than --least per
-cent were killed, 2 could not run.
+The library of each is a shared object, so that only the mutated sources are compiled, and no test but those
+that include a mutated header. A test is run where the program that make links of it holds the mutated source.
+Tests that take more than --slow seconds of CPU time are left out. Writes all mutants as JSON. Exit: 0 done,
+1 a test fails without a mutant, or fewer than --least per cent were killed, 2 could not run.
 """
 
 from fixel import interpreter
@@ -84,14 +84,8 @@ class Tree:
         """The sources that a source or header goes into."""
         if file.endswith(".c"):
             return [pathlib.Path(file)]
-        wanted = (self.folder / file).resolve()
-        found = []
-        for source in self.sources():
-            said = self.object(source).with_suffix(".d").read_text(encoding="utf-8")
-            names = said.partition(":")[2].partition("\n\n")[0].replace("\\\n", " ").split()
-            if any((self.folder / name.rstrip(":")).resolve() == wanted for name in names):
-                found.append(source)
-        return found
+        return [source for source in self.sources()
+                if mutate.includes(self.object(source).with_suffix(".d"), self.folder, file)]
 
 
 def make_trees(scratch, compiler, count):
@@ -110,19 +104,38 @@ def make_trees(scratch, compiler, count):
     return [Tree(scratch / str(number), compiler) for number in range(max(1, count))]
 
 
+def link_test(tree, program, test_object, to):
+    """A unit test with the library as a shared object that is found when it starts; what was wrong, if it was."""
+    objects = [test_object, program.with_name(f"{program.name}_main.o"),
+               *map(program.with_name, ("unity.o", "assert.o", "libhelpers.a", "libparts.a"))]
+    return tree.run([*tree.compiler, *(each.resolve() for each in objects), tree.folder / LIBRARY, "-lm", "-o", to])
+
+
 def link_tests(tree, programs):
-    """The unit tests once more, with the library as a shared object that is found when they start."""
+    """{program of make: the same with the shared library}."""
     folder = tree.folder.parent / "tests"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    for program in map(pathlib.Path, programs):
-        objects = [program.with_name(f"{program.name}.o"), program.with_name(f"{program.name}_main.o"),
-                   *map(program.with_name, ("unity.o", "assert.o", "libhelpers.a", "libparts.a"))]
-        said = tree.run([*tree.compiler, *(each.resolve() for each in objects),
-                         tree.folder / LIBRARY, "-lm", "-o", folder / program.name])
+    for program in programs:
+        said = link_test(tree, program, program.with_name(f"{program.name}.o"), folder / program.name)
         if said:
             raise ToolError(f"{program.name} cannot be linked:\n{said}")
-    return sorted(folder.iterdir())
+    return {program: folder / program.name for program in programs}
+
+
+def build_including(tree, tests, file):
+    """{test: its program} of those that include a mutated header; of none where that does not compile."""
+    folder, built = tree.folder / "tests", {}
+    folder.mkdir(exist_ok=True)
+    for program, test in tests.items():
+        if not file.endswith(".h") or not mutate.includes(program.with_name(f"{program.name}.d"), CHECKOUT, file):
+            continue
+        to, source = folder / program.name, f"host_tests/unit/{program.name}.c"
+        if tree.run([*tree.compiler, "-c", source, "-o", to.with_suffix(".o")]) or \
+                link_test(tree, program, to.with_suffix(".o"), to):
+            continue
+        built[test] = to
+    return built
 
 
 def run_test(tree, test, cpu):
@@ -160,10 +173,10 @@ def time_tests(tree, tests, slow):
     return seconds
 
 
-def likely_first(file, seconds, names, linked):
-    """The tests that link one of the names, those with a word of the file's name first, then the quick ones."""
+def likely_first(file, seconds, names, linked, including):
+    """The tests that include the file or link one of the names: those with a word of its name first, then quick ones."""
     words = set(pathlib.Path(file).stem.split("_"))
-    return sorted((test for test in seconds if not names or names & linked[test.name]),
+    return sorted((test for test in seconds if not names or test in including or names & linked[test.name]),
                   key=lambda test: (-len(words & set(test.name.split("_"))), seconds[test]))
 
 
@@ -187,7 +200,7 @@ def build_mutant(tree, sources, text, good, file):
     return tree.link()
 
 
-def try_mutant(tree, mutant, seconds, linked):
+def try_mutant(tree, mutant, tests, seconds, linked):
     """{"result", "by", "words"} of a mutant; afterwards the tree is as it was."""
     file = tree.folder / mutant.file
     good = file.read_text(encoding="utf-8")
@@ -198,8 +211,9 @@ def try_mutant(tree, mutant, seconds, linked):
         said = build_mutant(tree, sources, mutant.apply(good), good, file) if sources else "not compiled"
         if said:
             return {"result": "no mutant", "words": said.strip().splitlines()[0]}
-        for test in likely_first(mutant.file, seconds, names, linked):
-            words = run_test(tree, test, max(CPU_LEAST, CPU_TIMES * seconds[test]))
+        including = build_including(tree, tests, mutant.file)
+        for test in likely_first(mutant.file, seconds, names, linked, including):
+            words = run_test(tree, including.get(test, test), max(CPU_LEAST, CPU_TIMES * seconds[test]))
             if words:
                 return {"result": "killed", "by": test.name, "words": words}
         return {"result": "survived"}
@@ -209,7 +223,7 @@ def try_mutant(tree, mutant, seconds, linked):
             place.write_bytes(content)
 
 
-def try_all(trees, drawn, count, seconds, linked):
+def try_all(trees, drawn, count, tests, seconds, linked):
     """The first count mutants of those drawn that are any, in the order in which they were drawn."""
     free, results, lock, places = queue.SimpleQueue(), {}, threading.Lock(), iter(range(len(drawn)))
     for tree in trees:
@@ -225,7 +239,7 @@ def try_all(trees, drawn, count, seconds, linked):
                 place = next(places, None) if counted() < count else None
             if place is None:
                 return
-            result = try_mutant(tree, drawn[place], seconds, linked)
+            result = try_mutant(tree, drawn[place], tests, seconds, linked)
             with lock:
                 results[place] = result
                 progress(min(counted(), count))
@@ -276,14 +290,15 @@ def main(argv):
     scratch = pathlib.Path(options.build).resolve() / "mutants"
     print(f"mutants: {len(drawn)} to draw from; building the library", file=sys.stderr, flush=True)
     trees = make_trees(scratch, options.cc, options.jobs)
-    tests = link_tests(trees[0], options.tests)
-    seconds = time_tests(trees[0], tests, options.slow)
-    linked = {pathlib.Path(program).name: symbols(program) for program in options.tests}
+    tests = link_tests(trees[0], [pathlib.Path(program) for program in options.tests])
+    seconds = time_tests(trees[0], sorted(tests.values()), options.slow)
+    linked = {program.name: symbols(program) for program in tests}
     started = time.monotonic()
-    found, not_counted = try_all(trees, drawn, options.count, seconds, linked)
+    found, not_counted = try_all(trees, drawn, options.count, tests, seconds, linked)
     killed = sum(result["result"] == "killed" for _, result in found)
     result = {"seed": options.seed, "count": len(found), "killed": killed, "percent": 100 * killed / len(found),
-              "not_counted": not_counted, "left_out": sorted(test.name for test in set(tests) - set(seconds)), "seconds": round(time.monotonic() - started),
+              "not_counted": not_counted, "left_out": sorted(test.name for test in set(tests.values()) - set(seconds)),
+              "seconds": round(time.monotonic() - started),
               "mutants": [{"mutant": str(mutant), **result} for mutant, result in found]}
     output.write_json(scratch / f"seed-{options.seed}.json", result)
     print_result(result)

@@ -47,3 +47,11 @@ def test_a_mutant_changes_its_place_alone():
     for mutant in mutate.mutants("a.c", text):
         assert mutant.apply(text) == text.replace("return a < *b;", f"return a {mutant.becomes} *b;")
         assert str(mutant) == f"a.c:10: '<' becomes '{mutant.becomes}'"
+
+
+def test_what_a_header_goes_into(tmp_path):
+    notes = tmp_path / "a.d"
+    notes.write_text("a.o: tests/a.c \\\n lib/src/../math/root.h lib/b.h\n\nlib/c.h:\n", encoding="utf-8")
+    for name, expected in {"lib/math/root.h": True, "lib/b.h": True, "tests/a.c": True, "lib/c.h": False,
+                           "lib/src/root.h": False, "root.h": False}.items():
+        assert mutate.includes(notes, tmp_path, name) == expected

@@ -108,3 +108,10 @@ def mutants(file, text):
         found += [Mutant(file, text.count("\n", 0, first) + 1, first, last, text[first:last],
                          becomes if becomes != ";" else "(void)0;") for first, last, becomes in places]
     return sorted(found, key=lambda mutant: (mutant.begin, mutant.end, mutant.becomes))
+
+
+def includes(notes, folder, file):
+    """Whether a file of the folder went into an object, by the compiler's notes on it (-MMD)."""
+    names = notes.read_text(encoding="utf-8").partition(":")[2].partition("\n\n")[0].replace("\\\n", " ").split()
+    wanted = (folder / file).resolve()
+    return any(name.endswith(wanted.name) and (folder / name).resolve() == wanted for name in names)
