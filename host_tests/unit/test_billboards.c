@@ -318,6 +318,7 @@ void test_near_far_and_sides_leave_sprites_out(void)
         TEST_ASSERT_EQUAL_UINT32(cases[i].drawn, renderer.workspace.counters.drawn);
         TEST_ASSERT_EQUAL_UINT32(cases[i].outside, renderer.workspace.counters.outside);
         TEST_ASSERT_EQUAL_UINT32(cases[i].refused, renderer.workspace.counters.refused);
+        TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.clipped);
         TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.in);
     }
     /* Its corners are far beside the screen, within 4095 pixels; then beyond. */
@@ -406,6 +407,11 @@ void test_a_wrong_billboard_is_refused(void)
     board.anchor_x -= 1;
     tiny->models[1].radius = Q16(2.5);
     expect_refusal(FXL_E_RADIUS, "model", 1);
+    tiny->models[1].radius = FXL_RADIUS_MAX; /* the largest, and anchors in its corners */
+    board = (fxl_billboard){&sprite, FXL_BILLBOARD_SIDE_MAX, 1, FXL_BILLBOARD_SIDE_MAX, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
+    board = (fxl_billboard){&sprite, 1, FXL_BILLBOARD_SIDE_MAX, 0, FXL_BILLBOARD_SIDE_MAX};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
 }
 
 void test_null_pointers_are_refused(void)

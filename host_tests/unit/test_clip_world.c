@@ -121,6 +121,10 @@ void test_texture_is_cut_by_the_same_fraction(void)
     TEST_ASSERT_EQUAL_INT32(0, out.vertices[0].position.x);
     TEST_ASSERT_EQUAL_INT32(Q16(40), out.vertices[0].u);
     TEST_ASSERT_EQUAL_INT32(Q16(400), out.vertices[0].v);
+    polygon.textured = false;
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
+    TEST_ASSERT_EQUAL_INT32(0, out.vertices[0].u);
+    TEST_ASSERT_EQUAL_INT32(0, out.vertices[0].v);
 }
 
 /* Teeth that stand out of the wall: each adds two vertices and takes one. */

@@ -2,6 +2,7 @@
 /* The depth test of a run of pixels, against its definition: random runs, most of whose codes are
  * near their cells. */
 #include "extra/depth/depth_cells.h"
+#include "extra/depth/depth_code.h"
 #include "kernels/depth_run.h"
 
 #include "unit.h"
@@ -69,5 +70,53 @@ void test_ties(void)
         TEST_ASSERT_EQUAL(x < 1, fxl_depth_passes(wide, x, 0x80001, rules[1]));
         TEST_ASSERT_EQUAL(x <= 1, fxl_depth_passes(narrow, x, 0x8FFFF, rules[2]));
         TEST_ASSERT_EQUAL(x <= 1, fxl_depth_passes(wide, x, 0x80001, rules[3]));
+    }
+}
+
+/* The loops of wide cells, which no kernel has: they end at the end, whatever comes after it. */
+void test_runs_of_wide_cells(void)
+{
+    static const fxl_depth_rule rule = {.wide = true};
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        uint32_t wide[MOST + 1];
+        const bool visible = unit_random() % 2;
+        const uint32_t code = unit_random() >> 1 | 1u << 20, ends = (uint32_t)unit_between(0, MOST);
+        const uint32_t step = (uint32_t)unit_between(-999, 999),
+                       end = (uint32_t)unit_between(0, MOST);
+        for (uint32_t x = 0; x <= MOST; x++) {
+            const bool below = (x < ends) == visible;
+            wide[x] = code + x * step - (below ? 1u : 0u) + (unit_random() % 2 && !below ? 9u : 0u);
+        }
+        fxl_depth_line line = {code, step};
+        const int32_t found = visible
+                                  ? fxl_depth_visible_end(wide, 0, (int32_t)end, &line, false, rule)
+                                  : fxl_depth_hidden_end(wide, 0, (int32_t)end, &line, rule);
+        TEST_ASSERT_EQUAL_INT32(ends < end ? ends : end, found);
+        TEST_ASSERT_EQUAL_UINT32(code + (uint32_t)found * step, line.code);
+    }
+}
+
+/* An octave holds the values whose codes it gives: from a power of two to the next. */
+void test_octaves(void)
+{
+    static const fxl_depth_scale scale = {.octaves = 11, .mantissa = 12};
+    fxl_depth_plane plane;
+    memset(&plane, 0, sizeof plane);
+    plane.gradient.along = (int64_t)5 << 40;
+    plane.one = 60;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const int64_t value = unit_wide(62);
+        const double depth = (double)value / (double)((int64_t)1 << 60);
+        fxl_depth_octave octave;
+        fxl_depth_octave_of(scale, &plane, value, &octave);
+        TEST_ASSERT_TRUE(fxl_depth_octave_holds(&octave, value));
+        TEST_ASSERT_EQUAL(depth >= 1 || depth < 1.0 / (1 << 11), octave.is_constant);
+        if (!octave.is_constant) {
+            TEST_ASSERT_TRUE(octave.high == 2 * octave.low && octave.low <= value);
+            TEST_ASSERT_TRUE(fxl_depth_octave_holds(&octave, octave.low));
+            TEST_ASSERT_FALSE(fxl_depth_octave_holds(&octave, octave.low - 1));
+            TEST_ASSERT_TRUE(fxl_depth_octave_holds(&octave, octave.high - 1));
+            TEST_ASSERT_FALSE(fxl_depth_octave_holds(&octave, octave.high));
+        }
     }
 }

@@ -6,11 +6,7 @@
 #include "clip_views.h"
 #include "extra/surfaces/gradients.h"
 
-enum {
-    WIDTH = 40,
-    HEIGHT = 30
-};
-
+static int width, height;
 static fxl_view view;
 static fxl_gradient_corners face;
 static fxl_gradients found;
@@ -36,8 +32,8 @@ static void make_face(unsigned bits, fxl_q16_16 depths)
     const fxl_q16_16 nearest = unit_between(Q16(0.5), Q16(90));
     for (int i = 0; i < 3; i++) {
         const double depth = unit_between(nearest, nearest + depths) / 65536.0;
-        corner[i][0] = unit_between(-WIDTH * 32768, WIDTH * 32768) / 32768.0 * depth / focal;
-        corner[i][1] = unit_between(-HEIGHT * 32768, HEIGHT * 32768) / 32768.0 * depth / focal;
+        corner[i][0] = unit_between(-width * 32768, width * 32768) / 65536.0 * depth / focal;
+        corner[i][1] = unit_between(-height * 32768, height * 32768) / 65536.0 * depth / focal;
         corner[i][2] = depth;
         face.corners[i] =
             (fxl_view_point){(fxl_q18_46)(corner[i][0] * one), (fxl_q18_46)(corner[i][1] * one),
@@ -80,7 +76,7 @@ static double length(const double *a)
 static double exact_attribute(int number, double column, double row, double *bound)
 {
     const double focal = view.lens.focal / 65536.0;
-    const double ray[3] = {(column + 0.5 - WIDTH / 2) / focal, (HEIGHT / 2 - row - 0.5) / focal, 1};
+    const double ray[3] = {(column + 0.5 - width / 2) / focal, (height / 2 - row - 0.5) / focal, 1};
     const int32_t *given = face.values[number];
     double sum = 0, values = 0, edges[2][3];
     for (int i = 0; i < 3; i++) {
@@ -107,7 +103,10 @@ static bool is_thin(void)
 
 void setUp(void)
 {
-    view = clip_random_view(WIDTH, HEIGHT);
+    width = 2 * unit_between(1, 160); /* often a multiple of 16 */
+    width = unit_random() % 2 ? width : (width + 15) / 16 * 16;
+    height = 2 * unit_between(1, 120);
+    view = clip_random_view((uint16_t)width, (uint16_t)height);
 }
 
 void tearDown(void)
@@ -128,10 +127,10 @@ void test_attributes_are_those_of_the_point_that_is_seen(void)
             /* Each corner's pixel, where the weight is above 0. */
             const int near = unit_between(0, 2);
             const double focal = view.lens.focal / 65536.0;
-            const double column = floor(WIDTH / 2 + corner[near][0] / corner[near][2] * focal);
-            const double row = floor(HEIGHT / 2 - corner[near][1] / corner[near][2] * focal);
+            const double column = floor(width / 2 + corner[near][0] / corner[near][2] * focal);
+            const double row = floor(height / 2 - corner[near][1] / corner[near][2] * focal);
             const double weight = at(&found.weight, column, row);
-            if (column < 0 || column >= WIDTH || row < 0 || row >= HEIGHT || weight < 65536) {
+            if (column < 0 || column >= width || row < 0 || row >= height || weight < 65536) {
                 continue;
             }
             const double value = at(&found.attributes[number], column, row) / weight *
@@ -174,10 +173,10 @@ void test_the_gradient_of_a_plane(void)
         const int exponent = fxl_gradient_of_plane(vector, &view, &gradient);
         double largest = 0;
         for (int k = 0; k < 4; k++) {
-            const double column = k % 2 ? (WIDTH + 15) / 16 * 16 : 0, row = k / 2 ? HEIGHT : 0;
+            const double column = k % 2 ? (width + 15) / 16 * 16 : 0, row = k / 2 ? height : 0;
             const double exact =
-                (vector.x * (column + 0.5 - WIDTH / 2) * 65536 +
-                 vector.y * (HEIGHT / 2 - row - 0.5) * 65536 + (double)vector.z * view.lens.focal) *
+                (vector.x * (column + 0.5 - width / 2) * 65536 +
+                 vector.y * (height / 2 - row - 0.5) * 65536 + (double)vector.z * view.lens.focal) *
                 ldexp(1, vector.exponent);
             const double value = at(&gradient, column, row) * 4294967296.0;
             TEST_ASSERT_NEAR(exact, value * ldexp(1, exponent),
@@ -227,7 +226,7 @@ void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
         double twist = 0, above = 0;
         for (int k = 0; k < 2 * FXL_ATTRIBUTES; k++) {
             double slack;
-            const double own = twist_of(k / 2, k % 2 ? HEIGHT : 0, &slack);
+            const double own = twist_of(k / 2, k % 2 ? height : 0, &slack);
             twist = fmax(twist, own);
             above = fmax(above, own + slack);
         }

@@ -206,6 +206,13 @@ void test_what_a_texture_says_is_checked(void)
     texture_byte(FXL_E_RESERVED, 0, 11, 4);
     texture_byte(FXL_E_RESERVED, 0, 14, 1);
     texture_byte(FXL_E_RANGE, 0, 13, 4);
+    for (uint8_t more = 0; more < 2; more++) { /* all levels there are, and one more */
+        tiny_image *image = make();
+        uint8_t *record = tiny_entry(image, AT_TEXTURES, 0, sizeof records[0]);
+        record[8] = FXL_TEXTURE_LOG_MAX;
+        record[13] = (uint8_t)(FXL_TEXTURE_LOG_MAX + 1u + more);
+        expect_surfaces(more == 0 ? FXL_E_OFFSET : FXL_E_RANGE, "texture", image);
+    }
 }
 
 void test_the_rest_is_checked(void)

@@ -336,6 +336,11 @@ void test_a_blend_table_has_the_nearest_colours(void)
         TEST_ASSERT_EQUAL(9, table[256 + 255]); /* of two that are equal, the first */
         TEST_ASSERT_EQUAL(250, table[256 + 250]);
     }
+    memset(palette, 0, sizeof palette); /* far from white, all but one a little more than that */
+    memset(&palette[3 * 255], 255, 3);
+    palette[3 * 7] = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_blend_make_table(palette, 1, 255, 1, table));
+    TEST_ASSERT_EQUAL(7, table[0]); /* of (16, 16, 16) */
     const uint8_t before = table[0];
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_blend_make_table(NULL, 8, 0, 1, table));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_blend_make_table(palette, 8, 0, 1, NULL));
