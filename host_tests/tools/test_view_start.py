@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A board starts, however long the tool takes until it talks with QEMU and reads what the board writes."""
 
+import asyncio
+import threading
 import time
 
 import pytest
@@ -8,8 +10,10 @@ import pytest
 import scene as scene_tool
 from board_programs import ROOT, built
 from fixel import firmware, flash, qmp
+from fixel.errors import ToolError
 from fixel.session import Session
 from fixel.view_board import Board
+from fixel.view_stream import Stream
 
 DELAY = 2.0     # seconds; 0.05 were enough for the FIFO to fill
 
@@ -46,6 +50,47 @@ def test_a_board_that_is_watched(board, slow, started):
         assert running.frame().number == first + 1
     finally:
         running.close()
+
+
+class Deaf(qmp.QMPClient):
+    """QEMU while a core waits for whoever reads its stream: it runs, and answers nothing before."""
+
+    heard = None    # set once the stream is read
+
+    async def execute(self, command, arguments=None, **more):
+        answer = await super().execute(command, arguments, **more)
+        if command == "cont":
+            while not self.heard.is_set():
+                await asyncio.sleep(0.001)
+        return answer
+
+
+def test_a_board_whose_qemu_answers_once_its_stream_is_read(started, monkeypatch):
+    Deaf.heard = threading.Event()
+    real = Stream.open
+
+    def open_stream(stream, check):
+        head = real(stream, check)
+        Deaf.heard.set()
+        return head
+
+    monkeypatch.setattr(Stream, "open", open_stream)
+    monkeypatch.setattr(qmp, "QMPClient", Deaf)
+    running = Board(*started("netduino2"))
+    try:
+        assert running.frame().number == 0
+    finally:
+        running.close()
+
+
+def test_a_board_that_qemu_does_not_start_says_so(started, monkeypatch):
+    async def refuse(client, command, arguments=None, **more):
+        return await real(client, "no-such-command" if command == "cont" else command, arguments, **more)
+
+    real = qmp.QMPClient.execute
+    monkeypatch.setattr(qmp.QMPClient, "execute", refuse)
+    with pytest.raises(ToolError, match="QEMU refuses 'cont'"):
+        Board(*started("netduino2"))
 
 
 def test_a_board_that_is_talked_to(slow, started):

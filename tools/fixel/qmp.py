@@ -101,24 +101,39 @@ class Machine:
         await client.connect(connection)
         return client
 
-    def _wait(self, what, coroutine, timeout):
-        """The outcome of a coroutine, which runs in the thread of the loop."""
-        future = asyncio.run_coroutine_threadsafe(coroutine, self._loop)
+    def _begin(self, coroutine):
+        """A Future of the outcome of a coroutine, which runs in the thread of the loop."""
+        return asyncio.run_coroutine_threadsafe(coroutine, self._loop)
+
+    @staticmethod
+    def _outcome(what, future):
         try:
-            limits.wait_for(future, self._process, timeout)
             return future.result()
-        except limits.LimitError as error:
-            raise ToolError(f"QEMU did not answer '{what}': {error}", exit_code=1) from error
         except ExecuteError as error:
             raise ToolError(f"QEMU refuses '{what}': {error}", exit_code=1) from error
         except (QMPError, OSError, EOFError, concurrent.futures.CancelledError) as error:
             raise ToolError(f"QEMU was gone before it answered '{what}'", exit_code=1) from error
+
+    def _wait(self, what, coroutine, timeout):
+        future = self._begin(coroutine)
+        try:
+            limits.wait_for(future, self._process, timeout)
+        except limits.LimitError as error:
+            raise ToolError(f"QEMU did not answer '{what}': {error}", exit_code=1) from error
         finally:
             future.cancel()  # after an interrupt nobody waits for it any more
+        return self._outcome(what, future)
 
     def execute(self, command, /, timeout=None, **arguments):
         """What QEMU answers to a command of its machine protocol."""
         return self._wait(command, self._client.execute(command, arguments or None), timeout or self.timeout)
+
+    def resume(self):
+        """Lets the core run, and waits for nothing: a core that writes into a full FIFO stops QEMU until somebody
+        reads, so whoever is to read must not wait for an answer before. To be called for what became of it: None
+        while there is no answer; ToolError where QEMU refused, or was gone."""
+        future = self._begin(self._client.execute("cont"))
+        return lambda: self._outcome("cont", future) if future.done() else None
 
     def monitor(self, line):
         """What QEMU answers to a line of its monitor for people, as text."""

@@ -113,7 +113,7 @@ class Board:
                 self._process, self._machine = qemu.start_stopped(self.program, options, self.folder, output,
                                                                   start_new_session=True)
             self._limit = limits.Watch(self._process.pid, HANG, HANG)
-            self._machine.execute("cont")
+            self._resumed = self._machine.resume()  # nobody reads its stream yet
         except ToolError as error:
             raise ToolError(f"{error}{last_lines(self.text())}", error.exit_code) from error
 
@@ -128,6 +128,7 @@ class Board:
             ending = Ending(code, self.text(), "", 0)
             raise ToolError(f"board {self.program.board} ended: {describe(ending)}{last_lines(ending.output)}",
                             exit_status(ending))
+        self._resumed()
         if getattr(self._keys, "error", None):
             raise self._keys.error
         passed = self._limit.check()
