@@ -151,7 +151,7 @@ def test_values_of_a_wrong_kind_are_quoted_short(tmp_path, where, value):
     file.write_text("[[objects]]\nunknown_key = 1\n" + "\n".join(lines) + "\n" + PATH)
     assert_refused(tmp_path, file, "unknown")
     file.write_text("[[objects]]\n" + "\n".join(lines) + "\n" + PATH)
-    if where[:4] != "name":
+    if (where[:4], value[0]) != ("name", '"'):  # a name may be any text
         assert_refused(tmp_path, file, where.split(" ")[0])
 
 

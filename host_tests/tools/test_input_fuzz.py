@@ -3,6 +3,8 @@
 ToolError with a short message. The seed is fixed; FUZZ_EXAMPLES (make fuzz) asks for more examples, by another
 seed."""
 
+import collections
+import contextlib
 import copy
 import io
 import os
@@ -15,7 +17,7 @@ from PIL import Image
 
 import scene as scene_tool
 from conftest import CHECKOUT
-from fixel import image, texture_image, toml_billboard, toml_light, toml_motion, toml_object, toml_scene, toml_texture
+from fixel import image, texture_image, toml_billboard, toml_light, toml_model, toml_motion, toml_object, toml_scene, toml_texture
 from fixel.errors import ToolError
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
@@ -25,11 +27,39 @@ SEED = int(os.environ.get("FUZZ_SEED", "13"))
 MESSAGE_MAX = 600       # characters: two quotes, the known keys, the file's name
 
 
-def fuzzed(test):
-    """A test with a fixed number of examples by a fixed seed."""
+taken = collections.Counter()   # what became of the inputs of a test
+
+
+def fuzzed(least):
+    """A test with a fixed number of examples by a fixed seed. least: the share of them that must be sound, or what
+    comes behind the checks is not tried."""
     quiet = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
-    return seed(SEED)(settings(max_examples=EXAMPLES, deadline=None, database=None, derandomize=False,
-                               suppress_health_check=quiet)(test))
+
+    def of(test):
+        run = seed(SEED)(settings(max_examples=EXAMPLES, deadline=None, database=None, derandomize=False,
+                                  suppress_health_check=quiet)(test))
+
+        def whole():
+            taken.clear()
+            run()
+            assert taken["sound"] >= least * taken.total(), taken
+
+        whole.__name__ = test.__name__
+        return whole
+
+    return of
+
+
+@contextlib.contextmanager
+def short_refusals(folder):
+    """What is done within ends well, or in one ToolError with a short message."""
+    try:
+        yield
+        taken["sound"] += 1
+    except ToolError as error:
+        taken["refused"] += 1
+        text = str(error).replace(folder, "")
+        assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
 
 
 def check(name, data, *beside):
@@ -38,14 +68,11 @@ def check(name, data, *beside):
         file = pathlib.Path(folder) / name
         for other, content in ((name, data), *beside):
             (pathlib.Path(folder) / other).write_bytes(content)
-        try:
+        with short_refusals(folder):
             if file.suffix == ".fxls":
                 image.unpack(image.pack(image.load(file)))
             else:
-                image.unpack(image.pack(scene_tool.compile_scene(str(file), 3)[0]))
-        except ToolError as error:
-            text = str(error).replace(folder, "")
-            assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
+                image.unpack(image.pack(scene_tool.compile_scene(str(file), None)[0]))
 
 
 # --- OBJ ---------------------------------------------------------------------------
@@ -69,7 +96,7 @@ def obj_files(draw):
     return text.encode("utf-8", "replace")
 
 
-@fuzzed
+@fuzzed(0.1)
 @given(obj_files())
 def test_any_obj_file(data):
     check("model.obj", data)
@@ -95,33 +122,36 @@ def places_of(value, before=()):
 
 @st.composite
 def gltf_files(draw):
-    """A sound file in which one to three values are others, or gone."""
+    """A sound file in which up to three values are others, or gone."""
     data, blob = copy.deepcopy(GLTF[0]), GLTF[1]
-    for _ in range(draw(st.integers(1, 3))):
-        *way, last = draw(st.sampled_from(places_of(data)))
+    for _ in range(draw(st.sampled_from([1, 1, 2, 3]))):
+        *way, last = draw(st.sampled_from(places_of(data)[::-1]))
         place = data
         for key in way:
             place = place[key]
-        if draw(st.booleans()) and isinstance(place, dict):
+        change = draw(st.sampled_from(["near", "near", "gone", "other"]))
+        if change == "near" and isinstance(place[last], (int, float)):
+            place[last] = draw(st.floats(-9, 9) if isinstance(place, list) else st.integers(0, 3))
+        elif change == "gone" and isinstance(place, dict):
             del place[last]
         else:
             place[last] = draw(JSON)
     return glb(data, blob)
 
 
-@fuzzed
+@fuzzed(0.05)
 @given(gltf_files())
 def test_any_gltf_file(data):
     check("model.glb", data)
 
 
-@fuzzed
+@fuzzed(0.03)
 @given(gltf_files(), st.sampled_from(["images = true", "images = { size = 2, levels = 3 }", "images = { size = 1, bits = 4, levels = 2 }", "merge = true\nmend = true\nfit = 3"]))
 def test_any_gltf_file_in_a_scene(data, keys):
     check("scene.toml", f'[[objects]]\nmodel = "model.glb"\n{keys}\n'.encode(), ("model.glb", data))
 
 
-@fuzzed
+@fuzzed(0.02)
 @given(st.sampled_from([glb(*GLTF), stl(), stl_text()]), st.randoms(use_true_random=False), st.integers(1, 5),
        st.integers(0, 60))
 def test_models_with_other_bytes(data, chance, changes, cut):
@@ -135,7 +165,7 @@ MTL_WORDS = st.sampled_from(["newmtl a", "newmtl b", "Kd", "Kd 1", "Kd 0.1 0.2 0
                              "map_Kd -s 1 1 1 a.png", "map_Kd /dev/zero", "map_Kd", "d 0.5", "d -halo 0.5", "d x", "Tr 0.1", "#", "Ks 1"])
 
 
-@fuzzed
+@fuzzed(0.08)
 @given(st.lists(MTL_WORDS, max_size=6), st.one_of(st.none(), st.binary(max_size=90), st.just(png([[(1, 2, 3)]]))))
 def test_any_materials(lines, picture):
     with tempfile.TemporaryDirectory() as folder:
@@ -144,11 +174,8 @@ def test_any_materials(lines, picture):
         if picture is not None:
             (file / "a.png").write_bytes(picture)
         (file / "m.obj").write_text("mtllib m.mtl\nusemtl a\n" + SOUND + "f 1/1 2/1 3/1\n")
-        try:
-            scene_tool.compile_scene(str(file / "m.obj"), 3)
-        except ToolError as error:
-            text = str(error).replace(folder, "")
-            assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
+        with short_refusals(folder):
+            scene_tool.compile_scene(str(file / "m.obj"), None)
 
 
 # --- TOML --------------------------------------------------------------------------
@@ -180,6 +207,38 @@ VALUES = st.recursive(SCALARS, lambda inner: st.one_of(
     st.lists(inner, max_size=4).map(lambda items: "[" + ", ".join(items) + "]"),
     st.dictionaries(KEYS, inner, max_size=4).map(
         lambda pairs: "{" + ", ".join(f"{key} = {value}" for key, value in pairs.items()) + "}")), max_leaves=8)
+# Values that a key takes, beside other keys that suit it.
+SOUND_VALUES = {
+    "name": ['"a"', '"the car"'], "position": ["[1, 2, 3]"], "positions": ["[[0, 0, 0], [4, 0, 4]]"],
+    "repeat": ["{ count = [2, 1, 2], step = [3, 3, 3] }"], "scale": ["2", "[1, 2, 0.5]"], "rotation": ["30", "[30, 20, 10]"],
+    "ring": ["{ count = 3, radius = 5 }", "{ count = 3, radius = 5, turned = true }"], "anchor": ['"base"', '"middle"'],
+    "colour": ['"red"', '"#123456"'], "colours": ['["red", "#00f"]'], "colour_index": ["9"], "colour_step": ["1"],
+    "colour_next": ["2"], "layer": ["0", "7"], "kind": ['"convex"', '"sorted"'], "moves": ["true", "false"],
+    "two_sided": ["true"], "clusters": ["true"], "inside": ["true"], "parts": ["[2, 1, 2]"], "shade": ["false"],
+    "turn": ["20", "[20, 10, 5]"], "size": ["2", "0.25", "[8, 8]", "[1, 2]"], "spin": ["{ yaw = 3 }", "{ axis = [1, 1, 0], degrees = 2 }"],
+    "motion": ["{ circle = 3, degrees = 4 }", "{ by = [1, 0, 0], frames = 9, back = true }", "{ keys = [{ frames = 2 }, { turn = 9 }] }"],
+    "texture": ['"t"'], "lit": ["true"], "smooth": ["true"], "mapping": ['"box"'], "tiles": ["[2, 2]"], "opacity": ["8", "4"],
+    "division": ['"affine"', "8"], "texels_per_unit": ["4"], "texel_offset": ["[1, 2]"], "file": ['"t.png"'],
+    "pattern": ['"bricks"', '"tree"'], "pixels": ["[8, 8]"], "most_colours": ["8"], "bits": ["4", "8"], "wrap": ['"repeat"', '"clamp"'],
+    "levels": ["1", "8"], "axis": ["[1, 2, 3]"], "degrees": ["5"], "start": ["30", "{ position = [0, 1, 0] }"], "yaw": ["1"], "pitch": ["2"], "roll": ["3"],
+    "circle": ["4"], "by": ["[2, 0, 0]"], "key": ['"#010203"', '"origin"'], "sides": ["5"], "cells": ["[2, 2]"], "seed": ["3"], "obj": ['"t.obj"'],
+    "keys": ["[{ position = [0, 0, 0] }, { position = [1, 0, 0], frames = 3 }]", "[{ frames = 3 }, {}]"],
+    "facing": ["true"], "frames": ["9"], "back": ["true"], "repeats": ["true"], "direction": ["[1, 2, 3]"], "ambient": ["0.5"], "sky": ["[0.1, 0.1, 0.2]"],
+    "strength": ["0.5"], "dark": ["0.25"], "points": ["[{ position = [0, 1, 0], range = 4 }]"], "fog": ["{ near = 2, far = 9 }"],
+    "steps": ['[{ keys = ["forward"], frames = 9 }]'], "orbit": ["{ radius = 4 }"], "gait": ["{}", "{ speed_max = 2 }"], "interpolation": ['"smooth"', '"linear"']}
+
+
+ODDS = [True] * 7 + [False]     # of a sound value
+
+
+@st.composite
+def tables(draw, keys, most=4):
+    """Keys of a table with values, most of them sound ones."""
+    chosen = draw(st.lists(st.sampled_from(sorted(keys)), unique=True, max_size=most))
+    return {key: draw(st.sampled_from(SOUND_VALUES[key]) if key in SOUND_VALUES and draw(st.sampled_from(ODDS)) else VALUES)
+            for key in chosen}
+
+
 TABLES = st.sampled_from(["[screen]", "[view]", "[light]", "[[objects]]", "[path]", "[path.orbit]", "[path.gait]",
                           "[path.start]", "[[beams]]", "[glow]", "[[path.keys]]", "[[path.steps]]", "[objects.ring]",
                           "[objects.repeat]", "[palette]", "[[textures]]", "[[billboards]]", "[objects.spin]", "[objects.motion]",
@@ -202,38 +261,42 @@ PICTURE = png([[(1, 2, 3), (40, 50, 60)], [(200, 1, 9), (255, 255, 255)]])
 def toml_files(draw):
     """Tables of known keys with any values, after sound ones."""
     lines = []
-    for part in draw(st.lists(st.one_of(KNOWN, TABLES), min_size=1, max_size=6)):
+    for part in draw(st.lists(st.one_of(KNOWN, KNOWN, TABLES), min_size=1, max_size=4, unique_by=lambda part: part.split("\n")[0])):
         lines.append(part)
-        lines += [f"{key} = {value}" for key, value in draw(st.dictionaries(KEYS, VALUES, max_size=3)).items()]
+        lines += [f"{key} = {value}" for key, value in draw(tables(_keys(), 1)).items()]
     return "\n".join(lines).encode()
 
 
-@fuzzed
+@fuzzed(0.04)
 @given(toml_files())
 def test_any_toml_file(data):
     check("scene.toml", data, ("t.png", PICTURE))
 
 
-# What a table of each kind must have, and keys that it takes.
-ROWS = {
-    '[[textures]]\nname = "t"\n': (["file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"],
-                                  '[[objects]]\nsolid = "box"\ntexture = "t"\n'),
-    '[[billboards]]\nname = "b"\n': (["file", "pattern", "pixels", "colours", "most_colours", "bits", "key", "size", "anchor"],
-                                    '[[objects]]\nbillboard = "b"\nposition = [0, 0, 5]\n'),
-    '[[objects]]\nsolid = "box"\n[objects.spin]\n': (["axis", "degrees", "start", "yaw", "pitch", "roll"], ""),
-    '[[objects]]\nsolid = "box"\n[objects.motion]\n': (["circle", "by", "keys", "degrees", "start", "facing", "frames", "back",
-                                                      "repeats"], ""),
-    "[light]\n": (sorted(toml_light.KEYS), '[[objects]]\nsolid = "box"\n'),
-    '[[textures]]\nname = "t"\npattern = "crate"\nsize = [4, 4]\n[[objects]]\nsolid = "box"\n':
-        (sorted(toml_texture.KEYS | toml_motion.KEYS), ""),
-}
+# Tables of what is drawn with: the head, sound pairs of which some are replaced, more keys that it takes, what follows.
+BRICKS = '[[textures]]\nname = "t"\npattern = "crate"\nsize = [4, 4]\n'
+ROWS = [
+    ("[[textures]]\n", {"name": '"t"', "file": '"t.png"'}, ["most_colours", "bits", "wrap", "levels", "size"],
+     '[[objects]]\nsolid = "box"\ntexture = "t"\n'),
+    ("[[textures]]\n", {"name": '"t"', "pattern": '"bricks"', "size": "[8, 8]"}, ["colours", "bits", "wrap", "levels", "file"],
+     '[[objects]]\nsolid = "box"\ntexture = "t"\n'),
+    ("[[billboards]]\n", {"name": '"b"', "file": '"t.png"', "size": "[1, 1]"}, ["most_colours", "bits", "key", "anchor", "pixels"],
+     '[[objects]]\nbillboard = "b"\nposition = [0, 0, 5]\n'),
+    ('[[objects]]\nsolid = "box"\n[objects.spin]\n', {"yaw": "5"}, ["pitch", "roll", "start"], ""),
+    ('[[objects]]\nsolid = "box"\n[objects.spin]\n', {"axis": "[1, 2, 3]", "degrees": "2"}, ["start", "roll"], ""),
+    ('[[objects]]\nsolid = "box"\n[objects.motion]\n', {"circle": "4", "degrees": "5"}, ["start", "facing", "back"], ""),
+    ('[[objects]]\nsolid = "box"\n[objects.motion]\n', {"by": "[1, 0, 0]", "frames": "9"}, ["back", "repeats", "facing"], ""),
+    ('[[objects]]\nsolid = "box"\n[objects.motion]\n', {"keys": "[{ turn = 9 }, {}]"}, ["repeats", "start"], ""),
+    ("[light]\n", {"levels": "8"}, sorted(toml_light.KEYS - {"colour", "sky"}), '[[objects]]\nsolid = "box"\n'),
+    ("[light]\n", {}, ["colour", "sky", "direction", "ambient"], '[[objects]]\nsolid = "box"\n'),
+    (BRICKS + '[[objects]]\nsolid = "box"\n', {"texture": '"t"'}, sorted(toml_texture.KEYS | toml_motion.KEYS - {"parent"}), "")]
 
 
-@fuzzed
-@given(st.sampled_from(sorted(ROWS)), st.data())
-def test_any_table_of_what_is_drawn_with(table, data):
-    keys, after = ROWS[table]
-    pairs = data.draw(st.dictionaries(st.sampled_from(keys), VALUES, max_size=4))
+@fuzzed(0.13)
+@given(st.sampled_from(ROWS), st.data())
+def test_any_table_of_what_is_drawn_with(row, data):
+    table, pairs, more, after = row
+    pairs = {**pairs, **data.draw(tables([*pairs, *more], 3))}
     text = table + "".join(f"{key} = {value}\n" for key, value in pairs.items()) + after
     check("scene.toml", text.encode(), ("t.png", PICTURE))
 
@@ -251,7 +314,7 @@ def _pictures():
     return found
 
 
-@fuzzed
+@fuzzed(0.1)
 @given(st.sampled_from(_pictures()), st.randoms(use_true_random=False), st.integers(0, 6), st.integers(0, 60),
        st.sampled_from(["textures", "billboards"]))
 def test_any_picture(picture, chance, changes, cut, table):
@@ -265,29 +328,33 @@ def test_any_picture(picture, chance, changes, cut, table):
           ("t.png", bytes(blob)))
 
 
-@fuzzed
-@given(st.dictionaries(st.sampled_from(sorted(toml_object.KEYS)), VALUES, max_size=4))
-def test_any_object(pairs):
-    text = "".join(f"{key} = {value}\n" for key, value in {"solid": '"box"', **pairs}.items())
-    check("scene.toml", f"[[objects]]\n{text}[path]\nkeys = [{{ position = [0, 0, 0] }}]\n".encode())
+OF_A_SOLID = toml_object.KEYS - toml_model.KEYS - {"cells", "rings", "taper", "seed", "sea", "sides", "colour", "parent", "textures"}
 
 
-@fuzzed
-@given(st.dictionaries(st.sampled_from(["keys", "steps", "orbit", "start", "gait", "interpolation"]), VALUES, max_size=3))
-def test_any_path(pairs):
+@fuzzed(0.1)
+@given(st.one_of(tables(OF_A_SOLID, 3), tables(toml_object.KEYS)), st.sampled_from([{}, {"texture": '"t"'}, {"colour_index": "5"}]))
+def test_any_object(pairs, more):
+    text = "".join(f"{key} = {value}\n" for key, value in {"solid": '"box"', **more, **pairs}.items())
+    check("scene.toml", f"{BRICKS}[[objects]]\n{text}[path]\nkeys = [{{ position = [0, 0, 0] }}]\n".encode())
+
+
+@fuzzed(0.15)
+@given(st.sampled_from([("keys", "interpolation"), ("steps", "start"), ("orbit", "start")]), st.data())
+def test_any_path(kind, data):
+    pairs = {kind[0]: SOUND_VALUES[kind[0]][0], **data.draw(tables([*kind, "gait"]))}
     text = "".join(f"{key} = {value}\n" for key, value in pairs.items())
     check("scene.toml", f'[[objects]]\nsolid = "box"\n[path]\n{text}'.encode())
 
 
 # --- bytes, and images -------------------------------------------------------------
 
-@fuzzed
+@fuzzed(0)
 @given(st.binary(max_size=400), st.sampled_from(["scene.toml", "model.obj", "model.glb", "model.gltf", "model.stl", "scene.fxls"]))
 def test_any_bytes(data, name):
     check(name, data)
 
 
-@fuzzed
+@fuzzed(0.25)
 @given(st.randoms(use_true_random=False), st.integers(1, 4))
 def test_any_image(chance, changes):
     check("scene.fxls", mutant(TINY, chance, changes))

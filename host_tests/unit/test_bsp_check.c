@@ -328,4 +328,5 @@ void test_a_tree_in_an_image(void)
     tiny_put32(tiny_at(image, AT_RESERVED + 4), BSP_NODES + 1); /* past the end of the image */
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_E_OFFSET, fxl_scene_open(image->words, at + bytes, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING("BSP node table", fault.what);
 }

@@ -300,6 +300,13 @@ void test_what_is_no_wireframe_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_init(&wire, &tiny->scene, NULL, fxl_line_by_codes));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_init(&wire, &tiny->scene, &lens, NULL));
     make(fxl_line_by_planes);
+    const fxl_wire before = wire;
+    const fxl_lens none_at_all = {0};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE,
+                      fxl_wire_init(&wire, &tiny->scene, &none_at_all, fxl_line_by_codes));
+    lens.focal = -lens.focal;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &wire, sizeof wire);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_draw(&wire, &band));
     pose.position.x = FXL_COORDINATE_MAX + 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &pose));

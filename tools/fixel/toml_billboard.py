@@ -9,7 +9,7 @@ from fixel.errors import ToolError
 from fixel.image_billboard import Billboards, Board
 from fixel.mesh import Shape, unit_normal
 from fixel.image import Face
-from fixel.reading import quoted
+from fixel.reading import quoted, shortened
 from fixel.toml_table import Table
 
 # What an object with a billboard may say.
@@ -105,7 +105,7 @@ def of_object(table, known):
     """The billboard that an object names."""
     name = table.text("billboard")
     if name not in known:
-        there = ", ".join(sorted(known)) or "none"
+        there = shortened(", ".join(sorted(known))) or "none"
         raise ToolError(f"{table.at('billboard')}: there is no billboard {quoted(name)}; the scene's billboards: {there}")
     return known[name]
 

@@ -326,9 +326,12 @@ class Objects:
         """All placements of the object that stands number-th in the file."""
         name = data.get("name") if isinstance(data, dict) else None
         where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
-        if isinstance(data, dict) and "billboard" in data:
-            return self._billboards(Table(data, where, toml_billboard.OBJECT_KEYS), name)
-        table = Table(data, where, KEYS)
+        has_billboard = isinstance(data, dict) and "billboard" in data
+        table = Table(data, where, toml_billboard.OBJECT_KEYS if has_billboard else KEYS)
+        if "name" in table:
+            table.text("name")
+        if has_billboard:
+            return self._billboards(table, name)
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)

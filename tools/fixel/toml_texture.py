@@ -6,7 +6,7 @@ import os
 
 from fixel import image_surface, quantity, surfaces, texture, toml_images
 from fixel.errors import ToolError
-from fixel.reading import quoted
+from fixel.reading import quoted, shortened
 from fixel.surfaces import Look, Paint
 from fixel.toml_table import Table
 
@@ -122,7 +122,7 @@ class Wish:
         if name == "":
             return None
         if not isinstance(name, str) or name not in known:
-            there = ", ".join(sorted(known)) or "none"
+            there = shortened(", ".join(sorted(known))) or "none"
             raise ToolError(f"{table.where}: there is no texture {quoted(name)}; the scene's textures: {there}")
         return known[name]
 

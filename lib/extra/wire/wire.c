@@ -13,6 +13,9 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
     if (wire == NULL || scene == NULL || lens == NULL || clipper == NULL) {
         return FXL_E_ARGUMENT;
     }
+    if (!fxl_lens_is_valid(lens)) {
+        return FXL_E_RANGE;
+    }
     memset(wire, 0, sizeof *wire);
     wire->scene = scene;
     wire->clipper = clipper;

@@ -39,7 +39,7 @@ typedef struct {
 } fxl_wire;
 
 /* Initialises a wireframe for a checked scene, a lens and one of the two line clippers.
- * FXL_E_ARGUMENT (a null pointer): *wire untouched. */
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (the lens): *wire untouched. */
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper);
 

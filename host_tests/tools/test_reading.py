@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""What messages quote of an input: short, on one line, and escaped."""
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import scene as scene_tool
+from fixel import reading
+from fixel.errors import ToolError
+
+MOST = 80
+TEXTS = st.one_of(st.text(max_size=200), st.text(alphabet="\x1b\n\"\\\u202ea", max_size=200),
+                  st.integers(0, 10 ** 6).map(lambda count: "x" * count))
+VALUES = st.recursive(st.one_of(TEXTS, st.integers(), st.floats(), st.booleans(), st.integers(1, 40000).map(lambda bits: 1 << bits)),
+                      lambda inner: st.one_of(st.lists(inner, max_size=9), st.dictionaries(TEXTS, inner, max_size=9)),
+                      max_leaves=20)
+fixed = settings(max_examples=300, deadline=None, database=None, derandomize=True)
+
+
+@fixed
+@given(VALUES)
+def test_a_value_is_quoted_short(value):
+    text = reading.quoted(value)
+    assert text.isprintable() and 0 < len(text) <= MOST + 2 * isinstance(value, str), text   # and two quotes
+
+
+@fixed
+@given(TEXTS)
+def test_words_of_others_are_shortened(words):
+    text = reading.shortened(words)
+    assert text.isprintable() and len(text) <= MOST, text
+
+
+def test_what_is_short_is_told_whole():
+    assert reading.quoted("x" * MOST) == '"' + "x" * MOST + '"'
+    assert reading.quoted("x" * (MOST + 1)) == '"' + "x" * (MOST - 3) + '..."'
+    assert reading.shortened("y" * MOST) == "y" * MOST
+    assert reading.shortened("y" * MOST + "z") == "y" * 40 + "..." + "y" * 36 + "z"
+    assert (reading.quoted('a"\\\n\x1b'), reading.quoted(5), reading.quoted([1, "b"])) == (
+        '"a\\"\\\\\\n\\x1b"', "5", "[1, 'b']")
+
+
+@pytest.mark.parametrize("table, row, use", [
+    ("textures", 'pattern = "crate"\nsize = [4, 4]\n', 'solid = "box"\ntexture = "none"'),
+    ("billboards", 'pattern = "tree"\npixels = [8, 8]\nsize = [1, 1]\n', 'billboard = "none"')])
+def test_the_names_that_there_are(tmp_path, table, row, use):
+    """A list of all of them would be as long as the file, and could hold what a terminal obeys."""
+    file, name = tmp_path / "scene.toml", "\\u001b[31m" + "x" * 500
+    file.write_text(f'[[{table}]]\nname = "{name}"\n{row}[[objects]]\n{use}\n')
+    with pytest.raises(ToolError, match='there is no .* "none"') as refused:
+        scene_tool.compile_scene(str(file))
+    there = str(refused.value).split(f"the scene's {table}: ")[1]
+    assert there.isprintable() and len(there) <= MOST, there
