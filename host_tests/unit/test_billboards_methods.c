@@ -271,10 +271,19 @@ static void expect_no_method(const fxl_visibility *method)
     TEST_ASSERT_EQUAL_PTR(method, renderer.visibility);
 }
 
+static bool no_submit(const fxl_traversal *on)
+{
+    (void)on;
+    return true;
+}
+
 void test_other_methods_take_no_billboards(void)
 {
     expect_no_method(&fxl_visibility_spans);
     expect_no_method(&fxl_visibility_box);
+    fxl_visibility own = fxl_visibility_sorted; /* another order, over what was drawn before */
+    own.submit = no_submit;
+    expect_no_method(&own);
     start(0);
     choose(&fxl_visibility_depth, false);
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
@@ -284,6 +293,19 @@ void test_other_methods_take_no_billboards(void)
     choose(NULL, true);
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
     TEST_ASSERT_EQUAL_PTR(&fxl_visibility_surfaces, renderer.visibility);
+}
+
+/* The faces of every model are looked at, with the number that they have in the scene. */
+void test_surfaces_of_the_last_model_are_checked(void)
+{
+    fxl_scene_fault fault;
+    const fxl_model *last = &tiny->scene.models[tiny->scene.model_count - 1];
+    TEST_ASSERT_TRUE(tiny->scene.model_count > 1 && last->first_face < sizeof face_map / 2);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&surface_set, &tiny->scene, &fault));
+    face_map[last->first_face] = 2;
+    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_surfaces_check(&surface_set, &tiny->scene, &fault));
+    TEST_ASSERT_EQUAL_STRING("face", fault.what);
+    TEST_ASSERT_EQUAL_UINT32(last->first_face, fault.index);
 }
 
 void test_wrong_arguments_with_depth(void)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The depth test of a run of pixels, against its definition: random runs, most of whose codes are
  * near their cells. */
+#include <string.h>
+
 #include "extra/depth/depth_cells.h"
 #include "extra/depth/depth_code.h"
 #include "kernels/depth_run.h"
@@ -94,6 +96,36 @@ void test_runs_of_wide_cells(void)
         TEST_ASSERT_EQUAL_INT32(ends < end ? ends : end, found);
         TEST_ASSERT_EQUAL_UINT32(code + (uint32_t)found * step, line.code);
     }
+}
+
+/* The fewest octaves that reach from 257/256 of the far plane to the near one, and as many bits of
+ * mantissa, 15 at most, as let every code be below 2^16. */
+void test_the_scale_of_a_lens(void)
+{
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        fxl_lens lens = {.near_z = unit_between(16, 65536)};
+        const int64_t far_z =
+            ((int64_t)lens.near_z << unit_between(0, 24)) * unit_between(200, 300) / 256;
+        lens.far_z = (int32_t)(far_z > INT32_MAX     ? INT32_MAX
+                               : far_z > lens.near_z ? far_z
+                                                     : lens.near_z + 1);
+        const fxl_depth_scale scale = fxl_depth_scale_of(&lens);
+        const double ratio = lens.far_z * (257.0 / 256) / lens.near_z;
+        const double reached = (double)((int64_t)1 << scale.octaves);
+        TEST_ASSERT_TRUE(ratio <= reached);
+        TEST_ASSERT_TRUE(scale.octaves == 1 || ratio + 2.0 / lens.near_z > reached / 2);
+        const int64_t codes = (int64_t)scale.octaves << scale.mantissa;
+        TEST_ASSERT_TRUE(codes + 1 <= 65536 && scale.mantissa <= 15);
+        TEST_ASSERT_TRUE(scale.mantissa == 15 || 2 * codes + 1 > 65536);
+    }
+}
+
+void test_a_number_shifted_either_way(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(40, fxl_depth_shifted(5, -3));
+    TEST_ASSERT_EQUAL_HEX32(0xFFFFFFFDu, fxl_depth_shifted(-5, 1));
+    TEST_ASSERT_EQUAL_HEX32(0x89ABCDEFu, fxl_depth_shifted(0x123456789ABCDEF, 0));
+    TEST_ASSERT_EQUAL_HEX32(0x56789ABCu, fxl_depth_shifted(0x123456789ABCDEF, 12));
 }
 
 /* An octave holds the values whose codes it gives: from a power of two to the next. */

@@ -102,6 +102,20 @@ static void assert_converted(const fxl_band *band)
     TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, out + size, sizeof out_words - size);
 }
 
+/* The last byte of a row is filled up with zeros, also after seven ones. */
+void test_seven_white_pixels(void)
+{
+    static const uint8_t white[3] = {255, 255, 255};
+    uint8_t row[7] = {9, 9, 9, 9, 9, 9, 9};
+    memcpy(&palette[3 * 9], white, sizeof white);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_rows, palette));
+    for (uint16_t width = 1; width <= 7; width++) {
+        const fxl_band band = {row, width, width, 0, 1};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 1));
+        TEST_ASSERT_EQUAL_HEX8(0xFF00u >> width & 0xFFu, out[0]);
+    }
+}
+
 void test_every_width_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {

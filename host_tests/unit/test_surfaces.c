@@ -2,6 +2,7 @@
 /* Faces with textures, against the definition in double: a ray through each pixel's centre. */
 #include <math.h>
 
+#include "fixel/extra/clippers/workspace.h"
 #include "mapped_quad.h"
 #include "unity.h"
 
@@ -81,6 +82,26 @@ void test_a_floor_divided_every_16_pixels(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
     check_frame(0.5 + 1.0 / 256);
+}
+
+/* What is counted of a face does not depend on what is on it, nor on how many polygons a clipper
+ * makes of it. */
+void test_surfaces_are_counted_as_flat_faces(void)
+{
+    static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_triangles};
+    static fxl_clipper_workspace work;
+    for (int i = 0; i < 2; i++) {
+        setUp();
+        renderer.frame.display_list.capacity = 0; /* it may be too short for surfaces */
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], i ? &work : NULL,
+                                                           i ? sizeof work : 0));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+        const fxl_counters flat = renderer.workspace.counters;
+        TEST_ASSERT_TRUE(flat.drawn > 0 && flat.clipped > 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+        TEST_ASSERT_EQUAL_MEMORY(&flat, &renderer.workspace.counters, sizeof flat);
+    }
 }
 
 void test_bands_and_lists_give_the_same_pixels(void)

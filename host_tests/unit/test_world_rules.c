@@ -201,6 +201,12 @@ void test_init_refuses(void)
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
     room.capacity = room.turned_capacity = 0;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
+    room = right; /* as much as may be, but too little for the scene */
+    room.capacity = FXL_SCENE_INSTANCES_MAX - WORLD_TURNED;
+    room.colour_count = UINT8_MAX;
+    fxl_scene crowded = *scene;
+    crowded.instance_count = FXL_SCENE_INSTANCES_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&world, &crowded, &room));
     room = right;
     room.capacity = TINY_INSTANCES - 1;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&world, scene, &room));
