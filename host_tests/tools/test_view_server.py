@@ -16,7 +16,7 @@ import pytest
 from fixel import dump, view_guard
 from fixel.errors import ToolError
 from fixel.view_pump import Pump
-from fixel.view_server import Hub, Server, UNSEEN_MAX
+from fixel.view_server import Hub, MESSAGE_MAX, Server, UNSEEN_MAX
 from fixel.view_reference import Answer
 
 WIDTH, HEIGHT = 8, 4
@@ -137,6 +137,22 @@ async def test_who_has_not_the_token_is_refused(bench):
     assert not bench.hub.tabs
     async with Bench() as other:
         assert other.server.token != bench.server.token and len(other.server.token) >= 20
+
+
+@bench_test
+async def test_a_message_beyond_the_limit_ends_its_tab(bench):
+    """Messages are bounded (SECURITY.md)."""
+    tab, other = await bench.tab(), await bench.tab()
+    words = '{"type": "keys", "held": 1}'
+    await tab.send_str(words.ljust(MESSAGE_MAX - 1))
+    await settled()
+    assert bench.held == [1] and len(bench.hub.tabs) == 2
+    await tab.send_str(words.ljust(MESSAGE_MAX + 1))
+    assert (await tab.receive(timeout=None)).data == aiohttp.WSCloseCode.MESSAGE_TOO_BIG
+    await settled()
+    assert bench.held == [1, 0] and len(bench.hub.tabs) == 1
+    bench.hub.show(frame(1))
+    assert (await read_frame(other))[0]["number"] == 1
 
 
 @bench_test

@@ -229,6 +229,29 @@ void test_every_method_draws_the_same(void)
     TEST_ASSERT_TRUE(shown > 100);
 }
 
+/* With surfaces, depth and billboards a renderer may be moved too. */
+void test_a_moved_renderer_draws_the_same(void)
+{
+    static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
+                                                    &fxl_visibility_depth_32};
+    static fxl_renderer moved;
+    const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};
+    const fxl_band band = {other, WIDTH, WIDTH, 0, HEIGHT};
+    for (uint32_t i = 0; i < 6; i++) {
+        start(i % 2 * LIST_WORDS);
+        choose(methods[i % 3], true);
+        TEST_ASSERT_EQUAL(FXL_OK, add(methods[i % 3]));
+        draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        moved = renderer;
+        memset(&renderer, 0x5A, sizeof renderer);
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&moved, &band));
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
+    }
+}
+
 /* Taken away, the method and its memory are as before. */
 void test_billboards_are_taken_away(void)
 {

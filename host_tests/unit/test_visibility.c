@@ -244,6 +244,32 @@ void test_two_renderers_do_not_know_of_each_other(void)
     }
 }
 
+/* A renderer may be moved within a frame, whatever it hides with. */
+void test_a_renderer_is_moved_within_a_frame(void)
+{
+    static fxl_renderer moved;
+    const way ways[] = {{&fxl_visibility_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)},
+                        {&fxl_visibility_spans, LIST_WORDS, FXL_SPAN_BUFFER_ROW(WIDTH)},
+                        {&fxl_visibility_box, LIST_WORDS, 0}};
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_pose pose = random_pose();
+        fxl_band upper = {frames[1], WIDTH, WIDTH, 0, HEIGHT / 2}, lower = upper;
+        lower.pixels += HEIGHT / 2 * WIDTH;
+        lower.first_row = HEIGHT / 2;
+        (void)draw(&ways[i], &pose, frames[0], HEIGHT);
+        start(&ways[i]);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        fxl_fill_band(&upper, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &upper));
+        moved = renderer;
+        memset(&renderer, 0x5A, sizeof renderer);
+        fxl_fill_band(&lower, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&moved, &lower));
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
+    }
+}
+
 /* Testing every pixel of a polygon's box draws the same picture. */
 void test_boxes_draw_the_same_picture(void)
 {
