@@ -57,10 +57,10 @@ def slowness(folder):
     return max(1.0, seconds / YARDSTICK_CPU)
 
 
-def run_bounded(tmp_path, *arguments, size):
-    """scene.py with these arguments, within the bound for an input of so many bytes: code and words."""
+def run_bounded(tmp_path, *arguments, size, tool="scene.py"):
+    """A tool with these arguments, within the bound for an input of so many bytes: code and words."""
     out = tmp_path / "out.txt"
-    command = [sys.executable, str(TOOLS / "scene.py"), *map(str, arguments)]
+    command = [sys.executable, str(TOOLS / tool), *map(str, arguments)]
     bound = 2 + 2 * size / 1e6
     code, seconds, memory = run_measured(command, out)
     ratios = [seconds / bound]
@@ -319,3 +319,34 @@ def test_an_image_of_65535_models_that_share_faces(tmp_path):
     file.write_bytes(sealed(blob))
     code, said = run_bounded(tmp_path, "info", file, size=len(blob))
     assert code == 2 and "model 1 does not begin where the one before it ends" in said
+
+
+BDF_HEAD = "STARTFONT 2.1\nFONTBOUNDINGBOX 8 8 0 -2\nFONT_ASCENT 6\nFONT_DESCENT 2\n"
+BDF_GLYPH = "STARTCHAR a\nENCODING {}\nDWIDTH 8 0\nBBX 8 2 0 0\nBITMAP\nFF\n81\nENDCHAR\n"
+
+
+@pytest.mark.parametrize("text, code, words", [
+    ("".join(BDF_GLYPH.format(300 + i) for i in range(30_000)) + BDF_GLYPH.format(65), 0, "1 characters"),
+    ("COMMENT " + "x" * 2_000_000 + "\n" + BDF_GLYPH.format(65), 0, "1 characters"),
+    ("\n" * 2_000_000 + BDF_GLYPH.format(65), 0, "1 characters"),
+    (BDF_GLYPH.format(65).replace("FF", "F" * 2_000_000), 2, "hexadecimal"),
+    (BDF_GLYPH.format("6" * 2_000_000), 2, "ENCODING must have 1 whole number"),
+    ("STARTCHAR a\n" * 200_000, 2, "does not end"),
+    (BDF_GLYPH.format(65) * 30_000, 2, "a second time")],
+    ids=["characters", "line", "empty lines", "row", "digits", "beginnings", "one character"])
+def test_fonts_of_any_size(tmp_path, text, code, words):
+    file, out = tmp_path / "font.bdf", tmp_path / "font.h"
+    file.write_text(BDF_HEAD + text + "ENDFONT\n")
+    found, said = run_bounded(tmp_path, file, "-o", out, size=file.stat().st_size, tool="font.py")
+    assert found == code and words in said and len(said) < 500 + len(str(out)), said[-900:]
+    assert out.exists() == (code == 0)
+
+
+def test_a_font_beyond_the_limit_or_no_file(tmp_path):
+    file, fifo = tmp_path / "font.bdf", tmp_path / "fifo.bdf"
+    with file.open("w") as big:
+        big.truncate((16 << 20) + 1)
+    os.mkfifo(fifo)
+    for path, words in ((file, "limit of 16,777,216"), (fifo, "is a FIFO"), ("/dev/zero", "is a device")):
+        code, said = run_bounded(tmp_path, path, "-o", tmp_path / "font.h", size=0, tool="font.py")
+        assert code == 2 and words in said and not (tmp_path / "font.h").exists()
