@@ -305,6 +305,24 @@ def test_files_that_are_not_regular(tmp_path, suffix, kind):
     assert code == 2 and f"is a {kind}; give a regular file" in said
 
 
+@pytest.mark.parametrize("name, text", [
+    ("scene.toml", '[[textures]]\nname = "t"\nfile = "it.png"\n[[objects]]\nsolid = "box"\ntexture = "t"\n'),
+    ("scene.toml", '[[billboards]]\nname = "b"\nfile = "it.png"\nsize = [1, 1]\n[[objects]]\nbillboard = "b"\n'),
+    ("scene.toml", '[[objects]]\nmodel = "it.glb"\n'),
+    ("scene.obj", "mtllib it.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"),
+    ("scene.obj", "mtllib sound.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")],
+    ids=["texture", "billboard", "model", "materials", "material's picture"])
+def test_files_of_a_file_that_are_not_regular(tmp_path, name, text):
+    (tmp_path / "sound.mtl").write_text("newmtl a\nmap_Kd it.png\n")
+    for suffix in ("png", "glb", "mtl"):
+        os.mkfifo(tmp_path / f"it.{suffix}")
+    (tmp_path / name).write_text(text)
+    if "sound" in text:     # a bare model has no pictures
+        (tmp_path / "scene.toml").write_text('[[objects]]\nmodel = "scene.obj"\nimages = true\n')
+        name = "scene.toml"
+    assert_refused(tmp_path, tmp_path / name, "is a FIFO; give a regular file")
+
+
 def test_an_image_of_65535_models_that_share_faces(tmp_path):
     model = image.Model(SQUARE, [image.Face((0, 1 << 30, 0), (0, 1, 2, 3), 1)] * 1000)
     made = image.SceneImage(320, 240, 1 << 30, 65536, 64 << 16, 0, 0, [(0, 0, 0)] * 256, [model],
