@@ -31,6 +31,8 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
     of->wire.take = take_bytes;
     of->wire.user = of;
     of->refused = UINT32_MAX;
+    of->offset = of->start_row = of->clock = of->contrast = 1;
+    of->is_all_on = true;
     TEST_ASSERT_LESS_OR_EQUAL(CONTROLLER_MEMORY,
                               of->is_colour ? 2u * columns * rows : columns * ((rows + 7u) / 8u));
     memset(of->memory, 0xA5, sizeof of->memory);
@@ -193,6 +195,16 @@ static void take_page_command(controller *of, const uint8_t *command)
         of->multiplex = command[1];
     } else if (code == 0xDA) {
         of->wires = command[1];
+    } else if (code == 0xD3) {
+        of->offset = command[1];
+    } else if (code == 0xD5) {
+        of->clock = command[1];
+    } else if (code == 0x81) {
+        of->contrast = command[1];
+    } else if (code >= 0x40 && code < 0x80) {
+        of->start_row = code & 63u;
+    } else if (code >= 0xA4 && code <= 0xA5) {
+        of->is_all_on = code == 0xA5;
     } else if (code == 0x8D || code == 0xAD) {
         of->is_charged = command[1] == (code == 0x8D ? 0x14 : 0x8B);
     } else if (code >= 0xA0 && code <= 0xA1) {

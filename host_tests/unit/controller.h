@@ -37,6 +37,8 @@ typedef struct {
     uint16_t x, y;        /* where the next pixel goes */
     uint32_t half;        /* 0, or 256 + the first byte of a pixel */
     uint8_t multiplex, wires, mode;
+    uint8_t offset, start_row, clock, contrast; /* of the glass; as somebody else left them */
+    bool is_all_on;                             /* every pixel, whatever the memory has */
     uint8_t memory[CONTROLLER_MEMORY];
     transfer wire;
     uint32_t sends, refused; /* calls of send and start so far; the one that fails */

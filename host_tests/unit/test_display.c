@@ -207,6 +207,9 @@ void test_pages_in_bands_of_one_and_two(void)
             TEST_ASSERT_EQUAL(2u * (i == 0), model.mode);
             TEST_ASSERT_EQUAL(63, model.multiplex);
             TEST_ASSERT_EQUAL_HEX8(0x12, model.wires);
+            /* Row 0 of the memory is at the top, and what it has is shown. */
+            TEST_ASSERT_TRUE(model.offset == 0 && model.start_row == 0 && !model.is_all_on);
+            TEST_ASSERT_TRUE(model.clock == 0x80 && model.contrast == 0x80);
         }
     }
 }

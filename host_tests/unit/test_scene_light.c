@@ -70,6 +70,17 @@ void test_light_is_used_in_place(void)
     TEST_ASSERT_NULL(opened.light.base);
 }
 
+void test_an_image_with_one_point_light(void)
+{
+    tiny_image *image = make();
+    fxl_scene_image opened;
+    tiny_put32(tiny_at(image, AT_POINTS + 4), 1);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_POINTS)), opened.light.points);
+    TEST_ASSERT_EQUAL_UINT32(1, opened.light.point_count);
+}
+
 void test_an_image_may_have_no_point_lights(void)
 {
     tiny_image *image = make();

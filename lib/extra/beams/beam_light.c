@@ -92,8 +92,6 @@ static fxl_shader *build(const fxl_beam *beams, uint32_t beam_count, const uint8
     pieces->pieces = (fxl_lit_piece *)(void *)workspace;
     workspace += rounded_up(pieces->piece_capacity * sizeof *pieces->pieces);
     of->outline = (fxl_point *)(void *)workspace;
-    pieces->corner_count = 0;
-    pieces->piece_count = 0;
     of->shader.code = &code;
     of->beams = beams;
     of->beam_count = beam_count;
