@@ -269,6 +269,15 @@ void test_wires_that_fail_at_any_time(void)
     assert_failures(&oleds[0]);
 }
 
+/* Of a module that there is not. */
+static void expect_none(fxl_display_config config)
+{
+    TEST_ASSERT_NULL(config.driver);
+    TEST_ASSERT_EQUAL(0, config.width | config.height | config.left | config.top | config.access);
+    TEST_ASSERT_FALSE(config.is_inverted);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
+}
+
 static void expect_range(fxl_display_config config)
 {
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
@@ -290,9 +299,9 @@ void test_what_is_refused_sends_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_send, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_pause, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_wait, palette));
-    expect_range(fxl_display_config_default(&fxl_ssd1306, 1)); /* it has no quarter turns */
-    expect_range(fxl_display_config_default(&fxl_st7789, 4));
-    expect_range(fxl_display_config_default(NULL, 0));
+    expect_none(fxl_display_config_default(&fxl_ssd1306, 1)); /* it has no quarter turns */
+    expect_none(fxl_display_config_default(&fxl_st7789, 4));
+    expect_none(fxl_display_config_default(NULL, 0));
     wrong.width = 0;
     expect_range(wrong);
     wrong.width = FXL_SCREEN_MAX + 1;

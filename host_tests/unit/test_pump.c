@@ -86,7 +86,10 @@ static fxl_status init(const fxl_pixel_format *format, uint16_t rows)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, format, palette));
         config.pixels = &pixels;
     }
-    return fxl_pump_init(&pump, &config, &sink, memory, fxl_pump_memory_size(&config));
+    const fxl_status status =
+        fxl_pump_init(&pump, &config, &sink, memory, fxl_pump_memory_size(&config));
+    TEST_ASSERT_TRUE(status != FXL_OK || (pump.band.first_row == 0 && pump.band.rows == 0));
+    return status;
 }
 
 /* What must arrive of a frame. */

@@ -64,8 +64,8 @@ typedef struct fxl_display {
 } fxl_display;
 
 /* The configuration of a common module of a controller, turned clockwise by 0 to 3 quarter
- * turns. An SSD1306 or SH1106 turns by 0 and 2 only; for other turns driver is null, and
- * fxl_display_open refuses the configuration. */
+ * turns. An SSD1306 or SH1106 turns by 0 and 2 only; for other turns all is 0, driver
+ * too, and fxl_display_open refuses the configuration. */
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns);
 
