@@ -82,6 +82,7 @@ void tearDown(void)
 static fxl_status init(const fxl_pixel_format *format, uint16_t rows)
 {
     fxl_pump_config config = {NULL, WIDTH, HEIGHT, rows};
+    memset(&pump, 0x5A, sizeof pump);
     if (format != NULL) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, format, palette));
         config.pixels = &pixels;
