@@ -3,63 +3,21 @@
 ToolError with a short message. The seed is fixed; FUZZ_EXAMPLES (make fuzz) asks for more examples, by another
 seed."""
 
-import collections
-import contextlib
 import copy
 import io
-import os
 import pathlib
 import re
 import tempfile
 
-from hypothesis import HealthCheck, given, seed, settings, strategies as st
+from hypothesis import given, strategies as st
 from PIL import Image
 
 import scene as scene_tool
 from conftest import CHECKOUT
+from fuzzing import fuzzed, short_refusals
 from fixel import image, texture_image, toml_billboard, toml_light, toml_model, toml_motion, toml_object, toml_scene, toml_texture
-from fixel.errors import ToolError
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
-
-EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "150"))
-SEED = int(os.environ.get("FUZZ_SEED", "13"))
-MESSAGE_MAX = 600       # characters: two quotes, the known keys, the file's name
-
-
-taken = collections.Counter()   # what became of the inputs of a test
-
-
-def fuzzed(least):
-    """A test with a fixed number of examples by a fixed seed. least: the share of them that must be sound, or what
-    comes behind the checks is not tried."""
-    quiet = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
-
-    def of(test):
-        run = seed(SEED)(settings(max_examples=EXAMPLES, deadline=None, database=None, derandomize=False,
-                                  suppress_health_check=quiet)(test))
-
-        def whole():
-            taken.clear()
-            run()
-            assert taken["sound"] >= least * taken.total(), taken
-
-        whole.__name__ = test.__name__
-        return whole
-
-    return of
-
-
-@contextlib.contextmanager
-def short_refusals(folder):
-    """What is done within ends well, or in one ToolError with a short message."""
-    try:
-        yield
-        taken["sound"] += 1
-    except ToolError as error:
-        taken["refused"] += 1
-        text = str(error).replace(folder, "")
-        assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
 
 
 def check(name, data, *beside):
