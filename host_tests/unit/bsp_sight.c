@@ -43,7 +43,9 @@ void bsp_tilt(bsp_scene *made, fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
 fxl_pose bsp_shuffle(bsp_scene *made)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
-    bsp_tilt(made, unit_random(), unit_random(), unit_random());
+    /* In this order, on every compiler. */
+    const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
+    bsp_tilt(made, yaw, pitch, roll);
     for (uint32_t i = 0; i < TINY_INSTANCES; i += 2) {
         fxl_point *centre = &made->tiny->instances[i].centre;
         centre->x = unit_between(-Q16(2), Q16(2));

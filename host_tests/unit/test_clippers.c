@@ -31,23 +31,6 @@ static fxl_view random_view(void)
     return clip_random_view(WIDTH, HEIGHT);
 }
 
-/* Flat, convex, of 3 to 6 vertices; before the eye, or partly behind it. */
-static fxl_polygon random_face(const fxl_view *view)
-{
-    static const int8_t ring[6][2] = {{8, 0}, {4, 7}, {-4, 7}, {-8, 0}, {-4, -7}, {4, -7}};
-    int step = unit_random() % 2 == 0 ? 1 : 2;
-    fxl_polygon polygon = {.colour = (uint8_t)unit_random(), .count = (uint8_t)(6 / step)};
-    fxl_q16_16 depth = unit_between(Q16(0.5), Q16(20)), size = unit_between(Q16(0.01), Q16(1));
-    fxl_q16_16 x = unit_between(-depth, depth), y = unit_between(-depth, depth);
-    int lean = unit_between(-2, 2);
-    for (int i = 0; i < polygon.count; i++) {
-        int across = ring[i * step][0], up = ring[i * step][1];
-        polygon.vertices[i].position = clip_place(view, x + across * size, y + up * size,
-                                                  depth + lean * (across + up) * (size / 2));
-    }
-    return polygon;
-}
-
 /* What a clipper gives for a face. */
 static fxl_screen_polygon got[PIECES];
 
@@ -94,7 +77,7 @@ void test_a_polygon_inside_is_projected(void)
     int inside = 0;
     for (int round = 0; round < UNIT_REPEAT / 8; round++) {
         fxl_view view = random_view();
-        fxl_polygon polygon = random_face(&view);
+        fxl_polygon polygon = clip_random_face(&view);
         polygon_face_set(&face, &polygon, &view, 8);
         fxl_clip_result wanted = fxl_clip_by_view(&face.model_view, &face.face, &work, &expected);
         if (wanted != FXL_CLIP_INSIDE && wanted != FXL_CLIP_BETWEEN) {
@@ -129,7 +112,7 @@ void test_half_spaces_cut_as_the_view_does(void)
     int cut = 0;
     for (int round = 0; round < UNIT_REPEAT / 4; round++) {
         fxl_view view = random_view();
-        fxl_polygon polygon = random_face(&view);
+        fxl_polygon polygon = clip_random_face(&view);
         fxl_clip_result result;
         polygon_face_set(&face, &polygon, &view, 8);
         fxl_clip_result wanted = fxl_clip_by_view(&face.model_view, &face.face, &work, &expected);
@@ -157,7 +140,7 @@ void test_triangles_add_up(void)
     for (int round = 0; round < UNIT_REPEAT / 4; round++) {
         fxl_view view = random_view();
         view.view_frustum.inset = 0; /* the borders are where the screen ends */
-        fxl_polygon polygon = random_face(&view);
+        fxl_polygon polygon = clip_random_face(&view);
         fxl_clip_result result;
         polygon_face_set(&face, &polygon, &view, 8);
         fxl_clip_result wanted = fxl_clip_by_view(&face.model_view, &face.face, &work, &expected);

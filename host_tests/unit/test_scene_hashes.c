@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: MIT */
+/* Frames of moving cubes, by every way to draw them, and what was counted, are the same on every
+ * core: hashes on record, as in test_surface_hashes.c. */
+#include "bsp_sight.h"
+#include "cluster_scene.h"
+#include "fixel/extra/spans.h"
+
+enum {
+    FRAMES = 60, /* of each kind */
+    WIDTH = 48,
+    HEIGHT = 32,
+    BACKGROUND = 200,
+    LIST_WORDS = 24 * FXL_DISPLAY_LIST_WORDS(8),
+    ORDER = TINY_INSTANCES + 6,
+    ROOM = FXL_SPAN_BUFFER_BYTES(HEIGHT, 60) + 1024,
+    LEVELS = 8
+};
+
+static uint8_t frame[HEIGHT * WIDTH], ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], lit[256], texels[6 * 5];
+static uint32_t list[LIST_WORDS];
+static fxl_order_entry order[ORDER];
+static fxl_cached_vertex cache[8];
+static fxl_renderer renderer;
+static FXL_ALIGN_8 fxl_clipper_workspace clipper_room;
+static FXL_ALIGN_8 uint8_t room[ROOM], pieces[3072], beam_room[4608];
+static fxl_outline_style style;
+static fxl_light light;
+static fxl_billboards billboards;
+static fxl_sprite sprite;
+static fxl_billboard board;
+static fxl_billboard_set set;
+static fxl_turn turns[2];
+static fxl_beam beams[2];
+static bsp_scene *made;
+
+void setUp(void)
+{
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(i + 29 * (i / 256));
+    }
+    for (uint32_t i = 0; i < sizeof lit; i++) {
+        lit[i] = (uint8_t)(i + 100);
+    }
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(30 + i);
+    }
+}
+
+void tearDown(void)
+{
+}
+
+/* What a kind of frames has. */
+enum {
+    TREE = 1,
+    CLUSTERED = 2,
+    TURN = 4,
+    BILLBOARD = 8,
+    BEAMS = 16,
+    LIGHT = 32
+};
+
+/* Instance 2 is turned and scaled, and so is instance 1 where it has no tree. */
+static void make_turns(fxl_scene *scene)
+{
+    scene->turns = turns;
+    scene->first_turned = scene->bsp_nodes != NULL ? 2 : 1;
+    scene->turn_code = &fxl_turned_instances;
+    for (uint32_t i = 0; i < TINY_INSTANCES - scene->first_turned; i++) {
+        const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
+        turns[i].scale = unit_between(Q16(0.25), Q16(2));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_orientation_from_angles(yaw, pitch, roll, &turns[i].orientation));
+    }
+}
+
+/* Instance 1 shows a sprite instead of a face. */
+static void make_billboard(tiny_scene *tiny)
+{
+    static const uint16_t map[2] = {0, 1};
+    tiny->models[1].face_count = 1;
+    tiny->models[1].kind = FXL_MODEL_CONVEX;
+    tiny->scene.face_count = 7;
+    tiny->scene.face_bounds = NULL;
+    tiny->scene.face_bounds_count = 0;
+    sprite = (fxl_sprite){texels, NULL, 6, 5, 8, 33};
+    board = (fxl_billboard){.sprite = &sprite,
+                            .width = unit_between(Q16(0.5), Q16(1.8)),
+                            .height = Q16(2),
+                            .anchor_x = unit_between(Q16(0.4), Q16(0.5)),
+                            .anchor_y = Q16(1)};
+    set = (fxl_billboard_set){&board, 1, map};
+}
+
+/* Through a window above the cubes, from a lamp and from the sun. */
+static void make_beams(void)
+{
+    const fxl_q16_16 x = unit_between(Q16(-1), Q16(1)), y = Q16(4);
+    const fxl_point window[] = {{x - Q16(0.9), y, Q16(8.5)},
+                                {x + Q16(0.8), y, Q16(8.4)},
+                                {x + Q16(1.1), y, Q16(10.3)},
+                                {x - Q16(0.7), y, Q16(10.6)}};
+    const fxl_point lamp = {Q16(0.3), Q16(30), unit_between(Q16(5), Q16(13))};
+    const fxl_direction slanted = {0, Q30(-0.8), Q30(0.6)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beams[0]));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&slanted, window, 4, &beams[1]));
+}
+
+static fxl_pose make_scene(uint32_t with)
+{
+    static bsp_scene clustered;
+    if (with & CLUSTERED) {
+        clustered.tiny = cluster_make()->tiny;
+        made = &clustered;
+    } else {
+        made = bsp_make();
+    }
+    fxl_scene *scene = &made->tiny->scene;
+    if (!(with & TREE)) {
+        scene->bsp_nodes = NULL;
+        scene->bsp_node_count = 0;
+        scene->bsp_instance = 0;
+    }
+    const fxl_pose pose = bsp_shuffle(made);
+    if (with & TURN) {
+        make_turns(scene);
+    }
+    if (with & BILLBOARD) {
+        make_billboard(made->tiny);
+    }
+    fxl_scene_fault fault = {"", 0};
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(scene, &fault), fault.what);
+    return pose;
+}
+
+static void add_light(void)
+{
+    const fxl_light_settings settings = {.ambient = FXL_Q2_30_ONE / 8,
+                                         .strength = FXL_Q2_30_ONE / 2,
+                                         .direction = unit_direction(),
+                                         .points = {{{Q16(2), Q16(3), Q16(8)}, Q16(9), Q30(0.6)}},
+                                         .point_count = 1,
+                                         .fog_near = Q16(5),
+                                         .fog_far = unit_between(Q16(9), Q16(15)),
+                                         .ramp = ramp,
+                                         .levels = LEVELS};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &settings));
+}
+
+static void *workspace_of(const fxl_visibility *method, uint32_t *size)
+{
+    style = (fxl_outline_style){.line = 1, .fill = 2, .keeps_colours = true};
+    *size = method == &fxl_visibility_outlined ? sizeof style : sizeof room;
+    return method == &fxl_visibility_outlined ? (void *)&style : room;
+}
+
+static void start(const fxl_clipper *clipper, const fxl_visibility *method, uint32_t with)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const uint32_t words = unit_between(0, 3) ? (uint32_t)unit_between(0, LIST_WORDS) : 0;
+    const fxl_memory memory = {order, ORDER, list, words, cache, (uint32_t)unit_between(0, 8)};
+    uint32_t size;
+    void *workspace = workspace_of(method, &size);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&renderer, &made->tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &clipper_room,
+                                                       clipper->workspace_size));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, workspace, size));
+    if (with & TREE) {
+        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        tree->pieces = pieces;
+        tree->pieces_size = (uint32_t)unit_between(0, sizeof pieces / 4) * 4;
+    }
+    if (with & BILLBOARD) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    }
+    if (with & BEAMS) {
+        make_beams();
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_beams(&renderer, beams, 2, lit, beam_room, sizeof beam_room));
+    }
+    if (with & LIGHT) {
+        add_light();
+    }
+}
+
+static uint32_t draw(const fxl_pose *pose)
+{
+    const uint32_t rows = (uint32_t)unit_between(1, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        const uint32_t left = HEIGHT - row;
+        const fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
+                               (uint16_t)(rows < left ? rows : left)};
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+    return unit_crc32(frame, sizeof frame) +
+           31u * unit_crc32((const uint8_t *)&renderer.workspace.counters,
+                            sizeof renderer.workspace.counters);
+}
+
+static uint32_t hash_of(const fxl_clipper *clipper, const fxl_visibility *method, uint32_t with)
+{
+    uint32_t hash = 0;
+    for (uint32_t i = 0; i < FRAMES; i++) {
+        const fxl_pose pose = make_scene(with);
+        start(clipper, method, with);
+        hash = 31u * hash + draw(&pose);
+        if (with & TREE) {
+            const fxl_bsp_workspace *tree = renderer.submit_workspace;
+            hash = 31u * hash + tree->used + 7u * tree->unsplit;
+        }
+    }
+    return hash;
+}
+
+void test_frames_are_those_on_record(void)
+{
+    static const fxl_visibility *const sorted = &fxl_visibility_sorted;
+    static const struct {
+        const fxl_clipper *clipper;
+        const fxl_visibility *method;
+        uint32_t with, hash;
+    } record[] = {
+        {&fxl_clipper_view, sorted, 0, 0xB9FA5305},
+        {&fxl_clipper_world, sorted, TURN, 0x2BA68FA3},
+        {&fxl_clipper_normalised, sorted, TURN, 0x90F368A3},
+        {&fxl_clipper_once, sorted, TURN | LIGHT, 0xBC032351},
+        {&fxl_clipper_half_spaces, sorted, TURN | CLUSTERED, 0x9424B960},
+        {&fxl_clipper_triangles, sorted, TURN, 0x11D8B180},
+        {&fxl_clipper_near, sorted, TURN | CLUSTERED, 0x285909C9},
+        {&fxl_clipper_left, sorted, TURN, 0xB889E141},
+        {&fxl_clipper_view, sorted, TURN | CLUSTERED, 0x409C221F},
+        {&fxl_clipper_view, sorted, BEAMS, 0x8C797C47},
+        {&fxl_clipper_world, sorted, BEAMS | TURN, 0x1F6D9A73},
+        {&fxl_clipper_triangles, sorted, BEAMS | TURN, 0x468298CF},
+        {&fxl_clipper_view, sorted, TURN | LIGHT, 0x2BAF56BB},
+        {&fxl_clipper_view, sorted, BILLBOARD, 0xD0360F40},
+        {&fxl_clipper_world, sorted, BILLBOARD | TURN | LIGHT, 0xD0C38AA5},
+        {&fxl_clipper_view, &fxl_visibility_bsp, TREE, 0xC2C83286},
+        {&fxl_clipper_view, &fxl_visibility_bsp, TREE | TURN, 0xC5106388},
+        {&fxl_clipper_view, &fxl_visibility_bsp, TREE | TURN | LIGHT, 0x3781BE78},
+        {&fxl_clipper_view, &fxl_visibility_bsp, TREE | TURN | BEAMS, 0x3351398D},
+        {&fxl_clipper_triangles, &fxl_visibility_bsp, TREE | TURN, 0x1D11D369},
+        {&fxl_clipper_view, &fxl_visibility_bsp_spans, TREE | TURN, 0x8D907A52},
+        {&fxl_clipper_near, &fxl_visibility_bsp_spans, TREE | TURN | BEAMS, 0xFDE1909A},
+        {&fxl_clipper_view, &fxl_visibility_spans, TURN | CLUSTERED, 0xBC9DE702},
+        {&fxl_clipper_once, &fxl_visibility_spans, TURN | BEAMS, 0xC89ACB92},
+        {&fxl_clipper_view, &fxl_visibility_spans_box, TURN | LIGHT, 0xF459EBD7},
+        {&fxl_clipper_view, &fxl_visibility_box, TURN, 0xB4F82262},
+        {&fxl_clipper_view, &fxl_visibility_outlined, TURN, 0x4B396C6D},
+        {&fxl_clipper_left, &fxl_visibility_outlined, CLUSTERED | LIGHT, 0x8E566B57},
+    };
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {
+        const uint32_t hash = hash_of(record[i].clipper, record[i].method, record[i].with);
+        wrong += unit_tell_hash(hash, record[i].hash);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, wrong);
+}
