@@ -30,9 +30,7 @@ void tearDown(void)
 
 static void mix(int64_t value)
 {
-    hash = 31u * hash + (uint32_t)value;
-    hash = 31u * hash + (uint32_t)(value >> 32);
-    hash ^= hash >> 15;
+    hash = unit_mix(hash, value);
 }
 
 static void mix_screen(const fxl_screen_polygon *screen)

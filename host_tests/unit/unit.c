@@ -102,6 +102,13 @@ bool unit_near(double a, double b, double bound)
     return fabs(a - b) <= bound;
 }
 
+uint32_t unit_mix(uint32_t hash, int64_t value)
+{
+    hash = 31u * hash + (uint32_t)value;
+    hash = 31u * hash + (uint32_t)(value >> 32);
+    return hash ^ hash >> 15;
+}
+
 uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record)
 {
     char text[] = "0x00000000";

@@ -55,6 +55,9 @@ fxl_lens unit_any_lens(void);
 /* CRC-32 of IEEE 802.3. */
 uint32_t unit_crc32(const uint8_t *bytes, uint32_t size);
 
+/* A hash of what was hashed before and a number. */
+uint32_t unit_mix(uint32_t hash, int64_t value);
+
 /* 1, and a message with the hash, where it is not the one on record; else 0. */
 uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record);
 
