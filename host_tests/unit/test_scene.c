@@ -133,6 +133,7 @@ void test_size_of_the_image(void)
     expect_word(FXL_E_SIZE, AT_SIZE, size + 4);
     expect_word(FXL_E_SIZE, AT_SIZE, 0);
     expect_word(FXL_E_SIZE, AT_SIZE, HEADER_SIZE - 4);
+    expect_word(FXL_E_OFFSET, AT_SIZE, HEADER_SIZE); /* it has no tables */
     expect_word(FXL_E_SIZE, AT_SIZE, 16 * 1024 * 1024 + 4);
     expect_word(FXL_E_SIZE, AT_SIZE, 0xFFFFFFFCu);
     expect_word(FXL_E_SIZE, AT_SIZE, size - 1);
