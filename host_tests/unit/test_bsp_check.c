@@ -101,6 +101,30 @@ void test_faces_lie_on_the_plane(void)
     }
 }
 
+/* A triangle, and a plane that is tilted about one of its edges by a thousandth: the vertex that is
+ * not on it is found wherever the triangle begins. */
+void test_each_vertex_of_a_face_lies_on_the_plane(void)
+{
+    const fxl_q2_30 sine = 1 << 20, cosine = FXL_Q2_30_ONE - 512;
+    const uint64_t distance = (uint64_t)(sine + cosine) * 65536u;
+    for (uint32_t first = 0; first < 3; first++) {
+        uint16_t *corners = &made->tiny->corners[made->tiny->faces[11].first_index];
+        const uint16_t triangle[] = {corners[0], corners[1], corners[2]};
+        for (uint32_t i = 0; i < 3; i++) {
+            corners[i] = triangle[(first + i) % 3];
+        }
+        made->tiny->faces[11].count = 3;
+        made->tiny->scene.index_count--;
+        made->tiny->scene.face_bounds = NULL;
+        made->tiny->scene.face_bounds_count = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
+        made->nodes[5].normal = (fxl_direction){0, sine, cosine};
+        made->nodes[5].distance_low = (uint32_t)distance;
+        made->nodes[5].distance_high = (uint32_t)(distance >> 32);
+        expect(FXL_E_PLANARITY, "BSP node", 5);
+    }
+}
+
 void test_spheres(void)
 {
     made->nodes[3].radius = -1;

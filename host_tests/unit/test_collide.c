@@ -130,6 +130,9 @@ void test_a_segment_meets_a_sphere_exactly(void)
     const fxl_point from = {-3, 5, 0}, to = {3, 5, 0}, high_from = {-3, 6, 0}, high_to = {3, 5, 0};
     TEST_ASSERT_TRUE(fxl_sphere_meets_segment(&sphere, &from, &to));
     TEST_ASSERT_FALSE(fxl_sphere_meets_segment(&sphere, &high_from, &high_to));
+    /* The shortest segment there is: its end touches, its start does not. */
+    const fxl_point start = {-1, 5, 0}, end = {0, 5, 0};
+    TEST_ASSERT_TRUE(fxl_sphere_meets_segment(&sphere, &start, &end));
 }
 
 /* Vectors of any size, and such as lie nearly in one plane. */
@@ -347,7 +350,8 @@ void test_a_segment_hits_what_is_turned(void)
  * no hit is written, also where the segment comes nowhere near the instance. */
 void test_a_segment_against_turns_that_are_refused(void)
 {
-    const fxl_point from = {Q16(4000), Q16(4000), Q16(4000)}, to = {Q16(4000), Q16(4001), Q16(4000)};
+    const fxl_point from = {Q16(4000), Q16(4000), Q16(4000)},
+                    to = {Q16(4000), Q16(4001), Q16(4000)};
     const fxl_hit before = {{1, 2, 3}, 4, 5, 6};
     tiny_scene *tiny = tiny_make();
     tiny->scene.instance_count = 1;

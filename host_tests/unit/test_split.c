@@ -102,6 +102,23 @@ void test_a_vertex_on_the_plane_belongs_to_both(void)
     expect_outline(NUMBERS(0, 4, 0, 0, -4, -4), &back);
 }
 
+/* A point that is the least bit off the plane belongs to its own side alone: two points of the
+ * square are 2^-46 units in front, or behind. */
+void test_the_least_distance_counts(void)
+{
+    const fxl_piece in_front = flat(NUMBERS(0, 0, 0, 4, -4, 4, -4, 0)),
+                    behind = flat(NUMBERS(0, 0, 0, 4, 4, 4, 4, 0));
+    fxl_plane nearly = wall;
+    nearly.distance = -1;
+    TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&in_front, &nearly, &front, &back));
+    TEST_ASSERT_EQUAL(4, front.count); /* two of the square's, and two where it is cut */
+    TEST_ASSERT_EQUAL(4, back.count);
+    nearly.distance = 1;
+    TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&behind, &nearly, &front, &back));
+    TEST_ASSERT_EQUAL(4, front.count);
+    TEST_ASSERT_EQUAL(4, back.count);
+}
+
 void test_an_edge_alone_is_split(void)
 {
     split(NUMBERS(-4, 0, 8, 12));
