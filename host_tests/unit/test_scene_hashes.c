@@ -23,6 +23,8 @@ static fxl_cached_vertex cache[8];
 static fxl_renderer renderer;
 static FXL_ALIGN_8 fxl_clipper_workspace clipper_room;
 static FXL_ALIGN_8 uint8_t room[ROOM], pieces[3072], beam_room[4608];
+static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32)];
+static fxl_depth depth;
 static fxl_outline_style style;
 static fxl_light light;
 static fxl_billboards billboards;
@@ -57,7 +59,8 @@ enum {
     TURN = 4,
     BILLBOARD = 8,
     BEAMS = 16,
-    LIGHT = 32
+    LIGHT = 32,
+    OFF_CENTRE = 64
 };
 
 /* Instance 2 is turned and scaled, and so is instance 1 where it has no tree. */
@@ -151,32 +154,38 @@ static void add_light(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &settings));
 }
 
-static void *workspace_of(const fxl_visibility *method, uint32_t *size)
+static bool is_depth(const fxl_visibility *method)
 {
-    style = (fxl_outline_style){.line = 1, .fill = 2, .keeps_colours = true};
-    *size = method == &fxl_visibility_outlined ? sizeof style : sizeof room;
-    return method == &fxl_visibility_outlined ? (void *)&style : room;
+    return method == &fxl_visibility_depth || method == &fxl_visibility_depth_32;
 }
 
-static void start(const fxl_clipper *clipper, const fxl_visibility *method, uint32_t with)
+static void set_method(const fxl_visibility *method)
 {
-    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const uint32_t words = unit_between(0, 3) ? (uint32_t)unit_between(0, LIST_WORDS) : 0;
-    const fxl_memory memory = {order, ORDER, list, words, cache, (uint32_t)unit_between(0, 8)};
-    uint32_t size;
-    void *workspace = workspace_of(method, &size);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init_with(&renderer, &made->tiny->scene, &lens, &memory));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &clipper_room,
-                                                       clipper->workspace_size));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, workspace, size));
+    if (is_depth(method)) {
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_depth(&renderer, &depth, method, cells, sizeof cells));
+    } else if (method == &fxl_visibility_outlined) {
+        style = (fxl_outline_style){.line = 1, .fill = 2, .keeps_colours = true};
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_visibility(&renderer, method, &style, sizeof style));
+    } else {
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_visibility(&renderer, method, room, sizeof room));
+    }
+}
+
+static void add_extras(const fxl_visibility *method, uint32_t with)
+{
     if (with & TREE) {
         fxl_bsp_workspace *tree = renderer.submit_workspace;
         tree->pieces = pieces;
         tree->pieces_size = (uint32_t)unit_between(0, sizeof pieces / 4) * 4;
     }
     if (with & BILLBOARD) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          is_depth(method)
+                              ? fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set)
+                              : fxl_renderer_set_billboards(&renderer, &billboards, &set));
     }
     if (with & BEAMS) {
         make_beams();
@@ -186,6 +195,31 @@ static void start(const fxl_clipper *clipper, const fxl_visibility *method, uint
     if (with & LIGHT) {
         add_light();
     }
+}
+
+static fxl_lens make_lens(uint32_t with)
+{
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    if (with & OFF_CENTRE) {
+        const fxl_q16_16 x = unit_between(Q16(-WIDTH), Q16(2 * WIDTH)),
+                         y = unit_between(0, Q16(HEIGHT));
+        lens.inset = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_set_centre(&lens, x, y));
+    }
+    return lens;
+}
+
+static void start(const fxl_clipper *clipper, const fxl_visibility *method, uint32_t with)
+{
+    const fxl_lens lens = make_lens(with);
+    const uint32_t words = unit_between(0, 3) ? (uint32_t)unit_between(0, LIST_WORDS) : 0;
+    const fxl_memory memory = {order, ORDER, list, words, cache, (uint32_t)unit_between(0, 8)};
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init_with(&renderer, &made->tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &clipper_room,
+                                                       clipper->workspace_size));
+    set_method(method);
+    add_extras(method, with);
 }
 
 static uint32_t draw(const fxl_pose *pose)
@@ -255,6 +289,15 @@ void test_frames_are_those_on_record(void)
         {&fxl_clipper_view, &fxl_visibility_box, TURN, 0x868D87BB},
         {&fxl_clipper_view, &fxl_visibility_outlined, TURN, 0x2840FE04},
         {&fxl_clipper_left, &fxl_visibility_outlined, CLUSTERED | LIGHT, 0xCAB25BE7},
+        {&fxl_clipper_view, &fxl_visibility_depth, TURN | BEAMS, 0x6016489A},
+        {&fxl_clipper_once, &fxl_visibility_depth, TURN | CLUSTERED | OFF_CENTRE, 0xD0877E37},
+        {&fxl_clipper_triangles, &fxl_visibility_depth_32, TURN | BEAMS, 0xD1A7A78D},
+        {&fxl_clipper_view, &fxl_visibility_depth_32, TURN | BILLBOARD | LIGHT, 0x3F88B336},
+        {&fxl_clipper_view, sorted, TURN | CLUSTERED | OFF_CENTRE, 0x4BE9AB07},
+        {&fxl_clipper_triangles, sorted, TURN | BEAMS | OFF_CENTRE, 0xD9982D40},
+        {&fxl_clipper_left, sorted, TURN | BILLBOARD | OFF_CENTRE, 0xCF692EDA},
+        {&fxl_clipper_normalised, &fxl_visibility_spans, TURN | OFF_CENTRE, 0xA0462869},
+        {&fxl_clipper_world, &fxl_visibility_bsp, TREE | TURN | OFF_CENTRE, 0x87A7A0B7},
     };
     uint32_t wrong = 0;
     for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {
