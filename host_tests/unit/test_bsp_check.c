@@ -38,6 +38,15 @@ void test_whose_it_is(void)
     expect(FXL_E_RESERVED, "BSP tree", 0);
     made->tiny->instances[2].model = 1;
     expect(FXL_E_BSP, "instance", 2);
+    static const fxl_turn turns[] = {FXL_TURN_NONE, FXL_TURN_NONE};
+    made->tiny->scene.turns = turns;
+    made->tiny->scene.turn_code = &fxl_turned_instances;
+    made->tiny->scene.first_turned = 1; /* what has a tree stands still */
+    expect(FXL_E_BSP, "BSP tree", 0);
+    made->tiny->scene.turns = turns;
+    made->tiny->scene.turn_code = &fxl_turned_instances;
+    made->tiny->scene.first_turned = 2;
+    expect(FXL_OK, NULL, 0);
     made->tiny->models[0].kind = FXL_MODEL_SORTED;
     made->tiny->scene.face_bounds = NULL;
     made->tiny->scene.face_bounds_count = 0;

@@ -285,7 +285,11 @@ void test_bands_of_the_wrong_kind_are_refused(void)
                       fxl_render_rgb565(&walls.renderer, &walls_eye, walls.pixels, WIDTH - 1));
     band.stride = 32768;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw_rgb565(&walls.renderer, &band));
+    band.stride = 32767;
+    band.rows = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_rgb565(&walls.renderer, &band));
     band.stride = WIDTH;
+    band.rows = HEIGHT;
     band.first_row = 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw_rgb565(&walls.renderer, &band));
     band.first_row = 0;

@@ -134,6 +134,11 @@ void test_frames_with_turned_clusters(void)
         pose.position = (fxl_point){unit_between(Q16(-6), Q16(6)), unit_between(Q16(-6), Q16(6)),
                                     unit_between(Q16(4), Q16(16))};
         turn_all(tiny);
+        if (i % 8 == 5) { /* so small and so far away that its eye has another unit */
+            turns[1].scale = FXL_SCALE_MIN;
+            pose.position.z -= unit_between(Q16(100), Q16(400));
+            pose.yaw = pose.pitch = 0;
+        }
         tiny->scene.face_bounds = i % 3 ? tiny->keys : NULL;
         tiny->scene.face_bounds_count = i % 3 ? 6 : 0;
         const fxl_counters with = draw(tiny, &pose, 0, i % 2, clipper);
