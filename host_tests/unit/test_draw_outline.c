@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* Outlines drawn in one call: the pixels of the definition, and whether they reach the band. */
+#include "picture.h"
+#include "src/raster/draw_outline.h"
+
+enum {
+    WIDTH = 20,
+    HEIGHT = 16,
+    COLOUR = 7
+};
+
+static uint8_t pixels[HEIGHT * WIDTH];
+static fxl_scan scan;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* Of any shape: one in four is convex, and those are the ones between two chains. Some lie above or
+ * below the screen. */
+static fxl_screen_polygon any_outline(void)
+{
+    static const int8_t ring[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    fxl_screen_polygon outline = {.count = 4, .colour = COLOUR};
+    const bool is_convex = unit_random() % 4 == 0;
+    const int32_t x = unit_between(0, Q16(WIDTH)), y = unit_between(Q16(-6), Q16(HEIGHT + 6));
+    const int32_t wide = unit_between(1, Q16(9)), high = unit_between(1, Q16(9));
+    for (int i = 0; i < 4; i++) {
+        fxl_screen_point *point = &outline.points[i];
+        point->x = is_convex ? x + ring[i][0] * wide : unit_between(0, Q16(WIDTH));
+        point->y = is_convex ? y + ring[i][1] * high : y + unit_between(-high, high);
+        point->x = point->x < 0 ? 0 : point->x > Q16(WIDTH) ? Q16(WIDTH) : point->x;
+        point->y = point->y < 0 ? 0 : point->y > Q16(HEIGHT) ? Q16(HEIGHT) : point->y;
+    }
+    return outline;
+}
+
+/* Whether a row of the band has a centre between the highest and the lowest point. */
+static bool reaches(const fxl_screen_polygon *outline, int32_t first, int32_t rows)
+{
+    int32_t top = INT32_MAX, bottom = INT32_MIN;
+    for (uint32_t i = 0; i < outline->count; i++) {
+        top = outline->points[i].y < top ? outline->points[i].y : top;
+        bottom = outline->points[i].y > bottom ? outline->points[i].y : bottom;
+    }
+    for (int32_t row = first; row < first + rows; row++) {
+        const int32_t centre = row * 65536 + 32768;
+        if (top <= centre && centre < bottom) {
+            return true;
+        }
+    }
+    return false;
+}
+
+typedef bool drawer(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                    fxl_scan *scan);
+
+static void expect_outline(drawer *draw, const fxl_screen_polygon *outline, const fxl_band *band,
+                           bool wanted)
+{
+    memset(pixels, 0, sizeof pixels);
+    scan.colour = COLOUR;
+    const bool found = draw(outline->points, outline->count, band, &scan);
+    TEST_ASSERT_TRUE(FXL_IS_SMALL ? found : found == wanted);
+    for (int32_t row = 0; row < band->rows; row++) {
+        for (int32_t x = 0; x < WIDTH; x++) {
+            TEST_ASSERT_EQUAL(picture_winding(outline, x, band->first_row + row) != 0 ? COLOUR : 0,
+                              pixels[row * WIDTH + x]);
+        }
+    }
+}
+
+void test_an_outline_has_its_pixels_and_says_whether_it_reaches_the_band(void)
+{
+    uint32_t reached = 0, missed = 0;
+    for (int i = 0; i < UNIT_REPEAT / 40; i++) {
+        const fxl_screen_polygon outline = any_outline();
+        const int32_t first = unit_between(0, HEIGHT - 1), rows = unit_between(1, HEIGHT - first);
+        const fxl_band band = {pixels, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
+        const bool wanted = reaches(&outline, first, rows);
+        expect_outline(fxl_draw_outline, &outline, &band, wanted);
+        expect_outline(fxl_draw_by_active_edges, &outline, &band, wanted);
+        reached += wanted;
+        missed += !wanted;
+    }
+    TEST_ASSERT_TRUE(reached > UNIT_REPEAT / 200 && missed > UNIT_REPEAT / 400);
+}
