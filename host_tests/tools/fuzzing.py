@@ -18,7 +18,7 @@ taken = collections.Counter()   # what became of the inputs of a test
 
 def fuzzed(least):
     """A test with a fixed number of examples by a fixed seed. least: the share of them that must be sound, or what
-    comes behind the checks is not tried."""
+    comes behind the checks is not tried: about two thirds of the share of any seed."""
     quiet = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
 
     def of(test):
