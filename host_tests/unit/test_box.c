@@ -147,6 +147,31 @@ void test_the_box_of_an_object(void)
     TEST_ASSERT_EQUAL_MEMORY(&wanted, &box, sizeof box);
 }
 
+/* Of one that has a turn: the points of every face, the first and the last. */
+void test_the_box_of_a_turned_object(void)
+{
+    static const fxl_point vertices[] = {{Q16(1), Q16(-2), 0}, {Q16(-3), 0, Q16(5)},
+                                         {0, Q16(4), Q16(-6)}, {Q16(2), Q16(-1), 0},
+                                         {Q16(-4), 0, Q16(4)}, {0, Q16(5), Q16(-5)}};
+    static const uint16_t indices[] = {0, 1, 2, 3, 4, 5};
+    static const fxl_face faces[] = {{{0, 0, 0}, 0, 3, 0, 0}, {{0, 0, 0}, 3, 3, 0, 0}};
+    static const fxl_model models[] = {{0, 6, 0, 2, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0}};
+    static const fxl_instance instances[] = {{{Q16(10), Q16(20), Q16(30)}, 0, 0, 0}};
+    static const fxl_turn turns[] = {FXL_TURN_NONE};
+    const fxl_scene scene = {.vertices = vertices,
+                             .indices = indices,
+                             .faces = faces,
+                             .models = models,
+                             .instances = instances,
+                             .turns = turns,
+                             .turn_code = &fxl_turned_instances,
+                             .instance_count = 1};
+    fxl_box box;
+    fxl_box_of_instance(&scene, &instances[0], &box);
+    const fxl_box wanted = {{Q16(6), Q16(18), Q16(24)}, {Q16(12), Q16(25), Q16(35)}};
+    TEST_ASSERT_EQUAL_MEMORY(&wanted, &box, sizeof box);
+}
+
 /* A box whose farthest corner is 2^-9 outside a plane, which is 128 units, may still be seen; one
  * whose nearest corner is 2^-9 inside does not cross the plane. One unit more or less decides. */
 void test_the_margin_is_exact(void)

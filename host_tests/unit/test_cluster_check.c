@@ -174,3 +174,24 @@ void test_no_clusters_with_a_tree(void)
     made->tiny->scene.bsp_instance = 1;
     expect(FXL_E_BSP, "BSP tree", 0);
 }
+
+/* Each vertex alone lies outside of its cluster's sphere: one of each corner of the first face, and
+ * those that only a later face has. */
+void test_every_vertex_is_in_the_sphere(void)
+{
+    for (int i = 0; i < 4; i++) {
+        const int32_t y = i & 1 ? Q16(-0.5) : Q16(0.5), z = i & 2 ? Q16(-0.5) : Q16(0.5);
+        made->clusters[0].centre = (fxl_point){Q16(-1), y, z};
+        made->clusters[0].radius = Q16(2.13); /* 1.5 sqrt(2) is 2.12 */
+        expect(FXL_OK, NULL, 0);
+        made->clusters[0].centre = (fxl_point){Q16(-1), y, z};
+        made->clusters[0].radius = Q16(1.7);
+        expect(FXL_E_RADIUS, "cluster", 0);
+    }
+    made->clusters[1].centre = (fxl_point){Q16(1), 0, 0};
+    made->clusters[1].radius = Q16(2.45); /* sqrt(6) */
+    expect(FXL_OK, NULL, 0);
+    made->clusters[1].centre = (fxl_point){Q16(1), 0, 0};
+    made->clusters[1].radius = Q16(1.5); /* of the face +x each is within sqrt(2) */
+    expect(FXL_E_RADIUS, "cluster", 1);
+}

@@ -116,6 +116,10 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
     made->set.blend = table;
     made->set.blend_first = made->scene.faces[2].material;
     made->set.blend_count = 1;
+    const fxl_surface two[2] = {{.opacity = 16}, made->surface}; /* the blended one is the last */
+    made->set.surfaces = two;
+    made->set.surface_count = 2;
+    made->mapped.surface = 1;
     set_texture(2);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Outlines drawn in one call: the pixels of the definition, and whether they reach the band. */
 #include "picture.h"
+#include "src/raster/active_edges.h"
 #include "src/raster/draw_outline.h"
 
 enum {
@@ -11,6 +12,7 @@ enum {
 
 static uint8_t pixels[HEIGHT * WIDTH];
 static fxl_scan scan;
+static uint32_t rows_at_once; /* beyond one a call */
 
 void setUp(void)
 {
@@ -74,6 +76,25 @@ static void expect_outline(drawer *draw, const fxl_screen_polygon *outline, cons
     }
 }
 
+/* fxl_draw_by_active_edges as a small library does it, whatever this one is: all rows that two
+ * edges cross at once. */
+static bool draw_rows_at_once(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                              fxl_scan *by)
+{
+    fxl_span span;
+    fxl_active_edges *edges = &by->active_edges;
+    const fxl_rows rows =
+        fxl_rows_of_points(points, count, (uint16_t)(band->first_row + band->rows));
+    fxl_active_edges_begin(edges, points, count, rows.first, rows.end, band);
+    while (fxl_active_edges_next(edges, &span)) {
+        const int32_t row = edges->row;
+        TEST_ASSERT_EQUAL_INT32(span.y, row);
+        fxl_active_edges_fill(edges, &span, band, by->colour);
+        rows_at_once += (uint32_t)(edges->row - row);
+    }
+    return FXL_IS_SMALL || (rows.first < rows.end && rows.end > band->first_row);
+}
+
 void test_an_outline_has_its_pixels_and_says_whether_it_reaches_the_band(void)
 {
     uint32_t reached = 0, missed = 0;
@@ -84,8 +105,10 @@ void test_an_outline_has_its_pixels_and_says_whether_it_reaches_the_band(void)
         const bool wanted = reaches(&outline, first, rows);
         expect_outline(fxl_draw_outline, &outline, &band, wanted);
         expect_outline(fxl_draw_by_active_edges, &outline, &band, wanted);
+        expect_outline(draw_rows_at_once, &outline, &band, wanted);
         reached += wanted;
         missed += !wanted;
     }
     TEST_ASSERT_TRUE(reached > UNIT_REPEAT / 200 && missed > UNIT_REPEAT / 400);
+    TEST_ASSERT_TRUE(rows_at_once > UNIT_REPEAT / 200);
 }

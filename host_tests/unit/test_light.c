@@ -357,6 +357,10 @@ void test_settings_out_of_range_are_refused(void)
     REFUSED(FXL_E_RANGE, of.fog_near = -1; of.fog_far = 65536);
     REFUSED(FXL_E_RANGE, of.fog_near = 0; of.fog_far = FXL_FAR_MAX + 1);
 #undef REFUSED
+    fxl_light_settings from_the_eye = right; /* fog that begins at the eye */
+    from_the_eye.fog_near = 0;
+    from_the_eye.fog_far = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_light_check(&from_the_eye, NULL));
     renderer = none;
     expect_refused(FXL_E_ORDER, &right);
 }

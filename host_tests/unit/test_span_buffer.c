@@ -7,13 +7,15 @@ enum {
     WIDTH = 24,
     HEIGHT = 4,
     INTERVALS = 40,
-    NOTHING = '.'
+    NOTHING = '.',
+    BEHIND = 0xA5
 };
 
 static uint64_t workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
 static uint8_t pixels[HEIGHT][WIDTH];
 static const fxl_band whole = {&pixels[0][0], WIDTH, WIDTH, 0, HEIGHT};
 static fxl_span_buffer *buffer;
+static uint32_t given; /* bytes of the workspace */
 
 /* The same source with its fill counted: it does whatever the library's does. */
 static uint64_t twin_workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
@@ -27,8 +29,17 @@ static fxl_band twin_of(const fxl_band *band)
     return other;
 }
 
+/* What is behind the memory that a buffer was given. */
+static void expect_nothing_behind(void)
+{
+    uint8_t *end = (uint8_t *)workspace + given;
+    TEST_ASSERT_EACH_EQUAL_HEX8(BEHIND, end, (uint8_t *)workspace + sizeof workspace - end);
+}
+
 static void make(uint32_t size, uint16_t height)
 {
+    given = size;
+    memset((uint8_t *)workspace + size, BEHIND, sizeof workspace - size);
     buffer = fxl_span_buffer_make(workspace, size, height);
     twin = counted_span_buffer_make(twin_workspace, size, height);
     TEST_ASSERT_EQUAL_PTR(workspace, buffer);
@@ -165,6 +176,7 @@ void test_a_full_pool_refuses(void)
     expect_row(0, "aaccbb..................", "0-6");
     TEST_ASSERT_TRUE(draw(3, 7, 8, 'd'));
     TEST_ASSERT_FALSE(draw(2, 7, 8, 'e'));
+    expect_nothing_behind();
 }
 
 /* Every other pixel, from any end: then a row holds as much as it can. */
@@ -178,6 +190,7 @@ void test_the_stated_pool_is_enough_for_a_row(void)
             TEST_ASSERT_TRUE(draw(0, at, at + 1, 'a'));
         }
         TEST_ASSERT_FALSE(draw(1, 0, 1, 'a'));
+        expect_nothing_behind();
         TEST_ASSERT_TRUE(draw(0, 0, WIDTH, 'b'));
         expect_row(0, "abababababababababababab", "0-24");
         TEST_ASSERT_EACH_EQUAL_HEX8(1, writes[0], WIDTH);

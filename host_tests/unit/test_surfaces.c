@@ -4,7 +4,7 @@
 
 #include "fixel/extra/clippers/workspace.h"
 #include "mapped_quad.h"
-#include "unity.h"
+#include "unit.h"
 
 enum {
     WIDTH = 64,
@@ -100,6 +100,20 @@ void test_surfaces_are_counted_as_flat_faces(void)
         TEST_ASSERT_TRUE(flat.drawn > 0 && flat.clipped > 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
+        TEST_ASSERT_EQUAL_MEMORY(&flat, &renderer.workspace.counters, sizeof flat);
+    }
+    /* Of a fan some triangles are cut and others are not. */
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        fxl_pose near = eye;
+        near.position.x += unit_between(Q16(-6), Q16(6));
+        near.position.y += unit_between(0, Q16(3));
+        near.position.z += unit_between(Q16(-6), Q16(6));
+        near.yaw = unit_random();
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, NULL, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &near, frame, WIDTH));
+        const fxl_counters flat = renderer.workspace.counters;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &quad.set));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &near, again, WIDTH));
         TEST_ASSERT_EQUAL_MEMORY(&flat, &renderer.workspace.counters, sizeof flat);
     }
 }

@@ -333,6 +333,25 @@ void test_the_eye_in_the_space_of_the_model(void)
     TEST_ASSERT_TRUE(shifted > UNIT_REPEAT / 100);
 }
 
+/* The last place where an eye keeps its unit, along each axis, and the first where it does not. */
+void test_the_limit_of_an_eye(void)
+{
+    for (int i = 0; i < 6; i++) {
+        for (int half = 0; half < 2; half++) {
+            const fxl_q16_16 radius = 2 * unit_between(0, Q16(50)) + 1;
+            const int32_t limit = (1 << 30) - 1 - radius; /* even, as half a scale wants */
+            const fxl_turn turn = {none.orientation, FXL_Q16_16_ONE >> half};
+            const int32_t to_eye = i < 3 ? limit >> half : -limit >> half;
+            fxl_point from_eye = {0, 0, 0}, eye;
+            (&from_eye.x)[i % 3] = -to_eye;
+            TEST_ASSERT_EQUAL(0, fxl_turn_eye(&turn, &from_eye, radius, &eye));
+            TEST_ASSERT_EQUAL(i < 3 ? limit : -limit, (&eye.x)[i % 3]);
+            (&from_eye.x)[i % 3] = i < 3 ? -to_eye - 1 : -to_eye + 1;
+            TEST_ASSERT_EQUAL(1, fxl_turn_eye(&turn, &from_eye, radius, &eye));
+        }
+    }
+}
+
 void test_the_eye_of_an_instance_that_is_not_turned(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Clusters of turned instances: their spheres, and cones before an eye that was rounded. */
 #include "cluster_scene.h"
+#include "src/scene/turn_code.h"
 #include "src/view/clusters.h"
+#include "src/view/turned_view.h"
 #include "turns.h"
 
 enum {
@@ -110,6 +112,50 @@ static void count_by_definition(const cluster_scene *made, const fxl_view *view,
             *backfacing += !out && !fxl_turn_is_front(&turns[1], &from_eye, &at->normal, height);
         }
     }
+}
+
+/* What a cluster of the cube may cross, of some planes: those that its sphere crosses. */
+static uint32_t planes_by_definition(const fxl_cluster *cluster, const fxl_instance *cube,
+                                     const fxl_view *view, uint32_t planes)
+{
+    fxl_point centre;
+    fxl_turn_point(&turns[1], &cube->centre, &cluster->centre, &centre);
+    const uint32_t crossed = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
+                                               fxl_scaled_radius(turns[1].scale, cluster->radius));
+    return planes == 0 || crossed != FXL_SPHERE_OUTSIDE ? planes & crossed : crossed;
+}
+
+/* With the mark of a scale that is shifted, where there is a plane. */
+void test_the_planes_of_a_turned_cluster(void)
+{
+    static const fxl_planes given[] = {0, FXL_PLANES_ALL, 1, 2, 0x30};
+    uint32_t met[3] = {0, 0, 0}; /* outside, inside, crossing */
+    fxl_vertex_cache none = {.entries = NULL};
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        cluster_scene *made = cluster_make();
+        fxl_pose pose = unit_pose();
+        pose.position = (fxl_point){unit_between(Q16(-6), Q16(6)), unit_between(Q16(-6), Q16(6)),
+                                    unit_between(Q16(4), Q16(16))};
+        turn_all(made->tiny);
+        (void)draw(made->tiny, &pose, 0, false, &fxl_clipper_view);
+        const fxl_view *view = &renderer.frame.view;
+        for (int k = 0; k < 5; k++) {
+            fxl_turned_view turned;
+            (void)fxl_turned_view_of_instance(&turned, &made->tiny->scene, 1, view, &none,
+                                              given[k]);
+            const uint32_t mark = turns[1].scale > FXL_Q16_16_ONE ? FXL_MODEL_VIEW_SCALED : 0;
+            for (int c = 0; c < CLUSTERS; c++) {
+                const uint32_t planes = planes_by_definition(
+                    &made->clusters[c], &made->tiny->instances[1], view, given[k]);
+                const bool is_outside = planes == FXL_SPHERE_OUTSIDE;
+                TEST_ASSERT_EQUAL_HEX32(is_outside || planes == 0 ? planes : planes | mark,
+                                        fxl_turned_cluster_planes(&turned, &made->clusters[c]));
+                met[is_outside ? 0 : planes == 0 ? 1 : 2]++;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(met[0] > UNIT_REPEAT / 500 && met[1] > UNIT_REPEAT / 500 &&
+                     met[2] > UNIT_REPEAT / 500);
 }
 
 static bool is_cube_in_sight(void)

@@ -2,6 +2,7 @@
 /* Turned instances in a renderer: whole frames, with every clipper and method. */
 #include "clippers_list.h"
 #include "fixel/extra/spans.h"
+#include "src/scene/face_bounds.h"
 #include "turns.h"
 #include "tiny.h"
 
@@ -160,6 +161,36 @@ void test_bands_of_turned_instances(void)
             TEST_ASSERT_EQUAL_MEMORY(&counters, &again, sizeof counters);
         }
     }
+}
+
+/* So small and far away that its eye has another unit, and seen along an axis of the cube, where
+ * the sides face the eye or not by a hair. */
+void test_facing_of_what_is_small_and_far(void)
+{
+    uint32_t backfacing = 0;
+    const fxl_pose pose = {.position = {0, 0, 0}};
+    for (int round = 0; round < UNIT_REPEAT / 10; round++) {
+        make(0);
+        tiny->scene.instance_count = 1;
+        fxl_instance *cube = &tiny->instances[0];
+        turns[0].scale = FXL_SCALE_MIN;
+        cube->centre.z = unit_between(Q16(60), Q16(400));
+        cube->centre.x = unit_between(-1024, 1024); /* four units of the model */
+        cube->centre.y = unit_between(-1024, 1024);
+        start(CLIPPERS, LIST_WORDS, 9, false);
+        draw(&pose, HEIGHT, frames[0]);
+        uint32_t wanted = 0;
+        for (uint32_t i = 0; i < 6; i++) {
+            const fxl_face *face = &tiny->faces[i];
+            wanted += !fxl_turn_is_front(
+                &turns[0], &cube->centre, &face->normal,
+                fxl_face_height(tiny->vertices, tiny->scene.indices + face->first_index, face));
+        }
+        TEST_ASSERT_EQUAL_UINT32(wanted, renderer.workspace.counters.backfacing);
+        TEST_ASSERT_EQUAL_UINT32(6, renderer.workspace.counters.in);
+        backfacing += wanted;
+    }
+    TEST_ASSERT_TRUE(backfacing > UNIT_REPEAT / 10 * 3 && backfacing < UNIT_REPEAT / 10 * 5);
 }
 
 /* Front to back, the frame is that of the reverse order: cubes that are apart look the same. */
