@@ -125,39 +125,6 @@ static uint32_t planes_by_definition(const fxl_cluster *cluster, const fxl_insta
     return planes == 0 || crossed != FXL_SPHERE_OUTSIDE ? planes & crossed : crossed;
 }
 
-/* With the mark of a scale that is shifted, where there is a plane. */
-void test_the_planes_of_a_turned_cluster(void)
-{
-    static const fxl_planes given[] = {0, FXL_PLANES_ALL, 1, 2, 0x30};
-    uint32_t met[3] = {0, 0, 0}; /* outside, inside, crossing */
-    fxl_vertex_cache none = {.entries = NULL};
-    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
-        cluster_scene *made = cluster_make();
-        fxl_pose pose = unit_pose();
-        pose.position = (fxl_point){unit_between(Q16(-6), Q16(6)), unit_between(Q16(-6), Q16(6)),
-                                    unit_between(Q16(4), Q16(16))};
-        turn_all(made->tiny);
-        (void)draw(made->tiny, &pose, 0, false, &fxl_clipper_view);
-        const fxl_view *view = &renderer.frame.view;
-        for (int k = 0; k < 5; k++) {
-            fxl_turned_view turned;
-            (void)fxl_turned_view_of_instance(&turned, &made->tiny->scene, 1, view, &none,
-                                              given[k]);
-            const uint32_t mark = turns[1].scale > FXL_Q16_16_ONE ? FXL_MODEL_VIEW_SCALED : 0;
-            for (int c = 0; c < CLUSTERS; c++) {
-                const uint32_t planes = planes_by_definition(
-                    &made->clusters[c], &made->tiny->instances[1], view, given[k]);
-                const bool is_outside = planes == FXL_SPHERE_OUTSIDE;
-                TEST_ASSERT_EQUAL_HEX32(is_outside || planes == 0 ? planes : planes | mark,
-                                        fxl_turned_cluster_planes(&turned, &made->clusters[c]));
-                met[is_outside ? 0 : planes == 0 ? 1 : 2]++;
-            }
-        }
-    }
-    TEST_ASSERT_TRUE(met[0] > UNIT_REPEAT / 500 && met[1] > UNIT_REPEAT / 500 &&
-                     met[2] > UNIT_REPEAT / 500);
-}
-
 static bool is_cube_in_sight(void)
 {
     for (uint32_t i = 0; i < renderer.frame.visible_count; i++) {
@@ -215,4 +182,46 @@ void test_frames_with_turned_clusters(void)
         crossed += in_sight && outside == 0;
     }
     TEST_ASSERT_TRUE(left_out > UNIT_REPEAT / 500 && crossed > UNIT_REPEAT / 500);
+}
+
+/* With the mark of a scale that is shifted, where there is a plane. */
+void test_the_planes_of_a_turned_cluster(void)
+{
+    static const fxl_planes given[] = {0, FXL_PLANES_ALL, 1, 2, 0x30};
+    uint32_t met[3] = {0, 0, 0}; /* outside, inside, crossing */
+    fxl_vertex_cache none = {.entries = NULL};
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        cluster_scene *made = cluster_make();
+        fxl_pose pose = unit_pose();
+        pose.position = (fxl_point){unit_between(Q16(-6), Q16(6)), unit_between(Q16(-6), Q16(6)),
+                                    unit_between(Q16(4), Q16(16))};
+        const bool is_wide = i % 4 == 3;
+        if (is_wide) { /* so far away that the near plane cuts no sphere, however large */
+            pose = (fxl_pose){.position = {0, 0, Q16(-8100)}};
+        }
+        turn_all(made->tiny);
+        (void)draw(made->tiny, &pose, 0, false, &fxl_clipper_view);
+        for (int c = 0; is_wide && c < CLUSTERS; c++) {
+            made->clusters[c].radius =
+                (fxl_q16_16)(((int64_t)unit_between(Q16(4000), FXL_COORDINATE_MAX - 65536) << 16) /
+                             turns[1].scale);
+        }
+        const fxl_view *view = &renderer.frame.view;
+        for (int k = 0; k < 5; k++) {
+            fxl_turned_view turned;
+            (void)fxl_turned_view_of_instance(&turned, &made->tiny->scene, 1, view, &none,
+                                              given[k]);
+            const uint32_t mark = turns[1].scale > FXL_Q16_16_ONE ? FXL_MODEL_VIEW_SCALED : 0;
+            for (int c = 0; c < CLUSTERS; c++) {
+                const uint32_t planes = planes_by_definition(
+                    &made->clusters[c], &made->tiny->instances[1], view, given[k]);
+                const bool is_outside = planes == FXL_SPHERE_OUTSIDE;
+                TEST_ASSERT_EQUAL_HEX32(is_outside || planes == 0 ? planes : planes | mark,
+                                        fxl_turned_cluster_planes(&turned, &made->clusters[c]));
+                met[is_outside ? 0 : planes == 0 ? 1 : 2]++;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(met[0] > UNIT_REPEAT / 500 && met[1] > UNIT_REPEAT / 500 &&
+                     met[2] > UNIT_REPEAT / 500);
 }
