@@ -370,6 +370,9 @@ static void expect_refusal(fxl_status status, const char *what, uint32_t index)
 void test_a_wrong_billboard_is_refused(void)
 {
     start(0);
+    sprite.width = sprite.height = 1; /* the least */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
+    setUp();
     sprite.bits = 2;
     expect_refusal(FXL_E_RANGE, "billboard", 0);
     sprite.width = 0;

@@ -154,8 +154,12 @@ static void expect_as_without_a_tree(bool moving)
     if (moving) { /* beside the cube, and never over it */
         tiny->instances[0].centre = (fxl_point){Q16(100), 0, Q16(10)};
     }
-    const fxl_pose pose = any_pose();
+    fxl_pose pose = any_pose();
     const fxl_lens lens = any_lens();
+    if (axis == 2 && pose.roll % 2 == 0) { /* from the other side */
+        pose.position.z = Q16(20) - pose.position.z;
+        pose.yaw += 2 * FXL_ANGLE_QUARTER;
+    }
     start(&fxl_visibility_sorted, &lens, 0);
     const fxl_counters expected = draw(whole, &pose, HEIGHT);
     start(&fxl_visibility_bsp, &lens, unit_random() % 3 * (uint32_t)unit_between(0, WORDS / 2));

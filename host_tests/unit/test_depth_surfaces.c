@@ -81,18 +81,25 @@ void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     set_texture(1);
-    made->surface.opacity = 8;
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
-    uint32_t drawn = 0, through = 0;
-    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
-        const bool texel = made->again[i] == 98 || made->again[i] == 99;
-        drawn += texel;
-        through += made->frame[i] == made->scene.faces[1].material && !texel;
-        TEST_ASSERT_TRUE(made->frame[i] == made->scene.faces[1].material || !texel);
+    for (uint8_t opacity = 1; opacity < 16; opacity += 7) {
+        made->surface.opacity = opacity;
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        uint32_t drawn = 0, through = 0, behind = 0;
+        for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+            const bool texel = made->again[i] == 98 || made->again[i] == 99;
+            const bool is_hole = made->frame[i] == made->scene.faces[1].material && !texel;
+            drawn += texel;
+            through += is_hole;
+            behind += is_hole && made->again[i] != DEPTH_SCENE_BACKGROUND;
+            TEST_ASSERT_TRUE(made->frame[i] == made->scene.faces[1].material || !texel);
+        }
+        TEST_ASSERT_INT_WITHIN(DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT / 50,
+                               (drawn + through) * opacity / 16, drawn);
+        TEST_ASSERT_GREATER_THAN(15, drawn);
+        TEST_ASSERT_GREATER_THAN(15, through);
+        TEST_ASSERT_GREATER_THAN(5, behind); /* faces that are drawn before and after it */
     }
-    TEST_ASSERT_INT_WITHIN(DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT / 50, drawn, through);
-    TEST_ASSERT_GREATER_THAN(100, drawn);
 }
 
 /* Glass: face 2 shows what is beneath it in another colour, whatever is drawn first. */

@@ -84,6 +84,7 @@ void test_rows_are_the_definition(void)
         fxl_normalised frustum;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
         fxl_normalised_from_camera(&camera, &lens, &frustum);
+        TEST_ASSERT_EQUAL_MEMORY(&pose.position, &frustum.eye, sizeof frustum.eye);
         double x = lens.focal / (lens.width * 32768.0), y = lens.focal / (lens.height * 32768.0);
         double largest = x > y ? x : y;
         largest = largest > 1 ? exp2(ceil(log2(largest))) : 1;

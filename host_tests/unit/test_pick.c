@@ -181,6 +181,32 @@ void test_points_of_the_world_are_where_double_says(void)
     TEST_ASSERT_EQUAL_UINT32(15, seen);
 }
 
+/* The last places on a screen, and the first off it. */
+void test_the_edge_of_the_screen(void)
+{
+    const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    uint32_t seen[2] = {0, 0};
+    fxl_view view;
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    for (int32_t unit = -40; unit <= 40; unit++) {
+        for (int axis = 0; axis < 4; axis++) {
+            const int32_t edge =
+                (int32_t)((axis % 2 ? HEIGHT : WIDTH) * 32768 * (int64_t)Q16(5) / lens.focal);
+            const int32_t at = axis < 2 ? edge + unit : -edge + unit;
+            const fxl_point point = {axis % 2 ? 0 : at, axis % 2 ? at : 0, 0};
+            fxl_screen_place place;
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_find_on_screen(&view, &point, &place));
+            const bool is_on = place.at.x >= 0 && place.at.x < Q16(WIDTH) && place.at.y >= 0 &&
+                               place.at.y < Q16(HEIGHT);
+            TEST_ASSERT_EQUAL(is_on ? FXL_POINT_VISIBLE : FXL_POINT_OFF_SCREEN, place.place);
+            seen[is_on]++;
+        }
+    }
+    TEST_ASSERT_TRUE(seen[0] > 100 && seen[1] > 100);
+}
+
 void test_a_vertex_is_where_its_face_begins(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};

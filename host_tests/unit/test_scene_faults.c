@@ -47,6 +47,28 @@ void test_the_fault_names_the_part(void)
     TEST_ASSERT_EQUAL_UINT32(0, fault.index);
 }
 
+/* Two models that are sorted, and bounds for all faces of the first and some of the second. */
+void test_too_few_bounds_for_the_second_model(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_face_bounds bounds[12];
+    fxl_scene_fault fault = {"nothing", 99};
+    for (int i = 0; i < 12; i++) {
+        bounds[i] = tiny->keys[i % 6];
+    }
+    tiny->models[0].kind = FXL_MODEL_SORTED;
+    tiny->models[1].first_face_bounds = 6;
+    tiny->scene.face_bounds = bounds;
+    tiny->scene.face_bounds_count = 12;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
+    for (uint32_t count = 6; count < 12; count++) {
+        tiny->scene.face_bounds_count = count;
+        TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
+        TEST_ASSERT_EQUAL_STRING("model", fault.what);
+        TEST_ASSERT_EQUAL_UINT32(1, fault.index);
+    }
+}
+
 /* The same for a word of an entry of a table, which begins `at` bytes into the entry. */
 static void expect_entry_name(fxl_status status, const char *what, uint32_t table, uint32_t number,
                               uint32_t size, uint32_t at, uint32_t value)

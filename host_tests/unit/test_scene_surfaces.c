@@ -193,6 +193,7 @@ void test_textures_lie_within_their_texels(void)
     texture_word(FXL_E_RESERVED, 0, 4, 1);
     texture_byte(FXL_E_OFFSET, 0, 8, 5);
     texture_byte(FXL_E_RANGE, 0, 8, 9);
+    texture_byte(FXL_E_OFFSET, 0, 9, 8);
     texture_byte(FXL_E_RANGE, 0, 9, 9);
     texture_byte(FXL_E_RANGE, 0, 13, 0);
     texture_byte(FXL_E_RANGE, 0, 13, 10);

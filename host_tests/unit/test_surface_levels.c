@@ -341,6 +341,7 @@ void test_a_blend_table_has_the_nearest_colours(void)
     palette[3 * 7] = 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_blend_make_table(palette, 1, 255, 1, table));
     TEST_ASSERT_EQUAL(7, table[0]); /* of (16, 16, 16) */
+    TEST_ASSERT_EQUAL(255, table[255]);
     const uint8_t before = table[0];
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_blend_make_table(NULL, 8, 0, 1, table));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_blend_make_table(palette, 8, 0, 1, NULL));

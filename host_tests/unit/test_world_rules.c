@@ -22,10 +22,11 @@ void test_instances_with_turns_are_taken_over(void)
     static fxl_turn more_turns[WORLD_TURNED];
     static fxl_world_slot more_slots[WORLD_PLACES];
     static fxl_world other;
-    const fxl_instance instance = world_cube_at(3, 20);
+    const fxl_instance instance = world_cube_at(3, 20), second = world_cube_at(-4, 9);
     fxl_world_memory room = world_memory();
     (void)world_start();
     (void)world_spawned(&instance, &turn);
+    (void)world_spawned(&second, &turn);
     room.instances = more;
     room.slots = more_slots;
     room.turns = more_turns;
@@ -33,6 +34,10 @@ void test_instances_with_turns_are_taken_over(void)
     const fxl_turn *found = fxl_world_turn_of(&other, fxl_world_handle(TINY_INSTANCES));
     TEST_ASSERT_NOT_NULL(found);
     TEST_ASSERT_EQUAL_MEMORY(&turn, found, sizeof turn);
+    for (uint32_t i = 0; i < TINY_INSTANCES + 2; i++) {
+        const fxl_instance *taken = fxl_world_instance(&other, fxl_world_handle(i));
+        TEST_ASSERT_EQUAL_MEMORY(&world.scene.instances[i], taken, sizeof *taken);
+    }
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, other.scene.first_turned);
     TEST_ASSERT_EQUAL_UINT32(world.scene.order_needed, other.scene.order_needed);
     room.turned_capacity = 0;
