@@ -89,3 +89,19 @@ void test_corners_on_one_line_stay(void)
     face.corners[2] = face.corners[0];
     TEST_ASSERT_FALSE(becomes_affine(face));
 }
+
+/* Right angles, with a side along either axis, at any corner: not on one line. */
+void test_corners_with_sides_along_the_axes(void)
+{
+    static const uint8_t at[4][2] = {{10, 8}, {25, 8}, {25, 20}, {10, 20}};
+    for (int first = 0; first < 4; first++) {
+        for (int step = 1; step < 4; step += 2) {
+            fxl_gradient_corners face = corners_with(5, 25);
+            for (int i = 0; i < 3; i++) {
+                const uint8_t *of = at[(first + i * step) % 4];
+                face.corners[i] = corner_at(of[0], of[1], 3 + i);
+            }
+            TEST_ASSERT_TRUE(becomes_affine(face));
+        }
+    }
+}

@@ -310,9 +310,13 @@ void test_a_beam_of_a_table_is_checked(void)
     beam.plane_count = FXL_BEAM_PLANES_MAX + 1;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_beam_check(&beam));
     beam = good;
-    beam.from[1] = FXL_COORDINATE_MAX + 1;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_check(&beam));
-    beam = good;
+    for (int i = 0; i < 3; i++) {
+        beam.from[i] = FXL_COORDINATE_MAX + 1;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_check(&beam));
+        beam.from[i] = -FXL_COORDINATE_MAX - 1;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_check(&beam));
+        beam = good;
+    }
     beam.kind = FXL_BEAM_DIRECTION;
     TEST_ASSERT_EQUAL(FXL_E_NORMAL, fxl_beam_check(&beam));
     beam = good;

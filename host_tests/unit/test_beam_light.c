@@ -332,18 +332,18 @@ void test_every_face_must_fit_the_beams(void)
         }
     }
     make(0);
+    const uint32_t size = fxl_beam_light_workspace_size(narrow, 2); /* nothing is drawn there */
     for (uint32_t larger = 0; larger < 12; larger++) {
         for (uint32_t i = 0; i < 12; i++) {
             tiny->faces[i].count = i == larger ? 4 : 3;
         }
         TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, sizeof room));
+                          fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, size));
     }
     TEST_ASSERT_EQUAL_UINT32(12, renderer.workspace.counters.refused_calls);
     /* The face after those of the scene need not fit. */
     tiny->scene.face_count = 11;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, narrow, 2, lit, room,
-                                                     fxl_beam_light_workspace_size(narrow, 2)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, size));
 }
 
 /* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each

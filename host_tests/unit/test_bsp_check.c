@@ -138,6 +138,8 @@ void test_spheres(void)
 {
     made->nodes[3].radius = -1;
     expect(FXL_E_RANGE, "BSP node", 3);
+    made->nodes[0].radius = FXL_RADIUS_MAX;
+    expect(FXL_OK, NULL, 0);
     made->nodes[0].radius = FXL_RADIUS_MAX + 1;
     expect(FXL_E_RANGE, "BSP node", 0);
     made->nodes[2].centre.z = FXL_COORDINATE_MAX - Q16(10) + 1; /* its object stands at 10 */

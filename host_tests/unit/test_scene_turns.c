@@ -70,6 +70,17 @@ void test_a_scene_may_have_turns_alone(void)
     expect_opening(FXL_OK, image);
 }
 
+void test_every_instance_may_be_turned(void)
+{
+    static const fxl_turn turns[TINY_INSTANCES] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
+    tiny_image *image = tiny_image_widen(5, HEADER_SIZE + MORE);
+    fxl_scene_image opened;
+    tiny_add_table(image, AT_TURNS, turns, TINY_INSTANCES, TURN);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_UINT32(0, opened.scene.first_turned);
+}
+
 void test_the_header_of_turns_has_its_size(void)
 {
     turn_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE);

@@ -225,6 +225,8 @@ void test_counts_want_a_workspace_that_holds_them(void)
         start();
         memset(&room, 0x5A, sizeof room);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], &room, 0));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_set_clipper(&renderer, clippers[i], (uint8_t *)&room + 4, 0));
         for (uint32_t size = 1; size < sizeof(fxl_clip_stats); size++) {
             TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                               fxl_renderer_set_clipper(&renderer, clippers[i], &room, size));
