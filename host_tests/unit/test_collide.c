@@ -249,6 +249,31 @@ void test_a_segment_hits_what_double_says(void)
     TEST_ASSERT_TRUE(hits > UNIT_REPEAT / 1000);
 }
 
+/* Through two cubes that stand one behind the other: the nearer one is hit, whichever comes first
+ * in the scene. */
+void test_a_segment_hits_the_nearest(void)
+{
+    uint32_t hits[2] = {0, 0};
+    tiny_scene *tiny = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    for (int i = 0; i < UNIT_REPEAT / 50; i++) {
+        const bool back = i % 2 != 0;
+        const int32_t ends[2] = {Q16(-6), Q16(16)};
+        const fxl_point from = {unit_between(Q16(-0.9), Q16(0.9)),
+                                unit_between(Q16(-0.9), Q16(0.9)), ends[back]},
+                        to = {unit_between(Q16(-0.9), Q16(0.9)), unit_between(Q16(-0.9), Q16(0.9)),
+                              ends[!back]};
+        uint32_t compared = 0;
+        fxl_hit hit;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+        TEST_ASSERT_EQUAL_UINT32(back, hit.instance);
+        TEST_ASSERT_EQUAL_UINT32(back ? 5 : 4, hit.face);
+        expect_like_double(tiny, &from, &to, &hit, &compared);
+        hits[back] += compared;
+    }
+    TEST_ASSERT_TRUE(hits[0] > UNIT_REPEAT / 200 && hits[1] > UNIT_REPEAT / 200);
+}
+
 /* Into a closed cube, through its edges and corners exactly: there is no gap. */
 void test_no_segment_passes_between_faces(void)
 {

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 static depth_scene *made;
+static uint8_t panes[FXL_BLEND_TABLE_BYTES(11)];
 
 void setUp(void)
 {
@@ -139,4 +140,56 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
     TEST_ASSERT_GREATER_THAN(100, seen_through);
     memcpy(made->frame, made->again, sizeof made->frame);
     depth_scene_check_bands(made, &fxl_visibility_depth);
+}
+
+/* The floor, and of the two panes those that the bits of `shown` name. */
+static void draw_panes(uint32_t shown, uint8_t *frame)
+{
+    fxl_instance instances[DEPTH_SCENE_QUADS];
+    uint16_t count = 0;
+    depth_scene *fresh = depth_scene_make();
+    const fxl_instance *all = fresh->scene.instances;
+    instances[count++] = all[0];
+    for (uint32_t pane = 1; pane <= 2; pane++) {
+        fresh->face_map[pane] = 1;
+        if (shown >> pane & 1u) {
+            instances[count++] = all[pane];
+        }
+    }
+    fresh->scene.instances = instances;
+    fresh->scene.instance_count = count;
+    fresh->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
+    fresh->set.blend = panes;
+    fresh->set.blend_first = 20; /* the colours of the panes are 20 and 30 */
+    fresh->set.blend_count = 11;
+    depth_scene_start(fresh);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_surfaces(&fresh->renderer, &fresh->surfaces, &fresh->set));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_set_depth(&fresh->renderer, &fresh->depth, &fxl_visibility_depth,
+                                             fresh->cells, sizeof fresh->cells));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_render(&fresh->renderer, &depth_scene_eye, frame, DEPTH_SCENE_WIDTH));
+}
+
+/* Two panes that cross: in each pixel one covers the other, and both are seen. Each adds a number
+ * to the colour beneath it, so the order does not matter. */
+void test_panes_that_cross_are_seen_through_each_other(void)
+{
+    static uint8_t frames[4][DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT];
+    uint32_t through_both = 0;
+    for (uint32_t i = 0; i < sizeof panes; i++) {
+        panes[i] = (uint8_t)(i + (i < 256 ? 64 : 128));
+    }
+    for (uint32_t shown = 0; shown < 4; shown++) {
+        draw_panes(2 * shown, frames[shown]);
+    }
+    for (uint32_t i = 0; i < sizeof frames[0]; i++) {
+        const int beneath = frames[0][i], one = frames[1][i], other = frames[2][i];
+        TEST_ASSERT_EQUAL_UINT8(one + other - beneath, frames[3][i]);
+        TEST_ASSERT_TRUE(one == beneath || one == (beneath + 64) % 256);
+        TEST_ASSERT_TRUE(other == beneath || other == (beneath + 128) % 256);
+        through_both += one != beneath && other != beneath;
+    }
+    TEST_ASSERT_GREATER_THAN(100, through_both);
 }

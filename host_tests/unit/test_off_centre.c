@@ -168,6 +168,9 @@ void test_a_window_is_a_lens(void)
     TEST_ASSERT_EQUAL_INT32(Q16(50), lens.centre_y);
     TEST_ASSERT_EQUAL_INT32(Q16(2), lens.near_z);
     TEST_ASSERT_EQUAL_INT32(Q16(90), lens.far_z);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_window(FXL_SCREEN_MAX, Q16(-1), Q16(1), Q16(-0.5),
+                                                   Q16(0.5), Q16(1), Q16(9), &lens));
+    TEST_ASSERT_EQUAL(FXL_SCREEN_MAX, lens.width);
     TEST_ASSERT_TRUE(fxl_lens_is_valid(&lens));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_window(320, Q16(-2), Q16(2), Q16(-1.5), Q16(1.5),
                                                    Q16(2), Q16(90), &lens));

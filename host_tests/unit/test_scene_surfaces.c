@@ -131,6 +131,15 @@ void test_surfaces_are_used_in_place(void)
     TEST_ASSERT_EQUAL_UINT32(2, set.blend_count);
 }
 
+void test_one_colour_may_be_blended(void)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_at(image, AT_BLEND + 4), 1);
+    expect_surfaces(FXL_OK, "nothing", image);
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_BLEND)), set.blend);
+    TEST_ASSERT_EQUAL_UINT32(1, set.blend_count);
+}
+
 void test_an_image_may_have_no_surfaces(void)
 {
     tiny_image *image = tiny_image_make(false);
