@@ -80,7 +80,7 @@ endif
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help test-programs set-up-lib $(COMMANDS)
+.PHONY: FORCE help test-programs boards-programs set-up-lib $(COMMANDS)
 
 help: ## print this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -231,25 +231,29 @@ TEST_BOARDS := $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
     $(foreach core,$(CORES_READ),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run.
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
-TEST_PROGRAMS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) \
-    $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS)) \
-    $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
+TEST_UNITS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
+# What the tests of the tools run.
+TEST_PROGRAMS := $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
-# For tools: a board, its unit tests; a board, the unit tests that it has no room for.
-UNIT_OPTIONS = $(foreach board,$(1),--board-unit $(board) $(BOARD_UNITS.$(board)) \
+# For tools: a board, the folder of its unit tests, their names; a board, the unit tests that it has no room for.
+# tools/fixel/units.py says why not their paths.
+UNIT_OPTIONS = $(foreach board,$(1),--board-units $(board) $(BOARD_UNITS_FOLDER.$(board)) $(basename $(notdir $(BOARD_UNITS.$(board)))) \
     $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
+HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units $(folder) $(notdir $(filter $(folder)%,$(UNITY_TESTS))))
 
-test-programs: $(TEST_PROGRAMS)
+test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)
 
 test: ## run the tests, on the host and on a board of each core [BOARD= of one board, ONLY=]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
-	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(PY) tools/test.py --host-unit $(UNITY_TESTS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(PY) tools/test.py $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
+
+boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests
 	@tools/setup.sh units
-	@$(MAKE) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
+	@$(MAKE) boards-programs
 	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 

@@ -20,7 +20,7 @@ import sys
 import threading
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, fleet, methods, output, scratch
+from fixel import dump, emulator, firmware, fleet, methods, output, scratch, units
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
@@ -85,30 +85,29 @@ def all_jobs(options, scenes, folder):
             for scene in sorted(scenes, key=lambda scene: -scene.host.width * len(scene.host.frames))
             for board in options.boards]
     return jobs + [(board, lambda elf=elf: fleet.run_unit(elf))
-                   for board, *elves in options.board_unit if board in options.boards for elf in elves]
+                   for board, elf in units.of_boards(options) if board in options.boards]
 
 
 def row(board, options, scenes, answers):
     """boards[] of boards.json: one board. Top-level figures of a walk are of the scene that all run."""
     walks = {answer.scene: answer for answer in answers if isinstance(answer, fleet.Walk)}
-    units = [answer for answer in answers if isinstance(answer, fleet.Units)]
+    tested = [answer for answer in answers if isinstance(answer, fleet.Units)]
     walks = [walks[scene.name] for scene in scenes]
     drawn = [walk for walk in walks if walk.why_not is None]
     elf = methods.elf_of(board, options.build)
     size = fleet.sizes(elf)
     largest = max((scene.image.stat().st_size for scene, walk in zip(scenes, walks) if walk in drawn), default=0)
-    left_out = [name for other, *names in options.left_out if other == board for name in names]
     return {"name": board, "core": firmware.load(elf, board).cpu, **size,
             "flash_free": size["flash_size"] - size["flash_bytes"] - largest,
             "stack_bytes": max((walk.stack_bytes for walk in walks if walk.stack_bytes), default=None),
             "stack_reserved": max((walk.stack_reserved for walk in walks if walk.stack_reserved), default=None),
             "instructions_per_frame": walks[0].instructions_per_frame, "frames": walks[0].frames,
             "hash_equal": walks[0].hash_equal is True and all(walk.hash_equal is True for walk in drawn),
-            "unit_tests_passed": sum(unit.passed for unit in units),
-            "unit_tests_failed": sum(unit.failed for unit in units),
-            "unit_tests_left_out": left_out,
+            "unit_tests_passed": sum(unit.passed for unit in tested),
+            "unit_tests_failed": sum(unit.failed for unit in tested),
+            "unit_tests_left_out": units.left_out(options, board),
             "scenes": [vars(walk) for walk in walks],
-            "failures": [f"{unit.name}:\n{unit.output.rstrip()}" for unit in units if unit.failed]}
+            "failures": [f"{unit.name}:\n{unit.output.rstrip()}" for unit in tested if unit.failed]}
 
 
 def per_million(walk):
@@ -152,10 +151,7 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--boards", nargs="+", required=True, help="the boards; the host, which they are compared with, is not one of them")
     parser.add_argument("--scene", nargs="+", required=True, help="scenes; the first must run on every board")
-    parser.add_argument("--board-unit", nargs="+", action="append", default=[], metavar=("BOARD", "ELF"),
-                        help="a board and its Unity programs")
-    parser.add_argument("--left-out", nargs="+", action="append", default=[], metavar=("BOARD", "TEST"),
-                        help="a board and the tests that it has no room for")
+    units.add_options(parser)
     parser.add_argument("--build", default="build", help="folder that make builds in")
     parser.add_argument("--out", default="build/boards.json", help="the JSON file to write")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)

@@ -23,7 +23,7 @@ import threading
 import time
 import xml.etree.ElementTree
 
-from fixel import emulator, limits, scratch
+from fixel import emulator, limits, scratch, units
 from fixel.errors import ToolError, run_main
 from fixel.table import coloured
 
@@ -116,10 +116,9 @@ def _pytest_outcome(report, code, text):
 def all_suites(options):
     """(name, function, argument) of every suite, the long ones first."""
     suites = [(f"tools/{file.stem}", run_pytest, file) for file in sorted(TESTS.glob("test_*.py"))]
-    suites += [(f"host/{pathlib.Path(program).stem}", run_host, program)
-               for program in options.host_unit]
-    suites += [(f"{board}/{pathlib.Path(elf).stem}", run_board, elf)
-               for board, *elves in options.board_unit for elf in elves]
+    suites += [(f"host/{name}", run_host, pathlib.Path(folder) / name)
+               for folder, *names in options.host_units for name in names]
+    suites += [(f"{board}/{elf.stem}", run_board, elf) for board, elf in units.of_boards(options)]
     return [suite for suite in suites
             if options.only in suite[0] and (not options.board or suite[0].startswith(f"{options.board}/"))]
 
@@ -189,11 +188,9 @@ def run_all(suites, workers):
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--host-unit", nargs="*", default=[], help="Unity programs for the host")
-    parser.add_argument("--board-unit", nargs="+", action="append", default=[], metavar=("BOARD", "ELF"),
-                        help="a board and its Unity programs")
-    parser.add_argument("--left-out", nargs="+", action="append", default=[], metavar=("BOARD", "TEST"),
-                        help="a board and the tests that it has no room for")
+    parser.add_argument("--host-units", nargs="+", action="append", default=[], metavar=("FOLDER", "NAME"),
+                        help="a folder of Unity programs for the host, and their names")
+    units.add_options(parser)
     parser.add_argument("--board", default="", help="run only the suites of this board")
     parser.add_argument("--only", default="", help="run only suites with this word in their name")
     # One more than processors: some suites wait, for a browser or for time to pass.

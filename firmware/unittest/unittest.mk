@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Unity tests on boards: host_tests/unit/test_X.c becomes, for each board but
-# the host, $(FIRMWARE_OUT)/<board>/unit/test_X.elf; $(BOARD_UNITS.<board>) are
+# the host, $(BOARD_UNITS_FOLDER.<board>)/test_X.elf; $(BOARD_UNITS.<board>) are
 # all of a board that fit it. Objects are a core's; only linking is a board's.
 #
 # tools/test.py runs each by fixel.emulator.run_unit(elf) -> (passed, failed,
@@ -72,6 +72,7 @@ $(foreach core,$(CORES_SHARED),$(eval $(call CORE_TEST_RULES,$(core)))\
 BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_SOURCES.$(1)),$(UNIT_PARTS)))
 
 define BOARD_TEST_RULES
+BOARD_UNITS_FOLDER.$(1) := $(FIRMWARE_OUT)/$(1)/unit
 BOARD_UNITS.$(1) := $(BOARD_UNITS_OF)
 
 $(BOARD_TESTS:%=$(FIRMWARE_OUT)/$(1)/unit/%.elf): $(FIRMWARE_OUT)/$(1)/unit/%.elf: $(BOARD_CORE_OUT)/unit/host_tests/unit/%.o \

@@ -82,7 +82,7 @@ def test_the_host_is_no_board_of_the_table(everything):
 def test_unit_tests_are_counted(tmp_path):
     elf = built(f"{BOARD}/unit/test_angle.elf")
     done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY,
-                              "--board-unit", BOARD, elf, "--left-out", BOARD, "test_huge")
+                              "--board-units", BOARD, elf.parent, elf.stem, "--left-out", BOARD, "test_huge")
     row, = result["boards"]
     assert done.returncode == 0, done.stdout + done.stderr
     assert row["unit_tests_passed"] > 0 and row["unit_tests_failed"] == 0
@@ -92,7 +92,7 @@ def test_unit_tests_are_counted(tmp_path):
 def test_a_unit_test_that_fails_fails_the_board(tmp_path):
     not_a_test = built(f"{BOARD}/walk.elf")     # it ends without the marker of unit tests
     done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY,
-                              "--board-unit", BOARD, not_a_test)
+                              "--board-units", BOARD, not_a_test.parent, not_a_test.stem)
     assert done.returncode == 1
     assert result["boards"][0]["unit_tests_failed"] == 1 and result["boards"][0]["hash_equal"]
 
@@ -137,7 +137,7 @@ def test_the_command_line():
     done = dry_run("boards")
     assert done.returncode == 0, done.stderr
     for board in target_boards():
-        assert f"--board-unit {board} " in done.stdout
+        assert f"--board-units {board} " in done.stdout
 
 
 def test_no_file_but_a_boards_own_names_it():

@@ -2,7 +2,6 @@
 """make test's own driver: counts what ran, and no ending passes for a success without being one."""
 
 import itertools
-import pathlib
 import re
 import shlex
 import stat
@@ -24,8 +23,13 @@ def program(folder, name, text, code):
     return file
 
 
+def host_units(*programs):
+    """The options that name programs of one folder."""
+    return ["--host-units", programs[0].parent, *(file.name for file in programs)] if programs else []
+
+
 def drive(*programs):
-    done = run_cli("test", "--only", "host/", "--host-unit", *programs)
+    done = run_cli("test", "--only", "host/", *host_units(*programs))
     return done.returncode, done.stdout.splitlines(), done
 
 
@@ -72,7 +76,7 @@ def test_nothing_ran():
 
 
 def test_what_a_board_has_no_room_for_is_said_and_not_counted(tmp_path):
-    arguments = ["--host-unit", program(tmp_path, "one", GOOD, 0), "--left-out", "small", "test_big", "test_long"]
+    arguments = [*host_units(program(tmp_path, "one", GOOD, 0)), "--left-out", "small", "test_big", "test_long"]
     done = run_cli("test", "--only", "host/", *arguments)
     assert done.returncode == 0
     assert done.stdout.splitlines()[1:] == [
@@ -83,8 +87,8 @@ def test_what_a_board_has_no_room_for_is_said_and_not_counted(tmp_path):
 
 def test_one_board_alone(tmp_path):
     """The programs of the others, and the tools' tests, are not even started."""
-    done = run_cli("test", "--board", "second", "--board-unit", "first", tmp_path / "test_a.elf",
-                   "--board-unit", "second", tmp_path / "test_b.elf")
+    done = run_cli("test", "--board", "second", "--board-units", "first", tmp_path, "test_a",
+                   "--board-units", "second", tmp_path, "test_b")
     assert "second/test_b" in done.stdout and "first" not in done.stdout
     assert done.stdout.splitlines()[-1] == "0 passed, 1 failed"
 
@@ -94,18 +98,20 @@ def command_of(board):
     done = dry_run("test", f"BOARD={board}")
     assert done.returncode == 0, done.stderr
     whole = done.stdout.replace("\\\n", " ")
-    return shlex.split(next(line for line in whole.splitlines() if "--board-unit" in line))
+    return shlex.split(next(line for line in whole.splitlines() if "--board-units" in line))
 
 
 def units_of(board):
     """The names of a board's unit tests, and of those left out."""
     words = command_of(board)
-    lists = {"--board-unit": [], "--left-out": []}
+    lists = {"--board-units": [], "--left-out": []}
     for option, found in lists.items():
         for at, word in enumerate(words):
             if word == option and words[at + 1] == board:
                 found += itertools.takewhile(lambda value: not value.startswith("--"), words[at + 2:])
-    return {pathlib.Path(elf).stem for elf in lists["--board-unit"]}, set(lists["--left-out"])
+    folder, *tests = lists["--board-units"]
+    assert folder == f"build/boards/{board}/unit"
+    return set(tests), set(lists["--left-out"])
 
 
 @pytest.mark.parametrize("board", EVERY_BOARD)
@@ -126,7 +132,7 @@ def test_unit_tests_run_on_a_board_of_each_core():
 
     def boards(command):
         words = shlex.split(dry_run(command).stdout.replace("\\\n", " "))
-        return [words[at + 1] for at, word in enumerate(words) if word == "--board-unit"]
+        return [words[at + 1] for at, word in enumerate(words) if word == "--board-units"]
     tested = boards("test")
     assert sorted(map(core, tested)) == sorted({core(board) for board in EVERY_BOARD})
     assert sorted(boards("boards")) == EVERY_BOARD
