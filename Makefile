@@ -223,12 +223,12 @@ costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES=
 
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
-# Without it, the unit tests run on a board of each core, one that has room for all of them if there
+# Without it, the unit tests run on a board for each build of the library, one that has room for all of them if there
 # is one; make boards runs them on every board.
-TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_NAME,$(board))),$(board)))
+TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_SHARED,$(call CORE_NAME,$(board)))),$(board)))
 TEST_BOARD_OF = $(firstword $(foreach board,$(1),$(if $(BOARD_UNIT_OMIT.$(board)),,$(board))) $(1))
 TEST_BOARDS := $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
-    $(foreach core,$(CORES_READ),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
+    $(foreach core,$(CORES_SHARED),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run.
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_UNITS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
@@ -243,10 +243,10 @@ HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units 
 
 test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)
 
-test: ## run the tests, on the host and on a board of each core [BOARD= of one board, ONLY=]
+test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
-	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(PY) tools/test.py $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
+	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(if $(WHOLE),FIXEL_WHOLE=1) $(PY) tools/test.py $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
 	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
@@ -298,7 +298,7 @@ equality: ## compare every kernel of every core with the portable one, on the em
 
 fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60]
 	@tools/setup.sh fuzz
-	@$(MAKE) $(FUZZ_PROGRAMS)
+	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 	@$(FUZZ_TOOLS_INPUT)
 	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
@@ -311,11 +311,13 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 	@tools/setup.sh units
 	@$(PY) tools/seeded_bugs.py --build $(BUILD)
 
-mutants: ## put random small mistakes into the library; a unit test must fail for most of them [SEED=1 COUNT=200 ONLY=]
+mutants: ## put random small mistakes into the library; a test must fail for most of them [SEED=1 COUNT=200 ONLY=]
 	@tools/setup.sh units
-	@$(MAKE) $(UNIT_PROGRAMS)
+	@$(MAKE) $(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 	@$(PY) tools/mutants.py --seed '$(or $(SEED),1)' --count '$(or $(COUNT),200)' $(if $(ONLY),--only '$(ONLY)') \
-	    --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS)
+	    --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
+	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
+	    host_tests/fuzz/corpus/$(target) $(FUZZ_REPLAY_OBJECTS_$(target)))
 
 format: ## format the C sources with clang-format
 	@tools/setup.sh format

@@ -4,8 +4,11 @@
 
     fuzz.py --seconds N --build DIR [--clang CLANG]     what make fuzz does
     fuzz.py ... --renew-corpus                          then renews host_tests/fuzz/corpus
+    fuzz.py --add-records --build DIR                   fuzzes nothing: adds to host_tests/fuzz/record
 
-Inputs that the run found stay under DIR/fuzz/corpus and begin the next run.
+Inputs that the run found stay under DIR/fuzz/corpus and begin the next run. A record has a line for each input of the
+corpus: its name, and a hash of all that the library answered. Lines are added for new inputs, and removed with theirs;
+no command alters one.
 Exit: 0 nothing found, 1 findings (each kept as a file), 2 could not run.
 """
 
@@ -30,6 +33,7 @@ from fixel.table import coloured
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"
+RECORDS = CHECKOUT / "host_tests" / "fuzz" / "record"
 TARGETS = {"scene": 8192, "pipeline": 4096}     # and the longest input in bytes
 SEED_SCENES = ("scenes/tiny.toml", "scenes/cube.toml",
                *sorted(str(file) for file in (CHECKOUT / "host_tests/fuzz/scenes").glob("*.toml")))
@@ -253,6 +257,33 @@ def renew_corpus(build):
               f"{sum(file.stat().st_size for file in files):,} bytes", file=sys.stderr)
 
 
+# --- the record of answers --------------------------------------------------------
+
+def read_record(target):
+    """{name of an input: hash}."""
+    file = RECORDS / f"{target}.txt"
+    return dict(line.split() for line in file.read_text(encoding="ascii").splitlines()) if file.exists() else {}
+
+
+def replayed(target, build):
+    """{name of an input: hash of what the library answers now}."""
+    return dict(line.split() for line in run_tool(
+        [build / "host" / "fuzz" / f"replay_{target}", *sorted((CORPUS / target).iterdir())]).splitlines())
+
+
+def add_records(build):
+    """The inputs of the corpus that have no record get one. An input whose answers are others is an error."""
+    for target in TARGETS:
+        old, new = read_record(target), replayed(target, build)
+        other = sorted(name for name in new if old.get(name, new[name]) != new[name])
+        if other:
+            raise ToolError(f"{relative(RECORDS / target)}.txt: the answers to {len(other)} inputs are others now, "
+                            f"the first is {other[0]}: where that is meant, remove their lines", exit_code=1)
+        output.write_file(RECORDS / f"{target}.txt", "".join(f"{name} {new[name]}\n" for name in sorted(new)))
+        print(f"{relative(RECORDS / target)}.txt: {len(set(new) - set(old))} added, {len(set(old) - set(new))} removed, "
+              f"{len(new)} in all")
+
+
 # --- all together -----------------------------------------------------------------
 
 def print_result(result, total):
@@ -279,16 +310,21 @@ def main(argv):
     parser.add_argument("--clang", default="clang", help="the clang that built them")
     parser.add_argument("--renew-corpus", action="store_true",
                         help="then renew the corpus of the repository")
+    parser.add_argument("--add-records", action="store_true", help="fuzz nothing, add records of the corpus's new inputs")
     options = parser.parse_args(argv)
     if options.seconds < 1:
         raise ToolError(f"--seconds {options.seconds} is less than 1")
     build = pathlib.Path(options.build).resolve()
+    if options.add_records:
+        add_records(build)
+        return 0
     if options.renew_corpus:
         make_seeds(build)
     workers = run_fuzzers(build, options.seconds)
     findings = findings_of(workers, build)
     if options.renew_corpus and not findings:
         renew_corpus(build)
+        add_records(build)
     percent, total, uncovered = measure_branches(build, options.clang)
     targets = [{"target": target,
                 "executions": sum(worker.executions() for worker in workers

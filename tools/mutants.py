@@ -4,9 +4,9 @@
 
     mutants.py --seed N [--count N] [--only WORD] --cc "COMMAND" --tests PROGRAM...
 
-A mutant is killed where a unit test of the host fails with it, and survives where all pass. One that no
-compiler takes, or that leaves the machine code as it was, is no mistake and is not counted. fixel.mutate
-says which mistakes there are. Mutants are compiled and run in copies under --build, never in the checkout.
+A mutant is killed where a unit test of the host fails with it, or where a replay of the fuzzer's corpus has answers
+that are not on record; it survives where all pass. One that no compiler takes, or that leaves the machine code as it
+was, is no mistake and is not counted. fixel.mutate says which mistakes there are. Mutants are compiled and run in copies under --build, never in the checkout.
 The library of each is a shared object, so that only the mutated sources are compiled, and no test but those
 that include a mutated header. A test is run where the program that make links of it holds the mutated source.
 Tests that take more than --slow seconds of CPU time are left out. Writes all mutants as JSON. Exit: 0 done,
@@ -19,6 +19,7 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
+import dataclasses
 import os
 import pathlib
 import queue
@@ -44,6 +45,33 @@ CPU_WORDS = "of CPU time"           # of fixel.limits, where a test took too muc
 NICE = 3
 CPU_LEAST, CPU_TIMES = 5.0, 10      # a test's limit of CPU time: so many times what it takes, at least
 PLAIN = re.compile(r"-fsanitize=\S+|-fno-sanitize-recover=\S+|-M\w+|-g\b|-W\S+|-O\d")
+
+
+@dataclasses.dataclass(frozen=True)
+class Test:
+    """A program that make builds: of its own objects, and of the library."""
+    program: pathlib.Path
+    objects: tuple
+    arguments: tuple = ()
+    source: str = ""        # that is compiled anew where it includes a mutated header
+
+    @property
+    def name(self):
+        return self.program.name
+
+
+def unit_test(program):
+    """A Unity program."""
+    program = pathlib.Path(program).resolve()
+    shared = [f"{program.name}.o", f"{program.name}_main.o", "unity.o", "assert.o", "libhelpers.a", "libparts.a"]
+    return Test(program, tuple(map(program.with_name, shared)), (), f"host_tests/unit/{program.name}.c")
+
+
+def replay(program, record, corpus, *objects):
+    """A replay of a corpus, compared with its record."""
+    files = sorted(str(file) for file in pathlib.Path(corpus).resolve().iterdir())
+    return Test(pathlib.Path(program).resolve(), tuple(pathlib.Path(each).resolve() for each in objects),
+                ("--record", str(pathlib.Path(record).resolve()), *files))
 
 
 class Tree:
@@ -104,50 +132,49 @@ def make_trees(scratch, compiler, count):
     return [Tree(scratch / str(number), compiler) for number in range(max(1, count))]
 
 
-def link_test(tree, program, test_object, to):
-    """A unit test with the library as a shared object that is found when it starts; what was wrong, if it was."""
-    objects = [test_object, program.with_name(f"{program.name}_main.o"),
-               *map(program.with_name, ("unity.o", "assert.o", "libhelpers.a", "libparts.a"))]
-    return tree.run([*tree.compiler, *(each.resolve() for each in objects), tree.folder / LIBRARY, "-lm", "-o", to])
+def link_test(tree, objects, to):
+    """A test with the library as a shared object that is found when it starts; what was wrong, if it was."""
+    return tree.run([*tree.compiler, *objects, tree.folder / LIBRARY, "-lm", "-o", to])
 
 
-def link_tests(tree, programs):
-    """{program of make: the same with the shared library}."""
+def link_tests(tree, tests):
+    """{test: its program with the shared library}."""
     folder = tree.folder.parent / "tests"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    for program in programs:
-        said = link_test(tree, program, program.with_name(f"{program.name}.o"), folder / program.name)
+    for test in tests:
+        said = link_test(tree, test.objects, folder / test.name)
         if said:
-            raise ToolError(f"{program.name} cannot be linked:\n{said}")
-    return {program: folder / program.name for program in programs}
+            raise ToolError(f"{test.name} cannot be linked:\n{said}")
+    return {test: folder / test.name for test in tests}
 
 
 def build_including(tree, tests, file):
     """{test: its program} of those that include a mutated header; of none where that does not compile."""
     folder, built = tree.folder / "tests", {}
     folder.mkdir(exist_ok=True)
-    for program, test in tests.items():
-        if not file.endswith(".h") or not mutate.includes(program.with_name(f"{program.name}.d"), CHECKOUT, file):
+    for test in tests:
+        if not file.endswith(".h") or not test.source or \
+                not mutate.includes(test.program.with_name(f"{test.name}.d"), CHECKOUT, file):
             continue
-        to, source = folder / program.name, f"host_tests/unit/{program.name}.c"
-        if tree.run([*tree.compiler, "-c", source, "-o", to.with_suffix(".o")]) or \
-                link_test(tree, program, to.with_suffix(".o"), to):
+        to = folder / test.name
+        anew = to.with_suffix(".o")
+        if tree.run([*tree.compiler, "-c", test.source, "-o", anew]) or link_test(tree, (anew, *test.objects[1:]), to):
             continue
         built[test] = to
     return built
 
 
-def run_test(tree, test, cpu):
+def run_test(tree, test, program, cpu):
     """None if a test passes with a tree's library, else its first words of failure."""
     paths = {**os.environ, "LD_LIBRARY_PATH": str(tree.folder), "UBSAN_OPTIONS": "print_stacktrace=0"}
     try:
-        done = limits.run([str(test)], cpu, merge=True, text=True, cwd=tree.folder, env=paths)
+        done = limits.run([str(program), *test.arguments], cpu, merge=True, text=True, cwd=tree.folder, env=paths)
     except limits.LimitError as error:
         return str(error)
     if done.returncode == 0:
         return None
-    return next((line for line in done.stdout.splitlines() if ":FAIL" in line or "rror:" in line),
+    return next((line for line in done.stdout.splitlines() if ":FAIL" in line or "rror:" in line or "does not hold" in line),
                 f"ended with {done.returncode}")
 
 
@@ -161,9 +188,9 @@ def symbols(file):
 def time_tests(tree, tests, slow):
     """{test: seconds of CPU time} of the library as it is, without tests that take more than slow seconds."""
     seconds = {}
-    for test in steps("unit tests as they are", tests):
+    for test in steps("tests as they are", sorted(tests, key=lambda test: test.name)):
         before = os.times()
-        words = run_test(tree, test, slow)
+        words = run_test(tree, test, tests[test], slow)
         if words and CPU_WORDS in words:
             continue
         if words:
@@ -213,7 +240,7 @@ def try_mutant(tree, mutant, tests, seconds, linked):
             return {"result": "no mutant", "words": said.strip().splitlines()[0]}
         including = build_including(tree, tests, mutant.file)
         for test in likely_first(mutant.file, seconds, names, linked, including):
-            words = run_test(tree, including.get(test, test), max(CPU_LEAST, CPU_TIMES * seconds[test]))
+            words = run_test(tree, test, including.get(test, tests[test]), max(CPU_LEAST, CPU_TIMES * seconds[test]))
             if words:
                 return {"result": "killed", "by": test.name, "words": words}
         return {"result": "survived"}
@@ -282,6 +309,8 @@ def main(argv):
     parser.add_argument("--build", default="build", help="the build folder")
     parser.add_argument("--cc", required=True, help="the compiler and the flags of the unit tests")
     parser.add_argument("--tests", nargs="+", required=True, help="the unit tests of the host")
+    parser.add_argument("--replay", nargs="+", action="append", default=[], metavar=("PROGRAM", "RECORD"),
+                        help="a program that replays a corpus, the record of its answers, the corpus, its objects")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(argv)
     os.nice(NICE)
@@ -290,14 +319,14 @@ def main(argv):
     scratch = pathlib.Path(options.build).resolve() / "mutants"
     print(f"mutants: {len(drawn)} to draw from; building the library", file=sys.stderr, flush=True)
     trees = make_trees(scratch, options.cc, options.jobs)
-    tests = link_tests(trees[0], [pathlib.Path(program) for program in options.tests])
-    seconds = time_tests(trees[0], sorted(tests.values()), options.slow)
-    linked = {program.name: symbols(program) for program in tests}
+    tests = link_tests(trees[0], [*map(unit_test, options.tests), *(replay(*each) for each in options.replay)])
+    seconds = time_tests(trees[0], tests, options.slow)
+    linked = {test.name: symbols(test.program) for test in tests}
     started = time.monotonic()
     found, not_counted = try_all(trees, drawn, options.count, tests, seconds, linked)
     killed = sum(result["result"] == "killed" for _, result in found)
     result = {"seed": options.seed, "count": len(found), "killed": killed, "percent": 100 * killed / len(found),
-              "not_counted": not_counted, "left_out": sorted(test.name for test in set(tests.values()) - set(seconds)),
+              "not_counted": not_counted, "left_out": sorted(test.name for test in set(tests) - set(seconds)),
               "seconds": round(time.monotonic() - started),
               "mutants": [{"mutant": str(mutant), **result} for mutant, result in found]}
     output.write_json(scratch / f"seed-{options.seed}.json", result)

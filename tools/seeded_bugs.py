@@ -28,7 +28,7 @@ import threading
 
 import equality
 from fixel import bugs as records
-from fixel import children, limits
+from fixel import children, limits, sampling
 from fixel.errors import ToolError, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
@@ -183,7 +183,7 @@ def main(argv):
     if not bugs:
         raise ToolError(f"no bug has '{options.only}' in its marker, name or kind")
     if options.sample:
-        bugs = records.sample(options.root, bugs, options.sample)
+        bugs = sampling.choose(options.root, "seeded bugs", bugs, options.sample)
     tests = all_tests(options.root)
     unknown = {test for bug in bugs for test in bug.tests} - set(tests)
     if unknown:

@@ -5,6 +5,7 @@
 
 #include "demand.h"
 #include "judge.h"
+#include "record.h"
 
 enum {
     BACKGROUND = 0x11,
@@ -242,6 +243,7 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
            renderer->frame.display_list.used == 0);
     counters.spilled = renderer->workspace.counters.spilled;
     DEMAND(memcmp(&counters, &renderer->workspace.counters, sizeof counters) == 0);
+    record_number(counters.spilled);
     free_renderer(renderer);
 }
 
@@ -264,6 +266,7 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
     counters.spilled = renderer->workspace.counters.spilled;
     counters.split_bands = renderer->workspace.counters.split_bands;
+    record_bytes(&renderer->workspace.counters, sizeof counters);
     DEMAND(memcmp(&counters, &renderer->workspace.counters, sizeof counters) == 0);
     free(room);
     free_renderer(renderer);
@@ -292,6 +295,8 @@ static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const
     demand_gaps_intact(&band);
     draw_in_bands(renderer, &band, in);
     DEMAND(renderer->workspace.counters.drawn == first->workspace.counters.drawn);
+    record_band(&band);
+    record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     free(band.pixels);
     free(cells);
     if (renderer->shader == &depth.shader) {
@@ -307,7 +312,9 @@ static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const
     const fxl_lens *lens = &first->frame.view.lens;
     const uint32_t words =
         fuzz_below(in, (first->workspace.counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
-    fxl_outline_style style = {(uint8_t)fuzz_bits(in, 1), 3, fuzz_below(in, 2) == 1, 0, 0};
+    const uint8_t colour = (uint8_t)fuzz_bits(in, 1);
+    const bool keeps = fuzz_below(in, 2) == 1;
+    fxl_outline_style style = {colour, 3, keeps, 0, 0};
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, 0);
     fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
     DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) ==
@@ -317,6 +324,7 @@ static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const
     demand_gaps_intact(&band);
     draw_in_bands(renderer, &band, in);
     draw_picks(renderer, whole, in);
+    record_band(&band);
     free(band.pixels);
     free_renderer(renderer);
 }
@@ -348,6 +356,7 @@ static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
     const fxl_counters *all = &renderer->workspace.counters, *some = &first->workspace.counters;
     DEMAND(all->in == some->in && all->drawn == some->drawn && all->clipped == some->clipped &&
            all->spilled == some->spilled && all->outside <= some->outside);
+    record_number(all->outside);
     free(band.pixels);
     free(models);
     free_renderer(renderer);
@@ -365,6 +374,8 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_OK);
     demand_gaps_intact(&whole);
     demand_accounted(&renderer->workspace.counters, draw_model_view(scene));
+    record_band(&whole);
+    record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     draw_again(renderer, pose, &whole, choice->clipper, in);
     if (scene->beam_count == 0 &&
         scene->turns == NULL) { /* larger spheres reach into beams, and split outlines anew; turned

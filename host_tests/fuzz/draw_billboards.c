@@ -4,6 +4,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "record.h"
 
 enum {
     BOARDS = 3,
@@ -69,7 +70,8 @@ static void make_boards(boards *made, const fxl_scene *scene, fuzz_input *in)
         make_board(made, i, scene->models[0].radius, in);
     }
     for (uint32_t i = 0; i < scene->model_count && i < 16; i++) {
-        made->model_map[i] = (uint16_t)(count + rarely(in, 64) - fuzz_below(in, count + 1));
+        const uint32_t most = count + rarely(in, 64);
+        made->model_map[i] = (uint16_t)(most - fuzz_below(in, count + 1));
         if (made->model_map[i] != 0 && !rarely(in, 32)) {
             made->models[i].face_count = 1;
             made->models[i].kind = FXL_MODEL_CONVEX;
@@ -186,6 +188,9 @@ static void draw_both(const boards *made, const fxl_visibility *method, const fx
     counters.spilled = second->workspace.counters.spilled;
     counters.split_bands = second->workspace.counters.split_bands;
     DEMAND(memcmp(&counters, &second->workspace.counters, sizeof counters) == 0);
+    record_bytes(whole, size);
+    record_bytes(&first->workspace.counters, sizeof counters);
+    record_bytes(&second->workspace.counters, sizeof counters);
     end(first, &one);
     end(second, &other);
     free(whole);

@@ -4,6 +4,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "record.h"
 
 enum {
     PIXELS = 6
@@ -33,6 +34,9 @@ void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
         const fxl_status status =
             fxl_pick_face(renderer, (uint16_t)x, (uint16_t)(band->first_row + row), &picked);
         DEMAND(status == FXL_OK);
+        record_number(picked.instance);
+        record_number(picked.face);
+        record_number(picked.colour);
         if (picked.instance != FXL_PICK_NONE) {
             DEMAND(picked.instance < scene->instance_count);
             DEMAND(picked.face < scene->models[scene->instances[picked.instance].model].face_count);
@@ -51,6 +55,9 @@ static void find_points(const fxl_view *view, fuzz_input *in)
     DEMAND(fxl_find_on_screen(view, &outside, &place) == FXL_E_RANGE && place.place == 99);
     DEMAND(fxl_find_on_screen(view, &point, &place) == FXL_OK);
     DEMAND(place.place <= FXL_POINT_BEYOND);
+    record_bytes(&place.at, sizeof place.at);
+    record_number(place.depth);
+    record_number(place.place);
     DEMAND(place.place != FXL_POINT_VISIBLE ||
            (place.at.x >> 16 < view->lens.width && place.at.y >> 16 < view->lens.height));
 }
@@ -68,6 +75,8 @@ static void slide(const fxl_scene *scene, const fxl_point *from, fuzz_input *in)
     DEMAND(status == FXL_OK ||
            ((status == FXL_E_RANGE || (status == FXL_E_TURN && scene->turns != NULL)) &&
             memcmp(&before, &sphere, sizeof sphere) == 0));
+    record_bytes(&sphere, sizeof sphere);
+    record_bytes(&done, sizeof done);
     DEMAND(done.instance == FXL_HIT_NONE || done.instance < scene->instance_count);
     DEMAND(fxl_slide_sphere(NULL, &sphere, &move, NULL) == FXL_E_ARGUMENT);
 }
@@ -83,6 +92,7 @@ void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in)
     }
     DEMAND(fxl_cast_segment(scene, eye, &to, &hit) == FXL_OK);
     DEMAND(hit.fraction <= FXL_Q1_31_ONE);
+    record_bytes(&hit, sizeof hit);
     if (hit.instance == FXL_HIT_NONE) {
         DEMAND(memcmp(&hit.point, &to, sizeof to) == 0 && hit.fraction == FXL_Q1_31_ONE);
     } else {

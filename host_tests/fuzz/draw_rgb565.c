@@ -5,6 +5,7 @@
 #include "demand.h"
 #include "draw.h"
 #include "fixel/extra/rgb565.h"
+#include "record.h"
 
 enum {
     TEXTURES = 3,
@@ -165,6 +166,9 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     fxl_swap_rgb565(&frame);
     DEMAND(memcmp(whole, bands, 2 * count) == 0);
     DEMAND(fxl_render_rgb565(renderer, &pose, bands, frame.stride) == FXL_OK);
+    record_bytes(whole, 2 * count);
+    record_bytes(bands, 2 * count);
+    record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     free(whole);
     free(bands);
     free(other);

@@ -5,6 +5,7 @@
 #include "demand.h"
 #include "draw.h"
 #include "make_scene.h"
+#include "record.h"
 #include "stages.h"
 
 enum {
@@ -61,11 +62,12 @@ static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
     const uint32_t format = fuzz_below(in, 2);
     const uint32_t wide = format + fuzz_below(in, fuzz_below(in, 2) ? 4 : 8);
     const uint32_t high = fuzz_below(in, fuzz_below(in, 8) ? 4 : 9);
-    *texture = (fxl_texture){.log_width = (uint8_t)wide,
-                             .log_height = (uint8_t)high,
-                             .format = (uint8_t)format,
-                             .flags = (uint8_t)fuzz_below(in, 4),
-                             .key = (uint8_t)fuzz_bits(in, 1)};
+    memset(texture, 0, sizeof *texture);
+    texture->log_width = (uint8_t)wide;
+    texture->log_height = (uint8_t)high;
+    texture->format = (uint8_t)format;
+    texture->flags = (uint8_t)fuzz_below(in, 4);
+    texture->key = (uint8_t)fuzz_bits(in, 1);
     texture->levels = (uint8_t)(1 + fuzz_below(in, 1 + (wide > high ? wide : high)));
     made->texels[number] = block(texel_bytes(texture));
     texture->texels = made->texels[number];
@@ -82,10 +84,11 @@ static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
 
 static void make_surface(fxl_surface *surface, fuzz_input *in)
 {
-    *surface = (fxl_surface){.texture = spoilt(in, fuzz_below(in, TEXTURES + 1)),
-                             .division = spoilt(in, fuzz_below(in, 4)),
-                             .flags = spoilt(in, fuzz_below(in, 4)),
-                             .opacity = spoilt(in, fuzz_below(in, 2) ? 16 : fuzz_below(in, 17))};
+    memset(surface, 0, sizeof *surface);
+    surface->texture = spoilt(in, fuzz_below(in, TEXTURES + 1));
+    surface->division = spoilt(in, fuzz_below(in, 4));
+    surface->flags = spoilt(in, fuzz_below(in, 4));
+    surface->opacity = spoilt(in, fuzz_below(in, 2) ? 16 : fuzz_below(in, 17));
     surface->reserved[1] = spoilt(in, 0);
 }
 
@@ -98,12 +101,15 @@ static fxl_q16_16 any_texel(fuzz_input *in)
 static void make_face(fxl_mapped_face *mapped, const fxl_face *face, fuzz_input *in)
 {
     const uint32_t first = face->count < 3 ? 0 : fuzz_below(in, face->count - 2u);
-    *mapped =
-        (fxl_mapped_face){.surface = spoilt(in, fuzz_below(in, SURFACES)),
-                          .corners = {(uint8_t)first, spoilt(in, first + 1), spoilt(in, first + 2)},
-                          .reserved = spoilt(in, 0)};
+    memset(mapped, 0, sizeof *mapped);
+    mapped->surface = spoilt(in, fuzz_below(in, SURFACES));
+    mapped->corners[0] = (uint8_t)first;
+    mapped->corners[1] = spoilt(in, first + 1);
+    mapped->corners[2] = spoilt(in, first + 2);
+    mapped->reserved = spoilt(in, 0);
     for (int i = 0; i < 3; i++) {
-        mapped->texels[i] = (fxl_texel){any_texel(in), any_texel(in)};
+        mapped->texels[i].u = any_texel(in);
+        mapped->texels[i].v = any_texel(in);
         mapped->normals[i] = spoilt(in, fuzz_below(in, NORMALS));
     }
 }
@@ -214,6 +220,8 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     draw(renderer, &pose, bands, 1 + fuzz_below(in, lens->height));
     DEMAND(memcmp(whole, bands, size) == 0);
     draw_in_another(renderer, whole, BACKGROUND, in);
+    record_bytes(whole, size);
+    record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     free(whole);
     free(bands);
     free(list);

@@ -3,6 +3,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "record.h"
 
 enum {
     BACKGROUND = 0x11,
@@ -95,7 +96,10 @@ static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
         const fxl_bsp_workspace *tree = made->room;
         DEMAND(tree->used <= tree->pieces_size);
         made->unsplit = tree->unsplit;
+        record_number(tree->used);
     }
+    record_bytes(made->pixels, (size_t)made->rows * width);
+    record_bytes(&made->renderer.workspace.counters, sizeof made->renderer.workspace.counters);
 }
 
 static void close_drawing(drawing *made)

@@ -3,6 +3,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "record.h"
 
 enum {
     BACKGROUND = 0x11,
@@ -39,6 +40,8 @@ void draw_wireframe(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose
     uint8_t *bands = draw(&wire, lens, rows, 1 + fuzz_below(in, rows));
     DEMAND(memcmp(whole, bands, (size_t)rows * lens->width) == 0);
     DEMAND(memcmp(&counters, &wire.counters, sizeof counters) == 0);
+    record_bytes(whole, (size_t)rows * lens->width);
+    record_bytes(&counters, sizeof counters);
     free(whole);
     free(bands);
 }
@@ -66,6 +69,7 @@ static void check_box(const fxl_scene *scene, const fxl_instance *instance, fxl_
         DEMAND(planes == FXL_SPHERE_OUTSIDE || (planes | inside) == FXL_SPHERE_OUTSIDE - 1);
         seen |= inside;
     }
+    record_number(planes);
     DEMAND(planes != FXL_SPHERE_OUTSIDE || seen != FXL_SPHERE_OUTSIDE - 1);
 }
 

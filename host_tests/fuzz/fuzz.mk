@@ -75,8 +75,8 @@ $(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=
 	$$(HOST_SAY)
 	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
 
-$(FUZZ_OUT)/replay_$(1): $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
-        $(BUILD)/host/unit/libfixel.a
+FUZZ_REPLAY_OBJECTS_$(1) := $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1))))
+$(FUZZ_OUT)/replay_$(1): $$(FUZZ_REPLAY_OBJECTS_$(1)) $(BUILD)/host/unit/libfixel.a
 	$$(HOST_SAY)
 	$$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
 

@@ -4,6 +4,7 @@
 #include "demand.h"
 #include "draw.h"
 #include "make_scene.h"
+#include "record.h"
 #include "stages.h"
 
 enum {
@@ -23,6 +24,9 @@ static bool check_scene(fxl_scene *scene)
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
     DEMAND(fxl_scene_check_all(scene, NULL) == status);
+    record_text(fault.what);
+    record_number(fault.index);
+    record_number(scene->order_needed);
     bool bare = scene->bsp_nodes == NULL && scene->bsp_node_count == 0 &&
                 scene->bsp_instance == 0 && scene->beam_count == 0 && scene->clusters == NULL &&
                 scene->cluster_count == 0;

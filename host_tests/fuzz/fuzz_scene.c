@@ -4,6 +4,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "record.h"
 
 enum {
     WORK = 1 << 18,
@@ -62,7 +63,7 @@ static void read_tables(const fxl_scene_image *opened)
     } else {
         sum += sum_bytes(opened->segments, opened->path_count * sizeof *opened->segments);
     }
-    (void)sum;
+    record_number(sum);
 }
 
 /* Draws some rows of a frame, as many as the work allows. */
@@ -89,6 +90,16 @@ static void demand_turns_in_range(const fxl_scene *scene)
     }
 }
 
+static void record_moved(const fxl_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        record_bytes(&scene->instances[i].centre, sizeof scene->instances[i].centre);
+    }
+    for (uint32_t i = 0; i + scene->first_turned < scene->instance_count; i++) {
+        record_bytes(&scene->turns[i], sizeof scene->turns[i]);
+    }
+}
+
 /* The frames that the loader passed must all be playable: the player asserts it. */
 static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *player)
 {
@@ -104,6 +115,7 @@ static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *pla
     DEMAND(status == (scene->instance_count <= MOVED ? FXL_OK : FXL_E_CAPACITY));
     for (uint32_t i = 0; status == FXL_OK && i < 8; i++) {
         fxl_motion_play(player, i < 4 ? i : (uint32_t)fuzz_bits(in, 4));
+        record_moved(scene);
         demand_turns_in_range(scene);
     }
 }
@@ -135,10 +147,12 @@ static void play_others(const fxl_scene_image *opened, fuzz_input in)
     fault.what = NULL;
     const fxl_status status = fxl_motion_check(&set, &scene, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
+    record_text(fault.what);
     if (status == FXL_OK) {
         DEMAND(fxl_motion_begin(&player, &set, &scene, &memory) == FXL_OK);
         for (uint32_t i = 0; i < 4; i++) {
             fxl_motion_play(&player, i < 2 ? i : (uint32_t)fuzz_bits(&in, 4));
+            record_moved(&scene);
             demand_turns_in_range(&scene);
         }
     }
@@ -165,6 +179,7 @@ static void walk(fxl_scene_image *opened, fuzz_input *in)
         for (uint32_t j = 0; j < opened->segments[i].frames && frames < STEPS; j++) {
             DEMAND(fxl_player_step(&viewer, opened->segments[i].keys, &opened->motion_limits,
                                    NULL) == FXL_OK);
+            record_bytes(&viewer, sizeof viewer);
             if (frames < 3) {
                 draw_frame(opened, &viewer.pose, frames, in);
             }
@@ -188,6 +203,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     fxl_status status = fxl_scene_open(exact, size, &opened, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
+    record_number(status);
+    record_text(fault.what);
+    record_number(fault.index);
     DEMAND(fxl_scene_open(exact, size, NULL, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_scene_open(exact + 1, size, &untouched, NULL) == FXL_E_ALIGNMENT);
     if (status == FXL_OK) {

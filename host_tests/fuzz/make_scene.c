@@ -171,7 +171,8 @@ static fxl_bsp_node any_node(const made_scene *made, const fxl_model *model, uin
         node.distance_high = (uint32_t)(height >> 32);
     } else {
         node.normal = any_plane(in).camera.axes.forward;
-        node.distance_high = (uint32_t)((int32_t)fuzz_bits(in, 4) >> (2 + fuzz_below(in, 16)));
+        const int32_t distance = (int32_t)fuzz_bits(in, 4);
+        node.distance_high = (uint32_t)(distance >> (2 + fuzz_below(in, 16)));
     }
     return node;
 }
@@ -260,7 +261,8 @@ static void add_clusters_of(made_scene *made, fxl_model *model, fuzz_input *in)
         if (fuzz_below(in, 4) != 0) {
             cluster->axis = face->normal;
             cluster->apex = cluster->centre;
-            cluster->cutoff = 64 + ((uint32_t)fuzz_bits(in, 2) << fuzz_below(in, 17));
+            cluster->cutoff = (uint32_t)fuzz_bits(in, 2);
+            cluster->cutoff = 64 + (cluster->cutoff << fuzz_below(in, 17));
         }
     }
 }
@@ -344,7 +346,8 @@ static void spoil(made_scene *made, fuzz_input *in)
     } else if (which < 31) {
         *halves[which - 26] = (uint16_t)fuzz_bits(in, 2);
     } else {
-        made->keys[fuzz_below(in, MADE_FACES)].height_high = (uint32_t)fuzz_any(in);
+        fxl_face_bounds *const key = &made->keys[fuzz_below(in, MADE_FACES)];
+        key->height_high = (uint32_t)fuzz_any(in);
     }
 }
 
@@ -429,9 +432,11 @@ void add_turns(made_scene *made, fuzz_input *in)
         const fxl_instance *instance = &made->instances[i];
         fxl_turn *turn = &turns[i - first];
         turn->orientation = about_axis(in);
-        turn->scale = fuzz_below(in, 4) == 0
-                          ? FXL_Q16_16_ONE
-                          : (int32_t)(((uint32_t)fuzz_bits(in, 2) + 256u) << fuzz_below(in, 8));
+        turn->scale = FXL_Q16_16_ONE;
+        if (fuzz_below(in, 4) != 0) {
+            const uint32_t small = (uint32_t)fuzz_bits(in, 2) + 256u;
+            turn->scale = (int32_t)(small << fuzz_below(in, 8));
+        }
         while (turn->scale > FXL_SCALE_MIN && instance->model < MADE_MODELS &&
                fxl_turn_check(turn, &instance->centre, made->models[instance->model].radius) ==
                    FXL_E_RANGE) {
@@ -439,7 +444,8 @@ void add_turns(made_scene *made, fuzz_input *in)
         }
     }
     if (fuzz_below(in, 16) == 7) {
-        (&turns[0].orientation.x.x)[fuzz_below(in, 10)] = fuzz_any(in);
+        int32_t *const number = &turns[0].orientation.x.x + fuzz_below(in, 10);
+        *number = fuzz_any(in);
     }
     scene->turns = copy(turns, (count - first) * sizeof *turns);
     scene->first_turned = first;

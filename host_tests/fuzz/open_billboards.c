@@ -4,6 +4,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "record.h"
 
 enum {
     FACES = 4096,
@@ -29,6 +30,7 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }
+    record_band(&band);
     free(memory.order);
     free(pixels);
     free(renderer);
@@ -71,6 +73,7 @@ void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose)
     DEMAND(fxl_billboards_open(opened, sprites, boards, count, NULL, NULL) == FXL_E_ARGUMENT);
     if (status == FXL_OK) {
         sum = sum_sprites(sprites, count);
+        record_number(sum);
         if (draw_model_view(&opened->scene) <= FACES) {
             draw_row(opened, &set, pose);
         }

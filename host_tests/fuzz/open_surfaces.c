@@ -6,6 +6,7 @@
 #include "demand.h"
 #include "draw.h"
 #include "fixel/extra/surfaces.h"
+#include "record.h"
 
 enum {
     FACES = 512, /* of a scene that is drawn */
@@ -50,6 +51,7 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }
+    record_band(&band);
     free(pixels);
     free(renderer);
     free(order);
@@ -71,6 +73,7 @@ void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose)
         for (uint32_t i = 0; i < count; i++) {
             sum += sum_texels(&textures[i]);
         }
+        record_number(sum);
         if (draw_model_view(&opened->scene) <= FACES) {
             draw_rows(opened, &set, pose);
         }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "record.h"
 #include "stages.h"
 
 static fxl_q2_30 any_fraction(fuzz_input *in)
@@ -49,6 +50,7 @@ static void demand_ramp(const fxl_light_settings *settings, uint8_t *ramp, fuzz_
     const fxl_status status = fxl_light_make_ramp(palette, black, settings->levels, ramp);
     DEMAND((status == FXL_OK) ==
            (settings->levels >= FXL_LIGHT_LEVELS_MIN && settings->levels <= FXL_LIGHT_LEVELS_MAX));
+    record_bytes(ramp, status == FXL_OK ? FXL_LIGHT_RAMP_BYTES(settings->levels) : 0);
     for (uint32_t i = 0; status == FXL_OK && i < 256; i++) {
         DEMAND(ramp[i] == 0 && ramp[256 * (settings->levels - 1) + i] == i);
     }

@@ -4,6 +4,7 @@
 
 #include "demand.h"
 #include "make_scene.h"
+#include "record.h"
 #include "stages.h"
 
 enum {
@@ -35,7 +36,8 @@ static fxl_turn any_turn(fuzz_input *in)
     turn.orientation.z = camera.axes.forward;
     if (fuzz_below(in, 8) == 0) {
         fxl_direction *rows = &turn.orientation.x;
-        rows[fuzz_below(in, 3)].x = fuzz_any(in);
+        fxl_direction *const row = &rows[fuzz_below(in, 3)];
+        row->x = fuzz_any(in);
     }
     turn.scale = fuzz_below(in, 4) ? fuzz_between(in, 256, 4 * 65536) : fuzz_any(in);
     return turn;
@@ -87,7 +89,9 @@ static void demand_change(any_world *of, fuzz_input *in)
 {
     static any_world before;
     before = *of;
-    if (change(of, in) != FXL_OK) {
+    const fxl_status status = change(of, in);
+    record_number(status);
+    if (status != FXL_OK) {
         before.world.refused_calls += 1;
         DEMAND(memcmp(&before, of, sizeof before) == 0);
     }
@@ -117,6 +121,8 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
         faces += renderer->scene->models[renderer->scene->instances[i].model].face_count;
     }
     DEMAND(renderer->workspace.counters.in == faces);
+    record_band(&band);
+    record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
 }
 
 /* Calls without a world, or without what they need. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "record.h"
 
 enum {
     WIDTH = 24,
@@ -35,6 +36,8 @@ static bool count_call(fuzz_wires *wires)
 static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
 {
     fuzz_wires *wires = (fuzz_wires *)user;
+    record_number(is_data);
+    record_bytes(bytes, size);
     DEMAND(wires->sent == NULL && bytes != NULL && size > 0 && (is_data || size < 64));
     return count_call(wires);
 }
@@ -44,6 +47,7 @@ static bool begin(void *user, const uint8_t *bytes, size_t size)
     fuzz_wires *wires = (fuzz_wires *)user;
     DEMAND(wires->sent == NULL && size > 0);
     wires->sent = bytes;
+    record_bytes(bytes, size);
     wires->first_byte = bytes[0];
     return count_call(wires);
 }
@@ -75,9 +79,11 @@ static void fuzz_formats(fuzz_input *in)
     static uint32_t out[WIDEST * ROWS / 2 + 2];
     static fxl_pixels pixels;
     const uint32_t run = 1u + fuzz_below(in, 64), noise = fuzz_below(in, 2);
-    const fxl_band band = {frame, (uint16_t)fuzz_below(in, 68),
-                           (uint16_t)fuzz_below(in, WIDEST + 1), (uint16_t)fuzz_below(in, 32),
-                           (uint16_t)fuzz_below(in, ROWS + 1)};
+    fxl_band band = {frame, 0, 0, 0, 0};
+    band.width = (uint16_t)fuzz_below(in, 68);
+    band.stride = (uint16_t)fuzz_below(in, WIDEST + 1);
+    band.first_row = (uint16_t)fuzz_below(in, 32);
+    band.rows = (uint16_t)fuzz_below(in, ROWS + 1);
     for (uint32_t i = 0; i < sizeof frame; i++) {
         frame[i] = (uint8_t)(noise != 0 ? fuzz_bits(in, 1) : i / run);
     }
@@ -94,6 +100,7 @@ static void fuzz_formats(fuzz_input *in)
             DEMAND(bytes[at] == GUARD);
         }
         if (status == FXL_OK) {
+            record_bytes(out, size);
             DEMAND(fxl_pixels_convert(&pixels, &band, out, size - 1) == FXL_E_CAPACITY);
             DEMAND(fxl_pixels_convert(&pixels, &band, (uint8_t *)out + 1, size) == FXL_E_ALIGNMENT);
         }
@@ -126,6 +133,7 @@ static void fuzz_parts(fuzz_input in)
     for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
         const uint32_t luma = fxl_luma(palette + 3u * i), x = (uint32_t)fuzz_any(&in);
         const uint32_t level = fxl_grey_level(table[i], x, (uint32_t)fuzz_any(&in));
+        record_number(level);
         DEMAND(level == highest * luma / 255u || level == highest * luma / 255u + 1u);
         DEMAND(level <= highest);
     }
@@ -133,9 +141,11 @@ static void fuzz_parts(fuzz_input in)
 
 static fxl_status send_elsewhere(fuzz_input *in, fxl_pump *pump, uint8_t *lent)
 {
-    const fxl_band rows = {lent, (uint16_t)(WIDTH + (fuzz_below(in, 16) == 1)),
-                           (uint16_t)(WIDTH + fuzz_below(in, 3) - 1u),
-                           (uint16_t)fuzz_below(in, HEIGHT + 1), (uint16_t)fuzz_below(in, 10)};
+    fxl_band rows = {lent, 0, 0, 0, 0};
+    rows.width = (uint16_t)(WIDTH + (fuzz_below(in, 16) == 1));
+    rows.stride = (uint16_t)(WIDTH + fuzz_below(in, 3) - 1u);
+    rows.first_row = (uint16_t)fuzz_below(in, HEIGHT + 1);
+    rows.rows = (uint16_t)fuzz_below(in, 10);
     DEMAND(fxl_pump_send_rows(pump, NULL) == FXL_E_ARGUMENT);
     return fxl_pump_send_rows(pump, &rows);
 }
@@ -194,9 +204,11 @@ static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *
         port.wait = NULL;
     }
     config.width = (uint16_t)fuzz_below(in, 150);
-    config.height = (uint16_t)(8u * fuzz_below(in, 6) + (fuzz_below(in, 8) == 1));
+    config.height = (uint16_t)(8u * fuzz_below(in, 6));
+    config.height = (uint16_t)(config.height + (fuzz_below(in, 8) == 1));
     config.left = (uint16_t)(fuzz_below(in, 16) == 1 ? 2000 : fuzz_below(in, 4));
-    config.top = (uint16_t)(8u * fuzz_below(in, 3) + (fuzz_below(in, 8) == 1));
+    config.top = (uint16_t)(8u * fuzz_below(in, 3));
+    config.top = (uint16_t)(config.top + (fuzz_below(in, 8) == 1));
     config.is_inverted = fuzz_below(in, 2) != 0;
     fxl_status status = fxl_display_open(&display, &config, &port, palette);
     DEMAND(status == FXL_OK || status == FXL_E_RANGE || status == FXL_E_DISPLAY);
@@ -249,7 +261,8 @@ static void demand_refusals(fuzz_input *in)
     DEMAND(fxl_pump_begin(NULL) == FXL_E_ARGUMENT && fxl_pump_send(NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_pump_wait(NULL) == FXL_E_ARGUMENT && fxl_pump_band(NULL) == NULL);
     DEMAND(fxl_pump_send_rows(NULL, NULL) == FXL_E_ARGUMENT);
-    *sides[fuzz_below(in, 3)] = (uint16_t)(fuzz_below(in, 2) ? 0 : FXL_SCREEN_MAX + 1);
+    uint16_t *const side = sides[fuzz_below(in, 3)];
+    *side = (uint16_t)(fuzz_below(in, 2) ? 0 : FXL_SCREEN_MAX + 1);
     DEMAND(fxl_pump_memory_size(&shape) == 0);
 }
 

@@ -5,6 +5,7 @@
 
 #include "demand.h"
 #include "judge.h"
+#include "record.h"
 
 enum {
     TEXEL_MAX = 16383 * 65536,
@@ -42,6 +43,7 @@ void fuzz_project(fuzz_input *in)
         fxl_status status = fxl_project_point(&lens, &point, &screen);
         judge_projection(&lens, &point, status, &screen);
         DEMAND(status == FXL_OK || memcmp(&before, &screen, sizeof screen) == 0);
+        record_bytes(&screen, sizeof screen);
         polygon.vertices[polygon.count].position = point;
         all = all && status == FXL_OK;
     }
@@ -142,6 +144,7 @@ void fuzz_scan(fuzz_input *in)
     fxl_status status = fxl_scan_begin(&polygon, &band, &scan);
     DEMAND((status == FXL_OK) == (legal_count && screen_polygon_in_range(&polygon)));
     draw_spans(&scan, &band);
+    record_band(&band);
     if (status == FXL_OK) {
         judge_coverage(&polygon, &band);
         draw_listed(&polygon, &band);
@@ -181,6 +184,9 @@ void fuzz_clip_world(fuzz_input *in)
         fxl_view_point point;
         fxl_transform_point(&view.camera, &result->vertices[i].position, &point);
         judge_transform(&view.camera, &result->vertices[i].position, &point);
+        record_bytes(&point, sizeof point);
+        record_number(result->vertices[i].u);
+        record_number(result->vertices[i].v);
     }
 }
 
@@ -204,6 +210,9 @@ void fuzz_clip_view(fuzz_input *in)
         fxl_clip_view_to_planes(&polygon, &view.view_frustum, FXL_PLANES_ALL, &work, &result);
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     judge_view_clip(cut, result, &view);
+    record_number(cut);
+    record_bytes(result != NULL ? result->vertices : NULL,
+                 result != NULL ? result->count * sizeof result->vertices[0] : 0);
     fxl_clip_view_work again;
     for (int which = 0; which < 2; which++) { /* the input within the work */
         const fxl_view_polygon *same;
@@ -277,6 +286,7 @@ void fuzz_viewer(fuzz_input *in)
             return;
         }
         demand_walked(&viewer, &before, &motion_limits, report, flies);
+        record_bytes(&viewer, sizeof viewer);
     }
 }
 
@@ -284,9 +294,25 @@ void fuzz_viewer(fuzz_input *in)
 static void judge_sine(fxl_angle angle)
 {
     int64_t sine = fxl_sin(angle), cosine = fxl_cos(angle);
+    record_number(sine);
+    record_number(cosine);
     int64_t difference = sine * sine + cosine * cosine - ((int64_t)1 << 60);
     DEMAND(difference <= ((int64_t)1 << 31) && difference >= -((int64_t)1 << 31));
     DEMAND(fxl_sin(0u - angle) == -sine && fxl_cos(0u - angle) == cosine);
+}
+
+static void record_lens(fxl_status status, const fxl_lens *lens)
+{
+    record_number(status);
+    record_number(lens->width);
+    record_number(lens->height);
+    record_number(lens->focal);
+    record_number(lens->near_z);
+    record_number(lens->far_z);
+    record_number(lens->inset);
+    record_number(lens->centre_x);
+    record_number(lens->centre_y);
+    record_number(status == FXL_OK && lens->off_centre != NULL);
 }
 
 /* Any centre, part and window: a valid lens, or a status and the lens as it was. */
@@ -306,6 +332,7 @@ static void judge_moved_lenses(const fxl_lens *lens, fuzz_input *in)
     DEMAND(status == FXL_OK || status == FXL_E_RANGE);
     DEMAND(status == FXL_OK ? fxl_lens_is_valid(&moved)
                             : memcmp(&before, &moved, sizeof moved) == 0);
+    record_lens(status, &moved);
     if (lens == NULL) {
         return;
     }
@@ -313,10 +340,12 @@ static void judge_moved_lenses(const fxl_lens *lens, fuzz_input *in)
     status = fxl_lens_of_part(lens, (int16_t)a, (int16_t)b, width, (uint16_t)(b >> 16), &moved);
     DEMAND(status == FXL_OK ? fxl_lens_is_valid(&moved)
                             : memcmp(&before, &moved, sizeof moved) == 0);
+    record_lens(status, &moved);
     before = moved = *lens;
     status = fxl_lens_set_centre(&moved, a, b);
     DEMAND(status == FXL_OK ? fxl_lens_is_valid(&moved)
                             : memcmp(&before, &moved, sizeof moved) == 0);
+    record_lens(status, &moved);
 }
 
 void fuzz_lenses(fuzz_input *in)
@@ -343,6 +372,7 @@ void fuzz_lenses(fuzz_input *in)
         fxl_lens_from_fov(size[0], size[1], (fxl_angle)fov, depths[0], depths[1], depths[2], &lens);
     DEMAND(status == (legal ? FXL_OK : FXL_E_RANGE));
     DEMAND(legal || memcmp(&before, &lens, sizeof lens) == 0);
+    record_lens(status, &lens);
     DEMAND(fxl_status_text((fxl_status)fuzz_any(in)) != NULL);
     judge_sine((fxl_angle)fov);
     judge_moved_lenses(legal ? &lens : NULL, in);

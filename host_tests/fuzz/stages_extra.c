@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "record.h"
 #include "show.h"
 #include "stages.h"
 
@@ -35,6 +36,9 @@ void fuzz_sort(fuzz_input *in)
         entries[i] = fxl_order_entry_of(distances[i], (uint16_t)i, 0);
     }
     fxl_order_sort_faces(entries, count, &work);
+    for (uint32_t i = 0; i < count; i++) {
+        record_number(entries[i].face);
+    }
     for (uint32_t i = 1; i < count; i++) {
         uint32_t before = entries[i - 1].face, after = entries[i].face;
         DEMAND(before < count && after < count);
@@ -76,6 +80,7 @@ void fuzz_beams(fuzz_input *in)
         return;
     }
     DEMAND(fxl_beam_check(&beam) == FXL_OK && beam.plane_count == count + 1);
+    record_bytes(&beam, sizeof beam);
     for (uint32_t i = 0; i < count; i++) { /* the window lies within the beam: to 2^-12 unit */
         for (uint32_t k = 0; k < beam.plane_count - 1u; k++) {
             const fxl_plane plane = fxl_beam_plane_at(&beam, k);
@@ -83,8 +88,9 @@ void fuzz_beams(fuzz_input *in)
         }
         DEMAND(kind < 2 || fxl_beam_reaches(&beam, &window[i], 65536)); /* flat */
     }
-    ((uint8_t *)&beam)[fuzz_below(in, sizeof beam)] ^= (uint8_t)fuzz_bits(in, 1);
-    (void)fxl_beam_check(&beam);
+    uint8_t *const spoilt = (uint8_t *)&beam + fuzz_below(in, sizeof beam);
+    *spoilt ^= (uint8_t)fuzz_bits(in, 1);
+    record_number(fxl_beam_check(&beam));
     DEMAND(fxl_beam_light_workspace_size(&beam, 0) == 0);
 }
 
@@ -104,7 +110,11 @@ void fuzz_split(fuzz_input *in)
             piece.points[i] = pose.position;
         }
     }
-    if (fxl_split_piece(&piece, &plane, &front, &back) == FXL_SPLIT_BOTH) {
+    const fxl_split_result parts = fxl_split_piece(&piece, &plane, &front, &back);
+    record_number(parts);
+    if (parts == FXL_SPLIT_BOTH) {
+        record_bytes(front.points, front.count * sizeof front.points[0]);
+        record_bytes(back.points, back.count * sizeof back.points[0]);
         for (uint32_t i = 0; i < front.count; i++) {
             DEMAND(fxl_plane_distance(&plane, &front.points[i]) >= -((int64_t)2 << 30));
         }
@@ -139,6 +149,10 @@ static void demand_window(fuzz_input *in, fxl_volume *volume)
     fxl_status status =
         fxl_volume_from_window(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5], volume);
     DEMAND(status == FXL_OK || status == FXL_E_RANGE);
+    for (int i = 0; status == FXL_OK && i < FXL_PLANE_COUNT; i++) {
+        record_bytes(&volume->planes[i].normal, sizeof volume->planes[i].normal);
+        record_number(volume->planes[i].offset);
+    }
     DEMAND(fxl_volume_from_window(0, 1, 0, 1, 256, 512, NULL) == FXL_E_ARGUMENT);
 }
 
@@ -157,6 +171,8 @@ void fuzz_volumes(fuzz_input *in)
     work.stats.sliver = fuzz_below(in, 2) ? 0 : (fxl_q18_46)fuzz_bits(in, 5);
     fxl_clip_result cut = fxl_clip_to_volume(&polygon, &volume, &work, &result);
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
+    record_number(cut);
+    record_varying(result);
     bool inside = true;
     for (uint32_t i = 0; i < polygon.count; i++) {
         inside = inside && fxl_volume_holds(&volume, &polygon.vertices[i].position);
@@ -177,6 +193,9 @@ void fuzz_volumes(fuzz_input *in)
         for (int i = 0; i < 3; i++) {
             DEMAND(triangles.screen_sliver > 0 ||
                    (flat->corners[i].at.x >= 0 && flat->corners[i].at.x <= lens.width * 65536));
+            record_bytes(&flat->corners[i].at, sizeof flat->corners[i].at);
+            record_bytes(flat->corners[i].carried,
+                         polygon.carried * sizeof flat->corners[i].carried[0]);
         }
     }
     DEMAND(status == FXL_OK);
@@ -202,10 +221,15 @@ void fuzz_normalised(fuzz_input *in)
     fxl_clip_result cut = fxl_clip_once(&polygon, &frustum, &once, &by_once);
     fxl_clip_result planes = fxl_clip_normalised(&polygon, &frustum, &work, &by_planes);
     DEMAND((cut == FXL_CLIP_INSIDE) == (planes == FXL_CLIP_INSIDE));
+    record_number(cut);
+    record_varying(by_once);
+    record_number(planes);
+    record_varying(by_planes);
     DEMAND(cut != FXL_CLIP_CUT || (by_once->count >= 3 && by_once->count <= FXL_POLYGON_CAPACITY));
     fxl_screen_point screen = {1, 2};
     fxl_status status = fxl_normalised_project(&frustum, &polygon.vertices[0].position, &screen);
     DEMAND(status == FXL_OK || (screen.x == 1 && screen.y == 2));
+    record_bytes(&screen, sizeof screen);
 }
 
 /* A plane through three points, a line that meets it, and polygons by the sides alone and by a
@@ -224,6 +248,8 @@ void fuzz_planes(fuzz_input *in)
     points[2] = kind == 1 ? points[1] : points[2];
     fxl_status status = fxl_plane_from_points(&points[0], &points[1], &points[2], &plane);
     DEMAND(status == FXL_OK || (plane.normal.x == 1 && plane.distance == 4));
+    record_bytes(&plane.normal, sizeof plane.normal);
+    record_number(plane.distance);
     DEMAND(fxl_plane_from_points(NULL, &points[1], &points[2], &plane) == FXL_E_ARGUMENT);
     DEMAND(fxl_plane_from_points(&points[0], NULL, &points[2], &plane) == FXL_E_ARGUMENT);
     DEMAND(fxl_plane_from_points(&points[0], &points[1], NULL, &plane) == FXL_E_ARGUMENT);
@@ -237,6 +263,7 @@ void fuzz_planes(fuzz_input *in)
         const fxl_view_point from = any_place(in), to = kind == 2 ? from : any_place(in);
         if (fxl_line_meet_plane(&from, &to, &space, &at) == FXL_LINE_MEETS) {
             const fxl_q18_46 off = fxl_half_space_distance(&space, &at.point);
+            record_bytes(&at, sizeof at);
             DEMAND(off >= -4 && off <= 3); /* 1.25 times the sum of a unit vector's components */
         }
     }
@@ -245,12 +272,17 @@ void fuzz_planes(fuzz_input *in)
         flat.points[i].x = fuzz_between(in, -FXL_SCREEN_COORDINATE_MAX, FXL_SCREEN_COORDINATE_MAX);
         flat.points[i].y = fuzz_between(in, -FXL_SCREEN_COORDINATE_MAX, FXL_SCREEN_COORDINATE_MAX);
     }
-    const fxl_rectangle to = {0, 0, fuzz_between(in, 0, FXL_SCREEN_COORDINATE_MAX),
-                              fuzz_between(in, 0, FXL_SCREEN_COORDINATE_MAX)};
+    fxl_rectangle to = {0, 0, 0, 0};
+    to.right = fuzz_between(in, 0, FXL_SCREEN_COORDINATE_MAX);
+    to.bottom = fuzz_between(in, 0, FXL_SCREEN_COORDINATE_MAX);
     const fxl_screen_polygon *clipped;
     fxl_clip_result cut = fxl_clip_to_rectangle(&flat, &to, &work, &clipped);
     DEMAND((clipped == &flat) == (cut == FXL_CLIP_INSIDE));
     DEMAND((clipped != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
+    record_number(cut);
+    if (clipped != NULL) {
+        record_points(clipped);
+    }
     for (uint32_t i = 0; clipped != NULL && i < clipped->count; i++) {
         DEMAND(clipped->points[i].x >= 0 && clipped->points[i].x <= to.right);
         DEMAND(clipped->points[i].y >= 0 && clipped->points[i].y <= to.bottom);
@@ -269,6 +301,10 @@ void fuzz_planes(fuzz_input *in)
     cut = fxl_clip_world_to_planes(&polygon, &view.frustum,
                                    (fxl_planes)fuzz_below(in, FXL_PLANES_ALL + 1), &world, &result);
     DEMAND((result != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
+    record_number(cut);
+    for (uint32_t i = 0; result != NULL && i < result->count; i++) {
+        record_bytes(&result->vertices[i].position, sizeof result->vertices[i].position);
+    }
 }
 
 /* What a first program does, with less memory than it needs, just that much, or more; and a display
@@ -318,6 +354,7 @@ void fuzz_first_program(fuzz_input *in)
     DEMAND(fxl_render(&renderer, &eye, NULL, 24) == FXL_E_ARGUMENT);
     DEMAND(fxl_render(&renderer, &eye, pixels, 23) == FXL_E_RANGE);
     DEMAND(fxl_render(&renderer, &eye, pixels, 24) == FXL_OK);
+    record_bytes(pixels, sizeof pixels);
     fuzz_show(in, &renderer, &eye);
     eye.position.x = INT32_MAX;
     DEMAND(fxl_render(&renderer, &eye, pixels, 24) == FXL_E_RANGE);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "record.h"
 #include "stages.h"
 
 enum {
@@ -31,7 +32,8 @@ static void draw_any_sprite(fuzz_input *in, const fxl_band *band)
     sprite.height = (uint16_t)fuzz_below(in, 17);
     sprite.bits = depths[fuzz_below(in, 4)];
     sprite.key = (uint16_t)fuzz_below(in, 257);
-    const fxl_status status = fxl_draw_sprite(band, any_pixel(in), any_pixel(in), &sprite);
+    const int32_t x = any_pixel(in), y = any_pixel(in);
+    const fxl_status status = fxl_draw_sprite(band, x, y, &sprite);
     DEMAND(status == (sprite.bits == 2 ? FXL_E_RANGE : FXL_OK));
     sprite.pixels = NULL;
     DEMAND(fxl_draw_sprite(band, 0, 0, &sprite) == FXL_E_ARGUMENT);
@@ -54,9 +56,11 @@ static void draw_any_text(fuzz_input *in, const fxl_band *band)
     }
     const bool sound = font.first + font.count <= 256 && font.unknown >= font.first &&
                        font.unknown < font.first + font.count;
-    const fxl_status status = fxl_draw_text(band, any_pixel(in), any_pixel(in), text, &style);
+    const int32_t x = any_pixel(in), y = any_pixel(in);
+    const fxl_status status = fxl_draw_text(band, x, y, text, &style);
     DEMAND(status == (sound ? FXL_OK : FXL_E_RANGE));
     DEMAND(fxl_measure_text(text, &style, &size) == status);
+    record_bytes(&size, sizeof size);
     DEMAND(sound ? size.height % font.line_height == 0 : size.width == 1 && size.height == 2);
     DEMAND(fxl_measure_text(NULL, &style, &size) == FXL_E_ARGUMENT);
     DEMAND(fxl_measure_text(text, &style, NULL) == FXL_E_ARGUMENT);
@@ -119,8 +123,10 @@ void fuzz_overlay(fuzz_input *in)
     uint8_t whole[ROWS * STRIDE], bands[ROWS * STRIDE];
     const uint16_t step = (uint16_t)(1 + fuzz_below(in, ROWS));
     const fxl_band all = {whole, WIDTH, STRIDE, 0, ROWS};
-    const fxl_band wrong = {whole, (uint16_t)fuzz_any(in), (uint16_t)fuzz_any(in),
-                            (uint16_t)fuzz_any(in), 0};
+    fxl_band wrong = {whole, 0, 0, 0, 0};
+    wrong.width = (uint16_t)fuzz_any(in);
+    wrong.stride = (uint16_t)fuzz_any(in);
+    wrong.first_row = (uint16_t)fuzz_any(in);
     memset(whole, GROUND, sizeof whole);
     memset(bands, GROUND, sizeof bands);
     demand_refused(&all);
@@ -136,6 +142,7 @@ void fuzz_overlay(fuzz_input *in)
         }
     }
     DEMAND(memcmp(whole, bands, sizeof whole) == 0);
+    record_bytes(whole, sizeof whole);
     for (uint32_t i = 0; i < ROWS; i++) {
         DEMAND(whole[i * STRIDE + WIDTH] == GROUND && whole[i * STRIDE + STRIDE - 1] == GROUND);
     }
@@ -166,6 +173,7 @@ static void look_at_any(fuzz_input *in)
     const fxl_status status = fxl_pose_look_at(&pose, &target);
     DEMAND(status == FXL_OK || memcmp(&pose, &before, sizeof pose) == 0);
     DEMAND(pose.roll == before.roll);
+    record_bytes(&pose, sizeof pose);
     DEMAND(pose.pitch <= FXL_ANGLE_QUARTER || pose.pitch >= 0u - FXL_ANGLE_QUARTER ||
            status != FXL_OK);
     DEMAND(fxl_pose_look_at(NULL, &target) == FXL_E_ARGUMENT);
@@ -173,12 +181,17 @@ static void look_at_any(fuzz_input *in)
 
 static void scale_any(fuzz_input *in)
 {
-    const fxl_motion_limits limits = {fuzz_any(in), fuzz_between(in, 0, FXL_MOTION_MAX),
-                                      fuzz_between(in, 0, FXL_MOTION_MAX),
-                                      fuzz_below(in, FXL_ANGLE_QUARTER + 2)};
+    fxl_motion_limits limits;
+    limits.acceleration = fuzz_any(in);
+    limits.friction = fuzz_between(in, 0, FXL_MOTION_MAX);
+    limits.speed_max = fuzz_between(in, 0, FXL_MOTION_MAX);
+    limits.turn = fuzz_below(in, FXL_ANGLE_QUARTER + 2);
     fxl_motion_limits scaled = {-7, 0, 0, 0};
     const fxl_status status = fxl_scale_motion_limits(&limits, fuzz_any(in), &scaled);
     DEMAND((status == FXL_OK) == (scaled.acceleration >= 0));
+    record_number(scaled.acceleration);
+    record_number(scaled.friction);
+    record_number(scaled.speed_max);
     DEMAND(fxl_scale_motion_limits(NULL, 0, &scaled) == FXL_E_ARGUMENT);
 }
 
@@ -229,6 +242,8 @@ void fuzz_geometry(fuzz_input *in)
         const bool meets = fxl_sphere_meets_segment(&a, &from, &to);
         DEMAND(fxl_spheres_overlap(&a, &b) == fxl_spheres_overlap(&b, &a));
         DEMAND(meets == fxl_sphere_meets_segment(&a, &to, &from));
+        record_number(meets + 2 * fxl_spheres_overlap(&a, &b) + 4 * fxl_sphere_meets_box(&a, &about) +
+                      8 * fxl_boxes_overlap(&about, &point));
         DEMAND(!meets || fxl_sphere_meets_box(&a, &about));
         DEMAND(fxl_boxes_overlap(&about, &point) == fxl_boxes_overlap(&point, &about));
         DEMAND(!fxl_boxes_overlap(&about, &point) || fxl_sphere_meets_box(&a, &about));

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "record.h"
 #include "stages.h"
 
 static const fxl_point origin = {0, 0, 0};
@@ -11,7 +12,10 @@ static fxl_point any_vector(fuzz_input *in)
 {
     const fxl_q16_16 limit = (fxl_q16_16)1 << fuzz_below(in, 31);
     const fxl_point near = fuzz_point(in, limit < FXL_COORDINATE_MAX ? limit : FXL_COORDINATE_MAX);
-    const fxl_point any = {fuzz_any(in), fuzz_any(in), fuzz_any(in)};
+    fxl_point any;
+    any.x = fuzz_any(in);
+    any.y = fuzz_any(in);
+    any.z = fuzz_any(in);
     return fuzz_below(in, 4) ? near : any;
 }
 
@@ -20,6 +24,7 @@ static void demand_made(fxl_status status, const fxl_orientation *o, const fxl_o
     const fxl_turn turn = {*o, FXL_Q16_16_ONE};
     DEMAND(status == FXL_OK ? fxl_turn_check(&turn, &origin, 0) == FXL_OK
                             : memcmp(o, before, sizeof *o) == 0);
+    record_bytes(o, sizeof *o);
 }
 
 /* An orientation by one of the functions, or of any numbers. */
@@ -63,6 +68,8 @@ void fuzz_orientations(fuzz_input *in)
     const fxl_point at = any_vector(in), local = any_vector(in);
     turn = before;
     const fxl_status status = fxl_turn_attach(&at, &parent, &local, &child, &centre, &turn);
+    record_bytes(&turn, sizeof turn);
+    record_bytes(&centre, sizeof centre);
     if (status == FXL_OK) {
         DEMAND(fxl_turn_check(&turn, &centre, 0) == FXL_OK);
     } else {

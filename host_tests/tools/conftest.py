@@ -65,6 +65,17 @@ def run_make(*arguments, **changes):
                           env=environment(**changes))
 
 
+def sampled(name, values, count):
+    """So many of a test's parameters, in their order: what takes minutes whole. Other sources give another sample, and
+    make test WHOLE=1 takes all."""
+    from fixel import sampling
+    values = list(values)
+    if os.environ.get("FIXEL_WHOLE"):
+        return values
+    numbers = sampling.choose(CHECKOUT, name, range(len(values)), count)
+    return [values[number] for number in sorted(numbers)]
+
+
 def dry_run(command, *settings):
     """make -n of a command: its steps. What its sub-makes would build is left out, which takes seconds to list."""
     return run_make("-n", command, *settings, "MAKE=:")

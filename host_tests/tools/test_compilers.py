@@ -9,7 +9,7 @@ import subprocess
 
 import pytest
 
-from conftest import CHECKOUT, environment
+from conftest import CHECKOUT, environment, sampled
 
 INCLUDE = CHECKOUT / "lib" / "include"
 SOURCES = sorted(path for path in (CHECKOUT / "lib").rglob("*") if path.suffix in (".c", ".S"))
@@ -123,13 +123,13 @@ static_assert(units == -8 * one && third == 21845 && quarter == right && most > 
     assert in_parallel(commands) == ""
 
 
-@pytest.mark.parametrize("compiler, options", [
+@pytest.mark.parametrize("compiler, options", sampled("hosts", [
     ("gcc", ["-std=c11", "-O0"]),
     ("gcc", ["-std=c2x", "-O0", "-DFXL_SMALL"]),
     (clang_named("clang"), ["-std=c2x", "-O0"]),
     ("g++", ["-O0"]),
     (clang_named("clang++"), ["-O0"]),
-])
+], 2))
 def test_sources_run_on_this_machine(tmp_path, compiler, options):
     language = CPP if "++" in compiler else []
     sources = [*SOURCES, PROGRAM / "cube.c", PROGRAM / "hosted.c"]
@@ -137,12 +137,12 @@ def test_sources_run_on_this_machine(tmp_path, compiler, options):
     assert run([linked(tmp_path / "cube", compiler, *objects)]) == (0, PICTURE)
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
-@pytest.mark.parametrize("board, flags", [
-    ("microbit", ["-mcpu=cortex-m0", "-mthumb"]),
-    ("mps2-an385", ["-mcpu=cortex-m3", "-mthumb"]),
-    ("mps3-an547", ["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard"]),
-])
+@pytest.mark.parametrize("compiler, board, flags", sampled("cores", [
+    (compiler, *target) for compiler in ("gcc", "clang") for target in (
+        ("microbit", ["-mcpu=cortex-m0", "-mthumb"]),
+        ("mps2-an385", ["-mcpu=cortex-m3", "-mthumb"]),
+        ("mps3-an547", ["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard"]))
+], 2))
 def test_sources_run_on_a_cortex_m(tmp_path, compiler, board, flags):
     """Without a C library: the compiler has its own headers alone, and the program has memcpy and the like."""
     if compiler == "gcc":
@@ -170,7 +170,7 @@ def test_cpp_links_with_the_kernels_of_a_core(tmp_path):
            *small_parts(tmp_path / "parts", *flags), "-lgcc")
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("compiler", sampled("risc-v", ["gcc", "clang"], 1))
 def test_sources_link_for_risc_v(tmp_path, compiler):
     flags = ["-march=rv32imac", "-mabi=ilp32"]
     program = {"gcc": ["riscv64-unknown-elf-gcc"],

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What fuzzing found worth keeping: run again with the sanitizers, and enough to reach the library's branches."""
+"""What fuzzing found worth keeping: run again with the sanitizers, with the answers on record, and enough to reach the
+library's branches."""
 
 import subprocess
 
@@ -8,6 +9,7 @@ import pytest
 from conftest import CHECKOUT
 
 CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"
+RECORDS = CHECKOUT / "host_tests" / "fuzz" / "record"
 TARGETS = ["scene", "pipeline"]
 LEAST = 90          # per cent of the branches of lib/
 SIZE_MAX = 1 << 20  # bytes, so that a clone stays small
@@ -18,12 +20,32 @@ def inputs(target):
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_corpus_runs_clean(build, target):
-    files = inputs(target)
+def test_corpus_runs_clean_and_the_answers_are_on_record(build, target):
+    """Where the library answers otherwise on purpose: remove the lines of the record that the failure names, and call
+    tools/fuzz.py --add-records, which also adds those of new inputs."""
+    files, record = inputs(target), RECORDS / f"{target}.txt"
     assert len(files) > 10
-    done = subprocess.run([build / "host" / "fuzz" / f"replay_{target}", *files], text=True,
-                          capture_output=True, check=False)
+    done = replayed(build, target, "--record", record, *files)
     assert done.returncode == 0, done.stdout + done.stderr
+    assert [line.split()[0] for line in record.read_text(encoding="ascii").splitlines()] == [file.name for file in files]
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_other_answers_are_seen(build, target, tmp_path):
+    files, record = inputs(target)[:20], tmp_path / "record.txt"
+    lines = replayed(build, target, *files).stdout.splitlines()
+    last = lines[7][-1]
+    lines[7] = lines[7][:-1] + ("0" if last != "0" else "1")
+    record.write_text("\n".join(lines[:-1]), encoding="ascii")
+    done = replayed(build, target, "--record", record, *files)
+    assert done.returncode == 1
+    said = done.stdout.splitlines()
+    assert [files[7].name in said[0], files[19].name in said[1], len(said)] == [True, True, 2]
+
+
+def replayed(build, target, *words):
+    return subprocess.run([build / "host" / "fuzz" / f"replay_{target}", *words], text=True, capture_output=True,
+                          check=False)
 
 
 def test_corpus_reaches_the_branches_of_the_library(build, tmp_path):

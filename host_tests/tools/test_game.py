@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 from board_programs import EVERY_BOARD, made
-from conftest import CHECKOUT, run_cli, run_make
+from conftest import CHECKOUT, run_cli, run_make, sampled
 
 import scene as scene_tool
 from fixel import controllers, dump, emulator, firmware, flash, wires
@@ -26,7 +26,7 @@ WIRES = {
     SMALL: ("ssd1306", "4ceade738b0c655ab48cf1fb824a7d8adbcdb9553c348ba0d0dd52b450e1ab57"),
 }
 TOO_SMALL = {"stm32vldiscovery"}    # 8 KiB
-BOARDS = [firmware.HOST, *(board for board in EVERY_BOARD if board not in TOO_SMALL)]
+BOARDS = [firmware.HOST, *sampled("game", [board for board in EVERY_BOARD if board not in TOO_SMALL], 3)]
 
 
 def play(out, board, screen, frames=FRAMES, rows=None):

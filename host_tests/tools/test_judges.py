@@ -7,7 +7,7 @@ import zlib
 
 import pytest
 from board_programs import made
-from conftest import CHECKOUT, run_cli
+from conftest import CHECKOUT, run_cli, sampled
 
 import scene as scene_tool
 from fixel.programs import HostPrograms
@@ -33,7 +33,7 @@ def folder(build, tmp_path_factory):
     return tmp_path_factory.mktemp("judges")
 
 
-@pytest.fixture(scope="module", params=SCENES)
+@pytest.fixture(scope="module", params=sampled("judges", SCENES, 3))
 def scene(request, folder):
     name = request.param
     image = folder / f"{name}.fxls"

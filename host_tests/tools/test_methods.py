@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 
 import pytest
-from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make
+from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make, sampled
 
 import scene as scene_tool
 from fixel import fleet, methods
@@ -81,8 +81,8 @@ def test_other_methods_draw_the_same_frames(build, tmp_path, planted, plain, wor
     assert differing == 0 or "--clipper" in words, "another clipper may round another way"
 
 
-@pytest.mark.parametrize("board", ["mps2-an385", "mps3-an547"])
-@pytest.mark.parametrize("method", ["depth", "depth-32"])
+@pytest.mark.parametrize("board, method", sampled("depth", [
+    (board, method) for board in ("mps2-an385", "mps3-an547") for method in ("depth", "depth-32")], 2))
 def test_a_depth_buffer_draws_the_nearest_faces(build, tmp_path, board, method):
     knot = tmp_path / "knot.fxls"
     scene_tool.build(KNOT, str(knot), FRAMES)
@@ -108,7 +108,7 @@ def test_a_depth_buffer_draws_models_whole(build, tmp_path, name):
     assert summary["order_wrong_pixels"] == 0 and summary["pixels_differing"] < 100
 
 
-@pytest.mark.parametrize("scene", ["beam", "room", "gallery", "car"])
+@pytest.mark.parametrize("scene", sampled("names", ["beam", "room", "gallery", "car"], 2))
 def test_rays_tell_faces_by_their_names_where_there_are_beams_or_surfaces(build, tmp_path, scene):
     done = walk(tmp_path / "out", board="host", scene=str(CHECKOUT / "scenes" / f"{scene}.toml"), frames=4)
     summary = json.loads((tmp_path / "out/summary.json").read_text())

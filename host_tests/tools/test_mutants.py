@@ -37,6 +37,10 @@ def becomes(statement):
     ("int c = *b;", set()),
     ("return a / 'b';", {("/", "*")}),
     ("return a->b;", set()),
+    ("const int64_t c[3], *d, e[2][4];", {("3", "2"), ("2", "1"), ("4", "3")}),
+    ("b[3] = *b;", {("3", "4"), ("3", "2"), ("b[3] = *b;", "(void)0;")}),
+    ("int c[3] = {1, *b};", {("3", "2"), ("1", "2"), ("1", "0")}),
+    ("return !FXL_IS_SMALL && a;", {("&&", "||")}),
 ])
 def test_mistakes(statement, expected):
     assert becomes(statement) == expected

@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT, run_cli
 
-from fixel import bugs
+from fixel import bugs, sampling
 from fixel.errors import ToolError
 
 SAMPLE = 5
@@ -89,7 +89,7 @@ def test_each_bug_compiles():
 
 def test_a_sample_depends_on_the_sources_alone():
     every = bugs.read(CHECKOUT)
-    first, again = (bugs.sample(CHECKOUT, every, SAMPLE) for _ in range(2))
+    first, again = (sampling.choose(CHECKOUT, "bugs", every, SAMPLE) for _ in range(2))
     assert first == again and len({bug.name for bug in first}) == SAMPLE
 
 
@@ -98,7 +98,7 @@ def test_samples_reach_every_bug(root):
     every, found = list(range(20)), set()
     for number in range(60):
         write(root, f"    x = {number}; /* bug: one */\n")
-        found.update(bugs.sample(root, every, SAMPLE))
+        found.update(sampling.choose(root, "bugs", every, SAMPLE))
     assert found == set(every)
 
 

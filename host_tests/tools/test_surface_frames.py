@@ -5,7 +5,7 @@ import json
 import subprocess
 
 import pytest
-from conftest import CHECKOUT, run_cli
+from conftest import CHECKOUT, run_cli, sampled
 
 from fixel import dump
 
@@ -76,7 +76,7 @@ def test_frames_are_those_of_the_reference(scene, build, tmp_path):
 CLIPPERS = ("world", "normalised", "once", "half-spaces", "triangles", "near", "left")
 
 
-@pytest.mark.parametrize("clipper", CLIPPERS)
+@pytest.mark.parametrize("clipper", sampled("texels", CLIPPERS, 3))
 def test_texels_do_not_depend_on_the_clipper(clipper, build, tmp_path):
     """Of what does not turn: some clippers round the points of what does, and draw it in its own colours."""
     still = tmp_path / "still.toml"
@@ -88,7 +88,7 @@ def test_texels_do_not_depend_on_the_clipper(clipper, build, tmp_path):
     assert differing <= 12      # one a frame, at edges: so without textures
 
 
-@pytest.mark.parametrize("clipper", CLIPPERS)
+@pytest.mark.parametrize("clipper", sampled("surfaces", CLIPPERS, 3))
 def test_every_clipper_draws_the_frames_of_the_reference(clipper, build, tmp_path):
     image = built(CHECKOUT / "scenes/room.toml", tmp_path)
     dumped = drawn(build, image, "frames", "--clipper", clipper)

@@ -9,9 +9,7 @@ host_tests/seeded_bugs/bugs.toml says what the line becomes.
 """
 
 import dataclasses
-import hashlib
 import pathlib
-import random
 import re
 import tomllib
 
@@ -19,7 +17,6 @@ from fixel.errors import ToolError
 
 BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
 LIBRARY = pathlib.Path("lib")
-SAMPLED = ("lib", "host_tests/unit", "host_tests/seeded_bugs")     # what a sample depends on
 SOURCES = (".c", ".h", ".S")
 MARKER = re.compile(r"/\* bug: (\S+) \*/")
 # A whole line: its indentation, the code, the marker, and what goes on with a macro.
@@ -98,13 +95,3 @@ def _check_place(root, bug):
     text = (pathlib.Path(root) / bug.file).read_text(encoding="utf-8")
     if bug.seed(text) == text:
         raise ToolError(f"bug '{bug.name}': it changes nothing in {bug.file}")
-
-
-def sample(root, bugs, count):
-    """So many of the bugs, chosen by a hash of the library and its unit tests."""
-    digest = hashlib.sha256()
-    for folder in SAMPLED:
-        for path in sorted((pathlib.Path(root) / folder).rglob("*")):
-            if path.is_file():
-                digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
-    return random.Random(digest.digest()).sample(bugs, min(count, len(bugs)))

@@ -7,7 +7,9 @@ A mistake is one of
     a whole number one larger or one smaller
     true for false, a ! left out
     a statement left out: an assignment, a call, ++, --
-Comments, strings, preprocessor lines, assertions and numbers outside functions are left alone.
+Comments, strings, preprocessor lines, assertions and numbers outside functions are left alone. So are two changes
+that are another choice and no mistake: an array that is declared one larger, and what the build has set
+(!FXL_IS_SMALL).
 """
 
 import dataclasses
@@ -32,6 +34,8 @@ NO_STATEMENT = re.compile(r"^(?:return|break|continue|goto|case|default|else|if|
                           r"struct|enum|union|extern)\b|^(?:\w+\s+|\w+\s*\*\s*)+\**\w+(?:\[[^\]]*\])*\s*[=,;]")
 EFFECT = re.compile(r"[^=!<>]=[^=]|\+\+|--|\)\s*;$")
 VALUE = re.compile(r"[\w)\]]$")
+ARRAY = re.compile(r"^(?!return\b)(?:\w+\s+)*\w+[\s*]+\w+[^=(]*\[[^\]=(]*$")     # a declaration, up to a length
+SETTING = re.compile(r"\s*FXL_IS_")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,15 +83,24 @@ def _functions(code):
     return found
 
 
-def _changed(token, before):
-    """What a token may become; before is the code before it, without space at its end."""
+def _changed(token, before, after):
+    """What a token may become; before is the code before it from the statement's beginning on, after the code after it."""
     if token[0].isdigit():
         suffix = token[len(token.rstrip("uUlL")):]
         value = int(token.rstrip("uUlL"), 0)
-        return [f"{value + 1}{suffix}"] + ([f"{value - 1}{suffix}"] if value else [])
+        larger = [] if ARRAY.search(before) else [f"{value + 1}{suffix}"]
+        return larger + ([f"{value - 1}{suffix}"] if value else [])
+    before = before.rstrip()
     if token in BINARY_ONLY and (not VALUE.search(before) or re.search(r"\b(return|case)$", before)):
         return []
+    if token == "!" and SETTING.match(after):
+        return []
     return SWAPS.get(token, ())
+
+
+def _statement_before(code, place):
+    """The code from the beginning of the statement of a place on, up to it."""
+    return re.split(r"[;{}]", code[max(0, place - 400):place])[-1].lstrip()
 
 
 def _statements(code, begin, end):
@@ -103,7 +116,7 @@ def mutants(file, text):
     code, found = code_of(text), []
     for begin, end in _functions(code):
         places = [(match.start(), match.end(), becomes) for match in TOKEN.finditer(code, begin, end)
-                  for becomes in _changed(match[0], code[:match.start()].rstrip()[-8:])]
+                  for becomes in _changed(match[0], _statement_before(code, match.start()), code[match.end():match.end() + 40])]
         places += [(first, last, ";") for first, last in _statements(code, begin, end)]
         found += [Mutant(file, text.count("\n", 0, first) + 1, first, last, text[first:last],
                          becomes if becomes != ";" else "(void)0;") for first, last, becomes in places]
