@@ -220,6 +220,33 @@ void test_init_refuses(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &world, sizeof world);
 }
 
+/* A world over another one's scene, with fewer tables of colours than an instance there needs. */
+void test_colours_that_another_world_lacks_are_refused(void)
+{
+    static fxl_instance more[WORLD_PLACES];
+    static fxl_world_slot more_slots[WORLD_PLACES];
+    static fxl_world other;
+    fxl_world_memory room = world_memory();
+    (void)world_start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, fxl_world_handle(2), 2));
+    room.instances = more;
+    room.slots = more_slots;
+    room.turned_capacity = 0;
+    memset(&other, 0x5A, sizeof other);
+    memset(more, 0x5A, sizeof more);
+    for (room.colour_count = 0; room.colour_count < 2; room.colour_count++) {
+        room.colours = room.colour_count > 0 ? world_colours : NULL;
+        TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_world_init(&other, &world.scene, &room));
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &other, sizeof other);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, more, sizeof more);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
+    TEST_ASSERT_EQUAL(2, fxl_world_instance(&other, fxl_world_handle(2))->recolour);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, fxl_world_handle(2), 0));
+    room.colour_count = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
+}
+
 void test_spawn_and_the_rest_refuse_null(void)
 {
     const fxl_instance instance = world_cube_at(0, 5), recoloured = {{0, 0, 0}, 0, 0, 1};

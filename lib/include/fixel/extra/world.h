@@ -66,10 +66,12 @@ typedef struct {
  * them shown, and keeps pointers to the scene's other tables and to the memory. The scene itself is
  * neither changed nor needed afterwards. world->scene.order_needed is then enough for the whole
  * capacity. A renderer that drew this world before must be initialised and attached again.
+ * The scene may be the scene of another world: the instances that are shown there, in the colours
+ * that they have there, are then in both worlds.
  * Requires that the scene's instances and turns do not lie in the memory.
  * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_COUNT (a capacity or colour_count
- * is out of range), FXL_E_CAPACITY (the scene has more instances, or more with a turn): nothing is
- * changed. */
+ * is out of range), FXL_E_CAPACITY (the scene has more instances, or more with a turn), FXL_E_INDEX
+ * (an instance is in the colours of a table beyond colour_count): nothing is changed. */
 fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_world_memory *memory);
 
 /* Attaches a renderer that was initialised with &world->scene: after that it draws, before that
