@@ -99,6 +99,11 @@ static void demand_change(any_world *of, fuzz_input *in)
         const bool in_scene =
             found >= scene->instances && found < scene->instances + scene->instance_count;
         DEMAND(found == NULL || in_scene == fxl_world_is_shown(&of->world, of->handles[i]));
+        if (in_scene) {
+            const fxl_handle handle =
+                fxl_world_handle_at(&of->world, (uint32_t)(found - scene->instances));
+            DEMAND(memcmp(&handle, &of->handles[i], sizeof handle) == 0);
+        }
         DEMAND(found != NULL || fxl_world_turn_of(&of->world, of->handles[i]) == NULL);
     }
 }
@@ -145,6 +150,12 @@ static void misuse_world(fxl_world *world, fxl_renderer *renderer)
     DEMAND(fxl_world_detach(world, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_set_colours(NULL, renderer, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_frame_end(NULL) == FXL_E_ARGUMENT);
+    const fxl_handle none[] = {fxl_world_handle_at(NULL, 0),
+                               fxl_world_handle_at(world, world->scene.instance_count),
+                               fxl_world_handle_at(world, FXL_PICK_NONE)};
+    for (int i = 0; i < 3; i++) {
+        DEMAND(fxl_world_instance(world, none[i]) == NULL);
+    }
     DEMAND(world->refused_calls == refused + 5);
 }
 

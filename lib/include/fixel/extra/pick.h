@@ -40,7 +40,8 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
 
 /* What a pixel shows. */
 typedef struct {
-    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: the pixel shows the background */
+    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: the pixel shows the background; in
+                          a world, fxl_world_handle_at gives its handle */
     uint16_t face;     /* number within the model; 0 with the background */
     uint8_t colour;    /* of the pixel; 0 with the background */
 } fxl_picked;

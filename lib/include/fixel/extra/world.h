@@ -141,9 +141,17 @@ fxl_status fxl_world_set_layer(fxl_world *world, fxl_handle handle, uint8_t laye
  * fxl_world_set_colours for a renderer to do so. FXL_E_INDEX (there is no such table). */
 fxl_status fxl_world_recolour(fxl_world *world, fxl_handle handle, uint32_t number);
 
-/* The handle of an instance of the scene, by its number there. It may be stale already. Requires
- * that the scene had as many instances. */
+/* The handle of an instance of the scene that fxl_world_init took over, by its number in that
+ * scene. It may be stale already. Requires that the scene had as many instances. It is not the
+ * handle of an instance of world->scene: for that there is fxl_world_handle_at. */
 fxl_handle fxl_world_handle(uint32_t number);
+
+/* The handle of an instance that is shown, by its number in world->scene: that is how
+ * fxl_pick_face, fxl_cast_segment and fxl_slide_sphere name what they find. The numbers hold until
+ * the next change, which may give each instance another number. A number that world->scene does not
+ * have, FXL_PICK_NONE and FXL_HIT_NONE among them, or a null pointer: a handle of zeros, which is
+ * always stale. */
+fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance);
 
 /* An instance as it is. The pointer is valid until the next change; null: the handle is stale. */
 const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle);
