@@ -54,11 +54,13 @@ bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle)
 
 /* --- what may be changed --------------------------------------------------------------- */
 
+/* Whether an attached renderer may read the scene for the frame that it draws. */
 static bool is_drawn(const fxl_world *world)
 {
     for (uint32_t i = 0; i < FXL_WORLD_RENDERERS_MAX; i++) {
         const fxl_renderer *renderer = world->renderers[i];
-        if (renderer != NULL && renderer->frame.state != FXL_FRAME_NONE) {
+        if (renderer != NULL && renderer->frame.state != FXL_FRAME_NONE &&
+            renderer->frame.state != FXL_FRAME_RELEASED) {
             return true; /* bug: world-drawn */
         }
     }

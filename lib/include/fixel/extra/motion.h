@@ -37,7 +37,8 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
 
 /* Writes the centres and turns of a frame. Frames may be played in any order: a frame depends on
  * its number alone. The time is linear in the number of motions, times the logarithm of the keys of
- * one. Call it between two frames of the renderer, not while bands of one are drawn.
+ * one. Call it between two frames of the renderer, not while bands of one are drawn, unless
+ * fxl_frame_release_scene released that frame.
  * Requires a player that fxl_motion_begin set.
  * Error: that of fxl_orientation_from_angles, fxl_orientation_from_axis and fxl_turn_attach, and of
  * a centre 0.5 unit of 1/65536 for the keys and 0.76 for the circle. */

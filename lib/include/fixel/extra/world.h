@@ -75,9 +75,9 @@ typedef struct {
 fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_world_memory *memory);
 
 /* Attaches a renderer that was initialised with &world->scene: after that it draws, before that
- * fxl_frame_begin answers FXL_E_CAPACITY. From fxl_frame_begin on until fxl_frame_end the world
- * refuses changes. A renderer that is initialised again must be attached again; one that is moved,
- * or ends before the world does, must be detached.
+ * fxl_frame_begin answers FXL_E_CAPACITY. From fxl_frame_begin on until fxl_frame_end, or
+ * fxl_frame_release_scene, the world refuses changes. A renderer that is initialised again must be
+ * attached again; one that is moved, or ends before the world does, must be detached.
  * FXL_E_ARGUMENT, FXL_E_RANGE (the renderer draws another scene), FXL_E_CAPACITY (there are
  * FXL_WORLD_RENDERERS_MAX others, or the renderer's order has no room for the world's capacity):
  * nothing is changed but refused_calls. */
@@ -97,8 +97,8 @@ fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
 
 /* Of all functions below:
  * FXL_E_ARGUMENT (a null pointer), FXL_E_STALE (the handle), FXL_E_ORDER (a renderer that is
- * attached draws a frame): nothing is changed but refused_calls. Their time does not depend on the
- * number of instances.
+ * attached draws a frame that was not released): nothing is changed but refused_calls. Their time
+ * does not depend on the number of instances.
  *
  * An instance must lie within the world: with r its model's radius, times its scale where it has a
  * turn, rounded up to 1/65536 and enlarged by FXL_TURN_SLACK, |c| + r <= FXL_COORDINATE_MAX holds
