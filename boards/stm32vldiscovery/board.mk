@@ -28,7 +28,7 @@ BOARD_UNIT_OMIT := test_clipper_hashes test_scene_hashes test_depth test_depth_s
     test_half_space test_normalised test_triangle test_clippers test_clippers_work test_clippers_frames test_watertight_clippers test_bsp \
     test_bsp_pieces test_bsp_order test_bsp_spheres test_lit_pieces test_beam_light test_workspace test_workspace_parts test_clip_capacity test_clip_rejects test_scene test_scene_tables test_scene_placed test_turned_frames test_turned_world test_turned_clusters \
     test_surfaces test_surface_light test_surface_levels test_rgb565 test_rgb565_colours test_rgb565_hashes test_billboards_methods \
-    test_release test_release_methods
+    test_release test_release_methods test_world_motion
 
 # Speed is the library's: the program is small so that it fits into its 64 KiB.
 BOARD_OWN_FLAGS := -Os

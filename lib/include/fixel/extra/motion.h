@@ -19,19 +19,21 @@ typedef struct {
     uint32_t turn_capacity; /* at least instance_count - first_turned */
 } fxl_motion_memory;
 
-/* Set by fxl_motion_begin. */
+/* Set by fxl_motion_begin; for reading only. */
 typedef struct {
     fxl_motion_set set;
-    fxl_instance *instances; /* of the motions, in turn */
-    fxl_turn *turns;
+    fxl_instance *instances; /* of the motions, in turn: set.motion_count */
+    fxl_turn *turns;         /* of the same */
 } fxl_motion_player;
 
 /* Copies the scene's instances and turns to the memory, points *scene to the copies, and plays
  * frame 0. Call it before fxl_renderer_init takes the scene.
  * Requires a scene that was checked, and a set that fxl_motion_check or tools/scene.py checked with
  * it. Set and memory must outlive the player and the scene.
- * FXL_E_ARGUMENT (a null pointer), FXL_E_COUNT (more motions than turns), FXL_E_CAPACITY: *player,
- * *scene and the memory are untouched. */
+ * Only what draws *scene moves: a world (fixel/extra/world.h) has copies of the instances, which
+ * the program moves (docs/extras/motion.md, section 5).
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_ORDER (the scene is that of a world), FXL_E_COUNT (more
+ * motions than turns), FXL_E_CAPACITY: *player, *scene and the memory are untouched. */
 fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set, fxl_scene *scene,
                             const fxl_motion_memory *memory);
 

@@ -64,8 +64,9 @@ typedef struct {
 
 /* Sets up a world over a scene that was checked. The world takes the scene's instances over, all of
  * them shown, and keeps pointers to the scene's other tables and to the memory. The scene itself is
- * neither changed nor needed afterwards. world->scene.order_needed is then enough for the whole
- * capacity. A renderer that drew this world before must be initialised and attached again.
+ * neither changed nor needed afterwards: what a player of motions (extra/motion.h) writes there
+ * does not move the world. world->scene.order_needed is then enough for the whole capacity. A
+ * renderer that drew this world before must be initialised and attached again.
  * The scene may be the scene of another world: the instances that are shown there, in the colours
  * that they have there, are then in both worlds.
  * Requires that the scene's instances and turns do not lie in the memory.
