@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Motions as data in a world: the player writes to a table of its own, and the program hands on what
- * it wrote. docs/extras/motion.md, section 5. */
+/* Motions as data in a world: the player writes to a table of its own, and the program hands on
+ * what it wrote. docs/extras/motion.md, section 5. */
 #include "fixel/all.h"
 #include "world_unit.h"
 
