@@ -103,6 +103,11 @@ static void demand_change(any_world *of, fuzz_input *in)
         const bool in_scene =
             found >= scene->instances && found < scene->instances + scene->instance_count;
         DEMAND(found == NULL || in_scene == fxl_world_is_shown(&of->world, of->handles[i]));
+        if (in_scene) {
+            const fxl_handle handle =
+                fxl_world_handle_at(&of->world, (uint32_t)(found - scene->instances));
+            DEMAND(memcmp(&handle, &of->handles[i], sizeof handle) == 0);
+        }
         DEMAND(found != NULL || fxl_world_turn_of(&of->world, of->handles[i]) == NULL);
     }
 }
@@ -123,6 +128,23 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
     DEMAND(renderer->workspace.counters.in == faces);
     record_band(&band);
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
+}
+
+/* A frame that is released stays as it is, whatever changes. */
+static void demand_release(any_world *of, fxl_renderer *renderer, fuzz_input *in)
+{
+    static uint8_t pixels[2][PIXELS];
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    for (int i = 0; i < 2; i++) {
+        const fxl_band band = {pixels[i], lens->width, lens->width, 0, lens->height};
+        memset(pixels[i], 0, sizeof pixels[i]);
+        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+        if (i == 0 && fxl_frame_release_scene(renderer) != FXL_OK) {
+            return;
+        }
+        demand_change(of, in);
+    }
+    DEMAND(memcmp(pixels[0], pixels[1], sizeof pixels[0]) == 0);
 }
 
 /* Calls without a world, or without what they need. */
@@ -151,6 +173,13 @@ static void misuse_world(fxl_world *world, fxl_renderer *renderer)
     DEMAND(fxl_world_detach(world, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_set_colours(NULL, renderer, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_frame_end(NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_release_scene(NULL) == FXL_E_ARGUMENT);
+    const fxl_handle none[] = {fxl_world_handle_at(NULL, 0),
+                               fxl_world_handle_at(world, world->scene.instance_count),
+                               fxl_world_handle_at(world, FXL_PICK_NONE)};
+    for (int i = 0; i < 3; i++) {
+        DEMAND(fxl_world_instance(world, none[i]) == NULL);
+    }
     DEMAND(world->refused_calls == refused + 5);
 }
 
@@ -179,6 +208,7 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
             const fxl_pose pose = fuzz_pose(in);
             DEMAND(fxl_frame_begin(&renderer, &pose) == FXL_OK);
             DEMAND(change(of, in) != FXL_OK);
+            demand_release(of, &renderer, in);
             DEMAND(fxl_frame_end(&renderer) == FXL_OK);
         } else {
             demand_change(of, in);

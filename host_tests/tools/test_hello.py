@@ -92,6 +92,8 @@ int main(void)
 """
 # The same for ahead.c. The second core begins a frame before the first one draws the frame before.
 AHEAD = THREADS.replace("cores.c", "ahead.c").replace("fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels", "0")
+# The same for spin.c, whose second core also turns the cube. Its main is the program's: it renames that of ahead.c.
+SPIN = re.sub(r"#(define|undef) main.*\n", "", AHEAD.replace("ahead.c", "spin.c").rpartition("int main(void)")[0])
 # The wires of a display go to wires.bin (host_tests/displays/wires_mock.c).
 WIRED = """
 #include "wires_mock.h"
@@ -155,7 +157,7 @@ def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("hello")
     for name, text in BLOCKS.items():
         (folder / name).write_text(text, encoding="utf-8")
-    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("threads_ahead.c", AHEAD), ("wired.c", WIRED),
+    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("threads_ahead.c", AHEAD), ("threads_spin.c", SPIN), ("wired.c", WIRED),
                        ("whole.c", WHOLE)):
         (folder / name).write_text(text, encoding="utf-8")
     scene_tool.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
@@ -218,7 +220,7 @@ def test_readme_page_and_example_have_the_same_program():
 
 def test_the_page_has_its_seven_steps():
     assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "cores.c", "loop.c", "steer.c",
-                           "turn.c", "display.c", "ahead.c", "screen.c", "window.c"}
+                           "turn.c", "display.c", "ahead.c", "spin.c", "screen.c", "window.c"}
     assert PAGE.count("\n## ") == 7 and PAGE.count("```") == 2 * len(BLOCKS)
 
 
@@ -307,6 +309,16 @@ def test_two_cores_touch_nothing_of_each_other(page, picture, watched_library, l
 @pytest.mark.parametrize("least", [[], ["-DLEAST"]])
 def test_a_frame_begins_while_another_is_drawn(page, watched_library, least):
     assert watched(page, watched_library, *least, "threads_ahead.c", "rows.c") == drawn(page, "whole.c").tobytes()
+
+
+def test_a_scene_changes_while_its_frame_is_drawn(page, watched_library):
+    assert watched(page, watched_library, "threads_spin.c", "rows.c") == drawn(page, "turn.c", "rows.c").tobytes()
+
+
+def test_without_room_for_the_frame_the_scene_must_not_change(page):
+    program = compiled(page, C11, "-DLEAST", "-pthread", "threads_spin.c", "rows.c")
+    done = subprocess.run([program], capture_output=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (1, b"", b"")
 
 
 def test_the_loop_draws_the_path(page):

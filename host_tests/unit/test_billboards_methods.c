@@ -229,6 +229,25 @@ void test_every_method_draws_the_same(void)
     TEST_ASSERT_TRUE(shown > 100);
 }
 
+/* A frame whose scene is released draws its billboards without the scene. */
+void test_a_released_frame_draws_its_billboards(void)
+{
+    static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth};
+    const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
+    for (uint32_t i = 0; i < 4; i++) {
+        const fxl_band band = {other, WIDTH, WIDTH, 0, HEIGHT};
+        start(LIST_WORDS);
+        choose(methods[i / 2], i % 2);
+        TEST_ASSERT_EQUAL(FXL_OK, add(methods[i / 2]));
+        draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderer));
+        renderer.scene = NULL;
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
 /* With surfaces, depth and billboards a renderer may be moved too. */
 void test_a_moved_renderer_draws_the_same(void)
 {

@@ -247,6 +247,10 @@ static void expect_equal_instance(const plain_instance *of)
     const fxl_instance *first = world.scene.instances;
     const bool in_scene = found >= first && found < first + world.scene.instance_count;
     TEST_ASSERT_EQUAL(of->shown, in_scene);
+    if (in_scene) {
+        const fxl_handle handle = fxl_world_handle_at(&world, (uint32_t)(found - first));
+        TEST_ASSERT_EQUAL_MEMORY(&of->handle, &handle, sizeof handle);
+    }
     TEST_ASSERT_EQUAL(of->shown, fxl_world_is_shown(&world, of->handle));
     if (in_scene && of->turned) { /* the turn is that of its place in the scene */
         TEST_ASSERT_TRUE(turn == world.scene.turns + (found - first) - world.scene.first_turned);
@@ -265,6 +269,8 @@ static void expect_equal(void)
         }
     }
     TEST_ASSERT_EQUAL_UINT32(shown, world.scene.instance_count);
+    const fxl_handle none = fxl_world_handle_at(&world, shown);
+    TEST_ASSERT_TRUE(none.slot == 0 && none.generation == 0);
     TEST_ASSERT_EQUAL_UINT32(refused, world.refused_calls);
 }
 

@@ -60,6 +60,35 @@ void test_a_handle_stays_stale_when_its_slot_is_used_again(void)
     TEST_ASSERT_NOT_NULL(fxl_world_instance(&world, second));
 }
 
+/* The sight falls on an instance that has not the place that it was spawned at. */
+void test_what_is_hit_has_a_handle(void)
+{
+    const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
+    const fxl_point eye = {0, 0, Q16(-4)}, end = {0, 0, Q16(9)};
+    const fxl_instance wide = world_cube_at(6, 5), target = world_cube_at(0, 5);
+    fxl_picked picked;
+    fxl_hit hit;
+    (void)world_start();
+    (void)world_spawned(&wide, NULL);
+    const fxl_handle aim = world_spawned(&target, NULL);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_remove(&world, fxl_world_handle(0)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&world_renderer, &pose));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_pick_face(&world_renderer, WORLD_WIDTH / 2, WORLD_HEIGHT / 2, &picked));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&world.scene, &eye, &end, &hit));
+    TEST_ASSERT_EQUAL(picked.instance, hit.instance);
+    const fxl_handle found = fxl_world_handle_at(&world, picked.instance);
+    TEST_ASSERT_EQUAL_MEMORY(&aim, &found, sizeof found);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pick_face(&world_renderer, 0, 0, &picked));
+    TEST_ASSERT_EQUAL(FXL_PICK_NONE, picked.instance);
+    (void)fxl_frame_end(&world_renderer);
+    (void)world_use_stale(fxl_world_handle_at(&world, picked.instance));
+    (void)world_use_stale(fxl_world_handle_at(&world, FXL_HIT_NONE));
+    (void)world_use_stale(fxl_world_handle_at(&world, world.scene.instance_count));
+    (void)world_use_stale(fxl_world_handle_at(&world, UINT32_MAX));
+    (void)world_use_stale(fxl_world_handle_at(NULL, 0));
+}
+
 /* Every change, by a handle that is right. */
 static void expect_of_changes(fxl_status expected, fxl_handle handle)
 {
@@ -218,6 +247,33 @@ void test_init_refuses(void)
     tiny->scene.order_needed = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_world_init(&world, scene, &right));
     TEST_ASSERT_EQUAL_MEMORY(&before, &world, sizeof world);
+}
+
+/* A world over another one's scene, with fewer tables of colours than an instance there needs. */
+void test_colours_that_another_world_lacks_are_refused(void)
+{
+    static fxl_instance more[WORLD_PLACES];
+    static fxl_world_slot more_slots[WORLD_PLACES];
+    static fxl_world other;
+    fxl_world_memory room = world_memory();
+    (void)world_start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, fxl_world_handle(2), 2));
+    room.instances = more;
+    room.slots = more_slots;
+    room.turned_capacity = 0;
+    memset(&other, 0x5A, sizeof other);
+    memset(more, 0x5A, sizeof more);
+    for (room.colour_count = 0; room.colour_count < 2; room.colour_count++) {
+        room.colours = room.colour_count > 0 ? world_colours : NULL;
+        TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_world_init(&other, &world.scene, &room));
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &other, sizeof other);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, more, sizeof more);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
+    TEST_ASSERT_EQUAL(2, fxl_world_instance(&other, fxl_world_handle(2))->recolour);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, fxl_world_handle(2), 0));
+    room.colour_count = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
 }
 
 void test_spawn_and_the_rest_refuse_null(void)

@@ -158,6 +158,9 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
         memory->instances == NULL || memory->turns == NULL || scene->turns == NULL) {
         return FXL_E_ARGUMENT;
     }
+    if (scene->instance_capacity > 0) { /* bug: motion-in-world */
+        return FXL_E_ORDER;
+    }
     const uint32_t turned = scene->instance_count - scene->first_turned;
     if (set->motion_count > turned) {
         return FXL_E_COUNT;

@@ -96,7 +96,7 @@ fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_pic
     if (picked == NULL) {
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
-    if (renderer->frame.state == FXL_FRAME_NONE) {
+    if (renderer->frame.state == FXL_FRAME_NONE || renderer->frame.state == FXL_FRAME_RELEASED) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     if (renderer->visibility->submit != fxl_submit_by_distance) {

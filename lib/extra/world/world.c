@@ -26,6 +26,17 @@ static uint32_t unturned(const fxl_scene *scene)
     return scene->turns != NULL ? scene->first_turned : scene->instance_count;
 }
 
+/* Whether there is a table of colours for each instance of a scene, which may be another world's. */
+static bool has_tables(const fxl_scene *scene, uint32_t colour_count)
+{
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        if (scene->instances[i].recolour > colour_count) { /* bug: world-other-colours */
+            return false;
+        }
+    }
+    return true;
+}
+
 static fxl_status check(const fxl_scene *scene, const fxl_world_memory *memory)
 {
     if (memory->instances == NULL || memory->slots == NULL ||
@@ -40,10 +51,11 @@ static fxl_status check(const fxl_scene *scene, const fxl_world_memory *memory)
     if (places == 0 || places > FXL_SCENE_INSTANCES_MAX || memory->colour_count > UINT8_MAX) {
         return FXL_E_COUNT;
     }
-    return unturned(scene) > memory->capacity ||
-                   scene->instance_count - unturned(scene) > memory->turned_capacity
-               ? FXL_E_CAPACITY
-               : FXL_OK;
+    if (unturned(scene) > memory->capacity ||
+        scene->instance_count - unturned(scene) > memory->turned_capacity) {
+        return FXL_E_CAPACITY;
+    }
+    return has_tables(scene, memory->colour_count) ? FXL_OK : FXL_E_INDEX;
 }
 
 /* Takes the scene's instances over. Those without a turn come last to first, so that they lie in

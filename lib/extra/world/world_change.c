@@ -18,6 +18,18 @@ static uint32_t place_of(const fxl_world *world, fxl_handle handle)
     return world->memory.slots[handle.slot].place;
 }
 
+fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance)
+{
+    fxl_handle handle = {0, 0};
+    if (world != NULL && instance < world->scene.instance_count) {
+        /* The scene's table begins with the last instance that was shown without a turn. */
+        const uint32_t first = world->memory.capacity - world->counts[FXL_WORLD_SHOWN];
+        handle.slot = world->memory.slots[first + instance].holder; /* bug: world-handle-at */
+        handle.generation = world->memory.slots[handle.slot].generation;
+    }
+    return handle;
+}
+
 const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle)
 {
     return is_valid(world, handle) ? &world->memory.instances[place_of(world, handle)] : NULL;
@@ -42,11 +54,13 @@ bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle)
 
 /* --- what may be changed --------------------------------------------------------------- */
 
+/* Whether an attached renderer may read the scene for the frame that it draws. */
 static bool is_drawn(const fxl_world *world)
 {
     for (uint32_t i = 0; i < FXL_WORLD_RENDERERS_MAX; i++) {
         const fxl_renderer *renderer = world->renderers[i];
-        if (renderer != NULL && renderer->frame.state != FXL_FRAME_NONE) {
+        if (renderer != NULL && renderer->frame.state != FXL_FRAME_NONE &&
+            renderer->frame.state != FXL_FRAME_RELEASED) {
             return true; /* bug: world-drawn */
         }
     }

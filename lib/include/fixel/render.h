@@ -53,8 +53,9 @@ FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 655
 enum {
     FXL_FRAME_NONE = 0, /* no frame has begun */
     FXL_FRAME_BEGUN = 1,
-    FXL_FRAME_MEASURED = 2 /* it has begun, and the order has the rows that each instance from
-                              resume on reaches */
+    FXL_FRAME_MEASURED = 2, /* it has begun, and the order has the rows that each instance from
+                               resume on reaches */
+    FXL_FRAME_RELEASED = 3  /* it has begun, and is drawn from the display list alone */
 };
 
 /* What fxl_frame_begin works out, and drawing only reads. */
@@ -197,10 +198,11 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
 /* Begins a frame: camera; cull and sort the instances; then every face is transformed,
  * clipped, projected and appended to the display list, as far as that has room. Zeroes the
  * counters except refused_calls, and counts the faces that it came to. Then draw the frame
- * whole or in bands. scene->instance_count may change between the last band of a frame and
- * fxl_frame_begin, as far as the order has room; so may the turns, and the centres of instances
- * that have one. They are checked in constant time each: the scales and centres of all, and the
- * orientations of the instances in sight. fxl_scene_check checks all orientations.
+ * whole or in bands. scene->instance_count may change between the last band of a frame, or
+ * fxl_frame_release_scene, and fxl_frame_begin, as far as the order has room; so may the turns, and
+ * the centres of instances that have one. They are checked in constant time each: the scales and
+ * centres of all, and the orientations of the instances in sight. fxl_scene_check checks all
+ * orientations.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, no visibility method, or turns without a turn_code),
  * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (the orientation of one in sight),
  * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): the frame before stays
@@ -215,8 +217,20 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
  * that is not of this screen): band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
+/* Releases the scene before the frame is drawn: from here on fxl_frame_draw reads the display list
+ * and nothing of the scene, whatever core draws and by whatever visibility method. The scene's
+ * instances and turns may then change, and a world (extra/world.h) may. So one core draws a frame
+ * while another core changes the scene and begins the next frame in a second renderer. Textures,
+ * sprites, palettes and ramps are still read, and must stay. fxl_pick_face answers FXL_E_ORDER
+ * until the next frame begins. Call it while no core draws a band of the frame. A second call changes
+ * nothing.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_CAPACITY (the display list had no room for
+ * all polygons of the frame): the frame still reads the scene; counted in refused_calls. */
+fxl_status fxl_frame_release_scene(fxl_renderer *renderer);
+
 /* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER
- * until a frame begins. Only a world (extra/world.h) needs to be told: it may change again.
+ * until a frame begins. Only a world (extra/world.h) needs to be told: it may change again. After
+ * fxl_frame_release_scene it need not be told.
  * FXL_E_ARGUMENT. */
 fxl_status fxl_frame_end(fxl_renderer *renderer);
 

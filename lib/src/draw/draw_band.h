@@ -23,10 +23,14 @@ static inline fxl_submit_way fxl_way_of(const fxl_renderer *renderer, bool is_be
                                                        : FXL_SUBMIT_ANY;
 }
 
-/* What the display list had no room for. */
+/* What the display list had no room for. Of a frame that was released that is nothing, and another
+ * core may be changing the scene. */
 static inline bool fxl_submit_rest(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
+    if (renderer->frame.state == FXL_FRAME_RELEASED) {
+        return true; /* bug: release-reads */
+    }
     return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
                ? fxl_reach_submit(on)
                : renderer->visibility->submit(on);

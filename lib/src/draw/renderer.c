@@ -153,6 +153,22 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     return FXL_OK;
 }
 
+fxl_status fxl_frame_release_scene(fxl_renderer *renderer)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    fxl_frame *frame = &renderer->frame;
+    if (frame->state == FXL_FRAME_NONE) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
+    if (frame->resume.instances < frame->visible_count) { /* bug: release-spilled */
+        return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
+    }
+    frame->state = FXL_FRAME_RELEASED;
+    return FXL_OK;
+}
+
 fxl_status fxl_frame_end(fxl_renderer *renderer)
 {
     if (renderer == NULL) {

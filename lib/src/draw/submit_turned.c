@@ -104,7 +104,8 @@ static bool are_rotations(const fxl_scene *scene, const fxl_order_entry *entries
 /* The sphere test takes scales and places, so these are checked before it, and orientations of
  * instances in sight after it: no stage reads another orientation. The order of the frame before is
  * lost by then, and is made again if an orientation is refused. Which rows its instances reach is
- * not: they are submitted for each band. */
+ * not: they are submitted for each band. A frame that was released needs no order, and its scene
+ * may have changed. */
 static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     fxl_frame *frame = &renderer->frame;
@@ -129,7 +130,7 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
     }
     view->camera = before;
     view->frame = number;
-    if (frame->state != FXL_FRAME_NONE) {
+    if (frame->state != FXL_FRAME_NONE && frame->state != FXL_FRAME_RELEASED) {
         frame->state = FXL_FRAME_BEGUN; /* bug: turn-refused-rows */
         frame->visible_count =
             (uint16_t)order(scene, &view->camera, &view->view_frustum, frame->order, culled);

@@ -43,7 +43,8 @@ bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *from, c
 typedef struct {
     fxl_point point;    /* of the face, rounded to 16.16 */
     fxl_q1_31 fraction; /* of the segment from its start to the hit, rounded */
-    uint16_t instance;  /* number in the scene, or FXL_HIT_NONE: nothing is hit */
+    uint16_t instance;  /* number in the scene, or FXL_HIT_NONE: nothing is hit; in a world,
+                           fxl_world_handle_at gives its handle */
     uint16_t face;      /* number within the model */
 } fxl_hit;
 

@@ -40,7 +40,8 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
 
 /* What a pixel shows. */
 typedef struct {
-    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: the pixel shows the background */
+    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: the pixel shows the background; in
+                          a world, fxl_world_handle_at gives its handle */
     uint16_t face;     /* number within the model; 0 with the background */
     uint8_t colour;    /* of the pixel; 0 with the background */
 } fxl_picked;
@@ -52,8 +53,9 @@ typedef struct {
  * when the frame began. It costs as much as drawing one row of the frame up to that face, near to
  * far. It works in the renderer's workspace: no band of the frame may be drawn meanwhile, also not
  * by fxl_frame_draw_with. The frame stays, and its counters do. FXL_E_ARGUMENT, FXL_E_ORDER (no
- * frame begun), FXL_E_BSP (another visibility method), FXL_E_RANGE (a pixel outside of the screen):
- * *picked untouched; counted in refused_calls. */
+ * frame begun, or it was released by fxl_frame_release_scene), FXL_E_BSP (another visibility
+ * method), FXL_E_RANGE (a pixel outside of the screen): *picked untouched; counted in
+ * refused_calls. */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked);
 
 #ifdef __cplusplus

@@ -64,18 +64,21 @@ typedef struct {
 
 /* Sets up a world over a scene that was checked. The world takes the scene's instances over, all of
  * them shown, and keeps pointers to the scene's other tables and to the memory. The scene itself is
- * neither changed nor needed afterwards. world->scene.order_needed is then enough for the whole
- * capacity. A renderer that drew this world before must be initialised and attached again.
+ * neither changed nor needed afterwards: what a player of motions (extra/motion.h) writes there
+ * does not move the world. world->scene.order_needed is then enough for the whole capacity. A
+ * renderer that drew this world before must be initialised and attached again.
+ * The scene may be the scene of another world: the instances that are shown there, in the colours
+ * that they have there, are then in both worlds.
  * Requires that the scene's instances and turns do not lie in the memory.
  * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_COUNT (a capacity or colour_count
- * is out of range), FXL_E_CAPACITY (the scene has more instances, or more with a turn): nothing is
- * changed. */
+ * is out of range), FXL_E_CAPACITY (the scene has more instances, or more with a turn), FXL_E_INDEX
+ * (an instance is in the colours of a table beyond colour_count): nothing is changed. */
 fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_world_memory *memory);
 
 /* Attaches a renderer that was initialised with &world->scene: after that it draws, before that
- * fxl_frame_begin answers FXL_E_CAPACITY. From fxl_frame_begin on until fxl_frame_end the world
- * refuses changes. A renderer that is initialised again must be attached again; one that is moved,
- * or ends before the world does, must be detached.
+ * fxl_frame_begin answers FXL_E_CAPACITY. From fxl_frame_begin on until fxl_frame_end, or
+ * fxl_frame_release_scene, the world refuses changes. A renderer that is initialised again must be
+ * attached again; one that is moved, or ends before the world does, must be detached.
  * FXL_E_ARGUMENT, FXL_E_RANGE (the renderer draws another scene), FXL_E_CAPACITY (there are
  * FXL_WORLD_RENDERERS_MAX others, or the renderer's order has no room for the world's capacity):
  * nothing is changed but refused_calls. */
@@ -95,8 +98,8 @@ fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
 
 /* Of all functions below:
  * FXL_E_ARGUMENT (a null pointer), FXL_E_STALE (the handle), FXL_E_ORDER (a renderer that is
- * attached draws a frame): nothing is changed but refused_calls. Their time does not depend on the
- * number of instances.
+ * attached draws a frame that was not released): nothing is changed but refused_calls. Their time
+ * does not depend on the number of instances.
  *
  * An instance must lie within the world: with r its model's radius, times its scale where it has a
  * turn, rounded up to 1/65536 and enlarged by FXL_TURN_SLACK, |c| + r <= FXL_COORDINATE_MAX holds
@@ -139,9 +142,17 @@ fxl_status fxl_world_set_layer(fxl_world *world, fxl_handle handle, uint8_t laye
  * fxl_world_set_colours for a renderer to do so. FXL_E_INDEX (there is no such table). */
 fxl_status fxl_world_recolour(fxl_world *world, fxl_handle handle, uint32_t number);
 
-/* The handle of an instance of the scene, by its number there. It may be stale already. Requires
- * that the scene had as many instances. */
+/* The handle of an instance of the scene that fxl_world_init took over, by its number in that
+ * scene. It may be stale already. Requires that the scene had as many instances. It is not the
+ * handle of an instance of world->scene: for that there is fxl_world_handle_at. */
 fxl_handle fxl_world_handle(uint32_t number);
+
+/* The handle of an instance that is shown, by its number in world->scene: that is how
+ * fxl_pick_face, fxl_cast_segment and fxl_slide_sphere name what they find. The numbers hold until
+ * the next change, which may give each instance another number. A number that world->scene does not
+ * have, FXL_PICK_NONE and FXL_HIT_NONE among them, or a null pointer: a handle of zeros, which is
+ * always stale. */
+fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance);
 
 /* An instance as it is. The pointer is valid until the next change; null: the handle is stale. */
 const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle);

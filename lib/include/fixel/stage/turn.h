@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Instances that turn and scale: the check of a turn, and what a frame works out from it. SPEC.md,
  * section 8, defines each result. A turn is in RAM of the caller, who may change it between the
- * last band of a frame and the next fxl_frame_begin. */
+ * last band of a frame, or fxl_frame_release_scene, and the next fxl_frame_begin. */
 #ifndef FXL_TURN_H
 #define FXL_TURN_H
 
