@@ -237,6 +237,67 @@ void test_a_glass_of_32_rows(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, OLED_WIDTH, 33));
 }
 
+/* --- pumps of another shape ---------------------------------------------------------------------
+ */
+
+/* Rows handed to the sink itself, as bytes of another frame may be. */
+static bool start_rows(uint16_t first_row, uint16_t rows, uint16_t width)
+{
+    const uint8_t *bytes = (const uint8_t *)memory;
+    const size_t size = fxl_pixels_size(display.pixels.format, width, rows);
+    const uint32_t sends = model.sends;
+    const bool is_sent = display.sink.start(display.sink.user, first_row, rows, bytes, size) &&
+                         display.sink.wait(display.sink.user);
+    TEST_ASSERT_EQUAL_MESSAGE(is_sent, model.sends > sends, "what is refused sends nothing");
+    return is_sent;
+}
+
+/* Its block is exactly what the rows take: the driver must not read on. */
+void test_a_pump_narrower_than_the_pages(void)
+{
+    static uint64_t block[FXL_PUMP_MEMORY(64, 8, 1)];
+    static uint8_t bytes[64];
+    const fxl_pump_config narrow = {&display.pixels, 64, OLED_HEIGHT, 8};
+    const fxl_band band = {frame, 64, 64, 0, 8};
+    open_oled(&oleds[0], 0, &plain);
+    const uint32_t sends = model.sends;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_pump_init(&pump, &narrow, &display.sink, block, sizeof block));
+    TEST_ASSERT_EQUAL(sizeof bytes, fxl_pixels_size(display.pixels.format, 64, 8));
+    TEST_ASSERT_FALSE(display.sink.start(display.sink.user, 0, 8, bytes, sizeof bytes));
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_send_rows(&pump, &band));
+    TEST_ASSERT_EQUAL(sends, model.sends);
+    assert_pages(0, 0, 0, 0); /* all black */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 64, OLED_HEIGHT));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send_rows(&pump, &band));
+}
+
+void test_rows_that_are_not_the_frames(void)
+{
+    open_oled(&oleds[0], 0, &plain);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 61, 39));
+    TEST_ASSERT_TRUE(start_rows(0, 8, 61));
+    TEST_ASSERT_TRUE(start_rows(32, 7, 61)); /* a page that the frame does not fill */
+    TEST_ASSERT_FALSE(start_rows(32, 8, 61));
+    TEST_ASSERT_FALSE(start_rows(40, 8, 61));
+    TEST_ASSERT_FALSE(start_rows(65528, 8, 61));
+    TEST_ASSERT_FALSE(start_rows(0, 0, 61));
+    TEST_ASSERT_FALSE(start_rows(4, 8, 61)); /* in two pages, with the bytes of one */
+    TEST_ASSERT_FALSE(start_rows(0, 8, 60));
+    TEST_ASSERT_FALSE(start_rows(0, 8, 62));
+    controller_start(&model, CONTROLLER_ILI9341, 0, 0, 8, 8);
+    fxl_display_config config = fxl_display_config_default(&fxl_ili9341, 0);
+    config.width = WIDTH; /* soon black */
+    config.height = HEIGHT;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &plain, palette));
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, show(WIDTH / 2, HEIGHT, 8));
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, show(WIDTH, 2 * HEIGHT, 8));
+    TEST_ASSERT_TRUE(start_rows(HEIGHT - 1, 1, WIDTH));
+    TEST_ASSERT_FALSE(start_rows(HEIGHT - 1, 2, WIDTH));
+    TEST_ASSERT_FALSE(start_rows(0, 8, WIDTH + 1));
+    TEST_ASSERT_EQUAL(FXL_OK, show(WIDTH, HEIGHT, 8));
+}
+
 /* --- failures -----------------------------------------------------------------------------------
  */
 
@@ -281,6 +342,80 @@ static void expect_none(fxl_display_config config)
 static void expect_range(fxl_display_config config)
 {
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
+}
+
+/* The glass of a configuration is within the controller's memory: the first send fails. */
+static void expect_within(const fxl_display_config *config, bool is_within)
+{
+    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 8, 8);
+    model.refused = 0;
+    TEST_ASSERT_EQUAL(is_within ? FXL_E_DISPLAY : FXL_E_RANGE,
+                      fxl_display_open(&display, config, &plain, palette));
+    TEST_ASSERT_EQUAL(is_within, model.sends);
+}
+
+/* A glass at the end of a memory that is seen as columns x rows, and one that begins or ends a
+ * column, or a page of rows, farther. */
+static void assert_memory(fxl_display_config config, uint16_t columns, uint16_t rows, uint16_t page)
+{
+    static const uint16_t sizes[] = {8, 32};
+    for (uint32_t i = 0; i < 2; i++) {
+        config.width = config.height = sizes[i];
+        config.left = (uint16_t)(columns - sizes[i]);
+        config.top = (uint16_t)(rows - sizes[i]);
+        expect_within(&config, true);
+        config.left++;
+        expect_within(&config, false);
+        config.left = 65535;
+        expect_within(&config, false);
+        config.left = (uint16_t)(columns - sizes[i]);
+        config.top = (uint16_t)(config.top + page);
+        expect_within(&config, false);
+        config.top = 65528;
+        expect_within(&config, false);
+    }
+    config.left = config.top = 0;
+    config.width = columns;
+    config.height = rows;
+    expect_within(&config, true);
+    config.width++;
+    expect_within(&config, false);
+    config.width = columns;
+    config.height = (uint16_t)(rows + page);
+    expect_within(&config, false);
+    config.height = (uint16_t)(4 * rows);
+    expect_within(&config, false);
+}
+
+/* The columns and rows of the data sheets. */
+void test_a_glass_beyond_the_memory_is_refused(void)
+{
+    static const struct {
+        const fxl_display_driver *driver;
+        uint16_t columns, rows, page;
+    } memories[] = {{&fxl_st7789, 240, 320, 1},
+                    {&fxl_ili9341, 240, 320, 1},
+                    {&fxl_st7735, 132, 162, 1},
+                    {&fxl_ssd1306, 128, 64, 8},
+                    {&fxl_sh1106, 132, 64, 8}};
+    for (uint32_t i = 0; i < sizeof memories / sizeof memories[0]; i++) {
+        const uint16_t columns = memories[i].columns, rows = memories[i].rows;
+        for (uint32_t turns = 0; turns < 4; turns++) {
+            fxl_display_config config = fxl_display_config_default(memories[i].driver, turns);
+            if (config.driver == NULL) {
+                continue;
+            }
+            expect_within(&config, true);
+            assert_memory(config, turns % 2 == 0 ? columns : rows, turns % 2 == 0 ? rows : columns,
+                          memories[i].page);
+        }
+    }
+    /* Only the colour controllers exchange rows and columns by this bit. */
+    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
+    config.access |= 0x20;
+    expect_within(&config, true);
+    config.left = 1024; /* its upper half would be another command */
+    expect_within(&config, false);
 }
 
 void test_what_is_refused_sends_nothing(void)

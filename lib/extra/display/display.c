@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "driver.h"
 
-#define BLACK_BYTES 64u
+#define BLACK_BYTES       64u
+#define ACCESS_EXCHANGES 0x20u /* of MIPI's command 0x36: rows and columns are exchanged */
 
 bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data, size_t size)
 {
@@ -20,6 +21,13 @@ bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, si
 static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
 {
     const fxl_display *display = (const fxl_display *)user;
+    const fxl_pixel_format *format = display->pixels.format;
+    /* send_rows reads as many bytes as the frame's rows have. Rows that do not begin with a page
+     * reach into one page more than their bytes are for. */
+    if (rows == 0 || first_row % format->rows != 0 || first_row + rows > display->frame_height ||
+        size != fxl_pixels_size(format, display->frame_width, rows)) {
+        return false;
+    }
     return display->config.driver->family->send_rows(display, display->left,
                                                      (uint16_t)(display->top + first_row),
                                                      display->frame_width, rows, bytes, size);
@@ -65,8 +73,9 @@ fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t heig
     uint32_t above = (config->height - height) / 2u;
     above -= above % display->pixels.format->rows;
     display->left = (uint16_t)(config->left + (config->width - width) / 2u);
-    display->top = (uint16_t)(config->top + above); /* both < 2^10 + 2^10 */
+    display->top = (uint16_t)(config->top + above); /* both within the memory */
     display->frame_width = width;
+    display->frame_height = height;
     return FXL_OK;
 }
 
@@ -93,6 +102,22 @@ static bool make_black(const fxl_display *display)
     return true;
 }
 
+/* Whether the glass has pixels, all in the controller's memory, and begins and ends with a page.
+ * The sums are below 2^17. */
+static bool is_in_memory(const fxl_display_config *config)
+{
+    const fxl_display_driver *driver = config->driver;
+    const uint32_t page = driver->family->format->rows;
+    const bool is_exchanged =
+        driver->turns_by_quarters && (config->access & ACCESS_EXCHANGES) != 0;
+    const uint32_t columns = is_exchanged ? driver->memory_rows : driver->memory_columns;
+    const uint32_t rows = is_exchanged ? driver->memory_columns : driver->memory_rows;
+    return config->width > 0 && config->height > 0 &&
+           (uint32_t)config->left + config->width <= columns &&
+           (uint32_t)config->top + config->height <= rows && config->top % page == 0 &&
+           config->height % page == 0;
+}
+
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette)
 {
@@ -100,15 +125,10 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
         port->send == NULL || port->pause == NULL || (port->start != NULL && port->wait == NULL)) {
         return FXL_E_ARGUMENT;
     }
-    if (config->driver == NULL || config->width == 0 || config->height == 0 ||
-        config->width > FXL_SCREEN_MAX || config->height > FXL_SCREEN_MAX ||
-        config->left > FXL_SCREEN_MAX || config->top > FXL_SCREEN_MAX) {
+    if (config->driver == NULL || !is_in_memory(config)) {
         return FXL_E_RANGE;
     }
     const fxl_display_family *family = config->driver->family;
-    if (config->top % family->format->rows != 0 || config->height % family->format->rows != 0) {
-        return FXL_E_RANGE;
-    }
     display->config = *config;
     display->port = port;
     display->sink.user = display;

@@ -29,9 +29,10 @@ struct fxl_display_driver {
     const fxl_display_family *family;
     const uint8_t *commands; /* beyond what the family sends */
     uint8_t commands_size;
-    uint16_t width, height; /* of the glass, not turned */
-    uint16_t left;          /* where the glass begins in the controller's memory */
-    uint8_t access[4];      /* for each turn */
+    uint16_t memory_columns, memory_rows; /* of the controller, by its data sheet; not turned */
+    uint16_t width, height;               /* of the glass, not turned */
+    uint16_t left;                        /* where the glass begins in the controller's memory */
+    uint8_t access[4];                    /* for each turn */
     bool turns_by_quarters;
     bool is_inverted;
 };

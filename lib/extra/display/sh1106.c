@@ -11,6 +11,8 @@ static const uint8_t commands[] = {
 const fxl_display_driver fxl_sh1106 = {&fxl_display_pages,
                                        commands,
                                        sizeof commands,
+                                       132,
+                                       64,
                                        128,
                                        64,
                                        2,

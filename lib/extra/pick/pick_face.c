@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The faces come near to far, and a raster backend of its own answers that it has no room for the
- * first that covers the pixel. So the traversal stops there, and its resume point is that face. */
+ * first that covers the pixel. So the traversal stops there, and its resume point is that face.
+ * That backend draws no surfaces, so the shaders of surfaces and of depth leave the faces flat. */
 #include "../../src/draw/renderer.h"
 #include "../../src/draw/submit.h"
 #include "fixel/extra/pick.h"

@@ -41,10 +41,17 @@ extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
 extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
 
 /* A display module: its controller, and how the glass is joined to it. The defaults are those of
- * a common module; change what yours has otherwise. */
+ * a common module; change what yours has otherwise. The glass must lie in the controller's memory:
+ * left + width <= columns and top + height <= rows. An access whose bit 5 exchanges rows and
+ * columns (ST7789, ILI9341, ST7735) exchanges these limits too.
+ *
+ *   columns x rows   ST7789, ILI9341   240 x 320
+ *                    ST7735            132 x 162
+ *                    SSD1306           128 x 64
+ *                    SH1106            132 x 64    top and height: multiples of 8, as SSD1306 */
 typedef struct {
     const fxl_display_driver *driver;
-    uint16_t width, height; /* of the glass, as the viewer sees it; 1..FXL_SCREEN_MAX */
+    uint16_t width, height; /* of the glass, as the viewer sees it; at least 1 */
     uint16_t left, top;     /* where the glass begins in the controller's memory, as seen */
     uint8_t access;         /* which way rows and columns run, in the controller's own bits: the
                                argument of command 0x36; for SSD1306 and SH1106 bit 0 mirrors
@@ -53,14 +60,21 @@ typedef struct {
 } fxl_display_config;
 
 /* An open display, which the caller owns. It may not be moved: sink and pixels are used in place.
- * Members are for reading only. */
+ * Members are for reading only.
+ *
+ * A pump of this sink must have the width of the frame and the display's pixels, and at most the
+ * height of the frame. sink.start sends nothing and returns false, so the pump answers
+ * FXL_E_DISPLAY, if the rows are none or not all within the frame, if `size` is not
+ * fxl_pixels_size(pixels.format, frame_width, rows), or if the first row is not the first one of a
+ * page. */
 typedef struct fxl_display {
     fxl_display_config config;
     const fxl_display_port *port;
     fxl_pixels pixels;    /* the palette in the display's format */
-    fxl_pump_sink sink;   /* sends to this display */
+    fxl_pump_sink sink;   /* sends to this display; see below */
     uint16_t left, top;   /* the frame's place in the controller's memory */
     uint16_t frame_width; /* pixels that a row of a frame has */
+    uint16_t frame_height;
 } fxl_display;
 
 /* The configuration of a common module of a controller, turned clockwise by 0 to 3 quarter
@@ -72,7 +86,8 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
 /* Wakes the controller up, sets it up, makes the glass black and turns it on. The display keeps the
  * pointer to the port. The frame fills the glass. Takes some 300 ms.
  * FXL_E_ARGUMENT (a null pointer; a port without send or pause, or with start and no wait),
- * FXL_E_RANGE (config): nothing was sent, *display untouched. FXL_E_DISPLAY: a send failed; the
+ * FXL_E_RANGE (no driver, or the glass is not in the controller's memory: fxl_display_config):
+ * nothing was sent, *display untouched. FXL_E_DISPLAY: a send failed; the
  * display cannot be used until it is opened. */
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette);

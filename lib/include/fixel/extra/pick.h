@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* From the world to the screen and back: where a point of the world is on the screen, and which
- * instance and face a pixel shows. docs/extras/pick.md. */
+ * instance and face is at a pixel. docs/extras/pick.md. */
 #ifndef FXL_PICK_H
 #define FXL_PICK_H
 
@@ -38,24 +38,37 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
 /* The number that stands for no instance. Instances of a scene have lower ones. */
 #define FXL_PICK_NONE 0xFFFFu
 
-/* What a pixel shows. */
+/* The face that is picked at a pixel. */
 typedef struct {
-    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: the pixel shows the background; in
-                          a world, fxl_world_handle_at gives its handle */
-    uint16_t face;     /* number within the model; 0 with the background */
-    uint8_t colour;    /* of the pixel; 0 with the background */
+    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: no face covers the pixel; in a
+                          world, fxl_world_handle_at gives its handle */
+    uint16_t face;     /* number within the model; 0 without a face */
+    uint8_t colour;    /* the palette index of the face there, as light and beams make it, without
+                          its surface and its outline; 0 without a face */
 } fxl_picked;
 
-/* Finds the instance and the face that pixel (x, y) of the frame shows that was begun last. It is
- * the face that fxl_frame_draw gives the pixel to, exactly, by the fill rule, with any clipper and
- * with light beams. The visibility method must be fxl_visibility_sorted, _box, _spans or
- * _spans_box, or one of the caller's with the same submit function. The scene must be as it was
- * when the frame began. It costs as much as drawing one row of the frame up to that face, near to
- * far. It works in the renderer's workspace: no band of the frame may be drawn meanwhile, also not
- * by fxl_frame_draw_with. The frame stays, and its counters do. FXL_E_ARGUMENT, FXL_E_ORDER (no
- * frame begun, or it was released by fxl_frame_release_scene), FXL_E_BSP (another visibility
- * method), FXL_E_RANGE (a pixel outside of the screen): *picked untouched; counted in
- * refused_calls. */
+/* Finds the front face at pixel (x, y) of the frame that was begun last: of the faces that cover
+ * the pixel by the fill rule, the one that the order of drawing has in front. Exact, with any
+ * clipper and with light beams. What the pixel shows of it depends on the visibility method:
+ *
+ *   fxl_visibility_sorted, _box, _spans, _spans_box
+ *       the face, in `colour`
+ *   fxl_visibility_outlined
+ *       the face, in its colour or in the fill of the style; or a line, which may be another face's
+ *   fxl_visibility_surfaces, frames of 16 bits a pixel
+ *       the face with its surface. Where a texel of the key or the stipple leaves a hole, the pixel
+ *       shows what is behind, and the pick is the face with the hole
+ *   fxl_visibility_depth, _32
+ *       the nearest face, which is another one than the pick where the order of drawing is not that
+ *       of the depths: where instances intersect, and in models that are not convex
+ *
+ * A method of the caller's must have the same submit function. The scene must be as it was when the
+ * frame began. It costs as much as drawing one row of the frame up to that face, near to far. It
+ * works in the renderer's workspace: no band of the frame may be drawn meanwhile, also not by
+ * fxl_frame_draw_with. The frame stays, and its counters do. FXL_E_ARGUMENT, FXL_E_ORDER (no frame
+ * begun, or it was released by fxl_frame_release_scene), FXL_E_BSP (fxl_visibility_bsp or
+ * _bsp_spans, billboards, or another submit function), FXL_E_RANGE (a pixel outside of the screen):
+ * *picked untouched; counted in refused_calls. */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked);
 
 #ifdef __cplusplus
