@@ -337,6 +337,57 @@ void test_other_methods_take_no_billboards(void)
     TEST_ASSERT_EQUAL_PTR(&fxl_visibility_surfaces, renderer.visibility);
 }
 
+/* A call that takes billboards away where there are none, on a frame that has begun. */
+static void expect_nothing_to_take(void)
+{
+    static fxl_renderer before;
+    const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    before = renderer;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
+}
+
+static void expect_removal_keeps(const fxl_visibility *method)
+{
+    start(0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, cells, sizeof cells));
+    expect_nothing_to_take();
+}
+
+/* The second removal of two, and a removal from a method that draws none. */
+void test_a_removal_where_there_are_none_changes_nothing(void)
+{
+    expect_removal_keeps(&fxl_visibility_sorted);
+    expect_removal_keeps(&fxl_visibility_spans);
+    expect_removal_keeps(&fxl_visibility_box);
+    expect_removal_keeps(&fxl_visibility_outlined);
+    fxl_visibility own = fxl_visibility_sorted;
+    expect_removal_keeps(&own);
+    for (int with_surfaces = 0; with_surfaces < 2; with_surfaces++) {
+        const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
+                                                 &fxl_visibility_depth_32};
+        for (uint32_t i = 0; i < 3; i++) {
+            start(0);
+            choose(methods[i], with_surfaces != 0);
+            expect_nothing_to_take();
+            const fxl_visibility *const before = renderer.visibility;
+            TEST_ASSERT_EQUAL(FXL_OK, add(methods[i]));
+            TEST_ASSERT_TRUE(before != renderer.visibility);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+            TEST_ASSERT_EQUAL_PTR(before, renderer.visibility);
+            expect_nothing_to_take();
+        }
+    }
+    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_memory memory = {order, TINY_INSTANCES, list, 0, NULL, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+    TEST_ASSERT_NULL(renderer.visibility);
+    memset(&renderer, 0, sizeof renderer);
+    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+}
+
 /* The faces of every model are looked at, with the number that they have in the scene. */
 void test_surfaces_of_the_last_model_are_checked(void)
 {

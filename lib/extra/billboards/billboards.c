@@ -266,9 +266,17 @@ static fxl_status set_sorted(fxl_renderer *renderer, fxl_billboards *billboards,
     return status;
 }
 
+/* Where there are no billboards, the method and its memory stay. */
 static fxl_status take_away(fxl_renderer *renderer)
 {
     fxl_workspace *workspace = &renderer->workspace;
+    const fxl_visibility *method = renderer->visibility;
+    if (renderer->scene == NULL) {
+        return fxl_refuse(workspace, FXL_E_ORDER);
+    }
+    if (method == NULL || method->submit != submit) { /* bug: sprite-none */
+        return FXL_OK;
+    }
     return have_joined(renderer)
                ? fxl_renderer_set_visibility(renderer, method_without(renderer),
                                              workspace->raster_workspace,

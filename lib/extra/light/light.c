@@ -70,13 +70,16 @@ fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
+    if (renderer->scene == NULL) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
     if (settings == NULL) {
         fxl_renderer_set_shader(renderer, FXL_SHADER_LIGHT, NULL);
         return FXL_OK;
     }
     fxl_status status = FXL_E_ARGUMENT;
     if (light != NULL && settings->ramp != NULL) {
-        status = renderer->scene == NULL ? FXL_E_ORDER : fxl_light_check(settings, NULL);
+        status = fxl_light_check(settings, NULL);
     }
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);

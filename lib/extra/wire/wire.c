@@ -30,9 +30,17 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
     if (wire == NULL) {
         return FXL_E_ARGUMENT;
     }
-    fxl_status status = wire->scene != NULL ? fxl_check_turns(wire->scene) : FXL_E_ORDER;
-    if (status != FXL_OK) {
-        return status;
+    const fxl_scene *scene = wire->scene;
+    fxl_status status;
+    if (scene == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (scene->turns != NULL) {
+        wire->ready = false; /* drawing would read turns that are not checked */
+        status = fxl_check_turns(scene);
+        if (status != FXL_OK) {
+            return status;
+        }
     }
     status = fxl_view_set_pose(&wire->view, pose);
     if (status == FXL_OK) {

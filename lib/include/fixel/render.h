@@ -202,11 +202,14 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * fxl_frame_release_scene, and fxl_frame_begin, as far as the order has room; so may the turns, and
  * the centres of instances that have one. They are checked in constant time each: the scales and
  * centres of all, and the orientations of the instances in sight. fxl_scene_check checks all
- * orientations.
+ * orientations. Requires that turns do not lose their turn_code, and that a scene gets no turns
+ * without one.
  * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, no visibility method, or turns without a turn_code),
  * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (the orientation of one in sight),
- * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): the frame before stays
- * current; counted in refused_calls. */
+ * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): counted in
+ * refused_calls. A refused call leaves the frame before current if the scene has no turns. If it
+ * has turns, the frame before ends as by fxl_frame_end, because drawing would read turns and
+ * centres that are not checked. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared

@@ -48,24 +48,37 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->visibility->submit == fxl_submit_by_distance;
 }
 
-/* The camera, and the order of the instances in sight; culled: the faces of the others. */
-static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
+/* look for a scene without turns. */
+static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     fxl_frame *frame = &renderer->frame;
+    const fxl_status status = fxl_view_set_pose(&frame->view, pose);
+    if (status != FXL_OK) {
+        return status;
+    }
+    if (!FXL_IS_SMALL) {
+        fxl_reach_take_back(renderer, &renderer->workspace);
+    }
+    frame->visible_count = (uint16_t)fxl_order_still_instances(
+        renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->order, culled);
+    return FXL_OK;
+}
+
+/* The camera, and the order of the instances in sight; culled: the faces of the others. The code of
+ * turns tests the order's room itself, because it ends the frame before. */
+static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
+{
     const fxl_scene *scene = renderer->scene;
     if (scene->turns != NULL) {
-        return scene->turn_code == NULL ? FXL_E_ORDER
-                                        : scene->turn_code->look(renderer, pose, culled);
-    }
-    const fxl_status status = fxl_view_set_pose(&frame->view, pose);
-    if (status == FXL_OK) {
-        if (!FXL_IS_SMALL) {
-            fxl_reach_take_back(renderer, &renderer->workspace);
+        if (scene->turn_code == NULL) {
+            return FXL_E_ORDER;
         }
-        frame->visible_count = (uint16_t)fxl_order_still_instances(
-            scene, &frame->view.camera, &frame->view.view_frustum, frame->order, culled);
+        return scene->turn_code->look(renderer, pose, culled);
     }
-    return status;
+    if (scene->instance_count > renderer->instance_capacity) {
+        return FXL_E_CAPACITY;
+    }
+    return look_at_still(renderer, pose, culled);
 }
 
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands)
@@ -75,9 +88,6 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
     }
     if (renderer->clipper == NULL || renderer->visibility == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
-    }
-    if (renderer->scene->instance_count > renderer->instance_capacity) {
-        return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;

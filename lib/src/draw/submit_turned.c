@@ -101,11 +101,13 @@ static bool are_rotations(const fxl_scene *scene, const fxl_order_entry *entries
     return true;
 }
 
-/* The sphere test takes scales and places, so these are checked before it, and orientations of
- * instances in sight after it: no stage reads another orientation. The order of the frame before is
- * lost by then, and is made again if an orientation is refused. Which rows its instances reach is
- * not: they are submitted for each band. A frame that was released needs no order, and its scene
- * may have changed. */
+/* The caller may have changed turns and centres since the frame before began. Drawing reads them
+ * for what the display list had no room for, unchecked, and a pick reads all. So the frame before
+ * ends, whatever the reason for which this one is refused.
+ *
+ * The sphere test takes scales and places, so these are checked before it, and orientations of
+ * instances in sight after it: no stage reads another orientation. If one is refused, the view is
+ * that of the frame before. */
 static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     fxl_frame *frame = &renderer->frame;
@@ -113,6 +115,10 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
     const fxl_scene *scene = renderer->scene;
     const fxl_camera before = view->camera;
     const uint32_t number = view->frame;
+    frame->state = FXL_FRAME_NONE; /* bug: turn-refused-frame */
+    if (scene->instance_count > renderer->instance_capacity) {
+        return FXL_E_CAPACITY; /* bug: turn-capacity */
+    }
     if (!fxl_turn_places_are_in_range(scene)) {
         return FXL_E_RANGE;
     }
@@ -130,11 +136,6 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
     }
     view->camera = before;
     view->frame = number;
-    if (frame->state != FXL_FRAME_NONE && frame->state != FXL_FRAME_RELEASED) {
-        frame->state = FXL_FRAME_BEGUN; /* bug: turn-refused-rows */
-        frame->visible_count =
-            (uint16_t)order(scene, &view->camera, &view->view_frustum, frame->order, culled);
-    }
     return FXL_E_TURN;
 }
 

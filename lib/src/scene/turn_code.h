@@ -18,7 +18,8 @@ struct fxl_turn_code {
      * failure *number is the instance. */
     fxl_status (*check)(const fxl_scene *scene, uint32_t *number);
     /* fxl_begin's part from the camera to the order of the instances. *culled: the faces of those
-     * out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_TURN: the frame before stays current. */
+     * out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_TURN, FXL_E_CAPACITY (the order): the frame
+     * before has ended. */
     fxl_status (*look)(struct fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled);
     /* fxl_turn_radius of a turned instance. */
     fxl_q16_16 (*radius)(const fxl_scene *scene, uint32_t number);

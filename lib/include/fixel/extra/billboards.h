@@ -64,16 +64,18 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
                                fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
                                fxl_scene_fault *fault);
 
-/* Has a renderer draw billboards, or, where set is null, draw without them as before.
+/* Has a renderer draw billboards, or, where set is null, draw without them by the method that was
+ * set before them. If the renderer draws no billboards, a set that is null changes nothing, and a
+ * frame that has begun stays; this is FXL_OK with any visibility method.
  * The renderer keeps a pointer to *billboards, and that one to *set. The visibility method becomes
  * fxl_visibility_billboards if it was fxl_visibility_sorted; if it was fxl_visibility_surfaces,
  * faces keep their surfaces. It is set after those, and ends where another method is set: then an
  * instance shows its face. A sprite may change between frames, and so may model_map. The frame must
  * begin anew. Several cores may draw bands of one frame.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised; its visibility method is another
- * one: with a depth buffer fxl_renderer_set_billboards_by_depth does it, with a span buffer, a BSP
- * tree or outlines nothing does), FXL_E_ALIGNMENT (billboards), and those of fxl_billboards_check:
- * nothing is changed but refused_calls. */
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised; or there is a set, and the
+ * visibility method is another one: with a depth buffer fxl_renderer_set_billboards_by_depth does
+ * it, with a span buffer, a BSP tree or outlines nothing does), FXL_E_ALIGNMENT (billboards), and
+ * those of fxl_billboards_check: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                        const fxl_billboard_set *set);
 

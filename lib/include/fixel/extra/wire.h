@@ -44,7 +44,9 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
                          fxl_wire_clipper clipper);
 
 /* Begins a frame. FXL_E_ARGUMENT; FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN,
- * FXL_E_ORDER (turns without a turn_code): the frame begun before stays current. */
+ * FXL_E_ORDER (no scene, or turns without a turn_code). The frame begun before stays current if the
+ * scene has no turns. If it has turns, that frame ends: drawing would read turns that are not
+ * checked, so fxl_wire_draw answers FXL_E_ORDER until a frame begins. */
 fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 
 /* Draws the frame's lines over a band that the caller has cleared. Each line has its face's
