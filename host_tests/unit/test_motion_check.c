@@ -92,6 +92,8 @@ void test_missing_tables_are_refused(void)
     expect(FXL_E_ALIGNMENT, "motion table", 0);
     scene.first_turned = 1;
     expect(FXL_E_COUNT, "motion table", 0);
+    scene.first_turned = TINY_INSTANCES + 1;
+    expect_scene(FXL_E_INDEX, "turn table", 0);
     scene.turns = NULL;
     expect(FXL_E_COUNT, "motion table", 0);
 }

@@ -163,6 +163,9 @@ static fxl_status check_turns(const fxl_scene *scene, fxl_scene_fault *fault)
     if (scene->turn_code == NULL) {
         return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
     }
+    if (scene->first_turned > scene->instance_count) {
+        return fxl_fault_at(fault, "turn table", 0, FXL_E_INDEX);
+    }
     const fxl_status status = scene->turn_code->check(scene, &number);
     return status == FXL_OK ? FXL_OK : fxl_fault_at(fault, "instance", number, status);
 }
