@@ -143,6 +143,8 @@ static void play_others(const fxl_scene_image *opened, fuzz_input in)
     uint8_t *bytes = (uint8_t *)&motions[fuzz_below(&in, count)];
     const int32_t number = fuzz_any(&in);
     memcpy(bytes + 4u * fuzz_below(&in, sizeof motions[0] / 4u), &number, 4);
+    set.motions = NULL;
+    DEMAND(fxl_motion_begin(&player, &set, &scene, &memory) == FXL_E_ARGUMENT);
     set.motions = motions;
     fault.what = NULL;
     const fxl_status status = fxl_motion_check(&set, &scene, &fault);

@@ -288,6 +288,9 @@ void fuzz_world(fuzz_input *in)
     fxl_world_memory memory = {of.instances, of.slots,   of.turns, 1,
                                turned,       of.colours, 2,        &fxl_turned_instances};
     DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ORDER);
+    memory.instances = (fxl_instance *)((uintptr_t)of.instances + 1 + more % 3);
+    DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ALIGNMENT);
+    memory.instances = of.instances;
     if (which < 2 || fxl_scene_check_all(&scene, NULL) != FXL_OK) {
         scene = squares(which == 0);
         DEMAND(fxl_scene_check_all(&scene, NULL) == FXL_OK);

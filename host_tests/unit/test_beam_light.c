@@ -236,6 +236,7 @@ void test_what_makes_no_light_is_refused(void)
     make(WORDS);
     const uint32_t needed = fxl_beam_light_workspace_size(beams, 2);
     TEST_ASSERT_TRUE(needed > 0 && needed <= sizeof room);
+    TEST_ASSERT_EQUAL(0, fxl_beam_light_workspace_size(NULL, 2));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_beams(NULL, beams, 1, lit, room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,

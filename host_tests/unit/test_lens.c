@@ -76,6 +76,7 @@ void test_null_is_refused(void)
 {
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_lens_from_fov(9, 9, FXL_ANGLE_QUARTER, 999, 99999, 0, NULL));
+    TEST_ASSERT_FALSE(fxl_lens_is_valid(NULL));
 }
 
 /* What a lens would be with one member changed. */

@@ -335,6 +335,10 @@ void test_settings_out_of_range_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &right));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(NULL, &light, &right));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(&renderer, NULL, &right));
+    fxl_scene_fault fault = {"nothing", 99};
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_check(NULL, &fault));
+    TEST_ASSERT_EQUAL_STRING("light", fault.what);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_check(NULL, NULL));
 #define REFUSED(status, change) \
     do { \
         fxl_light_settings of = right; \

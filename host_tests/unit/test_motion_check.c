@@ -86,8 +86,14 @@ void test_missing_tables_are_refused(void)
     set.keys = NULL;
     set.key_count = 1;
     expect(FXL_E_ARGUMENT, "motion table", 0);
+    set.motions = (const fxl_motion *)((uintptr_t)motions + 1);
+    expect(FXL_E_ALIGNMENT, "motion table", 0);
+    set.keys = (const fxl_motion_key *)((uintptr_t)keys + 2);
+    expect(FXL_E_ALIGNMENT, "motion table", 0);
     scene.first_turned = 1;
     expect(FXL_E_COUNT, "motion table", 0);
+    scene.first_turned = TINY_INSTANCES + 1;
+    expect_scene(FXL_E_INDEX, "turn table", 0);
     scene.turns = NULL;
     expect(FXL_E_COUNT, "motion table", 0);
 }

@@ -178,6 +178,12 @@ void test_what_is_refused_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(NULL, &fxl_rgb565, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, NULL, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &fxl_rgb565, NULL));
+    static const fxl_pixel_format zeros;
+    static const fxl_pixels unprepared;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &zeros, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pixels_convert(&unprepared, &band, out, 64));
+    TEST_ASSERT_EQUAL(0, fxl_pixels_size(&zeros, 17, 10));
+    TEST_ASSERT_EQUAL(0, fxl_pixels_size(NULL, 17, 10));
     TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, &pixels, sizeof pixels);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(NULL, &band, out, 64));

@@ -257,6 +257,10 @@ void test_what_a_pump_is_not_set_up_with(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
     config = (fxl_pump_config){&pixels, WIDTH, HEIGHT, 4}; /* half a page */
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
+    static const fxl_pixels unprepared;
+    config = (fxl_pump_config){&unprepared, WIDTH, HEIGHT, 4};
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
+    TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(&config));
     TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(NULL));
     TEST_ASSERT_EQUAL_MEMORY(&untouched, &pump, sizeof pump);
 }
@@ -298,6 +302,22 @@ void test_what_a_pump_is_not_called_with(void)
     rows.pixels = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(&pump, &rows));
     TEST_ASSERT_EQUAL(0, wires.count);
+}
+
+void test_a_pump_that_was_never_set_up(void)
+{
+    const fxl_pose pose = pose_number(0);
+    const fxl_band rows = {whole, WIDTH, WIDTH, 0, 8};
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8)); /* the renderer */
+    memset(&pump, 0, sizeof pump);
+    const fxl_pump before = pump;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_wait(&pump));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_begin(&pump));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_send(&pump));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_frame(&pump, &renderer, &pose));
+    TEST_ASSERT_NULL(fxl_pump_band(&pump));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &pump, sizeof pump);
 }
 
 /* The macro for static memory is what the function says. */

@@ -235,6 +235,32 @@ static void expect_fault(fxl_status status, const char *what, uint32_t index, fx
     TEST_ASSERT_EQUAL_UINT32(index, fault.index);
 }
 
+static const void *moved(const void *table, int by)
+{
+    return (const void *)((uintptr_t)table + (unsigned)by);
+}
+
+/* Each table of a scene must begin where its records may. */
+void test_a_scene_with_a_misaligned_table(void)
+{
+    static const uint64_t anywhere[64];
+    for (int i = 0; i < 10; i++) {
+        fxl_scene *scene = &tiny_make()->scene;
+        scene->vertices = (const fxl_point *)moved(scene->vertices, i == 0 ? 1 : 0);
+        scene->indices = (const uint16_t *)moved(scene->indices, i == 1 ? 1 : 0);
+        scene->faces = (const fxl_face *)moved(scene->faces, i == 2 ? 2 : 0);
+        scene->models = (const fxl_model *)moved(scene->models, i == 3 ? 1 : 0);
+        scene->instances = (const fxl_instance *)moved(scene->instances, i == 4 ? 2 : 0);
+        scene->face_bounds = (const fxl_face_bounds *)moved(scene->face_bounds, i == 5 ? 1 : 0);
+        scene->bsp_nodes = i == 6 ? (const fxl_bsp_node *)moved(anywhere, 2) : NULL;
+        scene->beams = i == 7 ? (const fxl_beam *)moved(anywhere, 1) : NULL;
+        scene->clusters = i == 8 ? (const fxl_cluster *)moved(anywhere, 2) : NULL;
+        scene->turns = i == 9 ? (const fxl_turn *)moved(anywhere, 1) : NULL;
+        expect_fault(FXL_E_ALIGNMENT, "scene", 0, scene, fxl_scene_check_all);
+        expect_fault(FXL_E_ALIGNMENT, "scene", 0, scene, fxl_scene_check);
+    }
+}
+
 /* fxl_scene_check takes no scene of which any word says that it has a tree or beams. */
 void test_trees_and_beams_need_the_other_check(void)
 {

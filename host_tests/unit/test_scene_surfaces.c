@@ -171,6 +171,9 @@ void test_memory_for_textures_is_checked(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_surfaces_open(&opened, textures, TEXTURES - 1, &set, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_surfaces_open(&opened, (fxl_texture *)((uintptr_t)textures + 1),
+                                        TEXTURES - 1, &set, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, NULL, TEXTURES, &set, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, textures, TEXTURES, NULL, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(NULL, textures, TEXTURES, &set, NULL));

@@ -88,6 +88,12 @@ void test_null_pointers(void)
     REFUSES(quad.set.surfaces, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.faces, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.normals, NULL, FXL_E_ARGUMENT, "surfaces");
+    const uintptr_t odd = (uintptr_t)&quad + 1;
+    REFUSES(quad.set.face_map, (const uint16_t *)odd, FXL_E_ALIGNMENT, "surfaces");
+    REFUSES(quad.set.textures, (const fxl_texture *)odd, FXL_E_ALIGNMENT, "surfaces");
+    REFUSES(quad.set.surfaces, (const fxl_surface *)odd, FXL_E_ALIGNMENT, "surfaces");
+    REFUSES(quad.set.faces, (const fxl_mapped_face *)odd, FXL_E_ALIGNMENT, "surfaces");
+    REFUSES(quad.set.normals, (const fxl_direction *)odd, FXL_E_ALIGNMENT, "surfaces");
     /* A table of no entries may be absent. */
     quad.surface.texture = 0;
     quad.set.texture_count = quad.set.normal_count = 0;

@@ -167,8 +167,26 @@ void test_a_workspace_of_other_settings_is_refused(void)
     TEST_ASSERT_EQUAL_UINT32(2, second.counters.refused_calls);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, &second, &band));
+    start(); /* no setting was changed yet */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    memset(&second, 0, sizeof second);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_with(&renderer, &second, &band));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(&renderer, NULL, &band));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(NULL, &second, &band));
+}
+
+void test_a_clipper_and_a_method_of_zeros_are_refused(void)
+{
+    static const fxl_clipper no_clipper;
+    static const fxl_visibility no_method;
+    start();
+    const fxl_clipper *clipper = renderer.clipper;
+    const fxl_visibility *method = renderer.visibility;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &no_clipper, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, &no_method, NULL, 0));
+    TEST_ASSERT_EQUAL_PTR(clipper, renderer.clipper);
+    TEST_ASSERT_EQUAL_PTR(method, renderer.visibility);
+    TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.refused_calls);
 }
 
 void test_a_workspace_that_cannot_be_is_refused_and_untouched(void)

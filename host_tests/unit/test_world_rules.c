@@ -225,6 +225,15 @@ void test_init_refuses(void)
     room.colours = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
     room = right;
+    room.instances = (fxl_instance *)((uintptr_t)right.instances + 1);
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.slots = (fxl_world_slot *)((uintptr_t)right.slots + 2);
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
+    room = right;
+    room.turns = (fxl_turn *)((uintptr_t)right.turns + 1);
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
+    room = right;
     room.colour_count = 256;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
     room = right;
@@ -295,6 +304,9 @@ void test_spawn_and_the_rest_refuse_null(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_layer(NULL, first, 0));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_recolour(NULL, first, 0));
     TEST_ASSERT_EQUAL_UINT32(4, world.refused_calls);
+    TEST_ASSERT_NULL(fxl_world_instance(NULL, first));
+    TEST_ASSERT_NULL(fxl_world_turn_of(NULL, first));
+    TEST_ASSERT_FALSE(fxl_world_is_shown(NULL, first));
 }
 
 /* A model that two world_instances show, one of them in colours of its own. */

@@ -6,32 +6,21 @@ processes which connect and say nothing take no connection from the page.
 """
 
 import asyncio
-import logging
-import sys
 
 STRANGERS_MAX = 32      # connections at a time; one more ends the oldest of them
 TRUSTED_MAX = 64        # connections at a time; one more is refused
 STRANGER_TIME = 5.0     # seconds
 BACKLOG = 16            # connections that the kernel accepts before the server does
 
-# A request that is none, or ends in the middle, is its sender's affair.
-logging.getLogger("aiohttp.server").addFilter(lambda record: not _is_of_the_wire(record))
-
-
-def _is_of_the_wire(record):
-    error = record.exc_info[1] if record.exc_info else None
-    return isinstance(error, (ConnectionError, asyncio.CancelledError)) or \
-        type(error).__module__ == "aiohttp.http_exceptions"
-
 
 class Guard:
     """Makes connections for a server's protocols, as many as are allowed. For the thread of the event loop."""
 
-    def __init__(self, protocol):
+    def __init__(self, protocol, troubles):
         self._protocol = protocol   # makes a protocol of the server's
+        self._troubles = troubles
         self._strangers = {}        # transport -> what ends it when its time is over, the oldest first
         self._trusted = set()
-        self._said = False
 
     async def listen(self, host, port):
         return await asyncio.get_running_loop().create_server(lambda: _Door(self), host, port, backlog=BACKLOG)
@@ -42,7 +31,8 @@ class Guard:
             self._end(each)
         if len(self._strangers) >= STRANGERS_MAX:
             self._end(next(iter(self._strangers)))
-            self._say(f"more than {STRANGERS_MAX} connections without a request: the oldest are closed")
+            self._troubles.say("strangers", f"more than {STRANGERS_MAX} connections without a request: "
+                               "the oldest are closed")
         timer = asyncio.get_running_loop().call_later(STRANGER_TIME, self._end, transport)
         self._strangers[transport] = timer
         protocol = self._protocol()
@@ -58,7 +48,7 @@ class Guard:
         self._trusted = {each for each in self._trusted if not each.is_closing()}
         if len(self._trusted) >= TRUSTED_MAX:
             transport.abort()
-            self._say(f"more than {TRUSTED_MAX} connections of pages: close some tabs")
+            self._troubles.say("pages", f"more than {TRUSTED_MAX} connections of pages: close some tabs")
         else:
             self._trusted.add(transport)
 
@@ -67,12 +57,6 @@ class Guard:
         if timer is not None:
             timer.cancel()
             transport.abort()
-
-    def _say(self, words):
-        """One line, however often it happens."""
-        if not self._said:
-            self._said = True
-            print(f"live window: {words}", file=sys.stderr, flush=True)
 
     def close(self):
         for transport in list(self._strangers):

@@ -26,6 +26,7 @@ from fixel import view_reference
 from fixel.errors import ToolError
 from fixel.view_guard import Guard
 from fixel.view_pump import IDLE_RATE
+from fixel.view_trouble import Troubles
 
 HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
@@ -82,6 +83,11 @@ def one_of(value, every):
     if type(value) is not int or value not in every:    # False == 0, 30.0 == 30
         raise ValueError("not one of these numbers")
     return value
+
+
+def first_part(path):
+    """What is between the first two slashes. A request may have a path without one: OPTIONS *, CONNECT host:port."""
+    return (path.split("/", 2) + [""])[1]
 
 
 class Hub:
@@ -214,6 +220,7 @@ class Server:
         application.router.add_get(f"/{self.token}/live", self._live)
         self._runner = web.AppRunner(application, access_log=None, handle_signals=False,
                                      shutdown_timeout=FAREWELL)
+        self._troubles = Troubles()
         self._guard = self._listening = None
 
     @property
@@ -224,7 +231,7 @@ class Server:
     async def open(self, port=None):
         """Listens. port: None for the usual one, or any that is free."""
         await self._runner.setup()
-        self._guard = Guard(self._runner.server)
+        self._guard = Guard(self._runner.server, self._troubles)
         for choice in ([port] if port else [PORT, 0]):
             try:
                 self._listening = await self._guard.listen(HOST, choice)
@@ -234,6 +241,7 @@ class Server:
                                     "choose another with PORT=") from error
                 continue
             self.port = self._listening.sockets[0].getsockname()[1]
+            self._troubles.listen()
             return
         raise ToolError(f"no port of {HOST} is free")
 
@@ -247,6 +255,7 @@ class Server:
         if self._guard is not None:
             self._guard.close()
         await self._runner.cleanup()
+        self._troubles.leave()
 
     @staticmethod
     async def _part(tab, words):
@@ -267,7 +276,7 @@ class Server:
         if request.headers.get("Host") not in names or \
                 (origin is not None and origin.removeprefix("http://") not in names):
             raise web.HTTPForbidden(text="this window is for this machine's own browser\n")
-        if not hmac.compare_digest(request.path.split("/")[1].encode(), self.token.encode()):
+        if not hmac.compare_digest(first_part(request.path).encode(errors="replace"), self.token.encode()):
             raise web.HTTPForbidden(text="open the address that make view printed: it ends with a token\n")
         self._guard.trust(request.transport)
         return await handler(request)
@@ -280,7 +289,10 @@ class Server:
 
     async def _live(self, request):
         socket = web.WebSocketResponse(heartbeat=HEARTBEAT, max_msg_size=MESSAGE_MAX, compress=False)
-        await socket.prepare(request)
+        try:
+            await socket.prepare(request)
+        except ValueError as error:     # of base64: a key that is not ASCII
+            raise web.HTTPBadRequest(text="not a websocket's key\n") from error
         tab = Tab(socket)
         await socket.send_str(json.dumps(self.hub.hello))
         self.hub.join(tab)

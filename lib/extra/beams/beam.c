@@ -81,6 +81,9 @@ static bool is_unused(const fxl_beam_plane *plane)
 
 fxl_status fxl_beam_check(const fxl_beam *beam)
 {
+    if (beam == NULL) {
+        return FXL_E_ARGUMENT;
+    }
     if (beam->kind > FXL_BEAM_DIRECTION || beam->reserved != 0) {
         return FXL_E_RESERVED;
     }

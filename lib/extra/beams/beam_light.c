@@ -25,7 +25,8 @@ static uint32_t rounded_up(size_t size)
 
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count)
 {
-    if (beam_count < 1 || beam_count > FXL_BEAMS_MAX || !fxl_beams_fit(beams, beam_count, 3)) {
+    if (beams == NULL || beam_count < 1 || beam_count > FXL_BEAMS_MAX ||
+        !fxl_beams_fit(beams, beam_count, 3)) {
         return 0;
     }
     return rounded_up(sizeof(lighting)) + rounded_up(sizeof(fxl_lit_pieces)) +

@@ -2,6 +2,7 @@
 /* The player of motions (docs/extras/motion.md). */
 #include "fixel/extra/motion.h"
 
+#include "../../src/math/aligned.h"
 #include "../../src/math/arith.h"
 #include "../../src/math/memory.h"
 #include "../../src/math/sine.h"
@@ -151,15 +152,26 @@ void fxl_motion_play(const fxl_motion_player *player, uint32_t frame)
     }
 }
 
+static bool is_aligned(const fxl_motion_set *set, const fxl_motion_memory *memory)
+{
+    return fxl_is_aligned(set->motions, FXL_WORD) && fxl_is_aligned(set->keys, FXL_WORD) &&
+           fxl_is_aligned(memory->instances, FXL_WORD) && fxl_is_aligned(memory->turns, FXL_WORD);
+}
+
 fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set, fxl_scene *scene,
                             const fxl_motion_memory *memory)
 {
     if (player == NULL || set == NULL || scene == NULL || memory == NULL ||
-        memory->instances == NULL || memory->turns == NULL || scene->turns == NULL) {
+        memory->instances == NULL || memory->turns == NULL || scene->instances == NULL ||
+        scene->turns == NULL || (set->motions == NULL && set->motion_count > 0) ||
+        (set->keys == NULL && (set->motion_count > 0 || set->key_count > 0))) {
         return FXL_E_ARGUMENT;
     }
     if (scene->instance_capacity > 0) { /* bug: motion-in-world */
         return FXL_E_ORDER;
+    }
+    if (!is_aligned(set, memory)) {
+        return FXL_E_ALIGNMENT;
     }
     const uint32_t turned = scene->instance_count - scene->first_turned;
     if (set->motion_count > turned) {

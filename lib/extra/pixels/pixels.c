@@ -4,7 +4,8 @@
 fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
                            const uint8_t *palette)
 {
-    if (pixels == NULL || format == NULL || palette == NULL) {
+    if (pixels == NULL || format == NULL || palette == NULL || format->prepare == NULL ||
+        format->convert == NULL || format->rows == 0) {
         return FXL_E_ARGUMENT;
     }
     pixels->format = format;
@@ -14,6 +15,9 @@ fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
 
 size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t rows)
 {
+    if (format == NULL || format->rows == 0) {
+        return 0;
+    }
     const size_t lines = ((size_t)rows + format->rows - 1u) / format->rows;
     /* A row of a byte's height has 16 * 65535 bits at most. */
     const size_t line = format->rows > 1 ? width : ((size_t)width * format->bits + 7u) / 8u;
@@ -26,6 +30,9 @@ fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, vo
     if (pixels == NULL || band == NULL || out == NULL || band->pixels == NULL || band->width == 0 ||
         band->rows == 0) {
         return FXL_E_ARGUMENT;
+    }
+    if (pixels->format == NULL) {
+        return FXL_E_ORDER;
     }
     if (((uintptr_t)out & 3u) != 0) {
         return FXL_E_ALIGNMENT;

@@ -20,7 +20,8 @@ static bool is_in_range(const fxl_pump_config *config)
     return config->width >= 1 && config->width <= FXL_SCREEN_MAX && config->height >= 1 &&
            config->height <= FXL_SCREEN_MAX && config->rows >= 1 &&
            config->rows <= config->height &&
-           (config->pixels == NULL || config->rows % config->pixels->format->rows == 0);
+           (config->pixels == NULL || (config->pixels->format != NULL &&
+                                       config->rows % config->pixels->format->rows == 0));
 }
 
 size_t fxl_pump_memory_size(const fxl_pump_config *config)
@@ -67,6 +68,11 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
     return FXL_OK;
 }
 
+static bool is_set_up(const fxl_pump *pump)
+{
+    return pump->sink.wait != NULL;
+}
+
 /* Sets the band that begins with a row. */
 static void set_band(fxl_pump *pump, uint32_t first_row)
 {
@@ -82,6 +88,9 @@ fxl_status fxl_pump_begin(fxl_pump *pump)
 {
     if (pump == NULL) {
         return FXL_E_ARGUMENT;
+    }
+    if (!is_set_up(pump)) {
+        return FXL_E_ORDER;
     }
     pump->is_begun = true;
     set_band(pump, 0);
@@ -173,6 +182,9 @@ fxl_status fxl_pump_wait(fxl_pump *pump)
 {
     if (pump == NULL) {
         return FXL_E_ARGUMENT;
+    }
+    if (!is_set_up(pump)) {
+        return FXL_E_ORDER;
     }
     return pump->sink.wait(pump->sink.user) ? FXL_OK : fail(pump);
 }

@@ -2,6 +2,7 @@
 /* Frames of 16 bits a pixel: the calls. */
 #include "../../src/draw/renderer.h"
 #include "../../src/draw/submit.h"
+#include "../../src/math/aligned.h"
 #include "../surfaces/surface_polygon.h"
 #include "visibility_rgb565.h"
 
@@ -15,6 +16,9 @@ fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *fra
     }
     if (frame == NULL || palette == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(palette, sizeof *palette)) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ALIGNMENT);
     }
     const fxl_status status =
         fxl_renderer_set_visibility(renderer, &fxl_visibility_rgb565, frame, sizeof *frame);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../../src/math/aligned.h"
 #include "../../src/math/unit_vector.h"
 #include "../../src/scene/fault.h"
 #include "fixel/extra/rgb565.h"
@@ -127,6 +128,15 @@ static fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene
     return FXL_OK;
 }
 
+/* Whether every table begins where its records may; a null one does. */
+static bool is_aligned(const fxl_surface_set *set)
+{
+    const uintptr_t words = (uintptr_t)set->faces | (uintptr_t)set->normals;
+    const uintptr_t halves = (uintptr_t)set->surfaces | (uintptr_t)set->face_map;
+    return (words & (FXL_WORD - 1)) == 0 && (halves & 1u) == 0 &&
+           fxl_is_aligned(set->textures, FXL_POINTER);
+}
+
 static fxl_status check(const fxl_surface_set *set, const fxl_scene *scene, const frame_kind *kind,
                         fxl_scene_fault *fault)
 {
@@ -134,6 +144,9 @@ static fxl_status check(const fxl_surface_set *set, const fxl_scene *scene, cons
         (set->textures == NULL && set->texture_count != 0) || set->surfaces == NULL ||
         set->faces == NULL || (set->normals == NULL && set->normal_count != 0)) {
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_ARGUMENT);
+    }
+    if (!is_aligned(set)) {
+        return fxl_fault_at(fault, "surfaces", 0, FXL_E_ALIGNMENT);
     }
     if (set->texture_count > FXL_TEXTURES_MAX || set->surface_count > FXL_SURFACES_MAX ||
         set->face_count > FXL_MAPPED_FACES_MAX || set->normal_count > UINT16_MAX ||

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The surfaces of a scene image (docs/formats.md, section 1.12). */
+#include "../../src/math/aligned.h"
 #include "../../src/math/memory.h"
 #include "../../src/scene/fault.h"
 #include "../../src/scene/scene_header.h"
@@ -70,6 +71,9 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
     if (image == NULL || set == NULL || image->surfaces.face_map == NULL ||
         (textures == NULL && image->surfaces.texture_count != 0)) {
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(textures, FXL_POINTER)) {
+        return fxl_fault_at(fault, "texture table", 0, FXL_E_ALIGNMENT);
     }
     const fxl_scene_surfaces *from = &image->surfaces;
     if (from->texture_count > capacity) {

@@ -3,6 +3,7 @@
 #include "fixel/extra/world.h"
 
 #include "../../src/draw/renderer.h"
+#include "../../src/math/aligned.h"
 #include "../../src/math/memory.h"
 #include "world_place.h"
 
@@ -43,6 +44,10 @@ static fxl_status check(const fxl_scene *scene, const fxl_world_memory *memory)
         ((memory->turns == NULL || memory->turn_code == NULL) && memory->turned_capacity > 0) ||
         (memory->colours == NULL && memory->colour_count > 0)) {
         return FXL_E_ARGUMENT;
+    }
+    if (!fxl_is_aligned(memory->instances, FXL_WORD) || !fxl_is_aligned(memory->slots, FXL_WORD) ||
+        !fxl_is_aligned(memory->turns, FXL_WORD)) {
+        return FXL_E_ALIGNMENT;
     }
     if (scene->order_needed == 0) {
         return FXL_E_ORDER;

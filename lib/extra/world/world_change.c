@@ -8,6 +8,9 @@
 
 static bool is_valid(const fxl_world *world, fxl_handle handle)
 {
+    if (world == NULL) {
+        return false;
+    }
     /* bug: world-stale */
     return handle.slot < fxl_world_places(world) && (handle.generation & 1u) != 0 &&
            world->memory.slots[handle.slot].generation == handle.generation;

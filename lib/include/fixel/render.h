@@ -176,8 +176,9 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
 /* Sets the clipper and its workspace: at least clipper->workspace_size bytes of the caller's,
  * aligned to 8; the renderer keeps the pointer. A clipper that needs none may be given size 0, or
  * an fxl_clip_stats to count in. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never initialised: it is all
- * zeros), FXL_E_CAPACITY (workspace_size): renderer untouched but for refused_calls. */
+ * FXL_E_ARGUMENT (a null pointer, or a clipper of zeros), FXL_E_ALIGNMENT, FXL_E_ORDER (the
+ * renderer was never initialised: it is all zeros), FXL_E_CAPACITY (workspace_size): renderer
+ * untouched but for refused_calls. */
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
                                     void *workspace, uint32_t workspace_size);
 
@@ -189,9 +190,9 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
 
 /* Sets the visibility method and its workspace, of the caller's memory, aligned to 8; the renderer
  * keeps the pointer. May be null where the method wants none. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_CAPACITY
- * (workspace_size is less than the method wants for this scene and this lens): renderer untouched
- * but for refused_calls. */
+ * FXL_E_ARGUMENT (a null pointer, or a method of zeros), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer
+ * was never initialised), FXL_E_CAPACITY (workspace_size is less than the method wants for this
+ * scene and this lens): renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
                                        void *workspace, uint32_t workspace_size);
 
@@ -258,9 +259,9 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
  * and beams have one workspace for all cores, so with them one band must be drawn after another.
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun, or the workspace was set up for another clipper or
- * method), FXL_E_RANGE (a band that is not of this screen): band untouched; counted in
- * refused_calls of the workspace. */
+ * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun; the workspace was set up for another clipper or
+ * method, or never: it is all zeros), FXL_E_RANGE (a band that is not of this screen): band
+ * untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band);
 

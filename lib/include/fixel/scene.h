@@ -373,8 +373,9 @@ typedef struct {
  * range, normal, planarity and face bounds; that no vertex lies outside its model's radius; and
  * that every vertex of every instance lies within FXL_COORDINATE_MAX.
  * Requires tables as long as their counts; fault may be null.
- * FXL_E_ARGUMENT, FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_RADIUS, FXL_E_NORMAL,
- * FXL_E_PLANARITY, FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (a table of 32-bit members to 4 bytes, indices to 2),
+ * FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_RADIUS, FXL_E_NORMAL, FXL_E_PLANARITY,
+ * FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
  * FXL_E_CAPACITY is for a face of more than FXL_FACE_VERTICES_MAX vertices, which a build with a
  * larger FXL_POLYGON_CAPACITY would draw. On FXL_OK *fault is untouched.
  * A turned instance is checked by fxl_turn_check instead of by its vertices; FXL_E_TURN.
@@ -390,15 +391,15 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 /* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,
  * and that no frame takes an instance out of the world or a scale out of its range. The time is
  * linear in the counts. fault may be null.
- * FXL_E_ARGUMENT (a null pointer), FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_RESERVED: *fault
- * written. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_ALIGNMENT (a table, to 4 bytes), FXL_E_COUNT, FXL_E_INDEX,
+ * FXL_E_RANGE, FXL_E_RESERVED: *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
                             fxl_scene_fault *fault);
 
 /* Checks the settings of a light: every count and range, and the length of the direction. fault may
  * be null.
- * FXL_E_COUNT (point_count, levels), FXL_E_RANGE, FXL_E_NORMAL (the direction): *fault written. On
- * FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT (settings is null), FXL_E_COUNT (point_count, levels), FXL_E_RANGE, FXL_E_NORMAL
+ * (the direction): *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
 
 /* Makes the settings of an image's light, for fxl_renderer_set_light. The ramp is that of the

@@ -58,6 +58,7 @@ static int32_t offset_of(const scaling *by, int64_t side)
 fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                               fxl_screen_point *screen)
 {
+    FXL_ASSERT(projection->depth_min > 0); /* fxl_projection_from_lens set it */
     int32_t upper = (int32_t)(view->z >> 32);
     if (FXL_IS_SMALL || upper < projection->depth_min) {
         return fxl_project_any(projection, view, screen);

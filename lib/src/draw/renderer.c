@@ -55,6 +55,7 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     const uint32_t capacity = memory->order_capacity - (scene->order_needed - instances);
     /* A world attaches the renderer first. */
     renderer->instance_capacity = scene->instance_capacity > 0 ? 0 : capacity;
+    workspace->settings_version = 1; /* another workspace has 0 until it is set up */
     fxl_view_set_lens(&frame->view, lens);
     frame->order = memory->order;
     frame->display_list.words = memory->display_list;
@@ -94,7 +95,7 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (clipper == NULL) {
+    if (clipper == NULL || clipper->clip == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     uint32_t wanted = clipper->workspace_size;
@@ -128,7 +129,7 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (visibility == NULL) {
+    if (visibility == NULL || visibility->submit == NULL || visibility->backend == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     fxl_status status = check_workspace(renderer, workspace, workspace_size, 0);

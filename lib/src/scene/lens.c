@@ -70,7 +70,7 @@ static bool centre_in_range(const fxl_lens *lens)
 
 bool fxl_lens_is_valid(const fxl_lens *lens)
 {
-    return screen_in_range(lens->width, lens->height) &&
+    return lens != NULL && screen_in_range(lens->width, lens->height) &&
            depth_in_range(lens->near_z, lens->far_z, lens->inset) &&
            focal_in_range(lens->focal, lens->width) && centre_in_range(lens);
 }

@@ -25,6 +25,9 @@ static bool is_point_light(const fxl_point_light *light)
 
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault)
 {
+    if (settings == NULL) {
+        return fxl_fault_at(fault, "light", 0, FXL_E_ARGUMENT);
+    }
     if (settings->point_count > FXL_LIGHT_POINTS_MAX || settings->levels < FXL_LIGHT_LEVELS_MIN ||
         settings->levels > FXL_LIGHT_LEVELS_MAX) {
         return fxl_fault_at(fault, "light", 0, FXL_E_COUNT);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks of a scene's motions (docs/extras/motion.md, section 4). A motion states the extent of its
  * keys, so that the reach of a chain of parents takes a step a parent, and no key. */
+#include "../math/aligned.h"
 #include "../math/arith.h"
 #include "../math/square_root.h"
 #include "fault.h"
@@ -145,6 +146,9 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
     if (set == NULL || scene == NULL || (set->motion_count > 0 && set->motions == NULL) ||
         (set->key_count > 0 && set->keys == NULL)) {
         return fxl_fault_at(fault, "motion table", 0, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(set->motions, FXL_WORD) || !fxl_is_aligned(set->keys, FXL_WORD)) {
+        return fxl_fault_at(fault, "motion table", 0, FXL_E_ALIGNMENT);
     }
     const uint32_t turned = scene->turns != NULL ? scene->instance_count - scene->first_turned : 0;
     if (set->motion_count > turned) {

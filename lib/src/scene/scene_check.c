@@ -4,6 +4,7 @@
  * all instances' models, which is limited. */
 #include "fixel/scene.h"
 
+#include "../math/aligned.h"
 #include "../math/arith.h"
 #include "face_bounds.h"
 #include "fault.h"
@@ -162,6 +163,9 @@ static fxl_status check_turns(const fxl_scene *scene, fxl_scene_fault *fault)
     if (scene->turn_code == NULL) {
         return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
     }
+    if (scene->first_turned > scene->instance_count) {
+        return fxl_fault_at(fault, "turn table", 0, FXL_E_INDEX);
+    }
     const fxl_status status = scene->turn_code->check(scene, &number);
     return status == FXL_OK ? FXL_OK : fxl_fault_at(fault, "instance", number, status);
 }
@@ -288,6 +292,17 @@ static uint32_t order_needed(const fxl_scene *scene)
     return scene->instance_count + faces;
 }
 
+/* Whether every table begins where its records may; a null one does. */
+static bool is_aligned(const fxl_scene *scene)
+{
+    const uintptr_t words = (uintptr_t)scene->vertices | (uintptr_t)scene->faces |
+                            (uintptr_t)scene->models | (uintptr_t)scene->instances |
+                            (uintptr_t)scene->face_bounds | (uintptr_t)scene->bsp_nodes |
+                            (uintptr_t)scene->beams | (uintptr_t)scene->clusters |
+                            (uintptr_t)scene->turns;
+    return (words & (FXL_WORD - 1)) == 0 && fxl_is_aligned(scene->indices, sizeof(uint16_t));
+}
+
 fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_scene_checker *more)
 {
     static fxl_scene_checker *const checks[] = {
@@ -297,6 +312,9 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
     if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {
         return fxl_fault_at(fault, "scene", 0, FXL_E_ARGUMENT);
+    }
+    if (!is_aligned(scene)) {
+        return fxl_fault_at(fault, "scene", 0, FXL_E_ALIGNMENT);
     }
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         fxl_status status = checks[i](scene, fault);

@@ -54,7 +54,8 @@ typedef struct {
     bool is_begun;       /* a frame has begun, and nothing has failed */
 } fxl_pump;
 
-/* Bytes of memory that a pump needs, or 0 where the configuration is out of range. */
+/* Bytes of memory that a pump needs, or 0 where the configuration is null or out of range. Pixels
+ * that fxl_pixels_init did not prepare, all of whose bytes are 0, are out of range. */
 size_t fxl_pump_memory_size(const fxl_pump_config *config);
 
 /* Sets up a pump in memory of the caller's, aligned to 8 bytes; the pump keeps the pointers to it
@@ -74,7 +75,8 @@ fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose
 /* --- the same step by step, to draw more into a band -------------------------------------------
  */
 
-/* Begins a frame at its first row, whether or not the frame before was finished. FXL_E_ARGUMENT. */
+/* Begins a frame at its first row, whether or not the frame before was finished. FXL_E_ARGUMENT,
+ * FXL_E_ORDER (the pump was never set up: it is all zeros): nothing happens. */
 fxl_status fxl_pump_begin(fxl_pump *pump);
 
 /* Returns the band to draw next, whose pixels are those of an earlier band. Null after the last
@@ -93,7 +95,8 @@ fxl_status fxl_pump_send(fxl_pump *pump);
  * the frame, the ranges of fxl_pixels_convert): nothing happens. FXL_E_DISPLAY as above. */
 fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows);
 
-/* Returns when nothing is being sent. FXL_E_DISPLAY: the last transfer failed. */
+/* Returns when nothing is being sent. FXL_E_ARGUMENT, FXL_E_ORDER (the pump was never set up: it is
+ * all zeros): nothing happens. FXL_E_DISPLAY: the last transfer failed. */
 fxl_status fxl_pump_wait(fxl_pump *pump);
 
 #ifdef __cplusplus

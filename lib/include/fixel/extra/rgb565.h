@@ -45,13 +45,13 @@ typedef struct {
  * FXL_E_ORDER, the latter after it has cleared the pixels, until another visibility method is set.
  * Surfaces that were set before stay. A frame must begin anew, and workspaces of other cores must
  * be initialised again. FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised),
- * FXL_E_ALIGNMENT (frame): nothing is changed but refused_calls. */
+ * FXL_E_ALIGNMENT (frame; palette, to 2 bytes): nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *frame,
                                    const uint16_t *palette, uint16_t dark);
 
 /* fxl_surfaces_check for frames of 16 bits a pixel: textures may be FXL_TEXTURE_565, surfaces may
- * be FXL_SURFACE_ADD, and FXL_SURFACE_BLEND needs no table. FXL_E_ALIGNMENT: the texels of such
- * a texture at an odd address. */
+ * be FXL_SURFACE_ADD, and FXL_SURFACE_BLEND needs no table. FXL_E_ALIGNMENT: also the texels of
+ * such a texture at an odd address. */
 fxl_status fxl_surfaces_check_rgb565(const fxl_surface_set *set, const fxl_scene *scene,
                                      fxl_scene_fault *fault);
 

@@ -121,9 +121,10 @@ typedef struct {
  * corners of a face are not on one line; that normals have unit length; that a set with a surface
  * that is FXL_SURFACE_BLEND has a table. Requires a checked scene and tables as long as their
  * counts; fault may be null.
- * FXL_E_ARGUMENT, FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL, FXL_E_DEGENERATE (corners on
- * one line), FXL_E_RESERVED (also a texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD, which
- * are for fxl_surfaces_check_rgb565): *fault written. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (a table), FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL,
+ * FXL_E_DEGENERATE (corners on one line), FXL_E_RESERVED (also a texture FXL_TEXTURE_565 and a
+ * surface FXL_SURFACE_ADD, which are for fxl_surfaces_check_rgb565): *fault written. On FXL_OK
+ * *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
                               fxl_scene_fault *fault);
 
@@ -131,9 +132,9 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
  * outlive *set, as the image must; it may be null if there are none. Checks that each texture lies
  * within the image's texels, and as fxl_surfaces_check.
  * Requires an image that fxl_scene_open has opened; fault may be null.
- * FXL_E_ARGUMENT (a null pointer; an image without surfaces), FXL_E_CAPACITY (more textures than
- * capacity), FXL_E_OFFSET, and those of fxl_surfaces_check: *set untouched, *fault written;
- * textures may be overwritten. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT (a null pointer; an image without surfaces), FXL_E_ALIGNMENT (textures),
+ * FXL_E_CAPACITY (more textures than capacity), FXL_E_OFFSET, and those of fxl_surfaces_check: *set
+ * untouched, *fault written; textures may be overwritten. On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
                              fxl_surface_set *set, fxl_scene_fault *fault);
 

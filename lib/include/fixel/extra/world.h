@@ -70,9 +70,10 @@ typedef struct {
  * The scene may be the scene of another world: the instances that are shown there, in the colours
  * that they have there, are then in both worlds.
  * Requires that the scene's instances and turns do not lie in the memory.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked), FXL_E_COUNT (a capacity or colour_count
- * is out of range), FXL_E_CAPACITY (the scene has more instances, or more with a turn), FXL_E_INDEX
- * (an instance is in the colours of a table beyond colour_count): nothing is changed. */
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (instances, slots or turns, to 4 bytes), FXL_E_ORDER (the scene
+ * was not checked), FXL_E_COUNT (a capacity or colour_count is out of range), FXL_E_CAPACITY (the
+ * scene has more instances, or more with a turn), FXL_E_INDEX (an instance is in the colours of a
+ * table beyond colour_count): nothing is changed. */
 fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_world_memory *memory);
 
 /* Attaches a renderer that was initialised with &world->scene: after that it draws, before that
@@ -154,13 +155,15 @@ fxl_handle fxl_world_handle(uint32_t number);
  * always stale. */
 fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance);
 
-/* An instance as it is. The pointer is valid until the next change; null: the handle is stale. */
+/* An instance as it is. The pointer is valid until the next change; null: the handle is stale, or
+ * world is null. */
 const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle);
 
-/* Its turn, valid until the next change; null: it has none, or the handle is stale. */
+/* Its turn, valid until the next change; null: it has none, the handle is stale, or world is null.
+ */
 const fxl_turn *fxl_world_turn_of(const fxl_world *world, fxl_handle handle);
 
-/* Whether it is shown. False where the handle is stale. */
+/* Whether it is shown. False if the handle is stale, or world is null. */
 bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle);
 
 #ifdef __cplusplus

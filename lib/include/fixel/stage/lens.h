@@ -23,7 +23,7 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
 
 /* Whether a lens may have been made by the functions of this header: all members within their
  * ranges, and a focal length of a field of view within FXL_FOV_MIN..FXL_FOV_MAX, or beyond it by
- * less than 2/1000. */
+ * less than 2/1000. False if lens is null. */
 bool fxl_lens_is_valid(const fxl_lens *lens);
 
 /* --- off-centre ------------------------------------------------------------------------- */

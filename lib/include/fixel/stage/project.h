@@ -38,12 +38,15 @@ typedef struct {
 /* Sets up a projection. Requires a lens made by fxl_lens_from_fov. Exact. */
 void fxl_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
-/* Does the same as fxl_project_point, with the lens set up beforehand. */
+/* Does the same as fxl_project_point, with the lens set up beforehand. Requires a projection that
+ * fxl_projection_from_lens set up: one of zeros may divide by zero. */
 fxl_status fxl_project_visible(const fxl_projection *projection, const fxl_view_point *view,
                                fxl_screen_point *screen);
 
-/* Does the same for a point that is inside the lens's frustum, or outside it by a few units. It is
- * a kernel: each family of cores has its own (lib/kernels), and all give the same bits. */
+/* Does the same for a point that is inside the lens's frustum, or outside it by a few units.
+ * Requires a projection as fxl_project_visible does, and checks neither: it is called for each
+ * vertex. It is a kernel: each family of cores has its own (lib/kernels), and all give the same
+ * bits. */
 fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                               fxl_screen_point *screen);
 

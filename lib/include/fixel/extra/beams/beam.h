@@ -28,9 +28,9 @@ fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, 
 fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
                                    uint32_t count, fxl_beam *beam);
 
-/* Checks a beam that was written as a table: FXL_E_RESERVED (kind, or an unused member is not
- * 0), FXL_E_COUNT, FXL_E_RANGE (point, distance), FXL_E_NORMAL (a normal or a direction not of
- * unit length). */
+/* Checks a beam that was written as a table: FXL_E_ARGUMENT (it is null), FXL_E_RESERVED (kind, or
+ * an unused member is not 0), FXL_E_COUNT, FXL_E_RANGE (point, distance), FXL_E_NORMAL (a normal or
+ * a direction not of unit length). */
 fxl_status fxl_beam_check(const fxl_beam *beam);
 
 /* Tells whether every part of a face with so many vertices fits a polygon that a clipper may

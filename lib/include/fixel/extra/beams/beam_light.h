@@ -12,7 +12,7 @@ extern "C" {
 
 /* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
  * needs 1,320, 1,408 or 1,624 on a 32-bit core. Returns 0 where fxl_beams_fit does not allow the
- * beams. Requires checked beams. */
+ * beams, or beams is null. Requires checked beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
 /* Makes a renderer draw with 1..FXL_BEAMS_MAX beams. beam_count 0 turns the light off; the other
