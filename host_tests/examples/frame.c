@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its
  * picture: the pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the
- * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first. With
- * EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. EXAMPLE_PIXEL is the
- * type of its pixels, if that is not a byte. */
+ * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first.
+ * With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. EXAMPLE_PIXEL is
+ * the type of its pixels, if that is not a byte. */
 #define main example_main
 #include EXAMPLE
 #undef main

@@ -90,7 +90,8 @@ int main(int count, char **names)
         if (first == 1) {
             printf("%s %016" PRIx64 "\n", base(names[i]), hash);
         } else if (!is_on_record(base(names[i]), hash)) {
-            printf("error: %s: the answers are %016" PRIx64 ", which is not on record\n", names[i], hash);
+            printf("error: %s: the answers are %016" PRIx64 ", which is not on record\n", names[i],
+                   hash);
             others++;
         }
     }

@@ -242,8 +242,8 @@ void fuzz_geometry(fuzz_input *in)
         const bool meets = fxl_sphere_meets_segment(&a, &from, &to);
         DEMAND(fxl_spheres_overlap(&a, &b) == fxl_spheres_overlap(&b, &a));
         DEMAND(meets == fxl_sphere_meets_segment(&a, &to, &from));
-        record_number(meets + 2 * fxl_spheres_overlap(&a, &b) + 4 * fxl_sphere_meets_box(&a, &about) +
-                      8 * fxl_boxes_overlap(&about, &point));
+        record_number(meets + 2 * fxl_spheres_overlap(&a, &b) +
+                      4 * fxl_sphere_meets_box(&a, &about) + 8 * fxl_boxes_overlap(&about, &point));
         DEMAND(!meets || fxl_sphere_meets_box(&a, &about));
         DEMAND(fxl_boxes_overlap(&about, &point) == fxl_boxes_overlap(&point, &about));
         DEMAND(!fxl_boxes_overlap(&about, &point) || fxl_sphere_meets_box(&a, &about));

@@ -261,8 +261,7 @@ void test_a_pump_narrower_than_the_pages(void)
     const fxl_band band = {frame, 64, 64, 0, 8};
     open_oled(&oleds[0], 0, &plain);
     const uint32_t sends = model.sends;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_pump_init(&pump, &narrow, &display.sink, block, sizeof block));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_init(&pump, &narrow, &display.sink, block, sizeof block));
     TEST_ASSERT_EQUAL(sizeof bytes, fxl_pixels_size(display.pixels.format, 64, 8));
     TEST_ASSERT_FALSE(display.sink.start(display.sink.user, 0, 8, bytes, sizeof bytes));
     TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_send_rows(&pump, &band));

@@ -35,8 +35,8 @@ static const fxl_texture texture = {.texels = texels,
                                     .key = KEY,
                                     .levels = 1};
 static const fxl_surface surface = {.texture = 1, .division = FXL_DIVIDE_1, .opacity = 16};
-static const fxl_mapped_face mapped = {
-    .corners = {0, 1, 2}, .texels = {{0, 0}, {0, Q16(8)}, {Q16(8), Q16(8)}}};
+static const fxl_mapped_face mapped = {.corners = {0, 1, 2},
+                                       .texels = {{0, 0}, {0, Q16(8)}, {Q16(8), Q16(8)}}};
 static const uint16_t face_map[12] = {0, 0, 0, 0, 1};
 static const fxl_surface_set surface_set = {.textures = &texture,
                                             .surfaces = &surface,
@@ -114,8 +114,8 @@ static void pick_by_order(const fxl_pose *pose)
         for (uint16_t x = 0; x < WIDTH; x++) {
             fxl_picked *picked = &by_order[y][x];
             pick(x, y, picked);
-            TEST_ASSERT_EQUAL_UINT8(
-                picked->instance == FXL_PICK_NONE ? BACKGROUND : picked->colour, frame[y][x]);
+            TEST_ASSERT_EQUAL_UINT8(picked->instance == FXL_PICK_NONE ? BACKGROUND : picked->colour,
+                                    frame[y][x]);
         }
     }
 }

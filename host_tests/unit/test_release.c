@@ -162,8 +162,8 @@ static void change_world(uint32_t frame)
     made = world_spawned(&instance, frame % 2 ? &tilted : NULL);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, first, &there));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, first, frame % 2 ? NULL : &tilted));
-    TEST_ASSERT_EQUAL(FXL_OK, frame % 2 ? fxl_world_hide(&world, second)
-                                        : fxl_world_show(&world, second));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      frame % 2 ? fxl_world_hide(&world, second) : fxl_world_show(&world, second));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_model(&world, fxl_world_handle(2), frame % 2));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_layer(&world, first, (uint8_t)(frame % 3)));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, first, frame % 3));

@@ -34,8 +34,8 @@ void test_depth_and_textures_are_drawn_without_the_scene(void)
             made->set.blend_count = 31;
         }
         depth_scene_start(made);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&made->renderer, &made->surfaces,
-                                                            &made->set));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
         expect_depth_unread(made); /* by surfaces alone */
         made->renderer.scene = &made->scene;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&made->renderer, &made->depth,
@@ -68,8 +68,8 @@ void test_a_tree_is_drawn_without_the_scene(void)
     static FXL_ALIGN_8 uint8_t room[4096], pieces[4096];
     static fxl_renderer renderer;
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {
-        order, TINY_INSTANCES + 6, list, sizeof list / sizeof list[0], NULL, 0};
+    const fxl_memory memory = {order, TINY_INSTANCES + 6, list, sizeof list / sizeof list[0], NULL,
+                               0};
     const fxl_pose pose = {{Q16(1), Q16(2), Q16(-6)}, 0, 0u - DEGREES(10), DEGREES(5)};
     bsp_scene *made = bsp_make();
     made->tiny->instances[0].centre.z = Q16(9);

@@ -273,10 +273,9 @@ void test_bands_of_the_wrong_kind_are_refused(void)
                       fxl_renderer_set_rgb565(&walls.renderer, NULL, walls.palette, 0));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_rgb565(NULL, &walls.frame, walls.palette, 0));
-    TEST_ASSERT_EQUAL(
-        FXL_E_ALIGNMENT,
-        fxl_renderer_set_rgb565(&walls.renderer, &walls.frame,
-                                (const uint16_t *)((uintptr_t)walls.palette + 1), 0));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame,
+                                              (const uint16_t *)((uintptr_t)walls.palette + 1), 0));
     walls_begin();
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_rgb565(&walls.renderer, &band));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));

@@ -56,8 +56,7 @@ void test_a_world_moves_as_its_motions_say(void)
 {
     static fxl_renderer plain;
     const fxl_world_memory room = world_memory();
-    const fxl_pose pose = {
-        {Q16(3), Q16(3), Q16(-3)}, 0u - DEGREES(10), 0u - DEGREES(12), 0};
+    const fxl_pose pose = {{Q16(3), Q16(3), Q16(-3)}, 0u - DEGREES(10), 0u - DEGREES(12), 0};
     const fxl_instance behind = world_cube_at(0, -20);
     fxl_motion_player player;
     fxl_scene scene = moving_scene();
@@ -71,10 +70,8 @@ void test_a_world_moves_as_its_motions_say(void)
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         fxl_motion_play(&player, frame);
         for (uint32_t i = 0; i < set.motion_count; i++) {
-            const fxl_handle handle =
-                fxl_world_handle(scene.instance_count - set.motion_count + i);
-            TEST_ASSERT_EQUAL(FXL_OK,
-                              fxl_world_move(&world, handle, &player.instances[i].centre));
+            const fxl_handle handle = fxl_world_handle(scene.instance_count - set.motion_count + i);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &player.instances[i].centre));
             TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, handle, &player.turns[i]));
         }
         memcpy(world_frames[1], world_frames[0], sizeof world_frames[0]);

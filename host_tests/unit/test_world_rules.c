@@ -73,8 +73,8 @@ void test_what_is_hit_has_a_handle(void)
     const fxl_handle aim = world_spawned(&target, NULL);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_remove(&world, fxl_world_handle(0)));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&world_renderer, &pose));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_pick_face(&world_renderer, WORLD_WIDTH / 2, WORLD_HEIGHT / 2, &picked));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_pick_face(&world_renderer, WORLD_WIDTH / 2, WORLD_HEIGHT / 2, &picked));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&world.scene, &eye, &end, &hit));
     TEST_ASSERT_EQUAL(picked.instance, hit.instance);
     const fxl_handle found = fxl_world_handle_at(&world, picked.instance);

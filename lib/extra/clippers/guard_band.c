@@ -62,7 +62,8 @@ fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const
     const fxl_view *view = model_view->view;
     fxl_volume_workspace *workspace = workspace_of(model_view);
     if (workspace->frame != view->frame) {
-        fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), screen, &workspace->volume);
+        fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), screen,
+                              &workspace->volume);
         workspace->screen = screen;
         workspace->frame = view->frame;
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "driver.h"
 
-#define BLACK_BYTES       64u
+#define BLACK_BYTES      64u
 #define ACCESS_EXCHANGES 0x20u /* of MIPI's command 0x36: rows and columns are exchanged */
 
 bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data, size_t size)
@@ -108,8 +108,7 @@ static bool is_in_memory(const fxl_display_config *config)
 {
     const fxl_display_driver *driver = config->driver;
     const uint32_t page = driver->family->format->rows;
-    const bool is_exchanged =
-        driver->turns_by_quarters && (config->access & ACCESS_EXCHANGES) != 0;
+    const bool is_exchanged = driver->turns_by_quarters && (config->access & ACCESS_EXCHANGES) != 0;
     const uint32_t columns = is_exchanged ? driver->memory_rows : driver->memory_columns;
     const uint32_t rows = is_exchanged ? driver->memory_columns : driver->memory_rows;
     return config->width > 0 && config->height > 0 &&

@@ -20,8 +20,8 @@ static bool is_in_range(const fxl_pump_config *config)
     return config->width >= 1 && config->width <= FXL_SCREEN_MAX && config->height >= 1 &&
            config->height <= FXL_SCREEN_MAX && config->rows >= 1 &&
            config->rows <= config->height &&
-           (config->pixels == NULL || (config->pixels->format != NULL &&
-                                       config->rows % config->pixels->format->rows == 0));
+           (config->pixels == NULL ||
+            (config->pixels->format != NULL && config->rows % config->pixels->format->rows == 0));
 }
 
 size_t fxl_pump_memory_size(const fxl_pump_config *config)

@@ -27,7 +27,8 @@ static uint32_t unturned(const fxl_scene *scene)
     return scene->turns != NULL ? scene->first_turned : scene->instance_count;
 }
 
-/* Whether there is a table of colours for each instance of a scene, which may be another world's. */
+/* Whether there is a table of colours for each instance of a scene, which may be another world's.
+ */
 static bool has_tables(const fxl_scene *scene, uint32_t colour_count)
 {
     for (uint32_t i = 0; i < scene->instance_count; i++) {

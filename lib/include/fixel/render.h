@@ -226,10 +226,10 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
  * instances and turns may then change, and a world (extra/world.h) may. So one core draws a frame
  * while another core changes the scene and begins the next frame in a second renderer. Textures,
  * sprites, palettes and ramps are still read, and must stay. fxl_pick_face answers FXL_E_ORDER
- * until the next frame begins. Call it while no core draws a band of the frame. A second call changes
- * nothing.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_CAPACITY (the display list had no room for
- * all polygons of the frame): the frame still reads the scene; counted in refused_calls. */
+ * until the next frame begins. Call it while no core draws a band of the frame. A second call
+ * changes nothing. FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_CAPACITY (the display list
+ * had no room for all polygons of the frame): the frame still reads the scene; counted in
+ * refused_calls. */
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer);
 
 /* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER

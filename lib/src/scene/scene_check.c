@@ -295,11 +295,10 @@ static uint32_t order_needed(const fxl_scene *scene)
 /* Whether every table begins where its records may; a null one does. */
 static bool is_aligned(const fxl_scene *scene)
 {
-    const uintptr_t words = (uintptr_t)scene->vertices | (uintptr_t)scene->faces |
-                            (uintptr_t)scene->models | (uintptr_t)scene->instances |
-                            (uintptr_t)scene->face_bounds | (uintptr_t)scene->bsp_nodes |
-                            (uintptr_t)scene->beams | (uintptr_t)scene->clusters |
-                            (uintptr_t)scene->turns;
+    const uintptr_t words =
+        (uintptr_t)scene->vertices | (uintptr_t)scene->faces | (uintptr_t)scene->models |
+        (uintptr_t)scene->instances | (uintptr_t)scene->face_bounds | (uintptr_t)scene->bsp_nodes |
+        (uintptr_t)scene->beams | (uintptr_t)scene->clusters | (uintptr_t)scene->turns;
     return (words & (FXL_WORD - 1)) == 0 && fxl_is_aligned(scene->indices, sizeof(uint16_t));
 }
 

@@ -58,8 +58,8 @@ typedef struct {
  * 0.75 units of 1/65536 in each coordinate of `point`. With no hit, *hit has `to`, a fraction of 1,
  * FXL_HIT_NONE and face 0. All turns are checked in each call. FXL_E_ARGUMENT, FXL_E_ORDER (the
  * scene was not checked, or has turns without a turn_code), FXL_E_TURN (the orientation of an
- * instance), FXL_E_RANGE (a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale or
- * the place of a turned instance): *hit untouched. */
+ * instance), FXL_E_RANGE (a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale
+ * or the place of a turned instance): *hit untouched. */
 fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const fxl_point *to,
                             fxl_hit *hit);
 
