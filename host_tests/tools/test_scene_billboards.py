@@ -110,7 +110,7 @@ def test_an_object_with_a_billboard_moves(tmp_path):
     (BOARD + "anchor = [3, 0]\n" + OBJECT, "anchor"),
     (BOARD + "bits = 2\n" + OBJECT, "1, 4 or 8, found 2"),
     (BOARD + "bits = 1\n" + OBJECT, "3 colours and what is not drawn do not go into 1 bits a pixel"),
-    (BOARD.replace("[5, 6]", "[5, 257]") + OBJECT, "expected [width, height], each 1 to 256"),
+    (BOARD.replace("[5, 6]", "[5, 257]") + OBJECT, "expected two whole numbers from 1 to 256"),
     (BOARD + 'key = "red"\n' + OBJECT, "belongs to a file"),
     (BOARD.replace('pattern = "tree"\npixels = [5, 6]', 'file = "none.png"') + OBJECT, "there is no file"),
     (BOARD + OBJECT + "rotation = 5\n", 'unknown key "rotation"'),

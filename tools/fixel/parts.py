@@ -36,9 +36,25 @@ def _part(shape, numbers):
                                sources=[shape.sources[number] for number in numbers])
 
 
+@dataclasses.dataclass(frozen=True)
+class Part:
+    """The faces over a cell, which every copy of a shape in these colours shares."""
+    shape: tuple        # and where its middle is
+    kind: int
+    offset: tuple       # from the centre of the whole
+    colours: tuple
+    looks: tuple
+
+    def placed(self, whole):
+        """The placement of this part of a placement."""
+        (x, y, z), (along, up, ahead) = whole.centre, self.offset
+        return type(whole)(**{**vars(whole), "shape": self.shape, "kind": self.kind, "colours": self.colours,
+                              "looks": self.looks, "centre": (x + along, y + up, z + ahead)})
+
+
 def split(placement, counts, sorts):
-    """The placements of the parts of one. counts: of cells along x and z. A part is placed at the middle of its cell, at
-    the height of the whole. sorts: its faces are sorted even if it is convex."""
+    """The parts of a placement. counts: of cells along x and z. A part is placed at the middle of its cell, at the height
+    of the whole. sorts: its faces are sorted even if it is convex."""
     shape, moved = placement.shape
     cells, ends = _grouped(shape, counts)
     made = []
@@ -48,9 +64,7 @@ def split(placement, counts, sorts):
         offset = (middle[0] - moved[0], 0, middle[1] - moved[2])
         part = _part(shape, numbers)
         convex = not sorts and is_convex(part.vertices, part.faces)
-        made.append(dataclasses.replace(
-            placement, shape=(part, tuple(m + o for m, o in zip(moved, offset))), kind=CONVEX if convex else SORTED,
-            centre=tuple(c + o for c, o in zip(placement.centre, offset)),
-            colours=tuple(placement.colours[number] for number in numbers),
-            looks=tuple(placement.looks[number] for number in numbers) if placement.looks else ()))
+        made.append(Part((part, tuple(m + o for m, o in zip(moved, offset))), CONVEX if convex else SORTED, offset,
+                         tuple(placement.colours[number] for number in numbers),
+                         tuple(placement.looks[number] for number in numbers) if placement.looks else ()))
     return made

@@ -2,15 +2,24 @@
 """Textures: pictures of a few colours, from a file or from a pattern of the project's own."""
 
 from dataclasses import dataclass
+import os
+
+import numpy as np
 
 from fixel import palette, reading, texture_image
 from fixel.errors import ToolError
-from fixel.reading import quoted
+from fixel.reading import quoted, shortened
 
 SIDE_MAX = 256
 FILE_MAX = 4 << 20          # bytes of a picture's file
 COLOURS_MAX = 255           # of a texture
 CLEAR = None                # the colour of what is not drawn
+OPAQUE_FROM = 128           # of 255: what is more clear is not drawn
+DISTINCT_MAX = 2048         # colours of a picture's file, before they are merged
+TEXELS_MAX = 1 << 19        # of the textures and billboards of a scene, beside one for each byte of their files
+TEXELS_LEAST = 1 << 10      # what a small one counts
+_CLEAR_CODE = -1
+_CHUNK = 1024               # colours at a time
 
 
 @dataclass(eq=False)        # equal only if the same
@@ -44,64 +53,80 @@ class Picture:
         total = max(1, sum(counts))
         return tuple(round(sum(n * c[k] for n, c in zip(counts, self.colours)) / total) for k in range(3))
 
-    def rows(self):
-        """The largest level as rows of (red, green, blue) or CLEAR."""
-        return [[CLEAR if n is CLEAR else self.colours[n] for n in row] for row in self.levels[0]]
-
 
 def is_side(number):
     """Whether a texture may be so wide or high."""
     return 1 <= number <= SIDE_MAX and number & (number - 1) == 0
 
 
-def _weights(levels):
-    weights = {}
-    for level in levels:
-        for row in level:
-            for pixel in row:
-                if pixel is not CLEAR:
-                    weights[pixel] = weights.get(pixel, 0) + 1
-    return weights
+def codes_of(pixels, clear):
+    """An image's colours, rows of (red, green, blue, ...), as one number each: 65536 red + 256 green + blue, or
+    _CLEAR_CODE."""
+    return np.where(clear, _CLEAR_CODE, pixels[..., :3].astype(np.int32) @ np.array((65536, 256, 1), dtype=np.int32))
 
 
-def from_pixels(levels, most, kept=()):
-    """A Picture of levels of rows of (red, green, blue) or CLEAR, with at most so many colours: those that are kept,
-    and others merged."""
-    kept = list(dict.fromkeys(kept))
-    others = {colour: n for colour, n in _weights(levels).items() if colour not in kept}
+def coarser(codes):
+    """The codes with so few bits of red, green and blue that there are at most DISTINCT_MAX colours."""
+    for dropped in range(5):
+        kept, middle = (0xFF >> dropped << dropped) * 0x010101, ((1 << dropped) >> 1) * 0x010101    # of what was dropped
+        found = np.where(codes == _CLEAR_CODE, _CLEAR_CODE, (codes & kept) + middle)
+        if len(np.unique(found)) <= DISTINCT_MAX:
+            break
+    return found
+
+
+def _colour(code):
+    return code >> 16, code >> 8 & 255, code & 255
+
+
+def _nearest(colours, kept):
+    """{colour: the first of the kept ones that is nearest}."""
+    some, near = np.array(list(colours), dtype=np.int32), []
+    for start in range(0, len(some), _CHUNK):
+        away = some[start:start + _CHUNK, None] - np.array(kept, dtype=np.int32)
+        near += (away * away).sum(axis=2).argmin(axis=1).tolist()
+    return {colour: kept[number] for colour, number in zip(colours, near)}
+
+
+def _merged(weights, most, kept):
+    """{colour: the one that stands for it}: of at most so many colours, those that are kept among them."""
+    others = {colour: weight for colour, weight in weights.items() if colour not in set(kept)}
     room = most - len(kept)
     if len(others) <= room:
-        merged = {c: c for c in others}
-    elif room > 0:
-        merged = palette.median_cut(others, room)
-    else:
-        merged = {c: min(kept, key=lambda one, of=c: sum((a - b) ** 2 for a, b in zip(one, of))) for c in others}
+        return {colour: colour for colour in others}
+    return palette.median_cut(others, room) if room > 0 else _nearest(others, kept)
+
+
+def from_codes(levels, most, kept=()):
+    """A Picture of levels of codes, with at most so many colours: those that are kept, and others merged."""
+    kept = list(dict.fromkeys(kept))
+    every = np.concatenate([level.ravel() for level in levels])
+    codes, counts = np.unique(every[every != _CLEAR_CODE], return_counts=True)
+    found = [_colour(code) for code in codes.tolist()]
+    merged = _merged(dict(zip(found, counts.tolist())), most, kept)
     colours = kept + sorted(set(merged.values()) - set(kept))
-    numbers = {colour: colours.index(mean) for colour, mean in merged.items()} | \
-        {colour: number for number, colour in enumerate(kept)}
-    return Picture([[[CLEAR if p is CLEAR else numbers[p] for p in row] for row in level] for level in levels], colours)
+    places = {colour: number for number, colour in enumerate(colours)}
+    numbers = np.array([places[merged.get(colour, colour)] for colour in found] + [CLEAR], dtype=object)
+    return Picture([numbers[np.where(level == _CLEAR_CODE, len(found), np.searchsorted(codes, level))].tolist()
+                    for level in levels], colours)
 
 
-def _halved(rows, least):
-    """A level half as wide and as high, at least so wide: the mean of the texels; CLEAR where half of them are."""
-    wide, high = (1, 2)[len(rows[0]) > least], (1, 2)[len(rows) > 1]
-    result = []
-    for y in range(0, len(rows), high):
-        row = []
-        for x in range(0, len(rows[0]), wide):
-            found = [rows[y + j][x + i] for j in range(high) for i in range(wide)]
-            seen = [p for p in found if p is not CLEAR]
-            row.append(tuple((2 * sum(axis) + len(seen)) // (2 * len(seen)) for axis in zip(*seen))
-                       if 2 * len(seen) > len(found) else CLEAR)
-        result.append(row)
-    return result
+def _halved(codes, least):
+    """A level half as wide and as high, at least so wide: the mean of the texels; clear where half of them are."""
+    height, width = codes.shape
+    wide, high = (1, 2)[width > least], (1, 2)[height > 1]
+    parts = codes.reshape(height // high, high, width // wide, wide).swapaxes(1, 2).reshape(height // high, width // wide, -1)
+    seen = parts != _CLEAR_CODE
+    count = np.maximum(1, seen.sum(axis=2))
+    means = [(2 * ((parts >> shift & 255) * seen).sum(axis=2) + count) // (2 * count) << shift for shift in (16, 8, 0)]
+    return np.where(2 * seen.sum(axis=2) > wide * high, sum(means), _CLEAR_CODE).astype(np.int32)
 
 
-def levels_of(rows, count, least=1):
-    """Rows of (red, green, blue) or CLEAR, and smaller pictures of them: so many levels, or as many as there are. least: the
-    least width of a level."""
-    levels = [rows]
-    while len(levels) < min(count, max(len(rows), len(rows[0])).bit_length()):
+def levels_of(codes, count, least=1):
+    """The codes of a picture, and of smaller pictures of it: so many levels, or as many as there are. least: the least
+    width of a level."""
+    levels = [codes]
+    while len(levels) < min(count, max(codes.shape).bit_length()):
         levels.append(_halved(levels[-1], least))
     return levels
 
@@ -109,24 +134,26 @@ def levels_of(rows, count, least=1):
 def with_levels(picture, count, most, least):
     """The picture with so many levels, and at most so many colours: its own ones, and others for the smaller levels.
     least: the least width of a level."""
-    return from_pixels(levels_of(picture.rows(), count, least), most, picture.colours)
+    numbers = np.array([[-1 if n is CLEAR else n for n in row] for row in picture.levels[0]], dtype=np.int32)
+    own = np.array([red << 16 | green << 8 | blue for red, green, blue in picture.colours] + [_CLEAR_CODE], dtype=np.int32)
+    return from_codes(levels_of(own[numbers], count, least), most, picture.colours)
 
 
 def read(path, name, most, any_side=False, key=None):
     """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
     pixels of the colour key. any_side: its sides need not be powers of two."""
     blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
-    rows = texture_image.decode(blob, name).pixels
-    height, width = rows.shape[:2]
+    pixels = texture_image.decode(blob, name).pixels
+    height, width = pixels.shape[:2]
     if any_side and max(width, height) > SIDE_MAX:
         raise ToolError(f"{name}: a picture of {width} x {height}; a side is at most {SIDE_MAX}, so scale it")
     if not any_side and not (is_side(width) and is_side(height)):
         raise ToolError(f"{name}: a picture of {width} x {height}; the sides of a texture are powers of "
                         f"two up to {SIDE_MAX}, so scale it")
-    data = rows.tobytes()
-    pixels = [tuple(data[i:i + 3]) if data[i + 3] >= 128 and tuple(data[i:i + 3]) != key else CLEAR
-              for i in range(0, len(data), 4)]
-    return from_pixels([[pixels[i:i + width] for i in range(0, width * height, width)]], most)
+    codes = codes_of(pixels, pixels[..., 3] < OPAQUE_FROM)
+    if key:
+        codes[codes == (key[0] << 16 | key[1] << 8 | key[2])] = _CLEAR_CODE
+    return from_codes([coarser(codes)], most)
 
 
 # --- patterns ------------------------------------------------------------------------------------
@@ -229,6 +256,48 @@ def pattern_colours(row, name):
     given = row.rows("colours") if "colours" in row else list(PATTERNS[name][1])
     check_colours(given, name, row.at("colours"))
     return [palette.parse(colour, f"{row.at('colours')}[{i}]") for i, colour in enumerate(given)]
+
+
+# --- the pictures of a scene -------------------------------------------------------------------
+
+class Pictures:
+    """Makes the pictures of one scene, each once, within a limit of texels."""
+
+    def __init__(self, folder):
+        self.folder, self.made, self.texels, self.file_bytes = folder, {}, 0, {}
+
+    def _once(self, key, where, make):
+        """A picture that is made once. One is made before it counts: it has at most 65,536 texels."""
+        if key not in self.made:
+            made = self.made[key] = make()
+            self.texels += max(TEXELS_LEAST, sum(len(level) * len(level[0]) for level in made.levels))
+            most = TEXELS_MAX + sum(self.file_bytes.values())
+            if self.texels > most:
+                raise ToolError(f"{where}: the scene's textures and billboards have more than the limit of {most:,} texels "
+                                f"together ({TEXELS_MAX:,}, and one for each byte of their files), each at least "
+                                f"{TEXELS_LEAST:,}; use fewer or smaller ones")
+        return self.made[key]
+
+    def pattern(self, row, name, width, height):
+        """The picture of a pattern that a row of a scene file names."""
+        colours = pattern_colours(row, name)
+        return self._once((name, width, height, tuple(colours)), row.where,
+                          lambda: pattern(name, width, height, colours))
+
+    def file(self, row, most, any_side=False, key=None):
+        """The picture of the file that a row of a scene file names (read)."""
+        name = row.text("file")
+        path = os.path.join(self.folder, name)
+        if "\0" in name or not os.path.exists(path):
+            raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
+        real = os.path.realpath(path)
+        self.file_bytes[real] = min(FILE_MAX, os.path.getsize(real))
+        return self._once((real, most, any_side, key), row.where,
+                          lambda: read(path, shortened(name), most, any_side, key))
+
+    def levels(self, picture, count, most, least, where):
+        """The same with smaller pictures of it (with_levels)."""
+        return self._once((id(picture), count, most, least), where, lambda: with_levels(picture, count, most, least))
 
 
 # --- files ---------------------------------------------------------------------------------------

@@ -2,7 +2,6 @@
 """The billboards of a scene file: pictures that objects show instead of a mesh, and what an image keeps of them."""
 
 from dataclasses import dataclass
-import os
 
 from fixel import image_billboard, palette, quantity, texture, toml_motion
 from fixel.errors import ToolError
@@ -40,24 +39,18 @@ def _most(row, bits):
     return row.whole("most_colours", 32 if bits == 8 else _COLOURS[bits] - 1, 1, _COLOURS[bits])
 
 
-def _picture(row, folder, bits):
+def _picture(row, pictures, bits):
     if row.only_one("file", "pattern") == "pattern":
         for key in ("most_colours", "key"):
             if key in row:
                 raise ToolError(f"{row.at(key)}: belongs to a file")
         name = row.choice("pattern", None, list(texture.PATTERNS))
-        sides = row.rows("pixels") if "pixels" in row else [32, 32]
-        if len(sides) != 2 or not all(isinstance(side, int) and 1 <= side <= texture.SIDE_MAX for side in sides):
-            raise ToolError(f"{row.at('pixels')}: expected [width, height], each 1 to {texture.SIDE_MAX}")
-        return texture.pattern(name, *sides, texture.pattern_colours(row, name))
+        sides = row.wholes("pixels", 2, texture.SIDE_MAX) if "pixels" in row else (32, 32)
+        return pictures.pattern(row, name, *sides)
     for key in ("pixels", "colours"):
         if key in row:
             raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
-    name = row.text("file")
-    path = os.path.join(folder, name)
-    if "\0" in name or not os.path.exists(path):
-        raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
-    return texture.read(path, name, _most(row, bits), any_side=True, key=_key(row))
+    return pictures.file(row, _most(row, bits), any_side=True, key=_key(row))
 
 
 def _pair(row, name, default, low, most):
@@ -68,13 +61,13 @@ def _pair(row, name, default, low, most):
                  for value, high in zip(values, most))
 
 
-def _wish(data, where, folder):
+def _wish(data, where, pictures):
     """(name, Wish) of an entry of billboards."""
     row = Table(data, where, _ROW_KEYS)
     name, bits = row.text("name"), row.whole("bits", 8, 1, 8)
     if bits not in image_billboard.BITS:
         raise ToolError(f"{row.at('bits')}: 1, 4 or 8, found {bits}")
-    picture = _picture(row, folder, bits)
+    picture = _picture(row, pictures, bits)
     if len(picture.colours) + picture.has_clear() > 1 << bits:
         raise ToolError(f"{row.where}: {len(picture.colours)} colours{' and what is not drawn' if picture.has_clear() else ''} "
                         f"do not go into {bits} bits a pixel")
@@ -87,14 +80,14 @@ def _wish(data, where, folder):
     return name, Wish(picture, bits, width, height, *anchor)
 
 
-def read(top, folder):
-    """The billboards of a scene by name."""
+def read(top, pictures):
+    """The billboards of a scene by name. pictures: the scene's texture.Pictures."""
     rows = top.rows("billboards") if "billboards" in top else []
     if len(rows) > BOARDS_MAX:
         raise ToolError(f"{top.at('billboards')}: {len(rows)} billboards are more than {BOARDS_MAX}")
     wishes = {}
     for i, data in enumerate(rows):
-        name, wish = _wish(data, f"{top.at('billboards')}[{i}]", folder)
+        name, wish = _wish(data, f"{top.at('billboards')}[{i}]", pictures)
         if name in wishes:
             raise ToolError(f"{top.at('billboards')}[{i}]: there is a billboard {quoted(name)} already")
         wishes[name] = wish

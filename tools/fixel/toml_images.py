@@ -11,23 +11,12 @@ from fixel.toml_table import Table
 
 KEYS = {"images"}
 _ROW_KEYS = {"size", "colours", "levels", "bits"}
-DISTINCT_MAX = 2048     # colours of an image, before they are merged
 FACES_MAX = 8192        # of a model whose images are textures
 
 
 def _power(side, most):
     """The largest power of two that is not more than an image's side and than this."""
     return min(most, 1 << side.bit_length() - 1)
-
-
-def _coarser(rows):
-    """An image's pixels with so few bits of red, green and blue that there are at most DISTINCT_MAX colours."""
-    for dropped in range(5):
-        found = rows[:, :3] >> dropped << dropped
-        if len(np.unique(found.astype(np.int64) @ (65536, 256, 1))) <= DISTINCT_MAX:
-            break
-    # The middle of what was dropped.
-    return np.column_stack([found + ((1 << dropped) >> 1), rows[:, 3]])
 
 
 def picture(image, colour, size, most, levels, bits):
@@ -38,9 +27,9 @@ def picture(image, colour, size, most, levels, bits):
         width, height = max(least, _power(image.width, size)), _power(image.height, size)
         scaled = np.asarray(Image.fromarray(image.pixels).resize((width, height), Image.Resampling.BOX)).reshape(-1, 4)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
-        pixels = [tuple(rgb) if alpha >= 128 else texture.CLEAR for *rgb, alpha in _coarser(scaled).tolist()]
+        codes = texture.codes_of(scaled, scaled[:, 3] < texture.OPAQUE_FROM).reshape(height, width)
         own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels
-        made = texture.from_pixels([[pixels[i:i + width] for i in range(0, len(pixels), width)]], own)
+        made = texture.from_codes([texture.coarser(codes)], own)
         image.pictures[key] = texture.with_levels(made, levels, most, least) if levels > 1 else made
     return image.pictures[key]
 

@@ -74,10 +74,7 @@ def _solid_options(table):
     if "taper" in table:
         options["taper"] = float(table.number("taper", None, Fraction(1, 100), 10))
     if "cells" in table:
-        cells = table.rows("cells")
-        if len(cells) != 2 or not all(isinstance(c, int) and 1 <= c <= 200 for c in cells):
-            raise ToolError(f"{table.at('cells')}: expected two whole numbers from 1 to 200")
-        options["cells"] = tuple(cells)
+        options["cells"] = table.wholes("cells", 2, 200)
     if "seed" in table:
         options["seed"] = table.whole("seed", None, 0, 65535)
     if "sea" in table:
@@ -87,12 +84,7 @@ def _solid_options(table):
 
 def _parts(table):
     """(across, along) of the parts that an object is divided into; None for one that is not."""
-    if "parts" not in table:
-        return None
-    counts = table.rows("parts")
-    if len(counts) != 2 or not all(isinstance(c, int) and 1 <= c <= parts.MOST for c in counts):
-        raise ToolError(f"{table.at('parts')}: expected two whole numbers from 1 to {parts.MOST}")
-    return tuple(counts)
+    return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
 
 
 def _ring_count(table):
@@ -122,11 +114,7 @@ def _ring_places(table, count):
 def _repeat_count(table):
     if "repeat" not in table:
         return 1, 1, 1
-    repeat = table.table("repeat", {"count", "step"})
-    count = repeat.rows("count")
-    if len(count) != 3 or not all(isinstance(c, int) and 1 <= c <= 1000 for c in count):
-        raise ToolError(f"{repeat.at('count')}: expected three whole numbers from 1 to 1000")
-    return tuple(count)
+    return table.table("repeat", {"count", "step"}).wholes("count", 3, 1000)
 
 
 def _repeat_offsets(table, count):
@@ -166,6 +154,7 @@ class Objects:
         self.files, self.shapes, self.coloured, self.surfaces = files or {}, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
+        self.solids, self.by_height, self.divided = {}, {}, {}
         self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
 
     def mesh(self, table):
@@ -177,8 +166,10 @@ class Objects:
                     raise ToolError(f"{table.at(key)}: means nothing for a solid")
             name = table.choice("solid", None, list(solids.SOLIDS))
             options = _solid_options(table)
-            return (solids.make(name, options, table.where), table.where,
-                    (name, *sorted(options.items())))
+            identity = (name, *sorted(options.items()))
+            if identity not in self.solids:
+                self.solids[identity] = solids.make(name, options, table.where)
+            return self.solids[identity], table.where, identity
         for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
             if key in table:
                 raise ToolError(f"{table.at(key)}: means nothing for a file")
@@ -252,7 +243,11 @@ class Objects:
             bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
                           for i, c in enumerate(table.rows("colours")))
             if table.data.get("solid") == "island":
-                bases = island.by_height(self.mesh(table)[0], bases)
+                mesh, _, identity = self.mesh(table)
+                key = identity, bases
+                if key not in self.by_height:
+                    self.by_height[key] = island.by_height(mesh, bases)
+                bases = self.by_height[key]
         elif look.by_images and "colour" not in table:
             materials = self.mesh(table)[0].surfaces
             means = {paint: paint.picture.mean() for paint in dict.fromkeys(look.paints) if paint}
@@ -372,9 +367,21 @@ class Objects:
             centre = _centre(position, rise, ends, place)
             result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
             if division:
-                result += parts.split(result.pop(), division, table.data.get("kind") == "sorted")
+                result += self._parts_of(result.pop(), division, table, PLACEMENTS_MAX - self.count + len(places) - len(result))
         self.count += len(result) - len(places)
         return result
+
+    def _parts_of(self, whole, division, table, room):
+        """The placements of an object's parts, which are made once for each shape and colouring. room: how many more the
+        scene may have."""
+        key = id(whole.shape[0]), whole.shape[1], id(whole.colours), id(whole.looks), division
+        if key not in self.divided:
+            self.divided[key] = parts.split(whole, division, table.data.get("kind") == "sorted")
+        divided = self.divided[key]
+        if len(divided) > room:
+            raise ToolError(f"{table.at('parts')}: the parts of all copies are more than the limit of {PLACEMENTS_MAX:,} "
+                            "objects of a scene; use fewer parts or copies")
+        return [part.placed(whole) for part in divided]
 
     def _billboards(self, table, name):
         """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""

@@ -7,7 +7,7 @@ import math
 import os
 
 from fixel import clusters, default_path, image, image_beam, image_header, image_lens, light_palette, palette, quantity, \
-    toml_billboard, toml_light, toml_motion, toml_table, toml_texture
+    texture, toml_billboard, toml_light, toml_motion, toml_table, toml_texture
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
@@ -321,8 +321,9 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     beams, lit = _beams(top)
     reserved = _reserved(top)
     light = toml_light.read(top)
-    objects = Objects(name, folder, light, notes, progress, meshes, toml_texture.read(top, folder),
-                      toml_billboard.read(top, folder))
+    pictures = texture.Pictures(folder)
+    objects = Objects(name, folder, light, notes, progress, meshes, toml_texture.read(top, pictures),
+                      toml_billboard.read(top, pictures))
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)

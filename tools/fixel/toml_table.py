@@ -11,8 +11,9 @@ from fixel.errors import ToolError
 from fixel.reading import QUOTE_MAX, quoted
 
 FILE_MAX = 1 << 20      # bytes
+_COUNTS = {2: "two", 3: "three"}
 PARTS_MAX = 32          # of a dotted key: tomllib takes quadratic time and memory for them
-_LONG_KEY = re.compile(r"""(?<![\w."'-])(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){%d}""" % PARTS_MAX)
+_LONG_KEY = re.compile(r"""(?<![\w."'-])(?:(?:[\w-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')[ \t]*\.[ \t]*){%d}""" % PARTS_MAX)
 
 
 def read(path):
@@ -77,6 +78,13 @@ class Table:
         if isinstance(value, bool) or not isinstance(value, int):
             raise ToolError(f"{self.at(key)}: expected a whole number, found {quoted(value)}")
         return int(quantity.in_range(quantity.fraction(value, self.at(key)), low, high, self.at(key)))
+
+    def wholes(self, key, count, high):
+        """So many whole numbers from 1 on."""
+        value = self.rows(key)
+        if len(value) != count or not all(type(n) is int and 1 <= n <= high for n in value):     # true is no number
+            raise ToolError(f"{self.at(key)}: expected {_COUNTS[count]} whole numbers from 1 to {high}")
+        return tuple(value)
 
     def degrees(self, key, default=0):
         return quantity.degrees(self.data.get(key, default), self.at(key))

@@ -2,7 +2,6 @@
 """The textures of a scene file, and what its objects make of them."""
 
 from fractions import Fraction
-import os
 
 from fixel import image_surface, quantity, surfaces, texture, toml_images
 from fixel.errors import ToolError
@@ -25,24 +24,16 @@ def _side(value, where):
     return value
 
 
-def _pattern(row):
+def _pattern(row, pictures):
     name = row.choice("pattern", None, list(texture.PATTERNS))
     size = row.rows("size") if "size" in row else [32, 32]
     if len(size) != 2:
         raise ToolError(f"{row.at('size')}: expected [width, height]")
     width, height = (_side(side, f"{row.at('size')}[{i}]") for i, side in enumerate(size))
-    return texture.pattern(name, width, height, texture.pattern_colours(row, name))
+    return pictures.pattern(row, name, width, height)
 
 
-def _file(row, folder, most):
-    name = row.text("file")
-    path = os.path.join(folder, name)
-    if "\0" in name or not os.path.exists(path):
-        raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
-    return texture.read(path, name, most)
-
-
-def _paint(data, where, folder):
+def _paint(data, where, pictures):
     """(name, Paint) of an entry of textures."""
     row = Table(data, where, _ROW_KEYS)
     name, bits = row.text("name"), row.whole("bits", 8, 4, 8)
@@ -52,29 +43,29 @@ def _paint(data, where, folder):
         for key in ("size", "colours"):
             if key in row:
                 raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
-        picture = _file(row, folder, row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX))
+        picture = pictures.file(row, row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX))
     else:
         if "most_colours" in row:
             raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
-        picture = _pattern(row)
+        picture = _pattern(row, pictures)
     levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
     if levels > 1:
         most = 16 - picture.has_clear() if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
-        picture = texture.with_levels(picture, levels, most, 2 if bits == 4 else 1)
+        picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1, row.where)
     if bits == 4 and (len(picture.colours) + picture.has_clear() > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
                         "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
     return name, Paint(picture, bits, row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp", name)
 
 
-def read(top, folder):
-    """The textures of a scene by name."""
+def read(top, pictures):
+    """The textures of a scene by name. pictures: the scene's texture.Pictures."""
     rows = top.rows("textures") if "textures" in top else []
     if len(rows) > TEXTURES_MAX:
         raise ToolError(f"{top.at('textures')}: {len(rows)} textures are more than {TEXTURES_MAX}")
     paints = {}
     for i, data in enumerate(rows):
-        name, paint = _paint(data, f"{top.at('textures')}[{i}]", folder)
+        name, paint = _paint(data, f"{top.at('textures')}[{i}]", pictures)
         if name in paints:
             raise ToolError(f"{top.at('textures')}[{i}]: there is a texture {quoted(name)} already")
         paints[name] = paint

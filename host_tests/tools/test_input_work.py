@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Short scene files that ask for much work: what is the same is made once, and the rest has a limit.
+
+The bounds are those of test_input_bounds.py."""
+
+import numpy as np
+from PIL import Image
+import pytest
+
+from test_input_bounds import BOX, PATH, assert_built, assert_refused, run_bounded
+
+PARTED = '[[objects]]\nsolid = "floor"\ncells = [140, 140]\nparts = [64, 64]\nrepeat = {{ count = [{}, 1, 1], step = [0, 0, 0] }}\n'
+
+
+def scene(folder, text):
+    file = folder / "scene.toml"
+    file.write_text(text + PATH, encoding="utf-8")
+    return file
+
+
+def noise(folder, name, side=256):
+    """An image of as many colours as pixels."""
+    chance = np.random.default_rng(len(name))
+    Image.fromarray(chance.integers(0, 256, (side, side, 3), dtype=np.uint8)).save(folder / name)
+
+
+def textures(rows):
+    return "".join(f'[[textures]]\nname = "t{i}"\n{row}\n' for i, row in enumerate(rows)) + BOX
+
+
+def billboards(rows):
+    return "".join(f'[[billboards]]\nname = "b{i}"\nsize = [1, 1]\n{row}\n' for i, row in enumerate(rows)) + BOX
+
+
+def test_parts_are_made_once(tmp_path):
+    assert "61440 objects" in assert_built(tmp_path, scene(tmp_path, PARTED.format(15)))
+
+
+def test_parts_of_copies_beyond_the_limit(tmp_path):
+    assert_refused(tmp_path, scene(tmp_path, PARTED.format(190)), "parts", "65,535 objects")
+
+
+@pytest.mark.parametrize("solid", ['solid = "island"\ncolours = ["#203040", "#405060", "#a0a0a0"]\n', 'solid = "floor"\n'])
+def test_a_solid_of_many_objects_is_made_once(tmp_path, solid):
+    assert_built(tmp_path, scene(tmp_path, f"[[objects]]\n{solid}cells = [140, 140]\n" * 90))
+
+
+def test_keys_of_quoted_parts_with_escapes(tmp_path):
+    """Such parts hid how long a key is, and it took quadratic time and memory."""
+    key = ".".join(['"\\"-"'] * 20_000)
+    assert_refused(tmp_path, scene(tmp_path, f"{key} = 1\n"), "more than 32 parts")
+
+
+def test_a_picture_of_many_textures_is_made_once(tmp_path):
+    noise(tmp_path, "noise.png")
+    assert_built(tmp_path, scene(tmp_path, textures(['file = "noise.png"\nlevels = 9\nmost_colours = 255',
+                                                     'file = "./noise.png"\nlevels = 9\nmost_colours = 255'] * 30)))
+
+
+def test_pictures_of_one_file_beyond_the_limit(tmp_path):
+    noise(tmp_path, "noise.png")
+    rows = [f'file = "noise.png"\nlevels = 9\nmost_colours = {255 - i}' for i in range(30)]
+    assert_refused(tmp_path, scene(tmp_path, textures(rows)), "524,288")
+
+
+def test_files_may_have_more_texels(tmp_path):
+    for number in range(64):
+        noise(tmp_path, "n" * (number + 1) + ".png", 128)
+    rows = [f'file = "{"n" * (i + 1)}.png"\nlevels = 8' for i in range(64)]
+    file = scene(tmp_path, textures(rows))
+    size = sum(path.stat().st_size for path in tmp_path.iterdir())     # the images are input too
+    code, said = run_bounded(tmp_path, "build", file, "-o", tmp_path / "out.fxls", size=size)
+    assert code == 0, said
+
+
+@pytest.mark.parametrize("rows", [
+    [f'pattern = "bricks"\nsize = [256, 256]\nlevels = 9\ncolours = ["#{i:02x}0000", "red", "green", "blue"]' for i in range(30)],
+    [f'pattern = "stones"\nsize = [8, 16]\nlevels = 5\ncolours = ["#{i:02x}0000", "red", "green"]' for i in range(256)],
+    ['pattern = "checker"\nsize = [256, 256]\nlevels = 9'] * 256])
+def test_patterns(tmp_path, rows):
+    """Many of other colours are beyond the limit, or small; many of the same are one."""
+    different = len(set(rows)) > 1 and "256, 256" in rows[0]
+    (assert_refused if different else assert_built)(tmp_path, scene(tmp_path, textures(rows)),
+                                                    *["524,288 texels"] * different)
+
+
+def test_billboards_of_one_file(tmp_path):
+    noise(tmp_path, "noise.png")
+    rows = [f'file = "noise.png"\nmost_colours = {255 - i}' for i in range(60)]
+    assert_refused(tmp_path, scene(tmp_path, billboards(rows)), "texels")
+    assert_built(tmp_path, scene(tmp_path, billboards(rows[:1] * 60)))
+
+
+@pytest.mark.parametrize("line", ["cells = [true, 2]", "parts = [2, true]",
+                                  "repeat = { count = [true, 1, 1], step = [1, 0, 0] }"])
+def test_true_is_no_number(tmp_path, line):
+    assert_refused(tmp_path, scene(tmp_path, f'[[objects]]\nsolid = "floor"\n{line}\n'), "whole numbers from 1")
+
+
+def test_true_is_no_number_of_pixels(tmp_path):
+    assert_refused(tmp_path, scene(tmp_path, billboards(['pattern = "tree"\npixels = [8, true]'])), "whole numbers from 1")
