@@ -5,7 +5,7 @@ import os
 import reprlib
 import stat
 
-from fixel.errors import ToolError
+from fixel.errors import ToolError, escaped
 
 QUOTE_MAX = 80      # characters of the input in a message
 _DIGITS_MAX = 60    # of a number in a message
@@ -73,9 +73,7 @@ def quoted(value):
 
 
 def _escaped(character):
-    if character in '"\\':
-        return "\\" + character
-    return character if character.isprintable() else character.encode("unicode_escape").decode()
+    return "\\" + character if character in '"\\' else escaped(character)
 
 
 def shortened(text):
