@@ -29,6 +29,24 @@ def _open(path):
     raise ToolError(f"{path}: is {kind}; give a regular file")
 
 
+class Beside(os.PathLike):
+    """A file that the input names, beside the file that names it. As text, which is for messages, it is at most 80
+    characters of that name, escaped. os.fspath answers the path itself."""
+
+    def __init__(self, folder, name):
+        self.path, self.shown = os.path.join(folder, name), shortened(name)
+
+    def __fspath__(self):
+        return self.path
+
+    def __str__(self):
+        return self.shown
+
+    def exists(self):
+        """Whether there is anything at the path; no file has a name with a zero byte."""
+        return "\0" not in self.path and os.path.exists(self.path)
+
+
 def read_start(path, most):
     """The file's first bytes, at most so many."""
     file, _ = _open(path)
