@@ -22,7 +22,7 @@ import sys
 import time
 
 from fixel import c_scene, c_texture, framing, image, image_header, image_lens, image_surface, model_file, output, path, texture, toml_scene, tree
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, printable, run_main
 from fixel.reading import quoted
 
 QUIET_SECONDS = 2.0
@@ -36,7 +36,7 @@ class Progress:
 
     def __call__(self, text):
         if time.monotonic() >= self.next:
-            print(f"scene: {text}", file=sys.stderr, flush=True)
+            print(f"scene: {printable(text)}", file=sys.stderr, flush=True)
             self.next = time.monotonic() + QUIET_SECONDS
 
 
@@ -253,7 +253,7 @@ def main(argv):
         compiled, notes = build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree)
         size = compiled.size
     for note in notes:
-        print(f"note: {note}", file=sys.stderr)
+        print(f"note: {printable(note)}", file=sys.stderr)
     print(f"{arguments.out}: {size:,} bytes, {len(compiled.objects)} objects, "
           f"{compiled.frames} frames", file=sys.stderr)
     return 0

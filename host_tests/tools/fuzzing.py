@@ -36,13 +36,22 @@ def fuzzed(least):
     return of
 
 
+def assert_short(text, folder):
+    """A message is a line that quotes little of the input, escaped. folder: the test's own."""
+    text = text.replace(folder, "")
+    assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
+
+
 @contextlib.contextmanager
 def short_refusals(folder):
-    """What is done within ends well, or in one ToolError with a short message."""
+    """What is done within ends well, or in one ToolError with a short message. Yields a list for its notes, which are
+    short too."""
+    notes = []
     try:
-        yield
+        yield notes
         taken["sound"] += 1
     except ToolError as error:
         taken["refused"] += 1
-        text = str(error).replace(folder, "")
-        assert 0 < len(text) <= MESSAGE_MAX and text.isprintable(), text
+        assert_short(str(error), folder)
+    for note in notes:
+        assert_short(note, folder)

@@ -5,6 +5,8 @@ seed."""
 
 import copy
 import io
+import json
+import os
 import pathlib
 import re
 import tempfile
@@ -25,12 +27,14 @@ def check(name, data, *beside):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / name
         for other, content in ((name, data), *beside):
-            (pathlib.Path(folder) / other).write_bytes(content)
-        with short_refusals(folder):
+            (pathlib.Path(folder) / os.path.normpath(other)).write_bytes(content)
+        with short_refusals(folder) as notes:
             if file.suffix == ".fxls":
                 image.unpack(image.pack(image.load(file)))
             else:
-                image.unpack(image.pack(scene_tool.compile_scene(str(file), None)[0]))
+                compiled, more = scene_tool.compile_scene(str(file), None)
+                notes += more
+                image.unpack(image.pack(compiled))
 
 
 # --- OBJ ---------------------------------------------------------------------------
@@ -132,8 +136,47 @@ def test_any_materials(lines, picture):
         if picture is not None:
             (file / "a.png").write_bytes(picture)
         (file / "m.obj").write_text("mtllib m.mtl\nusemtl a\n" + SOUND + "f 1/1 2/1 3/1\n")
-        with short_refusals(folder):
-            scene_tool.compile_scene(str(file / "m.obj"), None)
+        with short_refusals(folder) as notes:
+            notes += scene_tool.compile_scene(str(file / "m.obj"), None)[1]
+
+
+# --- names of files ----------------------------------------------------------------
+
+# What stands before the suffix. A name may be as long as a path, have a file system's 255 bytes, and control a terminal.
+NAMES = st.one_of(
+    st.sampled_from(["m", "./" * 1900 + "m", "x" * 240, "\x1b[31mm", "\x1b" * 200, "a b", "\x7f", '"', "ü", "\u202e", "a\\b"]),
+    st.text(st.characters(exclude_categories=["Cs"], exclude_characters="/\0"), min_size=1, max_size=50))
+
+
+def _named(kind, name, sound):
+    """(scene, bytes, files beside it) of a scene or a model that names a file, which is sound or not."""
+    damaged = b"xyz\n"
+    model, text = (SOUND + "v 9 9 9\nf 1 2 3 4\n").encode(), json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if kind in ("obj", "glb", "stl"):
+        content = {"obj": model, "glb": glb(*GLTF), "stl": stl()}[kind]
+        return "scene.toml", f"[[objects]]\nmodel = {text}\nfit = 3\n".encode(), [(name, content if sound else damaged)]
+    if kind == "mtl":
+        return "scene.obj", f"mtllib {name}\nusemtl a\n".encode() + model, [(name, b"newmtl a\nKd 1 0 0\n" if sound else b"Kd 1\n")]
+    if kind == "png":
+        return "scene.obj", b"mtllib m.mtl\nusemtl a\n" + model, [("m.mtl", f"newmtl a\nmap_Kd {name}\n".encode()),
+                                                                  (name, png([[(1, 2, 3)]]) if sound else damaged)]
+    data, blob = GLTF
+    data = {**data, "buffers": [{**data["buffers"][0], "uri": name}]}
+    return "scene.gltf", json.dumps(data).encode(), [(name, blob if sound else damaged)]
+
+
+@fuzzed(0.1)
+@given(st.sampled_from(["obj", "glb", "stl", "mtl", "png", "bin"]), NAMES, st.booleans())
+def test_any_name_of_a_file(kind, stem, sound):
+    scene, data, beside = _named(kind, f"{stem}.{kind}", sound)
+    check(scene, data, *beside)
+
+
+@fuzzed(0.1)
+@given(st.sampled_from([("obj", (SOUND + "f 1 2 3 4\n").encode()), ("obj", b"xyz\n"), ("stl", stl()), ("glb", glb(*GLTF)),
+                        ("toml", b'[[objects]]\nsolid = "box"\n'), ("toml", b"[[objects]]\n")]), NAMES)
+def test_any_name_of_a_scene(kind, stem):
+    check(f"{os.path.basename(stem)}.{kind[0]}", kind[1])
 
 
 # --- TOML --------------------------------------------------------------------------

@@ -23,6 +23,23 @@ ONCE_MORE = 0.01    # seconds
 BEAT = 0.5          # seconds
 
 
+def printable(text):
+    """A message as it is printed: whatever controls a terminal is escaped. A compiler's words have several lines."""
+    return "".join(c if c == "\n" else escaped(c) for c in text)
+
+
+def escaped(character):
+    """A character as it is, or its escape if it has no picture."""
+    return character if character.isprintable() else character.encode("unicode_escape").decode()
+
+
+def _print_anything():
+    """A file's name need not be text in the terminal's encoding: what cannot be printed is escaped."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+
+
 class ToolError(Exception):
     """What was wrong, where, and what to do about it; shown to the user as is."""
 
@@ -73,6 +90,7 @@ def _tick(_number, _frame):
 def _begin():
     """What every tool does first: it ends with make, ends its children with itself, and removes what others
     left. A signal that the caller had ignored, as nohup does, stays ignored."""
+    _print_anything()
     if "MAKELEVEL" in os.environ:
         children.follow_parent()
     for number in ENDINGS:
@@ -98,7 +116,7 @@ def run_main(main):
         _begin()
         code = main(sys.argv[1:])
     except ToolError as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(f"error: {printable(str(error))}", file=sys.stderr)
         code = error.exit_code
     except KeyboardInterrupt as error:
         number = getattr(error, "number", signal.SIGINT)

@@ -8,10 +8,10 @@ import os
 
 import numpy as np
 
-from fixel import model_file, toml_scene
+from fixel import model_file, toml_model, toml_scene
 from fixel.errors import ToolError
 from fixel.mesh import UNIT
-from fixel.toml_model import short
+from fixel.reading import shortened
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
 MARGIN = 0.9        # how much of the screen the model may fill
@@ -71,8 +71,8 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK):
     points -= (points.min(axis=0) + points.max(axis=0)) / 2
     size = float(np.sqrt((points ** 2).sum(axis=1)).max())
     if not 1e-9 < size < 1e9:
-        raise ToolError(f"{name}: the model's radius of {size:g} cannot be framed")
-    scale = short(radius / size)
+        raise ToolError(f"{shortened(name)}: the model's radius of {size:g} cannot be framed")
+    scale = toml_model.short(radius / size)
     distance = max(_distance(points * float(scale), framing.start, frames or FRAMES, width, height),
                    radius * 1.1)
     distance = Fraction(math.ceil(distance * 64), 64)
@@ -94,12 +94,15 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK):
 
 def compile_model(path, frames=None, progress=None, screen=None, framing=WALK):
     """A bare model file -> (SceneImage, notes)."""
-    name = os.path.basename(path)
-    mesh, read_notes = model_file.read(path, name, progress)
+    folder, name = os.path.split(path)
+    files = toml_model.Files(folder)
+    file = files.file(name)
+    mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = _centred(mesh)
+    files[file] = mesh
     data = scene_data(mesh, name, frames, screen, framing)
-    scene, notes = toml_scene.compile_data(data, name, os.path.dirname(path), frames, progress, meshes={name: mesh})
+    scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
     scene.names = []    # the file's name, which says nothing to a program
-    return scene, read_notes + notes + [f"{name}: framed by default: scaled by "
+    return scene, read_notes + notes + [f"{file}: framed by default: scaled by "
                            f"{float(data['objects'][0]['scale']):.6g}, turned once in "
                            f"{len(scene.path)} frames"]

@@ -10,9 +10,10 @@ import math
 
 import numpy as np
 
-from fixel import gltf_check, texture_image
+from fixel import gltf_check
 from fixel.errors import ToolError
 from fixel.mesh import Mesh
+from fixel.sources import Sources
 from fixel.stl import COORDINATE_LIMIT, exact
 from fixel.surface import Material, Surfaces
 
@@ -23,6 +24,7 @@ _TRIANGLES, _STRIP, _FAN = 4, 5, 6
 _MODES = range(7)
 FACES_MAX = 16_384          # of all nodes: a face takes few bytes of such a file
 READ_MAX = 250_000          # vertices and indices of the parts of all nodes
+PARTS_MAX = 8192            # of all nodes, which take about 0.1 ms each
 
 
 # --- nodes ------------------------------------------------------------------------
@@ -63,6 +65,12 @@ def _srgb(linear):
     return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
 
 
+def _name(entry, number):
+    """A material's name, or its number."""
+    name = entry.get("name")
+    return name if isinstance(name, str) else str(number)
+
+
 class _Materials:
     """The materials of a file, each read when a part asks for it."""
 
@@ -70,11 +78,8 @@ class _Materials:
         self.checked, self.found, self.images = checked, {}, {}
 
     def _image(self, number):
-        checked = self.checked
         if number not in self.images:
-            entry, where = checked.rows("images")[number], checked.label("image", number)
-            blob = checked.view(entry, where)[0] if "bufferView" in entry else checked.fetch(entry.get("uri"), where)
-            self.images[number] = texture_image.decode(bytes(blob), f"{checked.name}: {where}")
+            self.images[number] = self.checked.image(number)
         return self.images[number]
 
     def _texture(self, base, where):
@@ -100,7 +105,7 @@ class _Materials:
                 checked.fail(where, "pbrMetallicRoughness is no object: the file is damaged")
             factor = gltf_check.numbers(checked, base, "baseColorFactor", 4, where) if "baseColorFactor" in base else [1] * 4
             image, coordinates = self._texture(base, where)
-            self.found[number] = (Material(str(entry.get("name", number)), tuple(map(_srgb, factor[:3])),
+            self.found[number] = (Material(_name(entry, number), tuple(map(_srgb, factor[:3])),
                                            1.0 if entry.get("alphaMode", "OPAQUE") == "OPAQUE" else min(max(factor[3], 0), 1),
                                            image), coordinates)
         return self.found[number]
@@ -144,7 +149,7 @@ class _Reader:
         self.checked, self.progress = checked, progress
         self.materials, self.numbers = _Materials(checked), {}
         self.vertices, self.faces, self.places, self.surfaces = [], [], [], Surfaces()
-        self.left_out = self.read = 0   # parts; values of vertices and indices, each time that they are used
+        self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
 
     def _add_material(self, material, tint=None):
         """The number of a material, as it is or with another colour."""
@@ -171,12 +176,13 @@ class _Reader:
     def part(self, part, matrix, where):
         """A primitive of a mesh at a node."""
         checked = self.checked
+        self._count_part(where)
         attributes = part.get("attributes")
         if not isinstance(attributes, dict):
             checked.fail(where, "it has no attributes: the file is damaged")
         points = _positions(checked, attributes, where)
         triangles = _triangles(checked, part, len(points), where)
-        self._count(len(points) + (0 if triangles is None else triangles.size), where)
+        self._count_values(len(points) + (0 if triangles is None else triangles.size), where)
         if triangles is None:
             self.left_out += 1
             return
@@ -188,7 +194,13 @@ class _Reader:
         placed = self._placed(points, matrix, where)
         self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
 
-    def _count(self, values, where):
+    def _count_part(self, where):
+        self.parts += 1
+        if self.parts > PARTS_MAX:
+            self.checked.fail(where, f"the nodes have more than the limit of {PARTS_MAX:,} primitives together; join them, or "
+                              "use fewer nodes")
+
+    def _count_values(self, values, where):
         self.read += values
         if self.read > READ_MAX:
             self.checked.fail(where, f"the nodes read more than the limit of {READ_MAX:,} vertices and indices together; "
@@ -228,10 +240,11 @@ def _parts(checked, mesh, where):
     return parts
 
 
-def read(path, name=None, progress=None):
-    """(mesh, notes). The name stands in messages."""
+def read(path, name=None, progress=None, sources=None):
+    """(mesh, notes). The name stands in messages. sources: those of the scene."""
     name = name or str(path)
-    checked = gltf_check.open_file(path, name)
+    sources = sources or Sources()
+    checked = gltf_check.open_file(path, name, sources)
     reader, matrices = _Reader(checked, progress), {None: np.eye(4)}
     nodes = checked.rows("nodes")
     for number, parent in gltf_check.walk(checked):
@@ -246,4 +259,4 @@ def read(path, name=None, progress=None):
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces), notes
+    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, sources=sources), notes

@@ -13,7 +13,7 @@ import numpy as np
 
 from fixel import reading
 from fixel.errors import ToolError
-from fixel.reading import quoted
+from fixel.reading import Beside, quoted
 
 FILE_MAX = 64 << 20         # bytes, of the file and of its buffers together
 NODES_MAX, DEPTH_MAX = 8192, 1000
@@ -30,9 +30,9 @@ _KNOWN_EXTENSIONS = ("KHR_materials_", "KHR_texture_transform", "KHR_lights_punc
 class Checked:
     """A file's JSON and its buffers. What is asked for is checked first."""
 
-    def __init__(self, name, data, folder, binary):
-        self.name, self.data, self.folder, self.binary = name, data, folder, binary
-        self.room, self.buffers = FILE_MAX, {}
+    def __init__(self, name, data, folder, binary, sources):
+        self.name, self.data, self.folder, self.binary, self.sources = name, data, folder, binary, sources
+        self.room, self.buffers, self.lists = FILE_MAX, {}, {}
 
     # --- values -----------------------------------------------------------------
 
@@ -46,11 +46,13 @@ class Checked:
         return f"{kind} {number}" + (f" ({quoted(name)})" if isinstance(name, str) and name else "")
 
     def rows(self, key):
-        """A list of tables at the top."""
-        value = self.data.get(key, [])
-        if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
-            self.fail(key, "must be a list of objects: the file is damaged")
-        return value
+        """A list of tables at the top, checked when it is first asked for."""
+        if key not in self.lists:
+            value = self.data.get(key, [])
+            if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
+                self.fail(key, "must be a list of objects: the file is damaged")
+            self.lists[key] = value
+        return self.lists[key]
 
     def whole(self, table, key, where, default=None, most=1 << 31):
         """A whole number 0..most."""
@@ -69,25 +71,45 @@ class Checked:
 
     # --- bytes ------------------------------------------------------------------
 
-    def fetch(self, uri, where):
-        """The bytes of a URI: in the file itself, or in a file of the same folder."""
+    def _embedded(self, uri, where):
+        """The bytes that a URI holds itself; None if it names a file."""
         if not isinstance(uri, str):
             self.fail(where, "uri is no text: the file is damaged")
-        if uri.startswith("data:"):
-            head, comma, text = uri.partition(",")
-            if not comma or not head.endswith(";base64"):
-                self.fail(where, "its data: is not in base64; save the model as GLB")
-            try:
-                return base64.b64decode(text, validate=True)
-            except (binascii.Error, ValueError):
-                self.fail(where, "its base64 is damaged; save the model anew")
+        if not uri.startswith("data:"):
+            return None
+        head, comma, text = uri.partition(",")
+        if not comma or not head.endswith(";base64"):
+            self.fail(where, "its data: is not in base64; save the model as GLB")
+        try:
+            return base64.b64decode(text, validate=True)
+        except (binascii.Error, ValueError):
+            self.fail(where, "its base64 is damaged; save the model anew")
+
+    def _beside(self, uri, where):
+        """The file of the model's folder that a URI names."""
         name = urllib.parse.unquote(uri)
         if "://" in name or name.startswith("/") or "\0" in name or ".." in name.split("/"):
             self.fail(where, f"{quoted(name)} is not a file in the model's folder; put it there")
-        path = os.path.join(self.folder, name)
-        if not os.path.exists(path):
+        file = Beside(self.folder, name)
+        if not file.exists():
             self.fail(where, f"there is no file {quoted(name)}; the path is taken from the model's folder")
-        return reading.read_whole(path, max(self.room, 0), "simplify the model")
+        return file
+
+    def _fetch(self, uri, where):
+        """The bytes of a buffer's URI."""
+        blob = self._embedded(uri, where)
+        return self.sources.read(self._beside(uri, where), max(self.room, 0), "simplify the model") if blob is None else blob
+
+    def image(self, number):
+        """The texture_image.Texture of an image."""
+        entry, where = self.rows("images")[number], self.label("image", number)
+        place = f"{self.name}: {where}"
+        if "bufferView" in entry:
+            return self.sources.image_of_bytes(self.view(entry, where)[0], place)
+        blob = self._embedded(entry.get("uri"), where)
+        if blob is None:
+            return self.sources.image_of_file(self._beside(entry["uri"], where), place)
+        return self.sources.image_of_bytes(blob, place)
 
     def buffer(self, number):
         """The bytes of a buffer, at least as many as it promises."""
@@ -96,13 +118,13 @@ class Checked:
             wanted = self.whole(entry, "byteLength", where, most=1 << 40)
             if "uri" not in entry and (number or self.binary is None):
                 self.fail(where, "it names no file, and the file has no such part: it is damaged")
-            blob = self.fetch(entry["uri"], where) if "uri" in entry else self.binary
+            blob = self._fetch(entry["uri"], where) if "uri" in entry else self.binary
             if len(blob) < wanted:
                 self.fail(where, f"{wanted:,} bytes are promised and {len(blob):,} are there: the file is damaged")
             self.room -= len(blob)
             if self.room < 0:
                 self.fail(where, f"the buffers have more than the limit of {FILE_MAX:,} bytes; simplify the model")
-            self.buffers[number] = blob[:wanted]
+            self.buffers[number] = memoryview(blob)[:wanted]    # whose slices are no copies
         return self.buffers[number]
 
     def view(self, table, where):
@@ -177,9 +199,9 @@ def _parse(text, name):
     return data
 
 
-def open_file(path, name):
+def open_file(path, name, sources):
     """A Checked of a .gltf or .glb, of which nothing but the frame is checked."""
-    blob = reading.read_whole(path, FILE_MAX, "simplify the model")
+    blob = sources.read(path, FILE_MAX, "simplify the model")
     text, binary = _glb(blob, name) if blob[:4] == b"glTF" and len(blob) >= _GLB_HEAD.size else (blob, None)
     data = _parse(text, name)
     asset = data.get("asset")
@@ -191,7 +213,7 @@ def open_file(path, name):
         if not isinstance(extension, str) or not extension.startswith(_KNOWN_EXTENSIONS):
             raise ToolError(f"{name}: the model requires the extension {quoted(extension)}, which is not read; save it "
                             "without, for example without compression")
-    return Checked(name, data, os.path.dirname(path), binary)
+    return Checked(name, data, os.path.dirname(path), binary, sources)
 
 
 def numbers(checked, table, key, count, where):

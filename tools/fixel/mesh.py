@@ -6,6 +6,7 @@ Everything is done in integers on the rounded vertices, so that what is decided
 here holds for the numbers that the library sees."""
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from math import isqrt, lcm
 
 from fixel import mend
@@ -31,6 +32,12 @@ class Mesh:
     places: list = field(default_factory=list)  # where each face stands, for messages
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
     uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
+    sources: object = None      # the sources.Sources of a file, which limit what is made of its mesh
+
+    @cached_property
+    def extent(self):
+        """The length of the longest side of the box about its vertices."""
+        return max(max(axis) - min(axis) for axis in zip(*self.vertices))
 
 
 @dataclass
@@ -237,6 +244,8 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
         if progress:
             progress(f"{name}: face {number} of {len(mesh.faces)}")
         place = mesh.places[number] if mesh.places else ""
+        if mesh.sources and len(corners) > FACE_VERTICES_MAX:
+            mesh.sources.count_cut(len(corners), place)
         for outline, normal in _pieces([renamed[c] for c in corners], points, place, counts):
             faces.append(Face(normal, outline, 0))
             sources.append(number)

@@ -13,7 +13,7 @@ SUFFIXES = "an .obj, .gltf, .glb or .stl file"
 
 def suffix_of(path):
     """The ending that says what a file holds."""
-    return os.path.splitext(str(path))[1].lower()
+    return os.path.splitext(os.fspath(path))[1].lower()
 
 
 def is_model(path):
@@ -26,8 +26,8 @@ def holds_triangles(path):
     return suffix_of(path) in (".gltf", ".glb", ".stl")
 
 
-def read(path, name=None, progress=None):
-    """(mesh, notes). The name stands in messages."""
+def reader_of(path):
+    """The function that reads a file, by its name."""
     if not is_model(path):
-        raise ToolError(f"{quoted(str(name or path))}: a model is {SUFFIXES}")
-    return READERS[suffix_of(path)](path, name, progress)
+        raise ToolError(f"{quoted(str(path))}: a model is {SUFFIXES}")
+    return READERS[suffix_of(path)]

@@ -4,9 +4,8 @@
 import math
 import os
 
-from fixel import reading, texture_image
 from fixel.errors import ToolError
-from fixel.reading import quoted
+from fixel.reading import Beside, quoted
 from fixel.surface import Material
 
 FILE_MAX = 1 << 20          # bytes
@@ -43,27 +42,37 @@ def _image_name(words, where):
 
 
 class Reader:
-    """Reads the MTL files of one OBJ file; each image once."""
+    """Reads the MTL files of one OBJ file, each once. sources: where their bytes and images come from."""
 
-    def __init__(self, folder):
-        self.folder, self.materials, self.images = folder, {}, {}
+    def __init__(self, folder, sources):
+        self.folder, self.sources, self.materials = folder, sources, {}
+        self.known, self.done = {}, set()   # by name whether there is such a file; those that were read
 
     def _image(self, name, where):
-        path = os.path.join(self.folder, name)
-        if path not in self.images:
-            if not os.path.exists(path):
-                raise ToolError(f"{where}: there is no image {quoted(name)}; the path is taken from the model's folder. "
-                                "Put the image there, or take map_Kd out")
-            self.images[path] = texture_image.read(path, f"{where}: {name}")
-        return self.images[path]
+        file = Beside(self.folder, name)
+        if not file.exists():
+            raise ToolError(f"{where}: there is no image {quoted(name)}; the path is taken from the model's folder. "
+                            "Put the image there, or take map_Kd out")
+        return self.sources.image_of_file(file, f"{where}: {file}")
+
+    def exists(self, name):
+        """Whether there is a file of this name."""
+        if name not in self.known:
+            self.known[name] = bool(name) and Beside(self.folder, name).exists()
+        return self.known[name]
 
     def read(self, name):
-        """Adds the materials of a file to self.materials, by name."""
-        blob = reading.read_whole(os.path.join(self.folder, name), FILE_MAX, "take out what the model does not use")
+        """Adds the materials of a file to self.materials, by name. One that was read already adds nothing."""
+        file = Beside(self.folder, name)
+        real = os.path.realpath(file)
+        if real in self.done:
+            return
+        self.done.add(real)
+        blob = self.sources.read(file, FILE_MAX, "take out what the model does not use")
         current = None
         for number, line in enumerate(blob.decode("utf-8", "replace").splitlines(), 1):
             word, *rest = line.split("#", 1)[0].split() or [""]
-            where = f"{name}:{number}"
+            where = f"{file}:{number}"
             if word == "newmtl":
                 current = Material(" ".join(rest))
                 self.materials[current.name] = current

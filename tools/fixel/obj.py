@@ -14,10 +14,11 @@ from decimal import Decimal, InvalidOperation
 import io
 import os
 
-from fixel import mtl, reading
+from fixel import mtl
 from fixel.errors import ToolError
 from fixel.mesh import FACES_MAX, UNIT, Mesh
 from fixel.reading import quoted
+from fixel.sources import Sources
 from fixel.surface import Material, Surfaces
 
 FILE_MAX = 64 << 20         # bytes
@@ -121,22 +122,19 @@ def _without_unused(vertices, faces):
 class _Materials:
     """What usemtl and mtllib of a file say."""
 
-    def __init__(self, folder, name):
-        self.reader, self.name = mtl.Reader(folder), name
+    def __init__(self, folder, name, sources):
+        self.reader, self.name = mtl.Reader(folder, sources), name
         self.surfaces, self.numbers, self.current = Surfaces(), {}, None
-        self.missing, self.unknown, self.used = [], 0, 0
+        self.missing, self.unknown, self.used = None, 0, 0
 
     def library(self, words, where):
         """mtllib: the names of files, or one name with blanks."""
-        names = words if any(self._exists(word) for word in words) else [" ".join(words)]
+        names = words if any(self.reader.exists(word) for word in words) else [" ".join(words)]
         for each in names:
-            if self._exists(each):
+            if self.reader.exists(each):
                 self.reader.read(each)
             else:
-                self.missing.append(f"{where}: there is no {quoted(each)}")
-
-    def _exists(self, name):
-        return bool(name) and "\0" not in name and os.path.exists(os.path.join(self.reader.folder, name))
+                self.missing = self.missing or f"{where}: there is no {quoted(each)}"
 
     def use(self, words):
         """usemtl: the material of the faces from here on."""
@@ -155,7 +153,7 @@ class _Materials:
 
     def result(self):
         """The surfaces, None where the file has no material; and notes."""
-        notes = [f"{text}: its materials are left out" for text in self.missing[:1]]
+        notes = [f"{self.missing}: its materials are left out"] if self.missing else []
         if self.unknown and self.reader.materials:
             notes.append(f"{self.name}: faces whose material no mtllib has: {self.unknown:,}")
         return self.surfaces if self.reader.materials else None, notes
@@ -164,11 +162,11 @@ class _Materials:
 class _Parser:
     """What a file says, line by line."""
 
-    def __init__(self, name, folder):
+    def __init__(self, name, folder, sources):
         self.name = name
         self.vertices, self.coordinates, self.faces, self.lines = [], [], [], []
         self.counts, self.ignored = {"v": 0, "vt": 0, "vn": 0}, {}
-        self.materials = _Materials(folder, name)
+        self.materials = _Materials(folder, name, sources)
 
     def _add_face(self, rest, where):
         corners = _face(rest, self.counts, where)
@@ -203,13 +201,13 @@ class _Parser:
             raise ToolError(f"{where}: unknown statement {quoted(word)}; is this an OBJ file?")
 
 
-def read(path, name=None, progress=None):
-    """(mesh, notes). The name stands in messages."""
-    name = name or str(path)
-    blob = reading.read_whole(path, FILE_MAX, "simplify the model")
+def read(path, name=None, progress=None, sources=None):
+    """(mesh, notes). The name stands in messages. sources: those of the scene."""
+    name, sources = name or str(path), sources or Sources()
+    blob = sources.read(path, FILE_MAX, "simplify the model")
     # Most files have a face a line: one with too many is refused before anything of it is parsed.
     _refuse_many_faces(name, blob.count(b"\nf "))
-    parser = _Parser(name, os.path.dirname(path))
+    parser = _Parser(name, os.path.dirname(path), sources)
     for number, (word, *rest) in _lines(blob):
         if progress and number % _LINES_A_WORD == 0:
             progress(f"{name}: line {number:,}")
@@ -226,4 +224,4 @@ def read(path, name=None, progress=None):
         notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs), notes + more
+    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs, sources), notes + more

@@ -5,7 +5,7 @@ import os
 import reprlib
 import stat
 
-from fixel.errors import ToolError
+from fixel.errors import ToolError, escaped
 
 QUOTE_MAX = 80      # characters of the input in a message
 _DIGITS_MAX = 60    # of a number in a message
@@ -27,6 +27,24 @@ def _open(path):
     os.close(descriptor)
     kind = next((name for test, name in _KINDS if test(mode)), "no regular file")
     raise ToolError(f"{path}: is {kind}; give a regular file")
+
+
+class Beside(os.PathLike):
+    """A file that the input names, beside the file that names it. As text, which is for messages, it is at most 80
+    characters of that name, escaped. os.fspath answers the path itself."""
+
+    def __init__(self, folder, name):
+        self.path, self.shown = os.path.join(folder, name), shortened(name)
+
+    def __fspath__(self):
+        return self.path
+
+    def __str__(self):
+        return self.shown
+
+    def exists(self):
+        """Whether there is anything at the path; no file has a name with a zero byte."""
+        return "\0" not in self.path and os.path.exists(self.path)
 
 
 def read_start(path, most):
@@ -73,9 +91,7 @@ def quoted(value):
 
 
 def _escaped(character):
-    if character in '"\\':
-        return "\\" + character
-    return character if character.isprintable() else character.encode("unicode_escape").decode()
+    return "\\" + character if character in '"\\' else escaped(character)
 
 
 def shortened(text):

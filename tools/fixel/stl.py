@@ -7,10 +7,10 @@ import re
 
 import numpy as np
 
-from fixel import reading
 from fixel.errors import ToolError
 from fixel.mesh import FACES_MAX, UNIT, Mesh
 from fixel.reading import quoted
+from fixel.sources import Sources
 
 FILE_MAX = 64 << 20         # bytes
 COORDINATE_LIMIT = 10 ** 9
@@ -84,10 +84,11 @@ def _is_text(blob):
     return re.match(rb"\s*solid\b", blob) and b"vertex" in blob[:4096]
 
 
-def read(path, name=None, progress=None):
-    """(mesh, notes). The name stands in messages."""
+def read(path, name=None, progress=None, sources=None):
+    """(mesh, notes). The name stands in messages. sources: those of the scene."""
     name = name or str(path)
-    blob = reading.read_whole(path, FILE_MAX, "simplify the model")
+    sources = sources or Sources()
+    blob = sources.read(path, FILE_MAX, "simplify the model")
     count = int.from_bytes(blob[80:_HEAD], "little")
     if len(blob) >= _HEAD and len(blob) == _HEAD + count * _TRIANGLE.itemsize:
         points, places = _binary(blob, name, count)
@@ -102,4 +103,4 @@ def read(path, name=None, progress=None):
         raise ToolError(f"{name}: there is no face in this file")
     vertices = [(exact(x), exact(z), exact(y)) for x, y, z in points]
     faces = [[3 * face + 2, 3 * face + 1, 3 * face] for face in range(len(places))]
-    return Mesh(vertices, faces, places), [f"{name}: {_CONVENTION}"]
+    return Mesh(vertices, faces, places, sources=sources), [f"{name}: {_CONVENTION}"]

@@ -7,7 +7,7 @@ coordinates are not is cut into triangles."""
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations
-from math import floor
+from math import lcm
 
 from fixel import image_surface, light_palette
 from fixel.errors import ToolError
@@ -60,23 +60,42 @@ def box_axes(normal):
 def box_coordinates(mesh, scale, inside, per_unit, offset):
     """For each face of a mesh (u, v) in texels of each corner, by planes of a box about the mesh before it turns.
     per_unit: texels a world unit."""
-    points = [tuple(Fraction(c, UNIT) * s for c, s in zip(vertex, scale)) for vertex in mesh.vertices]
+    if mesh.sources:
+        mesh.sources.check_surfaced(len(mesh.faces), mesh.places[0])
+    common = lcm(*(Fraction(s).denominator for s in scale))
+    sizes = [int(s * common) for s in scale]
+    points = [tuple(c * s for c, s in zip(vertex, sizes)) for vertex in mesh.vertices]  # in 1/(UNIT common)
+    # Integers up to the last step: a Fraction takes ten times as long.
+    texel, (left, above) = Fraction(per_unit) / (UNIT * common), map(Fraction, offset)
+    whole = lcm(texel.denominator, left.denominator, above.denominator)
+    step, left, above = int(texel * whole), int(left * whole), int(above * whole)
     result = []
     for face in mesh.faces:
         outline = [points[c] for c in face]
         (i, along), (j, down) = box_axes([n * (-1 if inside else 1) for n in newell(outline)])
-        result.append([(along * p[i] * per_unit + offset[0], down * p[j] * per_unit + offset[1]) for p in outline])
+        result.append([(Fraction(along * step * p[i] + left, whole), Fraction(down * step * p[j] + above, whole))
+                       for p in outline])
     return result
+
+
+def _over_one_denominator(values):
+    """(numerators, denominator) of Fractions."""
+    common = lcm(*[value.denominator for value in values])
+    return [value.numerator * (common // value.denominator) for value in values], common
+
+
+def _tiled_axis(values, side):
+    """The coordinates of a face's corners along one axis, moved and stretched to 0..side."""
+    numbers, _ = _over_one_denominator(values)
+    low, high, side = min(numbers), max(numbers), Fraction(side)
+    if high == low:
+        return [Fraction(0)] * len(values)
+    return [Fraction((number - low) * side.numerator, (high - low) * side.denominator) for number in numbers]
 
 
 def tiled(coordinates, size):
     """The same, moved and stretched so that a face's bounding rectangle is so many texels."""
-    result = []
-    for face in coordinates:
-        ends = [(min(axis), max(axis)) for axis in zip(*face)]
-        result.append([tuple((c - low) * side / (high - low) if high > low else Fraction(0)
-                             for c, (low, high), side in zip(corner, ends, size)) for corner in face])
-    return result
+    return [list(zip(*(_tiled_axis(axis, side) for axis, side in zip(zip(*face), size)))) for face in coordinates]
 
 
 def _backs(faces):
@@ -104,6 +123,8 @@ def smooth_normals(made):
 
 def _best_corners(points):
     """Three corners of an outline, in rising order, whose triangle is the largest."""
+    if len(points) == 3:
+        return 0, 1, 2
     return max(combinations(range(len(points)), 3),
                key=lambda three: (dot(*(cross(minus(points[three[1]], points[three[0]]),
                                               minus(points[three[2]], points[three[0]])),) * 2), [-i for i in three]))
@@ -115,12 +136,16 @@ def _is_affine(points, coordinates, three):
     e, f = minus(one, first), minus(two, first)
     ee, ef, ff = dot(e, e), dot(e, f), dot(f, f)
     whole = ee * ff - ef * ef
-    for point, found in zip(points, coordinates):
-        p = minus(point, first)
-        s, t = Fraction(dot(p, e) * ff - dot(p, f) * ef, whole), Fraction(dot(p, f) * ee - dot(p, e) * ef, whole)
-        for k in range(2):
-            a, b, c = (coordinates[i][k] for i in three)
-            if abs(a + s * (b - a) + t * (c - a) - found[k]) > BEND_MAX:
+    axes = [_over_one_denominator(axis) for axis in zip(*coordinates)]
+    for number, point in enumerate(points):
+        if number in three:
+            continue
+        pe, pf = dot(minus(point, first), e), dot(minus(point, first), f)
+        s, t = pe * ff - pf * ef, pf * ee - pe * ef     # of whole
+        for values, common in axes:
+            a, b, c = (values[i] for i in three)
+            bend = (a - values[number]) * whole + s * (b - a) + t * (c - a)
+            if abs(bend) * BEND_MAX.denominator > BEND_MAX.numerator * whole * common:
                 return False
     return True
 
@@ -137,6 +162,8 @@ def _source_coordinates(mesh, rows, made, coordinates):
 def spread(mesh, rows, made, coordinates):
     """(shape, coordinates of each face's corners): a shape whose coordinates are affine over each face. made: the shape
     of the mesh and of the matrix. coordinates: for each face of the mesh, of each corner; None where it has none."""
+    if mesh.sources:
+        mesh.sources.count_surfaced(len(made.faces), mesh.places[0])
     faces, sources, result = [], [], []
     for face, source, found in zip(made.faces, made.sources, _source_coordinates(mesh, rows, made, coordinates)):
         outline = [made.vertices[c] for c in face.corners]
@@ -153,18 +180,21 @@ def spread(mesh, rows, made, coordinates):
 
 
 def _q16(value):
-    return floor(value * 65536 + Fraction(1, 2))
+    """A Fraction in 16.16, to nearest."""
+    return ((value.numerator << 17) + value.denominator) // (2 * value.denominator)
 
 
 def place(points, coordinates, paint, where):
     """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
-    least coordinates are small."""
+    least coordinates are small. A paint without a picture has no texels."""
     three = _best_corners(points)
+    if paint.picture is None:
+        return three, ((0, 0),) * 3
     moved = (0, 0)
     if not paint.clamp:
         sides = paint.picture.width, paint.picture.height
-        moved = [floor(min(axis) / side) * side for axis, side in zip(zip(*coordinates), sides)]
-    texels = tuple(tuple(_q16(c - m) for c, m in zip(coordinates[i], moved)) for i in three)
+        moved = [min(axis) // side * side for axis, side in zip(zip(*coordinates), sides)]
+    texels = tuple([(_q16(u) - (moved[0] << 16), _q16(v) - (moved[1] << 16)) for u, v in map(coordinates.__getitem__, three)])
     if any(abs(c) > image_surface.TEXEL_MAX for texel in texels for c in texel):
         raise ToolError(f"{where}: a face is more than 16383 texels long; give fewer texels_per_unit, or divide the face")
     return three, texels

@@ -2,7 +2,6 @@
 """Images of a model's materials as textures of its faces."""
 
 import numpy as np
-from PIL import Image
 
 from fixel import image_surface, texture
 from fixel.errors import ToolError
@@ -19,13 +18,22 @@ def _power(side, most):
     return min(most, 1 << side.bit_length() - 1)
 
 
+def _scaled(image, width, height):
+    """An image's pixels, scaled by a box filter; many materials may ask for the same."""
+    key = width, height
+    if key not in image.pictures:
+        image.pictures[key] = image.scaled(width, height).reshape(-1, 4)
+    return image.pictures[key]
+
+
 def picture(image, colour, size, most, levels, bits):
     """The texture.Picture of an image that is multiplied by a colour, scaled by a box filter to powers of two."""
     key = colour, size, most, levels, bits
     if key not in image.pictures:
         least = 2 if bits == 4 else 1       # texels of a row
         width, height = max(least, _power(image.width, size)), _power(image.height, size)
-        scaled = np.asarray(Image.fromarray(image.pixels).resize((width, height), Image.Resampling.BOX)).reshape(-1, 4)
+        image.sources.count_texels(width * height, image.name)
+        scaled = _scaled(image, width, height)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
         codes = texture.codes_of(scaled, scaled[:, 3] < texture.OPAQUE_FROM).reshape(height, width)
         own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels

@@ -8,25 +8,60 @@ import os
 from fixel import merge, model_file
 from fixel.errors import ToolError
 from fixel.mesh import UNIT, rounding_error, shape
-from fixel.reading import quoted
+from fixel.reading import Beside, quoted
+from fixel.sources import Sources
 
 KEYS = {"obj", "model", "fit", "mend", "merge"}
 FIT_MAX = 16382
 
 
-def read(table, key, folder, files, progress):
-    """(mesh, name, notes) of an object's file; files: those that were read already, by name."""
+class Files:
+    """The meshes of a scene's model files. A file is one however its name is spelled, so it is read once. Its key is its
+    name, or the Beside that stands for it in messages."""
+
+    def __init__(self, folder):
+        self.folder, self.sources = folder, Sources()
+        self.by_name, self.by_path, self.meshes = {}, {}, {}
+
+    def file(self, name):
+        """The Beside of a name: the same one for all names of a file that is read in the same way."""
+        if name not in self.by_name:
+            file = Beside(self.folder, name)
+            real = os.path.realpath(file) if file.exists() else file.path
+            reader = model_file.READERS.get(model_file.suffix_of(file), model_file.READERS[".obj"])
+            self.by_name[name] = self.by_path.setdefault((real, reader), file)
+        return self.by_name[name]
+
+    def _key(self, name):
+        return name if isinstance(name, Beside) else self.file(name)
+
+    def __contains__(self, name):
+        return self._key(name) in self.meshes
+
+    def __getitem__(self, name):
+        return self.meshes[self._key(name)]
+
+    def __setitem__(self, name, mesh):
+        self.meshes[self._key(name)] = mesh
+
+    def values(self):
+        """The mesh of each file."""
+        return self.meshes.values()
+
+
+def read(table, key, _folder, files, progress):
+    """(mesh, its Beside, notes) of an object's file; files: a Files with those that were read already."""
     name = table.text(key)
     if key == "obj" and model_file.is_model(name) and model_file.suffix_of(name) != ".obj":
         raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
-    if name in files:
-        return files[name], name, []
-    path = os.path.join(folder, name)
-    if not os.path.exists(path):
+    file = files.file(name)
+    if file in files:
+        return files[file], file, []
+    if not file.exists():
         raise ToolError(f"{table.at(key)}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
-    reader = model_file.READERS[".obj"] if key == "obj" else model_file.read
-    mesh, notes = reader(path, name, progress)
-    return mesh, name, notes
+    reader = model_file.READERS[".obj"] if key == "obj" else model_file.reader_of(name)
+    mesh, notes = reader(file, None, progress, files.sources)
+    return mesh, file, notes
 
 
 def short(value):
@@ -40,10 +75,9 @@ def fit(table, mesh):
     wanted = table.number("fit", None, Fraction(1, 1000), FIT_MAX, "world units")
     if "scale" in table:
         raise ToolError(f"{table.where}: both fit and scale are given; keep one")
-    extent = max(max(axis) - min(axis) for axis in zip(*mesh.vertices))
-    if extent == 0:
+    if mesh.extent == 0:
         raise ToolError(f"{table.at('fit')}: the model has no extent: all its vertices are one point")
-    return (short(wanted * UNIT / extent),) * 3
+    return (short(wanted * UNIT / mesh.extent),) * 3
 
 
 def wishes(table, name):

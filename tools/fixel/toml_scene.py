@@ -7,10 +7,11 @@ import math
 import os
 
 from fixel import clusters, default_path, image, image_beam, image_header, image_lens, light_palette, palette, quantity, \
-    texture, toml_billboard, toml_light, toml_motion, toml_table, toml_texture
+    texture, toml_billboard, toml_light, toml_model, toml_motion, toml_table, toml_texture
 from fixel import path as walk
 from fixel.errors import ToolError
 from fixel.image import Face, Model, Object, SceneImage
+from fixel.reading import shortened
 from fixel.surfaces import Records
 from fixel.toml_object import Objects
 from fixel.toml_table import Table
@@ -307,10 +308,10 @@ def _models(placements, indices, records):
     return models, objects, boards
 
 
-def compile_data(data, name, folder, frames=None, progress=None, screen=None, meshes=None):
+def compile_data(data, name, folder, frames=None, progress=None, screen=None, files=None):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
     width and height instead of the scene's, seen with the same field of view.
-    meshes: those of OBJ files that were read already, by name."""
+    files: a toml_model.Files with what was read already."""
     top = Table(data, name, TOP_KEYS)
     lens = _lens(top)
     if screen:
@@ -322,7 +323,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
     reserved = _reserved(top)
     light = toml_light.read(top)
     pictures = texture.Pictures(folder)
-    objects = Objects(name, folder, light, notes, progress, meshes, toml_texture.read(top, pictures),
+    objects = Objects(name, folder, light, notes, progress, files or toml_model.Files(folder), toml_texture.read(top, pictures),
                       toml_billboard.read(top, pictures))
     placements = []
     for number, item in enumerate(top.rows("objects")):
@@ -354,5 +355,5 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, me
 
 def compile_file(path, frames=None, progress=None, screen=None):
     """A scene file -> (SceneImage, notes)."""
-    return compile_data(toml_table.read(path), os.path.basename(path), os.path.dirname(path),
+    return compile_data(toml_table.read(path), shortened(os.path.basename(path)), os.path.dirname(path),
                         frames, progress, screen)
