@@ -417,6 +417,17 @@ void test_a_wrong_billboard_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
 }
 
+void test_tables_off_their_alignment_are_refused(void)
+{
+    start(0);
+    set.billboards = (const fxl_billboard *)(const void *)((const uint8_t *)set.billboards + 2);
+    expect_refusal(FXL_E_ALIGNMENT, "billboard table", 0);
+    set.model_map = (const uint16_t *)(const void *)((const uint8_t *)set.model_map + 1);
+    expect_refusal(FXL_E_ALIGNMENT, "billboard table", 0);
+    board.sprite = (const fxl_sprite *)(const void *)((const uint8_t *)&sprite + 2);
+    expect_refusal(FXL_E_ALIGNMENT, "billboard", 0);
+}
+
 void test_null_pointers_are_refused(void)
 {
     start(0);

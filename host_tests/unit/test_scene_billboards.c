@@ -159,6 +159,12 @@ void test_null_pointers_and_too_few_records(void)
                       fxl_billboards_open(&opened, sprites, boards, BOARDS, NULL, NULL));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_billboards_open(&opened, sprites, boards, BOARDS - 1, &set, NULL));
+    fxl_sprite *const odd_sprites = (fxl_sprite *)(void *)((uint8_t *)sprites + 2);
+    fxl_billboard *const odd_boards = (fxl_billboard *)(void *)((uint8_t *)boards + 2);
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_billboards_open(&opened, odd_sprites, boards, BOARDS - 1, &set, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      fxl_billboards_open(&opened, sprites, odd_boards, BOARDS - 1, &set, NULL));
 }
 
 void test_the_header(void)

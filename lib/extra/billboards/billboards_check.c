@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../../src/math/aligned.h"
 #include "../../src/math/arith.h"
 #include "../../src/scene/fault.h"
 #include "fixel/extra/billboards.h"
@@ -16,7 +17,13 @@ static bool is_side(fxl_q16_16 side, fxl_q16_16 anchor)
 static fxl_status check_billboard(const fxl_billboard *billboard)
 {
     const fxl_sprite *sprite = billboard->sprite;
-    if (sprite == NULL || sprite->pixels == NULL) {
+    if (sprite == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!fxl_is_aligned(sprite, FXL_POINTER)) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (sprite->pixels == NULL) {
         return FXL_E_ARGUMENT;
     }
     return has_bits(sprite) && sprite->width >= 1 && sprite->height >= 1 &&
@@ -54,6 +61,10 @@ fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *s
     if (set == NULL || scene == NULL || set->model_map == NULL ||
         (set->count > 0 && set->billboards == NULL)) {
         return fxl_fault_at(fault, "billboard table", 0, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(set->billboards, FXL_POINTER) ||
+        !fxl_is_aligned(set->model_map, sizeof *set->model_map)) {
+        return fxl_fault_at(fault, "billboard table", 0, FXL_E_ALIGNMENT);
     }
     if (set->count > UINT16_MAX) {
         return fxl_fault_at(fault, "billboard table", 0, FXL_E_COUNT);

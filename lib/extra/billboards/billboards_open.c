@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The billboards of a scene image (docs/formats.md, section 1.13). */
+#include "../../src/math/aligned.h"
 #include "../../src/math/arith.h"
 #include "../../src/math/memory.h"
 #include "../../src/scene/fault.h"
@@ -45,6 +46,9 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
     if (image == NULL || sprites == NULL || boards == NULL || set == NULL ||
         image->billboards.model_map == NULL) {
         return fxl_fault_at(fault, "billboards", 0, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(sprites, FXL_POINTER) || !fxl_is_aligned(boards, FXL_POINTER)) {
+        return fxl_fault_at(fault, "billboard table", 0, FXL_E_ALIGNMENT);
     }
     const fxl_scene_billboards *from = &image->billboards;
     if (from->count > capacity) {

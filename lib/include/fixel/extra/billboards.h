@@ -45,8 +45,9 @@ typedef union {
  * of 1..65535; every number and range; and of a model with a billboard that it is convex, has one
  * face, and has a radius that holds all corners of the billboard about the anchor. Requires a
  * checked scene and tables as long as their counts; fault may be null.
- * FXL_E_ARGUMENT (a null pointer, also in a record), FXL_E_COUNT (the set's count, or the faces of
- * a model), FXL_E_RANGE, FXL_E_INDEX (model_map), FXL_E_RADIUS: *fault written. On FXL_OK *fault is
+ * FXL_E_ARGUMENT (a null pointer, also in a record), FXL_E_ALIGNMENT (billboards and sprites, to a
+ * pointer's size; model_map, to 2 bytes), FXL_E_COUNT (the set's count, or the faces of a model),
+ * FXL_E_RANGE, FXL_E_INDEX (model_map), FXL_E_RADIUS: *fault written. On FXL_OK *fault is
  * untouched. */
 fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
                                 fxl_scene_fault *fault);
@@ -55,11 +56,10 @@ fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *s
  * many of each; they must outlive *set, as the image must. Checks that each sprite lies within the
  * image's sprite pixels, and as fxl_billboards_check.
  * Requires an image that fxl_scene_open has opened; fault may be null.
- * FXL_E_ARGUMENT (a null pointer; an image without billboards), FXL_E_CAPACITY (more billboards
- * than capacity), FXL_E_RANGE, FXL_E_OFFSET, FXL_E_RESERVED, and those of fxl_billboards_check:
- * *set untouched, *fault written; sprites and boards may be overwritten. On FXL_OK *fault is
- * untouched.
- */
+ * FXL_E_ARGUMENT (a null pointer; an image without billboards), FXL_E_ALIGNMENT (sprites or
+ * boards), FXL_E_CAPACITY (more billboards than capacity), FXL_E_RANGE, FXL_E_OFFSET,
+ * FXL_E_RESERVED, and those of fxl_billboards_check: *set untouched, *fault written; sprites and
+ * boards may be overwritten. On FXL_OK *fault is untouched. */
 fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
                                fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
                                fxl_scene_fault *fault);
