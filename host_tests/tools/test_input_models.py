@@ -150,6 +150,15 @@ def test_faces_of_thousands_of_corners_that_cross_themselves(tmp_path):
     assert "square of its corners" in build(tmp_path, "m.obj", code=2)
 
 
+@pytest.mark.parametrize("count, code", [(20_000, 0), (30_000, 2)])
+def test_quads_that_are_not_flat_and_share_their_vertices(tmp_path, count, code):
+    chance = random.Random(7)
+    points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
+    write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +
+          "".join("f {} {} {} {}\n".format(*chance.sample(range(1, 100), 4)) for _ in range(count)))
+    assert ("(16,384, and one" in build(tmp_path, "m.obj", code)) == bool(code)
+
+
 # --- models of a scene -------------------------------------------------------------
 
 def test_a_model_by_many_names_is_read_once(tmp_path):

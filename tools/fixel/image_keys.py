@@ -10,9 +10,9 @@ KEY = struct.Struct("<q3i")
 
 def key_of(model, face):
     """A face's height over the model's origin, and minimum + maximum of its box."""
-    points = [model.vertices[corner] for corner in face.corners]
-    height = sum(n * c for n, c in zip(face.normal, points[0]))
-    return height, *(min(axis) + max(axis) for axis in zip(*points))
+    xs, ys, zs = zip(*[model.vertices[corner] for corner in face.corners])
+    u, v, w = face.normal
+    return (u * xs[0] + v * ys[0] + w * zs[0], min(xs) + max(xs), min(ys) + max(ys), min(zs) + max(zs))
 
 
 def check(models, first_keys, keys):

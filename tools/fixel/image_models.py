@@ -75,11 +75,12 @@ def check_coordinates(point, what):
 
 def check_plane(normal, points, what):
     """A face's normal and planarity, with the loader's integers."""
-    if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
+    u, v, w = normal
+    if abs(u * u + v * v + w * w - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
         fail("normal", f"the normal of {what} is not of unit length")
-    first = points[0]
-    for point in points:
-        height = sum(n * (a - b) for n, a, b in zip(normal, point, first))
+    x, y, z = points[0]
+    for a, b, c in points:
+        height = u * (a - x) + v * (b - y) + w * (c - z)
         if abs(height) > PLANARITY_MAX << 30:
             fail("planarity", f"a vertex of {what} lies {height / 2**46:.3g} units off its plane")
 

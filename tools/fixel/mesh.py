@@ -67,23 +67,24 @@ def dot(a, b):
 
 def newell(points):
     """Twice the area, along the normal that points to the front: exact."""
-    total = (0, 0, 0)
-    first = points[0]
-    for a, b in zip(points[1:], points[2:]):
-        part = cross(minus(a, first), minus(b, first))
-        total = (total[0] + part[0], total[1] + part[1], total[2] + part[2])
-    return total
+    x, y, z = points[0]
+    one, two, three = points[1]
+    one, two, three = one - x, two - y, three - z
+    u = v = w = 0
+    # One loop without calls: every face comes here several times.
+    for a, b, c in points[2:]:
+        a, b, c = a - x, b - y, c - z
+        u, v, w = u + two * c - three * b, v + three * a - one * c, w + one * b - two * a
+        one, two, three = a, b, c
+    return u, v, w
 
 
 def unit_normal(area):
     """An integer vector at unit length in 2.30, each component to nearest."""
     square = dot(area, area)
-
-    def component(value):
-        # Two more bits than needed, so that one rounding remains.
-        size = (isqrt((value * value << 64) // square) + 2) >> 2
-        return size if value >= 0 else -size
-    return tuple(component(value) for value in area)
+    # Two more bits than needed, so that one rounding remains.
+    sizes = [(isqrt((value * value << 64) // square) + 2) >> 2 for value in area]
+    return tuple([size if value >= 0 else -size for size, value in zip(sizes, area)])
 
 
 def transform(mesh, matrix):
@@ -246,7 +247,10 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
         place = mesh.places[number] if mesh.places else ""
         if mesh.sources and len(corners) > FACE_VERTICES_MAX:
             mesh.sources.count_cut(len(corners), place)
-        for outline, normal in _pieces([renamed[c] for c in corners], points, place, counts):
+        pieces = _pieces([renamed[c] for c in corners], points, place, counts)
+        if mesh.sources and len(pieces) > 1:
+            mesh.sources.count_pieces(len(pieces), place)
+        for outline, normal in pieces:
             faces.append(Face(normal, outline, 0))
             sources.append(number)
         if len(faces) > FACES_MAX:

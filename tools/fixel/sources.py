@@ -15,6 +15,8 @@ TEXELS_MAX = 1 << 18        # of the textures that are made of images, which tak
 BYTES_A_TEXEL = 4           # of the files, for one texel more
 TEXELS_LEAST = 64           # what a small texture counts
 CUT_MAX = 2 * 4096 ** 2     # squares of the corners of faces that are cut: 20 ns each, where outlines cross themselves
+PIECES_MAX = 1 << 14        # faces more that cutting makes of faces, which take about 0.09 ms each
+BYTES_A_PIECE = 64          # of the files, for one such face more
 SURFACED_MAX = 12_288       # faces with surfaces, which take about 0.13 ms each
 BYTES_A_SURFACED = 80       # of the files, for one such face more
 
@@ -24,7 +26,7 @@ class Sources:
 
     def __init__(self):
         self.read_bytes = self.file_bytes = 0       # each time, and of each file once
-        self.pixels = self.texels = self.cut = self.surfaced = 0
+        self.pixels = self.texels = self.cut = self.pieces = self.surfaced = 0
         self.files, self.by_path, self.by_content = set(), {}, {}
 
     def read(self, path, most, advice):
@@ -84,6 +86,15 @@ class Sources:
         if self.cut > CUT_MAX:
             raise ToolError(f"{where}: the faces of the models that have more corners than a board draws have together more "
                             f"than the limit of {CUT_MAX:,}, each with the square of its corners; cut them in the models")
+
+    def count_pieces(self, count, where):
+        """Counts the pieces of a face that was cut."""
+        self.pieces += count - 1
+        most = PIECES_MAX + self.file_bytes // BYTES_A_PIECE
+        if self.pieces > most:
+            raise ToolError(f"{where}: cutting the faces of the models that are not flat, not convex or have too many corners "
+                            f"makes more than the limit of {most:,} faces more ({PIECES_MAX:,}, and one for each "
+                            f"{BYTES_A_PIECE} bytes of their files); cut them in the models")
 
     def check_surfaced(self, faces, where):
         """Refuses more faces with surfaces than the models of a scene may have."""
