@@ -99,3 +99,19 @@ def test_true_is_no_number(tmp_path, line):
 
 def test_true_is_no_number_of_pixels(tmp_path):
     assert_refused(tmp_path, scene(tmp_path, billboards(['pattern = "tree"\npixels = [8, true]'])), "whole numbers from 1")
+
+
+def test_many_objects_of_one_large_model_with_materials(tmp_path):
+    """What an object's faces wish for was compared face by face with what others wished for."""
+    (tmp_path / "m.mtl").write_text("newmtl a\nKd 1 0 0\n")
+    (tmp_path / "m.obj").write_text("mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 40_000)
+    file = scene(tmp_path, '[[objects]]\nobj = "m.obj"\n' * 30_000)
+    size = file.stat().st_size + (tmp_path / "m.obj").stat().st_size
+    code, said = run_bounded(tmp_path, "build", file, "-o", tmp_path / "out.fxls", size=size)
+    assert code == 0, said[-500:]
+
+
+def test_a_solid_of_very_many_faces_with_a_texture(tmp_path):
+    text = textures(['pattern = "bricks"']).replace(BOX, "") + \
+        '[[objects]]\nsolid = "floor"\ncells = [200, 200]\ntexture = "t0"\n'
+    assert_refused(tmp_path, scene(tmp_path, text), "12,288 faces with textures")

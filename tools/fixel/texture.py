@@ -8,7 +8,7 @@ import numpy as np
 
 from fixel import palette, reading, texture_image
 from fixel.errors import ToolError
-from fixel.reading import quoted, shortened
+from fixel.reading import Beside, quoted
 
 SIDE_MAX = 256
 FILE_MAX = 4 << 20          # bytes of a picture's file
@@ -287,13 +287,12 @@ class Pictures:
     def file(self, row, most, any_side=False, key=None):
         """The picture of the file that a row of a scene file names (read)."""
         name = row.text("file")
-        path = os.path.join(self.folder, name)
-        if "\0" in name or not os.path.exists(path):
+        file = Beside(self.folder, name)
+        if not file.exists():
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
-        real = os.path.realpath(path)
+        real = os.path.realpath(file)
         self.file_bytes[real] = min(FILE_MAX, os.path.getsize(real))
-        return self._once((real, most, any_side, key), row.where,
-                          lambda: read(path, shortened(name), most, any_side, key))
+        return self._once((real, most, any_side, key), row.where, lambda: read(file, file, most, any_side, key))
 
     def levels(self, picture, count, most, least, where):
         """The same with smaller pictures of it (with_levels)."""

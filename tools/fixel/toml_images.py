@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Images of a model's materials as textures of its faces."""
 
+import dataclasses
+import functools
+
 import numpy as np
 
 from fixel import image_surface, texture
@@ -61,9 +64,42 @@ def _row(table):
     return size, colours, row.whole("levels", 1, 1, image_surface.LEVELS_MAX), bits
 
 
-def read(table, mesh_of):
-    """(paints, opacities in 16ths) of the faces of an object's file, by its materials; None unless it asks for images.
-    mesh_of: answers the object's mesh."""
+@dataclasses.dataclass(eq=False)    # equal only if the same: a file may have 65,535 faces, and as many objects
+class Colours:
+    """What colours the faces of a mesh wish for, each in turn; and whether an image covers them."""
+    bases: tuple
+    covered: tuple = (False,)
+
+
+@dataclasses.dataclass(eq=False)
+class Images:
+    """What images make of the faces of a file: of each face its Paint or None, its opacity in 16ths, and the colour of
+    its material."""
+    paints: tuple
+    opacities: tuple
+    materials: tuple
+
+    @functools.cached_property
+    def colours(self):
+        """Of each face, the mean colour of its image, or that of its material."""
+        means = {paint: paint.picture.mean() for paint in dict.fromkeys(self.paints) if paint}
+        return Colours(tuple(means[paint] if paint else colour for paint, colour in zip(self.paints, self.materials)),
+                       self.covered)
+
+    @functools.cached_property
+    def covered(self):
+        """Of each face, whether an image covers it."""
+        return tuple(paint is not None for paint in self.paints)
+
+    @functools.cached_property
+    def is_opaque(self):
+        """Whether no face is transparent."""
+        return all(opacity == image_surface.OPAQUE for opacity in self.opacities)
+
+
+def read(table, mesh_of, known):
+    """The Images of the faces of an object's file, by its materials; None unless it asks for images. mesh_of: answers the
+    object's mesh. known: those that were made before."""
     row = _row(table)
     if row is None:
         return None
@@ -76,9 +112,17 @@ def read(table, mesh_of):
     if len(surfaces.of_face) > FACES_MAX:
         raise ToolError(f"{table.at('images')}: {len(surfaces.of_face):,} faces are more than the limit of {FACES_MAX:,} for "
                         "textures; simplify the model, or leave images away")
+    key = id(surfaces), row
+    if key not in known:
+        known[key] = _images(surfaces, row)
+    return known[key]
+
+
+def _images(surfaces, row):
     paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), row[3], False,
                                                               material.name)
               for material in surfaces.materials]
     opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
-    return (tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),
-            tuple(opacities[number] for number in surfaces.of_face))
+    return Images(tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),
+                  tuple(opacities[number] for number in surfaces.of_face),
+                  tuple(surfaces.materials[number].colour for number in surfaces.of_face))

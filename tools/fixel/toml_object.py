@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 
-from fixel import image, island, palette, parts, quantity, solids, toml_billboard, toml_light, toml_model, toml_motion, \
-    toml_texture
+from fixel import image, island, palette, parts, quantity, solids, toml_billboard, toml_images, toml_light, toml_model, \
+    toml_motion, toml_texture
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
@@ -154,7 +154,7 @@ class Objects:
         self.files, self.shapes, self.coloured, self.surfaces = files or {}, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
-        self.solids, self.by_height, self.divided = {}, {}, {}
+        self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
         self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
 
     def mesh(self, table):
@@ -195,6 +195,8 @@ class Objects:
             made = self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
+                if "solid" in table:    # those of files are counted where they are read
+                    self.files.sources.count_surfaced(len(made.faces), table.where)
                 made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
             self.shapes[key] = (made, convex, coordinates)
         return self.shapes[key]
@@ -244,23 +246,26 @@ class Objects:
                           for i, c in enumerate(table.rows("colours")))
             if table.data.get("solid") == "island":
                 mesh, _, identity = self.mesh(table)
-                key = identity, bases
-                if key not in self.by_height:
-                    self.by_height[key] = island.by_height(mesh, bases)
-                bases = self.by_height[key]
-        elif look.by_images and "colour" not in table:
-            materials = self.mesh(table)[0].surfaces
-            means = {paint: paint.picture.mean() for paint in dict.fromkeys(look.paints) if paint}
-            bases = tuple(means[paint] if paint else materials.materials[number].colour
-                          for paint, number in zip(look.paints, materials.of_face))
+                colours = self._shared((identity, bases), lambda: island.by_height(mesh, bases))
+            else:
+                colours = self._shared((bases, look.images), lambda: bases, look)
+        elif look.images and "colour" not in table:
+            colours = look.images.colours
         elif "colour" not in table and "solid" not in table and self.mesh(table)[0].surfaces:
-            bases = self._of_file(self.mesh(table)[1])
+            colours = self._shared((self.mesh(table)[1], None), lambda: self._of_file(self.mesh(table)[1]))
         else:
             own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
             bases = (own,) if "colour" in table else tuple(p.picture.mean() if p else own for p in look.paints)
-        # Under an image a face's own colour is hardly ever seen: it takes no shade, so that few entries are its.
-        covered = tuple(paint is not None for paint in look.paints) if look.by_images else (False,)
-        return "shaded" if table.switch("shade", True) else "plain", bases, covered
+            colours = self._shared((bases, look.images), lambda: bases, look)
+        return "shaded" if table.switch("shade", True) else "plain", colours
+
+    def _shared(self, key, make, look=None):
+        """The toml_images.Colours of a wish; the same object for the same wish. Under an image a face's own colour is
+        hardly ever seen: it takes no shade, so that few entries are its."""
+        if key not in self.shared:
+            covered = (look.images.covered,) if look and look.images else ()
+            self.shared[key] = toml_images.Colours(make(), *covered)
+        return self.shared[key]
 
     def _of_file(self, name):
         """The colours of a file's faces; the same object for the same file."""
@@ -284,9 +289,10 @@ class Objects:
             _, first, then, step = wish
             colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
         elif wish[0] == "plain":
-            colours = tuple(wish[1][s % len(wish[1])] for s in made.sources)
+            bases = wish[1].bases
+            colours = tuple(bases[s % len(bases)] for s in made.sources)
         else:
-            _, bases, covered = wish
+            bases, covered = wish[1].bases, wish[1].covered
             colours = tuple(bases[s % len(bases)] if covered[s % len(covered)] else
                             self.light.bake(bases[s % len(bases)], face.normal)
                             for s, face in zip(made.sources, made.faces))
@@ -332,7 +338,7 @@ class Objects:
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
         look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
-                                 lambda: self.mesh(table)[0])
+                                 lambda: self.mesh(table)[0], self.images)
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = _places(table, PLACEMENTS_MAX - self.count)

@@ -74,23 +74,24 @@ def read(top, pictures):
 
 class Wish:
     """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone.
-    light: the scene's; baked: whether the tool computes it. opacities: as paints. mesh_of: answers the object's mesh."""
+    light: the scene's; baked: whether the tool computes it. opacities: as paints. images: a toml_images.Images or None.
+    mesh_of: answers the object's mesh. known_images: those made before."""
 
-    def __init__(self, table, known, baked, mesh_of):
+    def __init__(self, table, known, baked, mesh_of, known_images):
         if "texture" in table and "textures" in table:
             raise ToolError(f"{table.where}: both texture and textures are given; keep one")
         names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
-        images = toml_images.read(table, mesh_of)
-        self.paints = images[0] if images else tuple(self._known(name, table, known) for name in names) or (None,)
+        self.images = images = toml_images.read(table, mesh_of, known_images)
+        self.paints = images.paints if images else tuple(self._known(name, table, known) for name in names) or (None,)
         self.division = self._division(table)
-        self.opacities = images[1] if images else (table.whole("opacity", 16, 1, 16),)
+        self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
         self.blends = table.switch("blend", False)
         self.smooth = table.switch("smooth", False)
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
-        self.by_images, self.own = images is not None, {}
-        self.by_file = self.by_images or self._goes_by_file(table)
+        self.own = {}
+        self.by_file = images is not None or self._goes_by_file(table)
         offset = table.data.get("texel_offset", [0, 0])
         if not isinstance(offset, list) or len(offset) != 2:
             raise ToolError(f"{table.at('texel_offset')}: expected [u, v] in texels")
@@ -150,7 +151,7 @@ class Wish:
     @property
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
-        return (self.paints, self.division, self.opacities, self.per_unit, self.tiles, self.offset, self.blends, self.lit,
+        return (self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset, self.blends, self.lit,
                 self.smooth, self.by_file)
 
     def wanted(self):
@@ -159,7 +160,8 @@ class Wish:
 
     def _has_plain_look(self):
         """Whether a face without a texture has a surface."""
-        return any(opacity != image_surface.OPAQUE for opacity in self.opacities) or self.blends or self.lit
+        is_opaque = self.images.is_opaque if self.images else self.opacities == (image_surface.OPAQUE,)
+        return not is_opaque or self.blends or self.lit
 
     def _flags(self):
         return (image_surface.LIT if self.lit else 0) | (image_surface.BLENDED if self.blends else 0)
