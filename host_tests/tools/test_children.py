@@ -122,6 +122,26 @@ def test_a_signal_just_before_a_wait_counts(tmp_path, ending):
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_a_tool_that_cannot_clear_up_ends_all_the_same(tmp_path, ending):
+    """A signal may come where it leaves a lock held that the clearing up needs."""
+    body = """
+        from fixel import errors
+        errors.LAST = 1.0
+        lock = threading.Lock()
+        try:
+            (folder / "started").touch()
+            time.sleep(600)
+        finally:
+            lock.acquire()
+            lock.acquire()
+    """
+    process = subprocess.Popen(tool(tmp_path, body))
+    wait_for(tmp_path / "started", process)
+    process.send_signal(ending)
+    assert process.wait() == 128 + ending
+
+
 @pytest.mark.parametrize("last", ["sys.exit(3)", "raise SystemExit(3)", "return 3"])
 def test_nothing_interrupts_a_tool_that_ends(tmp_path, last):
     """Python's own end may take long: then it has no handlers any more."""

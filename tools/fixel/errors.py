@@ -15,12 +15,14 @@ What exit codes mean, for every tool:
 import os
 import signal
 import sys
+import time
 
 from fixel import children, scratch
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ONCE_MORE = 0.01    # seconds
 BEAT = 0.5          # seconds
+LAST = 60.0         # seconds in which a tool ends that was told to
 
 
 def printable(text):
@@ -56,7 +58,12 @@ class Ended(KeyboardInterrupt):
         self.number = number
 
 
+_told = None        # (number of the signal that ended the tool, when)
+
+
 def _end(number, _frame):
+    global _told
+    _told = _told or (number, time.monotonic())
     children.end_all()
     raise Ended(number)
 
@@ -84,7 +91,12 @@ def _end_once_more(number, frame):
 
 def _tick(_number, _frame):
     """Python asks for signals before a system call and where one interrupts it. One that comes between the two is
-    heeded when the call ends, perhaps after minutes; so each wait is interrupted now and then, and goes on."""
+    heeded when the call ends, perhaps after minutes; so each wait is interrupted now and then, and goes on.
+
+    What a signal raises may also leave a lock of Python's own held, for which the clearing up then waits for ever. So
+    a tool that was told to end ends at last without it: the next command removes what it leaves."""
+    if _told and time.monotonic() - _told[1] > LAST:
+        os._exit(128 + _told[0])
 
 
 def _begin():
