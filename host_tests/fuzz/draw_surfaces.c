@@ -69,14 +69,18 @@ static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
     texture->flags = (uint8_t)fuzz_below(in, 4);
     texture->key = (uint8_t)fuzz_bits(in, 1);
     texture->levels = (uint8_t)(1 + fuzz_below(in, 1 + (wide > high ? wide : high)));
-    made->texels[number] = block(texel_bytes(texture));
-    texture->texels = made->texels[number];
     texture->colours = format == FXL_TEXTURE_4 ? made->colours : NULL;
     texture->levels = spoilt(in, texture->levels);
     texture->format = spoilt(in, texture->format);
     texture->log_width = spoilt(in, texture->log_width);
     texture->log_height = spoilt(in, texture->log_height);
     texture->key_565 = spoilt(in, 0);
+    /* What is spoilt may be sound too. */
+    const bool is_bounded = texture->log_width <= FXL_TEXTURE_LOG_MAX &&
+                            texture->log_height <= FXL_TEXTURE_LOG_MAX &&
+                            texture->levels <= FXL_TEXTURE_LOG_MAX + 1;
+    made->texels[number] = block(is_bounded ? texel_bytes(texture) : 0);
+    texture->texels = made->texels[number];
     if (fuzz_below(in, 32) == 0) {
         texture->texels = NULL;
     }
