@@ -264,10 +264,12 @@ static bool is_in_sight(uint32_t number)
  * measured or not. */
 void test_orientations_in_sight_are_checked(void)
 {
-    const uint32_t rounds = UNIT_REPEAT / 1000 + 24;
+    const uint32_t rounds = UNIT_REPEAT / 1000 + 60;
     uint32_t in_sight = 0, measured = 0;
     for (uint32_t round = 0; round < rounds; round++) {
-        const fxl_pose poses[] = {random_pose(), random_pose()};
+        fxl_pose poses[2];
+        poses[0] = random_pose();
+        poses[1] = random_pose();
         const uint32_t number = round % TINY_INSTANCES;
         make(round % 2);
         turn_all();
