@@ -44,8 +44,10 @@ def is_convex(vertices, faces):
     points = np.array(vertices, dtype=float)
     normals = np.array([face.normal for face in faces], dtype=float) / 2 ** 30
     heights = np.sum(normals * points[[face.corners[0] for face in faces]], axis=1)
-    normals, heights = np.split(np.unique(np.column_stack([normals, heights]), axis=0), [3], axis=1)
-    heights, leaves = heights[:, 0], _leaves(points)
+    if len(faces) > _LEAF:      # a plane that many faces share is looked at once; a few are looked at faster
+        normals, heights = np.split(np.unique(np.column_stack([normals, heights]), axis=0), [3], axis=1)
+        heights = heights[:, 0]
+    leaves = _leaves(points)
     low, high = (np.array([end(leaf, axis=0) for leaf in leaves]) for end in (np.min, np.max))
     boxes = (low + high) / 2, (high - low) / 2
     return _is_behind(normals, heights, leaves, boxes) or _is_behind(-normals, -heights, leaves, boxes)

@@ -68,7 +68,7 @@ def tables(models_of_scene):
 
 
 def check_coordinates(point, what):
-    if any(abs(c) > COORDINATE_MAX for c in point):
+    if max(point) > COORDINATE_MAX or min(point) < -COORDINATE_MAX:
         fail("range", f"{what} ({', '.join(f'{c / 65536:.6g}' for c in point)}) "
              "leaves -8191..8191")
 
