@@ -44,7 +44,8 @@ static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plan
     plane->one = divisor.exponent - near_z.exponent + 1;
 }
 
-/* The code of a plane that is parallel to the screen: that of every pixel. */
+/* The code of a plane that is parallel to the screen: that of every pixel. The sum is modulo 2^32,
+ * as the bias of the farthest octave is below 0. */
 static uint32_t code_of(fxl_depth_scale scale, const fxl_depth_plane *plane)
 {
     fxl_depth_octave octave;
