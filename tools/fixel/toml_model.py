@@ -49,7 +49,7 @@ class Files:
         return self.meshes.values()
 
 
-def read(table, key, _folder, files, progress):
+def read(table, key, files, progress):
     """(mesh, its Beside, notes) of an object's file; files: a Files with those that were read already."""
     name = table.text(key)
     if key == "obj" and model_file.is_model(name) and model_file.suffix_of(name) != ".obj":

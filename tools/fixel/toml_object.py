@@ -146,12 +146,12 @@ def _places(table, room):
 
 
 class Objects:
-    """Compiles the objects of one scene. notes are told to the user, once each."""
+    """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each."""
 
-    def __init__(self, name, folder, light, notes, progress=None, files=None, textures=None, billboards=None):
-        self.name, self.folder, self.light = name, folder, light
+    def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None):
+        self.name, self.light = name, light
         self.notes, self.progress = notes, progress
-        self.files, self.shapes, self.coloured, self.surfaces = files or {}, {}, {}, {}
+        self.files, self.shapes, self.coloured, self.surfaces = files, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
@@ -173,7 +173,7 @@ class Objects:
         for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
             if key in table:
                 raise ToolError(f"{table.at(key)}: means nothing for a file")
-        self.files[table.text(source)], name, notes = toml_model.read(table, source, self.folder, self.files, self.progress)
+        self.files[table.text(source)], name, notes = toml_model.read(table, source, self.files, self.progress)
         self.notes += notes
         return self.files[name], name, (name,)
 

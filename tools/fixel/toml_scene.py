@@ -323,7 +323,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     reserved = _reserved(top)
     light = toml_light.read(top)
     pictures = texture.Pictures(folder)
-    objects = Objects(name, folder, light, notes, progress, files or toml_model.Files(folder), toml_texture.read(top, pictures),
+    objects = Objects(name, files or toml_model.Files(folder), light, notes, progress, toml_texture.read(top, pictures),
                       toml_billboard.read(top, pictures))
     placements = []
     for number, item in enumerate(top.rows("objects")):
