@@ -4,6 +4,7 @@ ToolError with a short message. The seed is fixed; FUZZ_EXAMPLES (make fuzz) ask
 seed."""
 
 import copy
+import functools
 import io
 import json
 import os
@@ -181,6 +182,7 @@ def test_any_name_of_a_scene(kind, stem):
 
 # --- TOML --------------------------------------------------------------------------
 
+@functools.cache    # what is drawn must not change while it is drawn
 def _keys():
     """Every key that a table of a scene may have: the sets of names in what reads scenes, and the names of the sets."""
     found = {"count", "step"}
