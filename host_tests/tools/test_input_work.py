@@ -111,6 +111,18 @@ def test_many_objects_of_one_large_model_with_materials(tmp_path):
     assert code == 0, said[-500:]
 
 
+def test_islands_of_few_faces_and_many_cells(tmp_path):
+    text = "".join(f'[[objects]]\nsolid = "island"\ncells = [200, 200]\nsea = 0.9\nseed = {seed}\n' for seed in range(200))
+    assert_refused(tmp_path, scene(tmp_path, text), "60,000 cells")
+
+
+def test_a_long_list_of_textures_on_many_copies(tmp_path):
+    names = ", ".join(['"t0"'] * 40_000)
+    text = textures(['pattern = "crate"\nsize = [4, 4]']).replace(BOX, "") + \
+        f'[[objects]]\nsolid = "tile"\ntextures = [{names}]\nring = {{ count = 1000, radius = 9 }}\n'
+    assert_built(tmp_path, scene(tmp_path, text))
+
+
 def test_a_solid_of_very_many_faces_with_a_texture(tmp_path):
     text = textures(['pattern = "bricks"']).replace(BOX, "") + \
         '[[objects]]\nsolid = "floor"\ncells = [200, 200]\ntexture = "t0"\n'

@@ -22,6 +22,7 @@ KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "ins
 _RING = {"count", "radius", "start", "turn", "turned"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
+CELLS_MAX = 60_000      # of solids that differ, each made once: an island may have few faces of many cells
 MADE_MAX = 40_000       # faces of all models, beside those of the scene's files
 
 
@@ -155,7 +156,7 @@ class Objects:
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
-        self.count = self.made = self.placed = 0    # objects, faces of models, vertices of objects
+        self.count = self.made = self.placed = self.cells = 0   # objects, faces of models, vertices of objects, cells of solids
 
     def mesh(self, table):
         """(mesh, name, identity) of an object's solid or file."""
@@ -168,6 +169,10 @@ class Objects:
             options = _solid_options(table)
             identity = (name, *sorted(options.items()))
             if identity not in self.solids:
+                self.cells += math.prod(options.get("cells", (1, 1)))
+                if self.cells > CELLS_MAX:
+                    raise ToolError(f"{table.at('cells')}: the different solids of the scene have more than the limit of "
+                                    f"{CELLS_MAX:,} cells together; use fewer cells")
                 self.solids[identity] = solids.make(name, options, table.where)
             return self.solids[identity], table.where, identity
         for key in ("sides", "rings", "taper", "cells", "seed", "sea"):

@@ -2,6 +2,7 @@
 """The textures of a scene file, and what its objects make of them."""
 
 from fractions import Fraction
+import functools
 
 from fixel import image_surface, quantity, surfaces, texture, toml_images
 from fixel.errors import ToolError
@@ -70,6 +71,18 @@ def read(top, pictures):
             raise ToolError(f"{top.at('textures')}[{i}]: there is a texture {quoted(name)} already")
         paints[name] = paint
     return paints
+
+
+class _Key(tuple):
+    """A tuple, perhaps a long one, whose hash is computed once."""
+
+    def __new__(cls, *values):
+        return super().__new__(cls, values)
+
+    def __hash__(self):
+        if not hasattr(self, "hash"):
+            self.hash = super().__hash__()
+        return self.hash
 
 
 class Wish:
@@ -148,11 +161,11 @@ class Wish:
         return None, tuple(quantity.in_range(quantity.fraction(c, table.at("tiles")), Fraction(1, 256), 1024,
                                              table.at("tiles")) for c in tiles)
 
-    @property
+    @functools.cached_property
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
-        return (self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset, self.blends, self.lit,
-                self.smooth, self.by_file)
+        return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
+                    self.blends, self.lit, self.smooth, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
