@@ -6,7 +6,7 @@ coordinates are not is cut into triangles."""
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import combinations
+import functools
 from math import lcm
 
 from fixel import image_surface, light_palette
@@ -121,13 +121,22 @@ def smooth_normals(made):
 
 # --- faces ---------------------------------------------------------------------------------------
 
+@functools.lru_cache(1 << 14)      # a face comes here twice
 def _best_corners(points):
-    """Three corners of an outline, in rising order, whose triangle is the largest."""
+    """Three corners of an outline, in rising order, whose triangle is the largest; of several the first. points: a
+    tuple."""
     if len(points) == 3:
         return 0, 1, 2
-    return max(combinations(range(len(points)), 3),
-               key=lambda three: (dot(*(cross(minus(points[three[1]], points[three[0]]),
-                                              minus(points[three[2]], points[three[0]])),) * 2), [-i for i in three]))
+    largest, best = -1, None
+    for i, (x, y, z) in enumerate(points[:-2]):
+        edges = [(a - x, b - y, c - z) for a, b, c in points[i + 1:]]
+        for j, (p, q, r) in enumerate(edges[:-1], i + 1):
+            for k, (a, b, c) in enumerate(edges[j - i:], j + 1):
+                u, v, w = q * c - r * b, r * a - p * c, p * b - q * a
+                square = u * u + v * v + w * w
+                if square > largest:
+                    largest, best = square, (i, j, k)
+    return best
 
 
 def _is_affine(points, coordinates, three):
@@ -166,7 +175,7 @@ def spread(mesh, rows, made, coordinates):
         mesh.sources.count_surfaced(len(made.faces), mesh.places[0])
     faces, sources, result = [], [], []
     for face, source, found in zip(made.faces, made.sources, _source_coordinates(mesh, rows, made, coordinates)):
-        outline = [made.vertices[c] for c in face.corners]
+        outline = tuple(made.vertices[c] for c in face.corners)
         if len(outline) == 3 or _is_affine(outline, found, _best_corners(outline)):
             pieces = [range(len(outline))]
         else:

@@ -249,8 +249,8 @@ def _count_colours(placements, lit):
     for colours in {id(placement.colours): placement.colours for placement in placements}.values():
         for colour in colours:
             wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
-    for colour in {c for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look
-                   for c in look.colours}:
+    looks = (look for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look)
+    for colour in {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
     for colour in {c for placement in placements if placement.board for c in placement.board.picture.colours}:
         wanted[colour] = wanted.get(colour, 0) + 1

@@ -218,20 +218,24 @@ class Wish:
         directions = {face.normal for face, source in zip(made.faces, made.sources) if self.paint_of(source)}
         if not self.lit and len(directions) > DIRECTIONS_MAX:
             bake = keep
-        return tuple(self._look(made, number, coordinates[number], normals[number], bake, where)
+
+        @functools.lru_cache(None)      # one object for all faces that look the same way
+        def baked(paint, normal):
+            return tuple(bake(colour, normal) for colour in paint.picture.colours)
+        return tuple(self._look(made, number, coordinates[number], normals[number], bake is not keep and baked, where)
                      for number in range(len(made.faces)))
 
-    def _look(self, made, number, coordinates, normals, bake, where):
+    def _look(self, made, number, coordinates, normals, baked, where):
         face, paint = made.faces[number], self.paint_of(made.sources[number])
         opacity = self.opacities[made.sources[number] % len(self.opacities)]
-        points = [made.vertices[c] for c in face.corners]
+        points = tuple(made.vertices[c] for c in face.corners)
         if paint is None and not self._has_plain_look():
             return None
         corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
         own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
-        colours = self._own_of(paint) if bake is keep else tuple(bake(colour, face.normal) for colour in paint.picture.colours)
+        colours = baked(paint, face.normal) if baked else self._own_of(paint)
         return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
 
     def _own_of(self, paint):
